@@ -1,0 +1,109 @@
+//! The FMI 2.0 co-simulation half: variables, description, calling table, instance, package. No mechanics.
+//!
+//! [`Model`] is the whole of what this half asks of the other one.
+
+pub mod variable;
+
+use variable::Variable;
+
+/// A number as FMI types it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A `Real`.
+    Real(f64),
+    /// An `Integer`.
+    Integer(i32),
+}
+
+/// What the description says of a model as a whole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct About {
+    /// `modelName`: free text.
+    pub name: String,
+    /// `modelIdentifier`: a C identifier, also the file name of the library.
+    pub identifier: String,
+    /// One sentence on the model; may be empty.
+    pub description: String,
+    /// Hash of the model and of what matters in the XML, with braces: `{8c4e810f-...}`.
+    pub guid: String,
+    /// Default stop time (the default start time is 0), s.
+    pub stop: f64,
+    /// Default communication step, s.
+    pub output_step: f64,
+}
+
+/// Why the model could not do what it was asked: one sentence with numbers, and the log category it belongs to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// What happened, where, with which numbers, and what to try.
+    pub message: String,
+    /// One of the standard's log categories.
+    pub category: LogCategory,
+}
+
+/// The log categories of FMI 2.0 (section 2.2.4) that are used here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LogCategory {
+    /// Calls and their parameters.
+    Events,
+    /// The linear system has no solution.
+    SingularLinearSystems,
+    /// Newton did not converge.
+    NonlinearSystems,
+    /// Something is odd but the call succeeded.
+    StatusWarning,
+    /// A call was discarded.
+    StatusDiscard,
+    /// A call failed; the instance goes on.
+    StatusError,
+    /// The instance is unusable.
+    StatusFatal,
+}
+
+/// What the FMI half asks of a model. A failed call leaves the model as it was.
+pub trait Model: Sized {
+    /// A plain copy of everything that changes between two calls: what an FMU state keeps of the model.
+    type Snapshot: Clone;
+
+    /// Names, guid and default experiment.
+    fn about(&self) -> &About;
+
+    /// The variable table: a variable's value reference is its place in this slice.
+    fn variables(&self) -> &[Variable];
+
+    /// The value of variable `reference` (a legal place in the table): after `initialize` as of the last accepted time, before it the start value.
+    fn value(&self, reference: usize) -> Value;
+
+    /// Sets variable `reference`, whose causality and variability the caller has checked; the type and range are checked here.
+    ///
+    /// # Errors
+    /// The value is out of range, of the wrong type, or not finite; the model is as it was.
+    fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure>;
+
+    /// Builds the model from the parameters as set and finds its initial state at `start`, s. May be called again.
+    ///
+    /// # Errors
+    /// The parameters do not make a model, or no initial state exists.
+    fn initialize(&mut self, start: f64) -> Result<(), Failure>;
+
+    /// The time that the model has reached, s.
+    fn time(&self) -> f64;
+
+    /// Advances from the own time to `end` > time, s; the model's own grid decides the internal steps.
+    ///
+    /// # Errors
+    /// A step that does not converge even at the smallest internal step; the model is as it was before the call.
+    fn advance(&mut self, end: f64) -> Result<(), Failure>;
+
+    /// Warnings since the last call of this function, oldest first.
+    fn take_warnings(&mut self) -> Vec<String>;
+
+    /// Back to just loaded: start values everywhere.
+    fn reset(&mut self);
+
+    /// Copies what changes between two calls.
+    fn snapshot(&self) -> Self::Snapshot;
+
+    /// Goes back to a snapshot of this model.
+    fn restore(&mut self, snapshot: &Self::Snapshot);
+}

@@ -1,0 +1,78 @@
+//! One row of the variable table: what XML, values, CLI listing, C header and documentation are made of.
+
+use super::Value;
+
+/// A scalar variable of the FMU. Its value reference is its place in the model's table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// Structured name: `tip.displacement[1]`.
+    pub name: String,
+    /// Meaning, axes and sign, as a sentence.
+    pub description: String,
+    /// FMI causality.
+    pub causality: Causality,
+    /// FMI variability.
+    pub variability: Variability,
+    /// Start value (parameters, inputs); the type of the variable is the type of this value.
+    pub start: Value,
+    /// Smallest allowed value.
+    pub min: Option<f64>,
+    /// Largest allowed value.
+    pub max: Option<f64>,
+    /// What is measured (position, force, ...): type definition and unit.
+    pub quantity: Quantity,
+    /// Unit that a host shows by default: `mm`, `deg`, `kN`, ...; none: the SI unit.
+    pub display_unit: Option<String>,
+}
+
+/// FMI causality, as far as used here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Causality {
+    /// A number of the model file.
+    Parameter,
+    /// A number of the model file that follows from other parameters.
+    CalculatedParameter,
+    /// Given by the host.
+    Input,
+    /// A result.
+    Output,
+    /// The independent variable.
+    Independent,
+}
+
+/// FMI variability, as far as used here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variability {
+    /// Set before initialization only.
+    Fixed,
+    /// May be changed between two steps.
+    Tunable,
+    /// Changes at communication points only (counts).
+    Discrete,
+    /// Changes with time.
+    Continuous,
+}
+
+/// A coherent SI unit as exponents, and the name of the type definition that carries it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// Name of the type definition: `Position`, `Force`, ...; empty: a plain `Real` or `Integer`.
+    pub name: &'static str,
+    /// Unit label: `m`, `N.m`, `rad/s`; empty: dimensionless.
+    pub unit: String,
+    /// Exponents of kg, m, s, rad, where the label is a known SI unit.
+    pub exponents: Option<Exponents>,
+}
+
+/// Exponents of the SI base units, as FMI's `BaseUnit` writes them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Exponents {
+    /// Kilogram.
+    pub kg: i32,
+    /// Metre.
+    pub m: i32,
+    /// Second.
+    pub s: i32,
+    /// Radian.
+    pub rad: i32,
+}

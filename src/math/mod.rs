@@ -1,0 +1,1 @@
+//! Numbers without beams: quadrature, Hermite shape functions, rotations.

@@ -1,0 +1,1 @@
+//! Linear systems, Newton, statics, time integration.
