@@ -1,6 +1,19 @@
 //! From a model file to a simulation: where the two halves meet.
 //!
-//! [`expression`] gives every number of a model file a value and exact derivatives.
+//! [`document::Document::parse`] reads a file into typed data, [`expression`] gives every number of it a value and exact
+//! derivatives, [`diagnostic`] says what is wrong and where.
 
+pub mod diagnostic;
+pub mod document;
+pub mod entries;
 pub mod expression;
 pub mod function;
+pub mod names;
+pub mod number;
+mod overrides;
+pub mod parameter;
+pub mod quantity;
+mod reader;
+mod schema;
+mod tree;
+pub mod unit;

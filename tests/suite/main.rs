@@ -1,1 +1,4 @@
+//! The integration tests: one question a file.
 
+mod model_file;
+mod model_mistakes;
