@@ -1,1 +1,4 @@
-//! Sections, the ANCF14 element, joints and loads: no FMI, no files, no solver.
+//! Sections, the ANCF14 element, joints and loads: no FMI, no files, no clock, no solver.
+pub mod beam;
+pub mod material;
+pub mod section;

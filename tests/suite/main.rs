@@ -1,1 +1,5 @@
+//! The integration tests: one binary, a file for each question.
 
+mod element_derivatives;
+mod oracle;
+mod random;
