@@ -109,7 +109,7 @@ fn large_strain_is_small_strain_here() {
 #[test]
 fn newton_converges_quadratically() {
     let case = &cases()[17];
-    let corrections = [0.01, 0.005].map(|more| {
+    let corrections = [2e-3, 1e-3].map(|more| {
         let (system, mut state) = machine(8, Strain::Small, case);
         let mut statics = Statics::new(&system, 1e-13).unwrap();
         statics.ramp(&system, &mut state).unwrap();
@@ -119,7 +119,7 @@ fn newton_converges_quadratically() {
         convergence
     });
     let [whole, half] = corrections.map(|convergence| convergence.corrections[1] / convergence.corrections[0]);
-    assert!((whole / half - 2.0).abs() < 0.1, "{}", whole / half);
+    assert!((whole / half - 2.0).abs() < 0.2, "{}", whole / half);
     let last = corrections[0].corrections[..corrections[0].iterations].iter().filter(|c| **c > 1e-13).collect::<Vec<_>>();
     assert!(last[last.len() - 1] / last[last.len() - 2] < 1e-4);
 }
