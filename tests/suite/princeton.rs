@@ -104,8 +104,8 @@ fn large_strain_is_small_strain_here() {
     }
 }
 
-/// With the exact tangent what is left after an iteration is the square of what was before: halving the change of load quarters
-/// the second correction (a wrong term in the Hessian halves it), and the last corrections fall to round-off in one leap.
+/// With the exact tangent what is left after an iteration is the square of what was before: halving the change of load
+/// divides the first three corrections by 2, 4 and 16 (a wrong term in the Hessian: by 2, 2 and 2).
 #[test]
 fn newton_converges_quadratically() {
     let case = &cases()[17];
@@ -118,8 +118,8 @@ fn newton_converges_quadratically() {
         println!("corrections after {more} more load: {:?}", &convergence.corrections[..convergence.iterations]);
         convergence
     });
-    let [whole, half] = corrections.map(|convergence| convergence.corrections[1] / convergence.corrections[0]);
-    assert!((whole / half - 2.0).abs() < 0.2, "{}", whole / half);
-    let last = corrections[0].corrections[..corrections[0].iterations].iter().filter(|c| **c > 1e-13).collect::<Vec<_>>();
-    assert!(last[last.len() - 1] / last[last.len() - 2] < 1e-4);
+    for (place, expected) in [(0, 2.0), (1, 4.0), (2, 16.0)] {
+        let ratio = corrections[0].corrections[place] / corrections[1].corrections[place];
+        assert!((ratio / expected - 1.0).abs() < 0.05, "correction {place}: {ratio}");
+    }
 }
