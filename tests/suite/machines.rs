@@ -7,7 +7,14 @@ use ancf14::mechanics::joint::{Joint, primitive::Primitive, weld};
 use ancf14::mechanics::load::{Direction, Load, Signal};
 use ancf14::mechanics::marker::{Marker, Pose};
 use ancf14::mechanics::material::Material;
+use ancf14::error::Error;
 use ancf14::mechanics::section::Section;
+use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::state::State;
+use ancf14::mechanics::system::System;
+use ancf14::solve::midpoint::{AxialRule, Midpoint};
+use ancf14::solve::start;
+use ancf14::solve::stepping::Integrator;
 
 /// A steel-like beam of 1 m along x.
 pub fn design(name: &str, elements: usize) -> BeamDesign {
@@ -56,4 +63,35 @@ pub fn load(assembly: &mut Assembly, beam: usize, fraction: f64, force: Vec3, mo
         moment: constant(moment),
         direction: Direction::Global,
     });
+}
+
+/// Integrates from the state as drawn: projects the velocities, takes `count` steps of `step` and shows each state to `watch`.
+pub fn integrate(
+    system: &System,
+    state: &mut State,
+    rule: AxialRule,
+    (step, count): (f64, u32),
+    mut watch: impl FnMut(&State),
+) -> Result<(), Error> {
+    let mut midpoint = Midpoint::new(system, rule, 1e-8)?;
+    start::check_assembled(system, state)?;
+    start::set_motion(system, &mut midpoint, state)?;
+    let begin = state.time;
+    watch(state);
+    for number in 1..=count {
+        midpoint.step(system, state, step, begin + f64::from(number) * step)?;
+        watch(state);
+    }
+    Ok(())
+}
+
+/// Kinetic, elastic and gravity energy, J.
+pub fn energies(system: &System, state: &State) -> [f64; 3] {
+    let mut snapshot = Snapshot::default();
+    let configuration = snapshot.of(system, state);
+    [
+        system.kinetic_energy(&state.velocity),
+        system.elastic_energy(&configuration),
+        system.gravity_energy(&state.q),
+    ]
 }
