@@ -34,7 +34,9 @@ pub enum Error {
         place: String,
     },
     /// A tangent turned too far in one step.
-    #[error("the tangent at {place} turned by {angle:.2} rad in the step to t = {time} s (at most {limit:.2} rad); try a smaller step")]
+    #[error(
+        "the tangent at {place} turned by {angle:.2} rad in the step to t = {time} s (at most {limit:.2} rad); try a smaller step"
+    )]
     Turned {
         /// Time of the step's end, s.
         time: f64,
@@ -58,7 +60,9 @@ pub enum Error {
         what: &'static str,
     },
     /// A node's slope left the range in which the element means something.
-    #[error("{place} is stretched to {stretch:.3} of its length at t = {time} s (allowed: 0.3 to 3); try a smaller step or a stiffer beam")]
+    #[error(
+        "{place} is stretched to {stretch:.3} of its length at t = {time} s (allowed: 0.3 to 3); try a smaller step or a stiffer beam"
+    )]
     Stretched {
         /// Time, s.
         time: f64,

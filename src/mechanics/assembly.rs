@@ -83,11 +83,9 @@ impl BeamDesign {
     fn twist_limit(&self) -> f64 {
         let (material, section) = (&self.material, &self.section);
         match (self.strain, self.torsion) {
-            (Strain::LargeTruncated, Torsion::Free) => {
-                (4.0 * material.shear * section.torsion_constant * section.area
-                    / (material.young * section.polar_moment.powi(2)))
-                .sqrt()
-            }
+            (Strain::LargeTruncated, Torsion::Free) => (4.0 * material.shear * section.torsion_constant * section.area
+                / (material.young * section.polar_moment.powi(2)))
+            .sqrt(),
             _ => f64::INFINITY,
         }
     }
@@ -151,7 +149,8 @@ impl Assembly {
         let beam = &self.beams[beam];
         let place = fraction * beam.elements as f64;
         let nearest = place.round();
-        ((place - nearest).abs() <= AT_NODE).then(|| beam.first_node + nearest.clamp(0.0, beam.elements as f64) as usize)
+        ((place - nearest).abs() <= AT_NODE)
+            .then(|| beam.first_node + nearest.clamp(0.0, beam.elements as f64) as usize)
     }
 
     /// The section of beam `beam` at the fraction `fraction` (0 to 1) of its length: at a node or inside an element.
@@ -227,8 +226,7 @@ impl Assembly {
         let size = if self.q.is_empty() { 1.0 } else { (high - low).norm() };
         let holonomy = vec![0.0; self.elements.len()];
         let rotations = vec![Vec3::zeros(); self.sensors.len()];
-        let system =
-            System::new(self.beams, self.elements, self.joints, self.loads, self.sensors, gravity, size);
+        let system = System::new(self.beams, self.elements, self.joints, self.loads, self.sensors, gravity, size);
         let state = State {
             time: start,
             momentum: vec![0.0; self.q.len()],

@@ -72,11 +72,8 @@ impl Section {
 fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
     let (long, short) = (width.max(height), width.min(height));
     // The terms fall with n⁻⁵: 40 of them leave less than 1e-9 of the constant; summed from the smallest.
-    let series: f64 = (0..40)
-        .rev()
-        .map(|k| f64::from(2 * k + 1))
-        .map(|n| (n * PI * long / (2.0 * short)).tanh() / n.powi(5))
-        .sum();
+    let series: f64 =
+        (0..40).rev().map(|k| f64::from(2 * k + 1)).map(|n| (n * PI * long / (2.0 * short)).tanh() / n.powi(5)).sum();
     long * short.powi(3) / 3.0 * (1.0 - 192.0 * short / (PI.powi(5) * long) * series)
 }
 
@@ -104,9 +101,7 @@ mod tests {
             for j in 0..cells {
                 let y = width * ((f64::from(i) + 0.5) / f64::from(cells) - 0.5);
                 let z = height * ((f64::from(j) + 0.5) / f64::from(cells) - 0.5);
-                for (sum, value) in
-                    sums.iter_mut().zip([z * z, y * y, y.powi(4), y * y * z * z, z.powi(4)])
-                {
+                for (sum, value) in sums.iter_mut().zip([z * z, y * y, y.powi(4), y * y * z * z, z.powi(4)]) {
                     *sum += cell * value;
                 }
             }

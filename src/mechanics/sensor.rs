@@ -108,7 +108,8 @@ impl Sensor {
 fn strains_in_element(c: &Configuration, number: usize, xi: f64) -> SectionStrains {
     let element = &c.elements[number];
     let evaluation = evaluation(c, number, None);
-    let axial = lagrange(&LOBATTO_POINTS, xi).iter().zip(evaluation.axial_strains()).map(|(weight, e)| weight * e).sum();
+    let axial =
+        lagrange(&LOBATTO_POINTS, xi).iter().zip(evaluation.axial_strains()).map(|(weight, e)| weight * e).sum();
     let q = c.element_q(element);
     let shape_x = hermite::shape_x(xi, element.length);
     let shape_xx = hermite::shape_xx(xi, element.length);

@@ -108,7 +108,12 @@ impl System {
     }
 
     /// The instant that `q`, `frames` and the accepted `holonomy` angles describe.
-    pub fn configuration<'a>(&'a self, q: &'a [f64], frames: &'a [NodeFrame], holonomy: &'a [f64]) -> Configuration<'a> {
+    pub fn configuration<'a>(
+        &'a self,
+        q: &'a [f64],
+        frames: &'a [NodeFrame],
+        holonomy: &'a [f64],
+    ) -> Configuration<'a> {
         Configuration { q, frames, holonomy, elements: &self.elements }
     }
 
@@ -156,7 +161,9 @@ impl System {
         for (place, (load, number)) in points.enumerate() {
             let count = load.points[number].0.coordinates(&self.elements).len();
             let force_q = load.force_q(c, number, excitation.time) * (-scale * excitation.share);
-            copy_corner(tangent.block_mut(self.elements.len() + place), count, count, |row, column| force_q[(row, column)]);
+            copy_corner(tangent.block_mut(self.elements.len() + place), count, count, |row, column| {
+                force_q[(row, column)]
+            });
         }
     }
 
@@ -209,7 +216,13 @@ impl System {
     }
 
     /// `forces += factor · (∂g/∂q)ᵀ multipliers`.
-    pub fn add_constraint_forces(&self, gradients: &[JointGradient], multipliers: &[f64], factor: f64, forces: &mut [f64]) {
+    pub fn add_constraint_forces(
+        &self,
+        gradients: &[JointGradient],
+        multipliers: &[f64],
+        factor: f64,
+        forces: &mut [f64],
+    ) {
         let mut row = 0;
         for (joint, gradient) in self.joints.iter().zip(gradients) {
             for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
@@ -250,9 +263,7 @@ impl System {
         for (q, momentum) in q.chunks_exact(NODE).zip(momentum.chunks_exact(NODE)) {
             let (force, slope) = (vec3(momentum, R), vec3(q, P));
             linear += force;
-            angular += vec3(q, R).cross(&force)
-                + slope.cross(&vec3(momentum, P))
-                + slope.normalize() * momentum[THETA];
+            angular += vec3(q, R).cross(&force) + slope.cross(&vec3(momentum, P)) + slope.normalize() * momentum[THETA];
         }
         (linear, angular)
     }
@@ -362,7 +373,13 @@ impl System {
                 let rate = evaluation(c, number, None).largest_torsion();
                 if rate.abs() > beam.twist_limit {
                     let limit = beam.twist_limit;
-                    return Err(Error::TwistBeyondTruncation { time, beam: beam.name.clone(), element: place, rate, limit });
+                    return Err(Error::TwistBeyondTruncation {
+                        time,
+                        beam: beam.name.clone(),
+                        element: place,
+                        rate,
+                        limit,
+                    });
                 }
             }
         }

@@ -63,8 +63,12 @@ impl Kkt {
                 (joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len());
             let conditions = joint.rows();
             let (right, below) = (&columns[number], &rows[number]);
-            copy_corner(self.blocks.block_mut(start), count_a, conditions, |row, column| scale * right.a[(column, row)]);
-            copy_corner(self.blocks.block_mut(start + 1), count_b, conditions, |row, column| scale * right.b[(column, row)]);
+            copy_corner(self.blocks.block_mut(start), count_a, conditions, |row, column| {
+                scale * right.a[(column, row)]
+            });
+            copy_corner(self.blocks.block_mut(start + 1), count_b, conditions, |row, column| {
+                scale * right.b[(column, row)]
+            });
             copy_corner(self.blocks.block_mut(start + 2), conditions, count_a, |row, column| below.a[(row, column)]);
             copy_corner(self.blocks.block_mut(start + 3), conditions, count_b, |row, column| below.b[(row, column)]);
         }

@@ -65,7 +65,8 @@ impl SparseLu {
         sorted.sort_unstable();
         sorted.dedup();
         let scatter = places.iter().map(|place| sorted.partition_point(|other| other < place)).collect();
-        let column_starts = (0..=size).map(|column| sorted.partition_point(|place| place.0 < column)).collect::<Vec<_>>();
+        let column_starts =
+            (0..=size).map(|column| sorted.partition_point(|place| place.0 < column)).collect::<Vec<_>>();
         let rows = sorted.iter().map(|place| place.1).collect::<Vec<_>>();
         let pattern = SymbolicSparseColMatRef::new_checked(size, size, &column_starts, None, &rows);
         let symbolic = factorize_symbolic_lu(pattern, LuSymbolicParams::default()).map_err(|_| Singular)?;
@@ -185,7 +186,8 @@ impl SparseLu {
                 let row = self.rows[place];
                 let product = self.values[place] * factor;
                 self.remainder[row] -= product;
-                self.magnitude[row] += product.abs() + NEGLIGIBLE * self.scaled[place].abs() * largest / self.scale[row];
+                self.magnitude[row] +=
+                    product.abs() + NEGLIGIBLE * self.scaled[place].abs() * largest / self.scale[row];
             }
         }
         let mut error = 0.0_f64;

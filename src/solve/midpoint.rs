@@ -101,10 +101,19 @@ impl Integrator for Midpoint {
         self.scratch.predict(system, state, step);
         let mut problem = Step { system, state, rule: self.rule, step, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
-        let solved =
-            newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, (self.tolerance, ITERATIONS), end, &mut iterations);
+        let solved = newton::solve(
+            system,
+            &mut problem,
+            &mut self.kkt,
+            &mut self.right,
+            (self.tolerance, ITERATIONS),
+            end,
+            &mut iterations,
+        );
         let scratch = &mut self.scratch;
-        scratch.check_end(system, state, end, solved.map(|_| ())).inspect_err(|_| state.statistics.iterations = iterations)?;
+        scratch
+            .check_end(system, state, end, solved.map(|_| ()))
+            .inspect_err(|_| state.statistics.iterations = iterations)?;
         state.statistics.iterations = iterations;
         scratch.finish(system, state, self.rule, step, end);
         self.set_velocity(system, state)

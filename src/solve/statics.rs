@@ -92,8 +92,15 @@ impl Statics {
         let mut problem = Equilibrium { system, state, excitation, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
         let control = (self.tolerance, MOST_ITERATIONS);
-        let solved =
-            newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, excitation.time, &mut iterations);
+        let solved = newton::solve(
+            system,
+            &mut problem,
+            &mut self.kkt,
+            &mut self.right,
+            control,
+            excitation.time,
+            &mut iterations,
+        );
         state.statistics.iterations = iterations;
         self.convergence = Some(solved?);
         let scratch = &mut self.scratch;

@@ -37,7 +37,8 @@ pub fn grid_step(
         let part = whole >> state.halving;
         let size = step * f64::from(part) / f64::from(whole);
         // Never a running sum: the parts of a step end where the step's own numbers say.
-        let part_end = if done + part == whole { end } else { start + step * f64::from(done + part) / f64::from(whole) };
+        let part_end =
+            if done + part == whole { end } else { start + step * f64::from(done + part) / f64::from(whole) };
         match integrator.step(system, state, size, part_end) {
             Ok(()) => done += part,
             Err(reason) => {
@@ -45,7 +46,12 @@ pub fn grid_step(
                 state.statistics.rejected += 1;
                 state.good_steps = 0;
                 if state.halving == MOST_HALVINGS {
-                    return Err(Error::StepTooSmall { time: state.time, step: size, parts: whole, reason: Box::new(reason) });
+                    return Err(Error::StepTooSmall {
+                        time: state.time,
+                        step: size,
+                        parts: whole,
+                        reason: Box::new(reason),
+                    });
                 }
                 state.halving += 1;
             }

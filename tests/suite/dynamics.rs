@@ -107,7 +107,10 @@ fn tumbling_beam_keeps_its_energy() {
     let (result, band, _) = run(AxialRule::Conserving);
     assert!(result.is_ok() && band < 1e-5, "{result:?} {band:e}");
     let (result, band, reached) = run(AxialRule::Variational);
-    assert!(result.is_err() && reached < 0.1 || band > 1e-2, "the plain rule has become as good: {band:e} until {reached}");
+    assert!(
+        result.is_err() && reached < 0.1 || band > 1e-2,
+        "the plain rule has become as good: {band:e} until {reached}"
+    );
 }
 
 /// The taut string of MECHANICS 7.6: 4 elements stretched by 1e-2, plucked, h = 1e-2 s. An axial rule whose geometric stiffness acts
@@ -157,7 +160,11 @@ fn order_two_in_the_step() {
         let reference = end(6.25e-5);
         let error = |step| {
             let q = end(step);
-            q.iter().zip(&reference).enumerate().filter(|(i, _)| i % 7 < 3).fold(0.0_f64, |e, (_, (a, b))| e.max((a - b).abs()))
+            q.iter()
+                .zip(&reference)
+                .enumerate()
+                .filter(|(i, _)| i % 7 < 3)
+                .fold(0.0_f64, |e, (_, (a, b))| e.max((a - b).abs()))
         };
         let (coarse, fine) = (error(1e-3), error(5e-4));
         let order = (coarse / fine).log2();

@@ -21,12 +21,20 @@ pub fn stiffness(strain: Strain) -> Stiffness {
 }
 
 /// Coordinates of an element of length `length` with the given bend and twist scale, and reference triads near its tangents.
-fn state(random: &mut Random, length: f64, bend: f64, twist: f64) -> (SVector<f64, 14>, [Triad; 2], f64) {
+pub fn random_element_state(
+    random: &mut Random,
+    length: f64,
+    bend: f64,
+    twist: f64,
+) -> (SVector<f64, 14>, [Triad; 2], f64) {
     let turn = random.rotation();
     let place = random.vector();
     let mut q = SVector::<f64, 14>::zeros();
     let along = turn.column(0).into_owned();
-    let ends = [place, place + along * (length * (1.0 + 0.1 * bend * random.signed())) + random.vector() * (0.3 * bend * length)];
+    let ends = [
+        place,
+        place + along * (length * (1.0 + 0.1 * bend * random.signed())) + random.vector() * (0.3 * bend * length),
+    ];
     let mut triads = [Triad { t: along, u: along }; 2];
     for node in 0..2 {
         let slope = along * (1.0 + 0.1 * bend * random.signed()) + random.vector() * (0.6 * bend);
@@ -49,7 +57,7 @@ pub fn straight(length: f64, stiffness: Stiffness) -> Element {
 
 /// An element whose undeformed shape is bent and twisted at random.
 fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element {
-    let (q, triads, previous) = state(random, length, 0.3, 0.5);
+    let (q, triads, previous) = random_element_state(random, length, 0.3, 0.5);
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];
     Element::new(0, length, stiffness, [1.0, 0.1], q.as_slice(), [&frames[0], &frames[1]], previous)
 }
@@ -60,7 +68,11 @@ fn compare(element: &Element, q: &SVector<f64, 14>, triads: &[Triad; 2], previou
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];
     let evaluation = Evaluation::new(element, q.as_slice(), None, [&frames[0], &frames[1]], previous);
     let (closed_gradient, closed_hessian) = evaluation.gradient_and_hessian();
-    assert!((evaluation.energy() - energy).abs() <= ROUNDING * energy.abs().max(1e-6), "{} {energy}", evaluation.energy());
+    assert!(
+        (evaluation.energy() - energy).abs() <= ROUNDING * energy.abs().max(1e-6),
+        "{} {energy}",
+        evaluation.energy()
+    );
     let error = (closed_gradient - gradient).amax() / gradient.amax().max(1e-3);
     assert!(error < ROUNDING, "gradient: {error:e}");
     let error = (closed_hessian - hessian).amax() / hessian.amax();
@@ -74,7 +86,7 @@ fn random_states() {
     for strain in STRAINS {
         for _ in 0..20 {
             let element = straight(0.7, stiffness(strain));
-            let (q, triads, previous) = state(&mut random, 0.7, 1.0, 1.5);
+            let (q, triads, previous) = random_element_state(&mut random, 0.7, 1.0, 1.5);
             compare(&element, &q, &triads, previous);
             let element = curved(&mut random, 0.7, stiffness(strain));
             compare(&element, &q, &triads, previous);
@@ -89,7 +101,7 @@ fn straight_and_nearly_straight_states() {
     for strain in STRAINS {
         let element = straight(0.7, stiffness(strain));
         for bend in [0.0, 1e-12, 1e-9, 1e-6, 1e-3] {
-            let (q, triads, previous) = state(&mut random, 0.7, bend, bend);
+            let (q, triads, previous) = random_element_state(&mut random, 0.7, bend, bend);
             compare(&element, &q, &triads, previous);
         }
     }
@@ -102,7 +114,7 @@ fn strongly_twisted_states() {
     for strain in STRAINS {
         let element = straight(0.7, stiffness(strain));
         for turns in [-3.0, 1.0, 5.0] {
-            let (q, triads, _) = state(&mut random, 0.7, 0.8, 6.0);
+            let (q, triads, _) = random_element_state(&mut random, 0.7, 0.8, 6.0);
             compare(&element, &q, &triads, turns * std::f64::consts::TAU);
         }
     }
@@ -115,7 +127,7 @@ fn tangent_over_a_step() {
     let mut random = Random(4);
     for strain in STRAINS {
         let element = straight(0.7, stiffness(strain));
-        let (start, triads, previous) = state(&mut random, 0.7, 0.5, 0.5);
+        let (start, triads, previous) = random_element_state(&mut random, 0.7, 0.5, 0.5);
         let end = start + SVector::<f64, 14>::from_fn(|_, _| 0.1 * random.signed());
         let force = |end: &SVector<f64, 14>| {
             let (middle, increment) = ((start + end) / 2.0, end - start);

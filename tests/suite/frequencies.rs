@@ -42,7 +42,8 @@ fn frequencies(beam: &BeamDesign) -> Vec<f64> {
     let factor = pick(&mass).cholesky().unwrap().l();
     let left = factor.solve_lower_triangular(&pick(&stiffness)).unwrap();
     let standard = factor.solve_lower_triangular(&left.transpose()).unwrap();
-    let mut values: Vec<f64> = SymmetricEigen::new((&standard + standard.transpose()) / 2.0).eigenvalues.iter().map(|v| v.sqrt()).collect();
+    let mut values: Vec<f64> =
+        SymmetricEigen::new((&standard + standard.transpose()) / 2.0).eigenvalues.iter().map(|v| v.sqrt()).collect();
     values.sort_by(f64::total_cmp);
     values
 }
@@ -53,10 +54,10 @@ fn eight_elements_find_the_closed_forms() {
     let beam = design("beam", 8);
     let found = frequencies(&beam);
     let (material, section) = (&beam.material, &beam.section);
-    let bending = |root: f64, moment: f64| {
-        root * root * (material.young * moment / (material.density * section.area)).sqrt()
-    };
-    let torsion = 0.5 * PI * (material.shear * section.torsion_constant / (material.density * section.polar_moment)).sqrt();
+    let bending =
+        |root: f64, moment: f64| root * root * (material.young * moment / (material.density * section.area)).sqrt();
+    let torsion =
+        0.5 * PI * (material.shear * section.torsion_constant / (material.density * section.polar_moment)).sqrt();
     let axial = 0.5 * PI * (material.young / material.density).sqrt();
     let weak = section.second_moment_z;
     let cases = [
@@ -67,7 +68,9 @@ fn eight_elements_find_the_closed_forms() {
         ("axial", axial, 1e-6),
     ];
     for (name, exact, bound) in cases {
-        let nearest = found.iter().fold(f64::INFINITY, |best: f64, f| if (f - exact).abs() < (best - exact).abs() { *f } else { best });
+        let nearest = found
+            .iter()
+            .fold(f64::INFINITY, |best: f64, f| if (f - exact).abs() < (best - exact).abs() { *f } else { best });
         let error = (nearest / exact - 1.0).abs();
         println!("{name}: {error:.2e}");
         assert!(error < bound, "{name}: {nearest} against {exact}: {error:e}");

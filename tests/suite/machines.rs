@@ -1,5 +1,6 @@
 //! Small machines that several tests use, built without a model file.
 
+use ancf14::error::Error;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
 use ancf14::mechanics::beam::strain::Strain;
@@ -7,7 +8,6 @@ use ancf14::mechanics::joint::{Joint, primitive::Primitive, weld};
 use ancf14::mechanics::load::{Direction, Load, Signal};
 use ancf14::mechanics::marker::{Marker, Pose};
 use ancf14::mechanics::material::Material;
-use ancf14::error::Error;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
@@ -35,7 +35,14 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
 }
 
 /// A joint of `primitives` between the ground and the node of `beam` at `fraction`, at that node.
-pub fn hold(assembly: &mut Assembly, name: &str, beam: usize, fraction: f64, axes: &Mat3, primitives: &'static [Primitive]) {
+pub fn hold(
+    assembly: &mut Assembly,
+    name: &str,
+    beam: usize,
+    fraction: f64,
+    axes: &Mat3,
+    primitives: &'static [Primitive],
+) {
     let node = assembly.node_at(beam, fraction).unwrap();
     let place = assembly.drawn(&assembly.section_at(beam, fraction)).place;
     let joint = Joint {
@@ -89,9 +96,5 @@ pub fn integrate(
 pub fn energies(system: &System, state: &State) -> [f64; 3] {
     let mut snapshot = Snapshot::default();
     let configuration = snapshot.of(system, state);
-    [
-        system.kinetic_energy(&state.velocity),
-        system.elastic_energy(&configuration),
-        system.gravity_energy(&state.q),
-    ]
+    [system.kinetic_energy(&state.velocity), system.elastic_energy(&configuration), system.gravity_energy(&state.q)]
 }

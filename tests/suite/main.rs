@@ -3,7 +3,9 @@
 mod dynamics;
 mod element_derivatives;
 mod frequencies;
+mod invariance;
 mod machines;
+mod marker_derivatives;
 mod oracle;
 mod princeton;
 mod random;

@@ -65,7 +65,13 @@ fn interpolate<D: Scalar>(weights: &[f64; 4], q: &[D]) -> Vector<D> {
 }
 
 /// Section axes at `xi` inside the element (2.10-2.13), and the total twist T.
-pub fn inside<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previous: f64, xi: f64) -> (Vector<D>, Vector<D>, D) {
+pub fn inside<D: Scalar>(
+    element: &Element,
+    q: &[D],
+    triads: &[Triad; 2],
+    previous: f64,
+    xi: f64,
+) -> (Vector<D>, Vector<D>, D) {
     let (first, second) = (node(&q[..7], &triads[0]), node(&q[7..], &triads[1]));
     let rates: [D; 3] = std::array::from_fn(|g| {
         let p = interpolate(&element.bending[g].shape_x, q);
@@ -78,12 +84,10 @@ pub fn inside<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previo
     let (s, c) = (dot(&second.u, &cross(&second.t, &carried)), dot(&second.u, &carried));
     let beta = (s * previous.cos() - c * previous.sin()).atan2(c * previous.cos() + s * previous.sin()) + previous;
     let weights = ancf14::math::quadrature::GAUSS_WEIGHTS;
-    let twist = q[13] - q[6]
-        + beta
-        + (rates[0] * weights[0] + rates[1] * weights[1] + rates[2] * weights[2]) * element.length;
+    let twist =
+        q[13] - q[6] + beta + (rates[0] * weights[0] + rates[1] * weights[1] + rates[2] * weights[2]) * element.length;
     let inner = ancf14::math::quadrature::collocation(xi);
-    let alpha = q[6] + twist * xi
-        - (rates[0] * inner[0] + rates[1] * inner[1] + rates[2] * inner[2]) * element.length;
+    let alpha = q[6] + twist * xi - (rates[0] * inner[0] + rates[1] * inner[1] + rates[2] * inner[2]) * element.length;
     let p = interpolate(&ancf14::math::hermite::shape_x(xi, element.length), q);
     let t = scale(&p, dot(&p, &p).sqrt().recip());
     let u = carry(&first.t, &t, &first.u);
@@ -108,7 +112,10 @@ pub fn energy<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previo
         let torsion = twist / (element.length * j0) - point.reference_torsion;
         total += match k.strain {
             Strain::Small => square(length - 1.0) * (0.5 * k.axial),
-            _ => square(length * length - 1.0) * (k.axial / 8.0) + square(torsion) * (length * length - 1.0) * (k.wagner / 4.0),
+            _ => {
+                square(length * length - 1.0) * (k.axial / 8.0)
+                    + square(torsion) * (length * length - 1.0) * (k.wagner / 4.0)
+            }
         } * point.weight;
     }
     for point in &element.bending {

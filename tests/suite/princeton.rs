@@ -82,7 +82,10 @@ fn all_cases_with_order_two() {
     assert_eq!(cases.len(), 21);
     let table: Vec<[f64; 4]> = [4, 8, 16, 32].map(|elements| errors(elements, &cases)).to_vec();
     for (elements, row) in [4, 8, 16, 32].iter().zip(&table) {
-        println!("{elements:2} elements: weak {:.2e}, stiff {:.2e}, twist {:.2e}, rotation {:.2e}", row[0], row[1], row[2], row[3]);
+        println!(
+            "{elements:2} elements: weak {:.2e}, stiff {:.2e}, twist {:.2e}, rotation {:.2e}",
+            row[0], row[1], row[2], row[3]
+        );
     }
     let [weak, stiff, twist, _] = table[1];
     assert!(weak < 5e-4 && stiff < 5e-3 && twist < 1e-3);

@@ -32,7 +32,9 @@ fn tip(state: &State) -> Vec3 {
 /// 8 elements are off by 3.6e-5 of the length at the load of the table in MECHANICS 5 and by less than 1e-4 at all.
 #[test]
 fn elastica() {
-    let rows = include_str!("../references/elastica.csv").lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+    let rows = include_str!("../references/elastica.csv")
+        .lines()
+        .filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
     let mut count = 0;
     let mut largest = 0.0_f64;
     for row in rows {

@@ -33,7 +33,8 @@ pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
 pub fn hessian(stiffness: &Stiffness, strains: &Strains) -> Rigidities {
     let [g1, g2, _, e] = (*strains).into();
     let factor = 1.0 + coupling(stiffness) * e;
-    let (with_1, with_2) = (coupling(stiffness) * stiffness.bending_z * g1, coupling(stiffness) * stiffness.bending_y * g2);
+    let (with_1, with_2) =
+        (coupling(stiffness) * stiffness.bending_z * g1, coupling(stiffness) * stiffness.bending_y * g2);
     let mut sum = Rigidities::zeros();
     sum[(0, 0)] = factor * stiffness.bending_z;
     sum[(1, 1)] = factor * stiffness.bending_y;

@@ -8,9 +8,7 @@ use super::frame::NodeFrame;
 use super::kinematics::Kinematics;
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 use super::{axial, bending, fourth_moments, inertia, torsion};
-use crate::math::quadrature::{
-    GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange,
-};
+use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
 use nalgebra::{SMatrix, SVector};
 
@@ -246,7 +244,9 @@ impl<'a> Evaluation<'a> {
 
     /// Mean torsion per unit length, undeformed value taken off, rad/m; the largest of the bending points in size.
     pub fn largest_torsion(&self) -> f64 {
-        self.strains.iter().fold(0.0, |largest, strains| if strains[2].abs() > f64::abs(largest) { strains[2] } else { largest })
+        self.strains
+            .iter()
+            .fold(0.0, |largest, strains| if strains[2].abs() > f64::abs(largest) { strains[2] } else { largest })
     }
 
     /// Green strains at the axial points (engineering strains for small strain), 1.
@@ -323,9 +323,8 @@ impl<'a> Evaluation<'a> {
     fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
         let (element, point) = (self.element, &self.element.axial[m]);
         let here = axial::large::gradient(&element.stiffness, self.green[m], self.mean_torsion[m])[0];
-        let bending: f64 = (0..3)
-            .map(|g| element.bending[g].from_axial[m] * element.bending[g].weight * resultants[g][3])
-            .sum();
+        let bending: f64 =
+            (0..3).map(|g| element.bending[g].from_axial[m] * element.bending[g].weight * resultants[g][3]).sum();
         point.weight * here + bending
     }
 
@@ -368,8 +367,7 @@ impl<'a> Evaluation<'a> {
                 + fourth_moments::hessian(stiffness, strains);
             let (sin, cos) = self.kinematics.alpha[g].sin_cos();
             let j0 = point.reference_stretch;
-            let mut alpha_q =
-                first.twist * point.xi - self.kinematics.rate_gradient(&point.collocation, &first.points);
+            let mut alpha_q = first.twist * point.xi - self.kinematics.rate_gradient(&point.collocation, &first.points);
             alpha_q[THETA] += 1.0;
             let (kappa1_q, kappa2_q) = (first.points.column(3 * g), first.points.column(3 * g + 1));
             let j1 = (kappa1_q * cos + kappa2_q * sin) / j0;

@@ -115,7 +115,8 @@ impl CurvePoint {
         let d = n + Vec3::x();
         let w_n = self.local_w * n.transpose();
         // μ = P·W/|P|, h = (b0 + μ)/D.
-        let mu_pp = (n * n.transpose() * (2.0 * along) - w_n - w_n.transpose()) / (stretch * stretch) - q * (along / stretch);
+        let mu_pp =
+            (n * n.transpose() * (2.0 * along) - w_n - w_n.transpose()) / (stretch * stretch) - q * (along / stretch);
         let h_d = self.h_p * d.transpose();
         let h_pp = (mu_pp - h_d - h_d.transpose() - q * self.h) / depth;
         let h_pw = (q - d * self.h_w.transpose()) / depth;
@@ -127,7 +128,8 @@ impl CurvePoint {
             let a = self.local_p[axis];
             let e_h = e * self.h_p.transpose();
             let k_n = kappa.by_p * n.transpose();
-            pp -= (e_h + e_h.transpose() + h_pp * a + k_n + k_n.transpose() + q * kappa.value) * (c[axis - 1] / stretch);
+            pp -=
+                (e_h + e_h.transpose() + h_pp * a + k_n + k_n.transpose() + q * kappa.value) * (c[axis - 1] / stretch);
             pw -= (e * self.h_w.transpose() + h_pw * a + n * kappa.by_w.transpose()) * (c[axis - 1] / stretch);
         }
         let omega = &self.scalars[2];
@@ -159,7 +161,13 @@ impl Base {
     }
 
     /// `∂F/∂q`, 14×1, of a point scalar `F`, the turn of the base included (MECHANICS 8).
-    pub fn gradient(&self, point: &CurvePoint, scalar: &PointScalar, shape_x: &[f64; 4], shape_xx: &[f64; 4]) -> ElementVector {
+    pub fn gradient(
+        &self,
+        point: &CurvePoint,
+        scalar: &PointScalar,
+        shape_x: &[f64; 4],
+        shape_xx: &[f64; 4],
+    ) -> ElementVector {
         let (psi_p, psi_w) = (self.axes * scalar.by_p, self.axes * scalar.by_w);
         let mut sum = ElementVector::zeros();
         for (a, place) in SHAPE_PLACES.into_iter().enumerate() {
