@@ -1,1 +1,129 @@
-//! What failed in the mechanics, where, with which numbers.
+//! What failed in the mechanics or the solver, where, with which numbers, and what to try.
+
+use thiserror::Error;
+
+/// A failure of mechanics or solver. The state that a failed call was given is unchanged.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Error {
+    /// Newton did not reach its tolerance.
+    #[error(
+        "no equilibrium at t = {time} s: after {iterations} iterations the last correction was {correction:.1e} at {place} \
+         (tolerance {tolerance:.1e}); try a smaller step"
+    )]
+    NotConverged {
+        /// Time of the step's end, s.
+        time: f64,
+        /// Iterations made.
+        iterations: usize,
+        /// Size of the last correction, lengths over the mechanism's size, slopes and angles as they are.
+        correction: f64,
+        /// Where it was largest.
+        place: String,
+        /// Its bound.
+        tolerance: f64,
+    },
+    /// The linear system has no unique solution.
+    #[error(
+        "the equations have no unique solution at t = {time} s: {place} can move freely or is held twice; \
+         add or remove a joint there"
+    )]
+    Singular {
+        /// Time, s.
+        time: f64,
+        /// The unknown that the lost direction moves most.
+        place: String,
+    },
+    /// A tangent turned too far in one step.
+    #[error(
+        "the tangent at {place} turned by {angle:.2} rad in the step to t = {time} s (at most {limit:.2} rad); try a smaller step"
+    )]
+    Turned {
+        /// Time of the step's end, s.
+        time: f64,
+        /// The node.
+        place: String,
+        /// Its turn, rad.
+        angle: f64,
+        /// The bound, rad.
+        limit: f64,
+    },
+    /// An element is bent, or twisted in one step, too far to be a good approximation.
+    #[error("element {element} of {beam} is {what} too far at t = {time} s; try more elements or a smaller step")]
+    Distorted {
+        /// Time, s.
+        time: f64,
+        /// The beam's name.
+        beam: String,
+        /// Number of the element in the beam, from 0.
+        element: usize,
+        /// `bent` or `twisted`.
+        what: &'static str,
+    },
+    /// A node's slope left the range in which the element means something.
+    #[error(
+        "{place} is stretched to {stretch:.3} of its length at t = {time} s (allowed: 0.3 to 3); try a smaller step or a stiffer beam"
+    )]
+    Stretched {
+        /// Time, s.
+        time: f64,
+        /// The node.
+        place: String,
+        /// `|r'|`, 1.
+        stretch: f64,
+    },
+    /// `large_truncated` has no lower bound above this twist rate (MECHANICS, trap 9).
+    #[error(
+        "element {element} of {beam} is twisted by {rate:.3} rad/m at t = {time} s; above {limit:.3} rad/m the energy of strain = \
+         \"large_truncated\" has no lower bound; use strain = \"large\""
+    )]
+    TwistBeyondTruncation {
+        /// Time, s.
+        time: f64,
+        /// The beam's name.
+        beam: String,
+        /// Number of the element in the beam, from 0.
+        element: usize,
+        /// Twist rate, rad/m.
+        rate: f64,
+        /// Its bound, rad/m.
+        limit: f64,
+    },
+    /// A number is not finite: a load's expression at this time, or an overflow.
+    #[error("{what} is not a finite number at t = {time} s")]
+    NotFinite {
+        /// Time, s.
+        time: f64,
+        /// What it is.
+        what: String,
+    },
+    /// Halving did not help.
+    #[error("the step from t = {time} s failed even at {step:.3e} s, 1/{parts} of the step size: {reason}")]
+    StepTooSmall {
+        /// Time at which the step starts, s.
+        time: f64,
+        /// The smallest step tried, s.
+        step: f64,
+        /// Its share of the step size.
+        parts: u32,
+        /// What failed at last.
+        reason: Box<Error>,
+    },
+    /// The ramp of loads to the first equilibrium did not reach its end.
+    #[error("no equilibrium at t = {time} s beyond {share:.4} of the loads: {reason}")]
+    RampStuck {
+        /// Time, s.
+        time: f64,
+        /// The share of the loads that was reached, 0 to 1.
+        share: f64,
+        /// What failed at last.
+        reason: Box<Error>,
+    },
+    /// The drawn machine does not satisfy its joints.
+    #[error("the joint {joint} does not hold as drawn: its sides are {gap:.3e} apart; draw the machine closed")]
+    NotAssembled {
+        /// The joint.
+        joint: String,
+        /// Largest condition, m or 1.
+        gap: f64,
+    },
+}

@@ -1,10 +1,37 @@
 //! The FMI 2.0 co-simulation half: variables, description, calling table, instance, package. No mechanics.
 //!
-//! [`Model`] is the whole of what this half asks of the other one.
+//! [`Model`] is the whole of what this half asks of the other one. What a host calls goes to an
+//! [`instance::Instance`]; what a packed unit consists of is made from [`About`] and the variable table by
+//! [`description`], [`documentation`], [`header`] and [`package`].
 
+pub mod description;
+pub mod documentation;
+pub mod error;
+pub mod header;
+pub mod instance;
+pub mod lifecycle;
+pub mod location;
+pub mod log;
+pub mod package;
+pub mod unit;
 pub mod variable;
 
 use variable::Variable;
+
+/// What a call reports, in the order of severity of `fmi2Status`. A step is never pending.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Status {
+    /// All well.
+    Ok,
+    /// Something is odd, a log line tells what; the computation goes on.
+    Warning,
+    /// The question has no answer here; nothing changed.
+    Discard,
+    /// The call failed.
+    Error,
+    /// The instance is unusable.
+    Fatal,
+}
 
 /// A number as FMI types it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +40,16 @@ pub enum Value {
     Real(f64),
     /// An `Integer`.
     Integer(i32),
+}
+
+impl Value {
+    /// The value as a double; exact for both types.
+    pub fn number(self) -> f64 {
+        match self {
+            Self::Real(number) => number,
+            Self::Integer(number) => f64::from(number),
+        }
+    }
 }
 
 /// What the description says of a model as a whole.

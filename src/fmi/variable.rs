@@ -25,6 +25,16 @@ pub struct Variable {
     pub display_unit: Option<String>,
 }
 
+impl Variable {
+    /// FMI's name of its type.
+    pub fn type_name(&self) -> &'static str {
+        match self.start {
+            Value::Real(_) => "Real",
+            Value::Integer(_) => "Integer",
+        }
+    }
+}
+
 /// FMI causality, as far as used here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Causality {

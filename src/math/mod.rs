@@ -1,1 +1,11 @@
-//! Numbers without beams: quadrature, Hermite shape functions, rotations.
+//! Numbers without beams: quadrature rules, Hermite shape functions, rotations.
+
+pub mod blocks;
+pub mod hermite;
+pub mod quadrature;
+pub mod rotation;
+
+/// A vector in space.
+pub type Vec3 = nalgebra::Vector3<f64>;
+/// A 3×3 matrix; as a triad its columns are the axes.
+pub type Mat3 = nalgebra::Matrix3<f64>;

@@ -15,5 +15,6 @@ pub mod parameter;
 pub mod quantity;
 mod reader;
 mod schema;
+pub mod simulation;
 mod tree;
 pub mod unit;

@@ -1,1 +1,10 @@
-//! Linear systems, Newton, statics, time integration.
+//! Linear systems, Newton, equilibria, steps in time.
+
+pub mod gyroscopic;
+pub mod kkt;
+pub mod linear;
+pub mod midpoint;
+pub mod newton;
+pub mod start;
+pub mod statics;
+pub mod stepping;

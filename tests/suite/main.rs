@@ -1,4 +1,14 @@
-//! The integration tests: one question a file.
+//! The integration tests: one binary, a file for each question.
 
+mod dynamics;
+mod element_derivatives;
+mod frequencies;
+mod invariance;
+mod machines;
+mod marker_derivatives;
+mod oracle;
 mod model_file;
 mod model_mistakes;
+mod princeton;
+mod random;
+mod statics;

@@ -1,0 +1,147 @@
+//! What a host holds: an instance and the way to its logger; and how `fmi2Instantiate` makes one.
+
+use std::{
+    ffi::{CStr, CString, c_void},
+    fs,
+    path::{Path, PathBuf},
+};
+
+use super::types::{fmi2CallbackFunctions, fmi2CallbackLogger, fmi2ComponentEnvironment};
+use crate::fmi::{
+    Failure, LogCategory, Model, Status,
+    error::Error,
+    instance::Instance,
+    location, log,
+    package::{LIBRARY, MODEL_FILE},
+};
+
+/// The host as an instance sees it.
+#[derive(Debug)]
+pub struct Host {
+    name: CString,
+    logger: fmi2CallbackLogger,
+    environment: fmi2ComponentEnvironment,
+}
+
+impl Host {
+    /// Keeps what is needed of the host's callbacks, under the instance's name.
+    pub fn new(name: &CStr, functions: &fmi2CallbackFunctions) -> Self {
+        Self { name: name.to_owned(), logger: functions.logger, environment: functions.componentEnvironment }
+    }
+
+    /// Hands a line to the host's logger, if it has one.
+    pub fn log(&self, status: Status, category: LogCategory, message: &str) {
+        let Some(logger) = self.logger else { return };
+        let message = log::prepare(message);
+        let category = category.c_name();
+        // SAFETY: the host promises at `fmi2Instantiate` that its logger can be called as long as the instance lives;
+        // the texts live until the call returns, and the format asks for no further arguments.
+        unsafe { logger(self.environment, self.name.as_ptr(), status.into(), category.as_ptr(), message.as_ptr()) }
+    }
+}
+
+/// An instance and its host.
+pub struct Component<M: Model> {
+    pub(super) instance: Instance<M>,
+    pub(super) host: Host,
+}
+
+impl<M: Model> Component<M> {
+    /// A new component of a loaded model; its first log lines go to the host.
+    pub fn new(model: M, host: Host, logging_on: bool) -> Self {
+        let mut component = Self { instance: Instance::new(model, logging_on), host };
+        component.report();
+        component
+    }
+
+    /// Hands the instance's log lines to the host; gives back the most serious status among them.
+    pub(super) fn report(&mut self) -> Status {
+        let mut worst = Status::Ok;
+        for entry in self.instance.take_entries() {
+            worst = worst.max(entry.status);
+            self.host.log(entry.status, entry.category, &entry.message);
+        }
+        worst
+    }
+
+    /// The handle for the host, to be given back by [`Self::from_handle`].
+    pub fn into_handle(self) -> *mut c_void {
+        Box::into_raw(Box::new(self)).cast()
+    }
+
+    /// Takes a component back from the host.
+    ///
+    /// # Safety
+    /// `handle` is from [`Self::into_handle`] with the same model type, and is not used again.
+    pub unsafe fn from_handle(handle: *mut c_void) -> Box<Self> {
+        // SAFETY: the caller's promise.
+        unsafe { Box::from_raw(handle.cast()) }
+    }
+}
+
+/// Loads the model of an unpacked FMU, by `load` from file name and text.
+///
+/// # Errors
+/// No resources, no readable model file, a file that is no model, or another GUID than the description's.
+pub fn load<M: Model>(
+    guid: &str,
+    resources: &str,
+    load: impl FnOnce(&str, &str) -> Result<M, Failure>,
+) -> Result<M, Error> {
+    let directory = match location::directory(resources)? {
+        Some(directory) => directory,
+        None => own_resources()?,
+    };
+    let path = directory.join(MODEL_FILE);
+    let text = fs::read_to_string(&path).map_err(|reason| {
+        Error::Instantiate(format!(
+            "cannot read the model file {}: {reason}; the resource location must be the unpacked `resources` directory \
+             of the FMU",
+            path.display()
+        ))
+    })?;
+    let model = load(&path.display().to_string(), &text)?;
+    let own = &model.about().guid;
+    if own != guid {
+        return Err(Error::Instantiate(format!(
+            "the GUID `{guid}` is not that of the model file {}, `{own}`: modelDescription.xml and resources belong to \
+             different models, or the file was changed; pack it again",
+            path.display()
+        )));
+    }
+    Ok(model)
+}
+
+/// `../../resources` seen from the file this library was loaded from.
+fn own_resources() -> Result<PathBuf, Error> {
+    let library = own_file().ok_or_else(|| {
+        Error::Instantiate(format!("no resource location was given, and the system does not tell where {LIBRARY} is"))
+    })?;
+    let directory = library.parent().unwrap_or(Path::new(".")).join("../../resources");
+    Ok(directory.canonicalize().unwrap_or(directory))
+}
+
+/// The file this code was loaded from.
+#[cfg(unix)]
+fn own_file() -> Option<PathBuf> {
+    use std::{ffi::OsStr, mem::MaybeUninit, os::unix::ffi::OsStrExt};
+
+    let address: *const c_void = (own_file as fn() -> Option<PathBuf>) as *const c_void;
+    let mut info = MaybeUninit::<libc::Dl_info>::zeroed();
+    // SAFETY: the address is of this function, and `info` has room for the answer.
+    let found = unsafe { libc::dladdr(address, info.as_mut_ptr()) } != 0;
+    // SAFETY: all zeros is a valid `Dl_info`, and the call has filled it or not.
+    let info = unsafe { info.assume_init() };
+    if !found || info.dli_fname.is_null() {
+        return None;
+    }
+    // SAFETY: the dynamic linker keeps the name as long as this library is loaded.
+    let name = unsafe { CStr::from_ptr(info.dli_fname) };
+    Some(PathBuf::from(OsStr::from_bytes(name.to_bytes())))
+}
+
+/// Other systems do not tell by `dladdr`; hosts there must pass the resource location.
+#[cfg(not(unix))]
+fn own_file() -> Option<PathBuf> {
+    None
+}

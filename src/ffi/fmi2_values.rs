@@ -1,0 +1,206 @@
+//! The functions of fmi2Functions.h on values and derivatives.
+//!
+//! The words "safe for the component" below mean: `c` is NULL or comes from `fmi2Instantiate`, was not freed, and is not
+//! in use on another thread. "Safe for the arrays": each of them has as many elements as said, and nobody else uses
+//! them during the call.
+#![allow(non_snake_case, reason = "the standard's names")]
+
+use super::{
+    fmi2::guard,
+    guard::{slice, slice_mut},
+    types::*,
+};
+use crate::fmi::lifecycle::Call;
+
+/// Reads Real variables (section 2.1.7).
+///
+/// # Safety
+/// Safe for the component and the arrays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetReal(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *mut fmi2Real,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        guard(c, Call::GetReal, |instance| instance.get_real(slice(vr, nvr, "vr")?, slice_mut(value, nvr, "value")?))
+    }
+}
+
+/// Sets Real variables: all of them, or none if one is refused (section 2.1.7).
+///
+/// # Safety
+/// Safe for the component and the arrays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetReal(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *const fmi2Real,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    unsafe { guard(c, Call::SetReal, |instance| instance.set_real(slice(vr, nvr, "vr")?, slice(value, nvr, "value")?)) }
+}
+
+/// Reads Integer variables (section 2.1.7).
+///
+/// # Safety
+/// Safe for the component and the arrays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetInteger(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *mut fmi2Integer,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        guard(c, Call::GetInteger, |instance| {
+            instance.get_integer(slice(vr, nvr, "vr")?, slice_mut(value, nvr, "value")?)
+        })
+    }
+}
+
+/// Sets Integer variables: all of them, or none if one is refused (section 2.1.7).
+///
+/// # Safety
+/// Safe for the component and the arrays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetInteger(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *const fmi2Integer,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        guard(c, Call::SetInteger, |instance| instance.set_integer(slice(vr, nvr, "vr")?, slice(value, nvr, "value")?))
+    }
+}
+
+/// Reads Boolean variables, of which there are none: an error unless `nvr` is 0 (section 2.1.7).
+///
+/// # Safety
+/// Safe for the component and the arrays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetBoolean(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    _value: *mut fmi2Boolean,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    unsafe { guard(c, Call::GetBoolean, |instance| instance.get_boolean(slice(vr, nvr, "vr")?)) }
+}
+
+/// Sets Boolean variables, of which there are none: an error unless `nvr` is 0 (section 2.1.7).
+///
+/// # Safety
+/// Safe for the component and the arrays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetBoolean(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    _value: *const fmi2Boolean,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    unsafe { guard(c, Call::SetBoolean, |instance| instance.set_boolean(slice(vr, nvr, "vr")?)) }
+}
+
+/// Reads String variables, of which there are none: an error unless `nvr` is 0 (section 2.1.7).
+///
+/// # Safety
+/// Safe for the component and the arrays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetString(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    _value: *mut fmi2String,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    unsafe { guard(c, Call::GetString, |instance| instance.get_string(slice(vr, nvr, "vr")?)) }
+}
+
+/// Sets String variables, of which there are none: an error unless `nvr` is 0 (section 2.1.7).
+///
+/// # Safety
+/// Safe for the component and the arrays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetString(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    _value: *const fmi2String,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    unsafe { guard(c, Call::SetString, |instance| instance.set_string(slice(vr, nvr, "vr")?)) }
+}
+
+/// Not offered: canInterpolateInputs is false (section 4.2.1).
+///
+/// # Safety
+/// Safe for the component.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
+    c: fmi2Component,
+    _vr: *const fmi2ValueReference,
+    _nvr: usize,
+    _order: *const fmi2Integer,
+    _value: *const fmi2Real,
+) -> fmi2Status {
+    const REASON: &str = "canInterpolateInputs is false; set the inputs themselves by fmi2SetReal before each step";
+    // SAFETY: the caller's promise.
+    unsafe {
+        guard(c, Call::SetRealInputDerivatives, |instance| {
+            instance.not_supported(Call::SetRealInputDerivatives, REASON)
+        })
+    }
+}
+
+/// Not offered: maxOutputDerivativeOrder is 0 (section 4.2.1).
+///
+/// # Safety
+/// Safe for the component.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
+    c: fmi2Component,
+    _vr: *const fmi2ValueReference,
+    _nvr: usize,
+    _order: *const fmi2Integer,
+    _value: *mut fmi2Real,
+) -> fmi2Status {
+    const REASON: &str = "maxOutputDerivativeOrder is 0; read velocities where the model has them as outputs";
+    // SAFETY: the caller's promise.
+    unsafe {
+        guard(c, Call::GetRealOutputDerivatives, |instance| {
+            instance.not_supported(Call::GetRealOutputDerivatives, REASON)
+        })
+    }
+}
+
+/// Not offered: providesDirectionalDerivative is false (section 2.1.9).
+///
+/// # Safety
+/// Safe for the component.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
+    c: fmi2Component,
+    _vUnknown_ref: *const fmi2ValueReference,
+    _nUnknown: usize,
+    _vKnown_ref: *const fmi2ValueReference,
+    _nKnown: usize,
+    _dvKnown: *const fmi2Real,
+    _dvUnknown: *mut fmi2Real,
+) -> fmi2Status {
+    const REASON: &str = "providesDirectionalDerivative is false; repeat a step from an FMU state with changed inputs";
+    // SAFETY: the caller's promise.
+    unsafe {
+        guard(c, Call::GetDirectionalDerivative, |instance| {
+            instance.not_supported(Call::GetDirectionalDerivative, REASON)
+        })
+    }
+}

@@ -1,0 +1,176 @@
+//! What stands between C and safe code: null checks, caught panics, log lines, status.
+
+use std::{
+    ffi::{CStr, c_void},
+    panic::{AssertUnwindSafe, catch_unwind},
+};
+
+use super::{
+    component::Component,
+    fault,
+    types::{fmi2Status, fmi2String},
+};
+use crate::fmi::{
+    Model, Status,
+    error::Error,
+    instance::{FmuState, Instance},
+    lifecycle::Call,
+};
+
+/// Runs `body` on the instance behind a handle. An error goes to the log, with call and mode in front, and becomes a
+/// status; a panic makes the instance unusable, is logged, and becomes `fmi2Fatal`. A NULL handle is `fmi2Error`.
+///
+/// # Safety
+/// `handle` is NULL or from [`Component::into_handle`] with the same model type, not freed, and not in use elsewhere.
+pub unsafe fn guard<M: Model>(
+    handle: *mut c_void,
+    call: Call,
+    body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
+) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    let Some(component) = (unsafe { handle.cast::<Component<M>>().as_mut() }) else {
+        return fmi2Status::fmi2Error;
+    };
+    match catch_unwind(AssertUnwindSafe(|| answer(component, call, body))) {
+        Ok(status) => status.into(),
+        Err(payload) => {
+            component.instance.give_up();
+            // A logger that panics, or a second fault, leaves nothing to say.
+            let _ = catch_unwind(AssertUnwindSafe(|| {
+                let error = Error::Fault { message: fault::message(payload.as_ref()) };
+                component.report();
+                component.host.log(error.status(), error.category(), &format!("{call}: {error}"));
+            }));
+            fmi2Status::fmi2Fatal
+        }
+    }
+}
+
+fn answer<M: Model>(
+    component: &mut Component<M>,
+    call: Call,
+    body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
+) -> Status {
+    let mode = component.instance.mode();
+    let outcome = body(&mut component.instance);
+    let noticed = component.report();
+    match outcome {
+        Ok(()) => noticed,
+        Err(error) => {
+            component.host.log(error.status(), error.category(), &format!("{call} {mode}: {error}"));
+            error.status()
+        }
+    }
+}
+
+/// Gives a component back. Works after a panic too; a panic on the way leaks the rest.
+///
+/// # Safety
+/// As [`guard`]; the handle is not used again.
+pub unsafe fn free<M: Model>(handle: *mut c_void) {
+    if !handle.is_null() {
+        // SAFETY: the caller's promise.
+        let _ = catch_unwind(AssertUnwindSafe(|| drop(unsafe { Component::<M>::from_handle(handle) })));
+    }
+}
+
+/// A C array to read. NULL is fine where it has no elements.
+///
+/// # Safety
+/// Unless NULL, `start` points to `count` values that nobody changes during the call.
+pub unsafe fn slice<'a, T>(start: *const T, count: usize, argument: &'static str) -> Result<&'a [T], Error> {
+    check_array(start, count, argument)?;
+    if count == 0 {
+        return Ok(&[]);
+    }
+    // SAFETY: not NULL, short enough, and the caller's promise.
+    Ok(unsafe { std::slice::from_raw_parts(start, count) })
+}
+
+/// A C array to write to. NULL is fine where it has no elements.
+///
+/// # Safety
+/// Unless NULL, `start` points to `count` values that nobody else uses during the call.
+pub unsafe fn slice_mut<'a, T>(start: *mut T, count: usize, argument: &'static str) -> Result<&'a mut [T], Error> {
+    check_array(start, count, argument)?;
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    // SAFETY: not NULL, short enough, and the caller's promise.
+    Ok(unsafe { std::slice::from_raw_parts_mut(start, count) })
+}
+
+fn check_array<T>(start: *const T, count: usize, argument: &'static str) -> Result<(), Error> {
+    if count > isize::MAX as usize / size_of::<T>().max(1) {
+        return Err(Error::TooLong { argument, count });
+    }
+    if count > 0 && start.is_null() {
+        return Err(Error::Null { argument });
+    }
+    Ok(())
+}
+
+/// A place to write one value to.
+///
+/// # Safety
+/// Unless NULL, `place` points to a value that nobody else uses during the call.
+pub unsafe fn place<'a, T>(place: *mut T, argument: &'static str) -> Result<&'a mut T, Error> {
+    // SAFETY: the caller's promise.
+    unsafe { place.as_mut() }.ok_or(Error::Null { argument })
+}
+
+/// Text from the host.
+///
+/// # Safety
+/// Unless NULL, `text` ends with a zero byte and stays as it is during the call.
+pub unsafe fn text<'a>(text: fmi2String, argument: &'static str) -> Result<&'a str, Error> {
+    if text.is_null() {
+        return Err(Error::Null { argument });
+    }
+    // SAFETY: not NULL, and the caller's promise.
+    unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| Error::NotUtf8 { argument })
+}
+
+/// Puts a copy of the instance into `state`, over an earlier copy if there is one.
+///
+/// # Safety
+/// `state` is NULL or points to NULL or to a state of this library with the same model type.
+pub unsafe fn store_state<M: Model>(instance: &Instance<M>, state: *mut *mut c_void) -> Result<(), Error> {
+    // SAFETY: the caller's promise.
+    let handle = unsafe { place(state, "FMUstate") }?;
+    let fresh = instance.state()?;
+    // SAFETY: the caller's promise.
+    match unsafe { handle.cast::<FmuState<M>>().as_mut() } {
+        Some(earlier) => *earlier = fresh,
+        None => *handle = Box::into_raw(Box::new(fresh)).cast(),
+    }
+    Ok(())
+}
+
+/// Brings the instance back to a copy.
+///
+/// # Safety
+/// `state` is NULL or a state of this library with the same model type.
+pub unsafe fn load_state<M: Model>(instance: &mut Instance<M>, state: *mut c_void) -> Result<(), Error> {
+    instance.check(Call::SetFMUstate)?;
+    // SAFETY: the caller's promise.
+    let state = unsafe { state.cast::<FmuState<M>>().as_ref() }.ok_or(Error::Null { argument: "FMUstate" })?;
+    instance.set_state(state)
+}
+
+/// Gives a copy back and forgets it; NULL is fine (FMI 2.0, section 2.1.8).
+///
+/// # Safety
+/// As [`store_state`]; the copy is not used again.
+pub unsafe fn free_state<M: Model>(instance: &Instance<M>, state: *mut *mut c_void) -> Result<(), Error> {
+    instance.check(Call::FreeFMUstate)?;
+    // SAFETY: the caller's promise.
+    if let Some(handle) = unsafe { state.as_mut() }
+        && !handle.is_null()
+    {
+        // SAFETY: the copy was made by `store_state`, and the caller does not use it again.
+        drop(unsafe { Box::from_raw(handle.cast::<FmuState<M>>()) });
+        *handle = std::ptr::null_mut();
+    }
+    Ok(())
+}

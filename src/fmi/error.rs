@@ -1,0 +1,246 @@
+//! What can go wrong on the FMI side. One sentence each: what happened, with numbers, and a way out.
+//!
+//! Which call it was and in which mode is put in front by whoever reports the error (the guard in `ffi`).
+
+use super::{
+    Failure, LogCategory, Status,
+    lifecycle::{Call, Mode, way_out},
+};
+
+/// Why a call, a description or a package failed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// The calling table forbids the call in this mode.
+    #[error("not allowed now; {}", way_out(*.call, *.mode))]
+    Illegal {
+        /// The call.
+        call: Call,
+        /// The mode it came in.
+        mode: Mode,
+    },
+    /// A required pointer is NULL.
+    #[error("the argument `{argument}` is NULL; pass a valid address")]
+    Null {
+        /// The standard's name of the argument.
+        argument: &'static str,
+    },
+    /// A text from the host is not UTF-8.
+    #[error("the argument `{argument}` is not UTF-8 text")]
+    NotUtf8 {
+        /// The standard's name of the argument.
+        argument: &'static str,
+    },
+    /// An array has more bytes than a process can address.
+    #[error("the argument `{argument}` is said to have {count} elements, more than fit into memory")]
+    TooLong {
+        /// The standard's name of the argument.
+        argument: &'static str,
+        /// Its length as passed.
+        count: usize,
+    },
+    /// No variable has this value reference.
+    #[error(
+        "there is no variable with value reference {reference}: this unit has {count} variables, numbered from 0; \
+         take the references from its modelDescription.xml"
+    )]
+    UnknownReference {
+        /// The reference asked for.
+        reference: u32,
+        /// Number of variables.
+        count: usize,
+    },
+    /// The variable exists but is of another type.
+    #[error(
+        "variable {name} (value reference {reference}) is of type {actual}, not {asked}; use the functions for {actual}"
+    )]
+    WrongType {
+        /// Its name.
+        name: String,
+        /// Its value reference.
+        reference: u32,
+        /// The type it has.
+        actual: &'static str,
+        /// The type the call is for.
+        asked: &'static str,
+    },
+    /// As many values as references are needed.
+    #[error("{references} value references but {values} values; pass as many values as references")]
+    LengthsDiffer {
+        /// Number of references.
+        references: usize,
+        /// Number of values.
+        values: usize,
+    },
+    /// The variable cannot be set at all.
+    #[error("variable {name} is a result and cannot be set; parameters and inputs can")]
+    Result {
+        /// Its name.
+        name: String,
+    },
+    /// A fixed parameter was set too late.
+    #[error(
+        "parameter {name} is fixed and can be set before fmi2ExitInitializationMode only; \
+         tunable parameters and inputs can be set between two steps"
+    )]
+    Fixed {
+        /// Its name.
+        name: String,
+    },
+    /// NaN or an infinity was to be set.
+    #[error("variable {name} cannot be {value}; set a finite number")]
+    NotFinite {
+        /// Its name.
+        name: String,
+        /// The number.
+        value: f64,
+    },
+    /// The value is outside `min` and `max`.
+    #[error("variable {name} cannot be {value}{unit}; it must be {bounds}")]
+    OutOfRange {
+        /// Its name.
+        name: String,
+        /// The number.
+        value: f64,
+        /// Its unit with a space in front, or empty.
+        unit: String,
+        /// The allowed range in words.
+        bounds: String,
+    },
+    /// The start time is not a number.
+    #[error("the start time {start} s is not finite")]
+    StartTime {
+        /// As passed, s.
+        start: f64,
+    },
+    /// The stop time lies before the start time.
+    #[error("the stop time {stop} s must be finite and not before the start time {start} s")]
+    StopTime {
+        /// As passed, s.
+        start: f64,
+        /// As passed, s.
+        stop: f64,
+    },
+    /// The communication step is not positive, or too small to advance the time.
+    #[error("the communication step {step} s does not advance the time {time} s; pass a finite step greater than zero")]
+    StepSize {
+        /// As passed, s.
+        step: f64,
+        /// The own time, s.
+        time: f64,
+    },
+    /// The host's time is not ours.
+    #[error(
+        "the communication point {given} s is not the time this unit has reached, {own} s; go on from there, \
+         or go back with fmi2SetFMUstate"
+    )]
+    WrongTime {
+        /// As passed, s.
+        given: f64,
+        /// The own time, s.
+        own: f64,
+    },
+    /// The step would pass the stop time.
+    #[error(
+        "the step to {end} s passes the stop time {stop} s given in fmi2SetupExperiment; end there, or define no stop time"
+    )]
+    BeyondStop {
+        /// End of the step, s.
+        end: f64,
+        /// The defined stop time, s.
+        stop: f64,
+    },
+    /// A part of the standard that this unit does not offer.
+    #[error("this unit does not support it: {reason}")]
+    NotSupported {
+        /// The capability flag, and what to do instead.
+        reason: &'static str,
+    },
+    /// A status that a unit without asynchronous steps does not have.
+    #[error("this status does not exist here: {reason}")]
+    NoSuchStatus {
+        /// Why.
+        reason: &'static str,
+    },
+    /// An FMU state of another model.
+    #[error("the FMU state belongs to the model {theirs}, this instance to {own}; use states of this instance only")]
+    ForeignState {
+        /// GUID in the state.
+        theirs: String,
+        /// GUID of this model.
+        own: String,
+    },
+    /// The model failed.
+    #[error("{}", .0.message)]
+    Model(Failure),
+    /// A panic was caught.
+    #[error(
+        "internal fault, please report it: {message}; this instance is unusable now, only fmi2FreeInstance is left"
+    )]
+    Fault {
+        /// What the panic said, and where.
+        message: String,
+    },
+    /// `fmi2Instantiate` was called with something it cannot use.
+    #[error("{0}")]
+    Instantiate(String),
+    /// The variable table cannot be described.
+    #[error("variable {name}: {problem}")]
+    Variable {
+        /// Its name.
+        name: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// The model identifier is not a C identifier.
+    #[error(
+        "the model identifier `{0}` is not a C identifier; it must be letters, digits and `_`, not begin with a digit, \
+         and be no keyword"
+    )]
+    Identifier(String),
+    /// The shared library that goes into every FMU was not found.
+    #[error(
+        "the library {name} was not found; looked at {looked}. Build it with `cargo rustc --lib --crate-type cdylib \
+         --profile fmu` and pass `--library PATH`, or put it beside the executable or in ../lib"
+    )]
+    NoLibrary {
+        /// File name of the library.
+        name: String,
+        /// The places, separated by commas.
+        looked: String,
+    },
+    /// Reading or writing failed.
+    #[error("{what}: {reason}")]
+    Io {
+        /// What was attempted, with the path.
+        what: String,
+        /// The system's reason.
+        reason: String,
+    },
+}
+
+impl Error {
+    /// What the call returns for it.
+    pub fn status(&self) -> Status {
+        match self {
+            Self::NoSuchStatus { .. } => Status::Discard,
+            Self::Fault { .. } | Self::Illegal { mode: Mode::Fatal, .. } => Status::Fatal,
+            _ => Status::Error,
+        }
+    }
+
+    /// The log category it goes to.
+    pub fn category(&self) -> LogCategory {
+        match (self, self.status()) {
+            (Self::Model(failure), _) => failure.category,
+            (_, Status::Discard) => LogCategory::StatusDiscard,
+            (_, Status::Fatal) => LogCategory::StatusFatal,
+            _ => LogCategory::StatusError,
+        }
+    }
+}
+
+impl From<Failure> for Error {
+    fn from(failure: Failure) -> Self {
+        Self::Model(failure)
+    }
+}

@@ -1,0 +1,335 @@
+//! One instance of a unit: every FMI call as a safe function over a [`Model`].
+//!
+//! Each function first asks the calling table ([`super::lifecycle`]), then checks its arguments, and only then touches
+//! the model: a call that fails leaves the instance as it was. The one exception is a step that the model itself cannot
+//! do; after it only an earlier FMU state or a reset goes on. Log lines are collected in order and fetched by
+//! [`Instance::take_entries`]. Reading, writing and stepping allocate nothing here.
+
+mod state;
+mod values;
+
+pub use state::FmuState;
+
+use super::{
+    LogCategory, Model, Status, Value,
+    error::Error,
+    lifecycle::{self, Call, Mode},
+    log::{Entry, Switch},
+};
+
+/// How far the host's time may be from ours, relative to the larger of the times and the step: a host that sums up a
+/// million steps in doubles is off by 1e-10.
+const TIME_TOLERANCE: f64 = 1e-9;
+
+/// One instance of the unit.
+pub struct Instance<M: Model> {
+    model: M,
+    session: Session,
+    /// The logging switch of `fmi2Instantiate`, which a reset goes back to.
+    first_logging: Switch,
+    entries: Vec<Entry>,
+    /// Values to go back to when a later one of the same call is refused; empty between two calls.
+    undo: Vec<(usize, Value)>,
+}
+
+/// What changes between two calls, apart from the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Session {
+    mode: Mode,
+    /// Start time, s.
+    start: f64,
+    /// Stop time where defined, s.
+    stop: Option<f64>,
+    /// In Initialization Mode: the model's initial state belongs to the values as set.
+    solved: bool,
+    /// A value was read before initialization, and the host was warned.
+    warned_early: bool,
+    logging: Switch,
+}
+
+impl Session {
+    fn new(logging: Switch) -> Self {
+        Self { mode: Mode::Instantiated, start: 0.0, stop: None, solved: false, warned_early: false, logging }
+    }
+}
+
+/// What `fmi2Get...Status` asks for (FMI 2.0, section 4.2.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StatusKind {
+    /// `fmi2DoStepStatus`, the result of an asynchronous step.
+    DoStep,
+    /// `fmi2PendingStatus`, a text on a step that is still computed.
+    Pending,
+    /// `fmi2LastSuccessfulTime`, the time reached, s.
+    LastSuccessfulTime,
+    /// `fmi2Terminated`, whether the unit wants to end.
+    Terminated,
+}
+
+impl<M: Model> Instance<M> {
+    /// A new instance of a model just loaded (`fmi2Instantiate`, section 2.1.5).
+    pub fn new(model: M, logging_on: bool) -> Self {
+        let logging = Switch::new(logging_on);
+        let mut instance = Self {
+            model,
+            session: Session::new(logging),
+            first_logging: logging,
+            entries: Vec::new(),
+            undo: Vec::new(),
+        };
+        instance.pass_on_warnings();
+        instance
+    }
+
+    /// The model behind it.
+    pub fn model(&self) -> &M {
+        &self.model
+    }
+
+    /// The mode it is in.
+    pub fn mode(&self) -> Mode {
+        self.session.mode
+    }
+
+    /// The time reached; before initialization the start time, s.
+    pub fn time(&self) -> f64 {
+        match self.session.mode {
+            Mode::Instantiated | Mode::Initialization => self.session.start,
+            Mode::Step | Mode::Terminated | Mode::Error | Mode::Fatal => self.model.time(),
+        }
+    }
+
+    /// The log lines since the last call of this function, oldest first. Allocates nothing where there are none.
+    pub fn take_entries(&mut self) -> Vec<Entry> {
+        std::mem::take(&mut self.entries)
+    }
+
+    /// Makes the instance unusable, after a caught panic.
+    pub fn give_up(&mut self) {
+        self.session.mode = Mode::Fatal;
+    }
+
+    /// Whether `call` is legal now (section 4.2.4).
+    ///
+    /// # Errors
+    /// It is not.
+    pub fn check(&self, call: Call) -> Result<(), Error> {
+        lifecycle::check(call, self.session.mode)
+    }
+
+    /// Switches debug messages; no category named means all (section 2.1.5). Unknown names are warned of and left out.
+    ///
+    /// # Errors
+    /// The mode does not allow it.
+    pub fn set_debug_logging(&mut self, on: bool, categories: &[&str]) -> Result<(), Error> {
+        self.check(Call::SetDebugLogging)?;
+        for unknown in self.session.logging.select(on, categories) {
+            self.warn(format!("there is no log category `{unknown}`; the known ones stand in modelDescription.xml"));
+        }
+        Ok(())
+    }
+
+    /// Start and stop time, s (section 2.1.6). The host's tolerance is not used: accuracy is the model's.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or the times are not finite or not in order.
+    pub fn setup_experiment(&mut self, tolerance: Option<f64>, start: f64, stop: Option<f64>) -> Result<(), Error> {
+        self.check(Call::SetupExperiment)?;
+        if !start.is_finite() {
+            return Err(Error::StartTime { start });
+        }
+        if let Some(stop) = stop
+            && !(stop.is_finite() && stop >= start)
+        {
+            return Err(Error::StopTime { start, stop });
+        }
+        self.session.start = start;
+        self.session.stop = stop;
+        self.event(|| match stop {
+            Some(stop) => format!("experiment from t = {start} s to t = {stop} s"),
+            None => format!("experiment from t = {start} s, no stop time"),
+        });
+        if let Some(tolerance) = tolerance {
+            self.event(|| {
+                format!("the host's tolerance {tolerance} is not used; the parameter simulation.tolerance is")
+            });
+        }
+        Ok(())
+    }
+
+    /// Enters Initialization Mode (section 2.1.6).
+    ///
+    /// # Errors
+    /// The mode does not allow it.
+    pub fn enter_initialization_mode(&mut self) -> Result<(), Error> {
+        self.check(Call::EnterInitializationMode)?;
+        self.session.mode = Mode::Initialization;
+        self.session.solved = false;
+        self.event(|| "Initialization Mode".to_owned());
+        Ok(())
+    }
+
+    /// Finds the initial state, if no read has already, and leaves Initialization Mode: every output is valid then
+    /// (section 2.1.6).
+    ///
+    /// # Errors
+    /// The mode does not allow it, or the model has no initial state; the instance stays in Initialization Mode, where
+    /// other values may be tried.
+    pub fn exit_initialization_mode(&mut self) -> Result<(), Error> {
+        self.check(Call::ExitInitializationMode)?;
+        self.solve_initial_state()?;
+        self.session.mode = Mode::Step;
+        let start = self.session.start;
+        self.event(|| format!("initialized at t = {start} s"));
+        Ok(())
+    }
+
+    /// Ends the simulation; values can still be read (section 2.1.6).
+    ///
+    /// # Errors
+    /// The mode does not allow it.
+    pub fn terminate(&mut self) -> Result<(), Error> {
+        self.check(Call::Terminate)?;
+        self.session.mode = Mode::Terminated;
+        self.event(|| "terminated".to_owned());
+        Ok(())
+    }
+
+    /// Back to just instantiated (section 2.1.6).
+    ///
+    /// # Errors
+    /// The mode does not allow it.
+    pub fn reset(&mut self) -> Result<(), Error> {
+        self.check(Call::Reset)?;
+        self.model.reset();
+        self.session = Session::new(self.first_logging);
+        self.event(|| "reset".to_owned());
+        Ok(())
+    }
+
+    /// Advances from `time` by `step`, s (section 4.2.2). Never discarded: the model halves its own steps.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or the numbers do not fit (nothing happened); or the model fails on the way: then
+    /// only an earlier FMU state or a reset goes on.
+    pub fn do_step(&mut self, time: f64, step: f64) -> Result<(), Error> {
+        self.check(Call::DoStep)?;
+        let end = self.end_of_step(time, step)?;
+        self.event(|| format!("step from t = {time} s to t = {end} s"));
+        let outcome = self.model.advance(end);
+        self.pass_on_warnings();
+        outcome.map_err(|failure| {
+            self.session.mode = Mode::Error;
+            Error::Model(failure)
+        })
+    }
+
+    /// End of the step that the host asks for, s.
+    fn end_of_step(&self, time: f64, step: f64) -> Result<f64, Error> {
+        let own = self.model.time();
+        let scale = own.abs().max(time.abs()).max(step);
+        let end = time + step;
+        let same_time = (time - own).abs() <= TIME_TOLERANCE * scale; // false for NaN
+        if !same_time {
+            return Err(Error::WrongTime { given: time, own });
+        }
+        let advances = step > 0.0 && step.is_finite() && end > own; // false for NaN
+        if !advances {
+            return Err(Error::StepSize { step, time });
+        }
+        match self.session.stop {
+            Some(stop) if end > stop + TIME_TOLERANCE * scale => Err(Error::BeyondStop { end, stop }),
+            _ => Ok(end),
+        }
+    }
+
+    /// There is never a step to cancel (section 4.2.2).
+    ///
+    /// # Errors
+    /// Always: steps are synchronous.
+    pub fn cancel_step(&mut self) -> Result<(), Error> {
+        self.check(Call::CancelStep)
+    }
+
+    /// `fmi2GetRealStatus` (section 4.2.3): the time reached, s.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or another status is asked for.
+    pub fn real_status(&self, kind: StatusKind) -> Result<f64, Error> {
+        self.check(Call::GetRealStatus)?;
+        match kind {
+            StatusKind::LastSuccessfulTime => Ok(self.model.time()),
+            other => Err(no_such_status(other)),
+        }
+    }
+
+    /// `fmi2GetBooleanStatus` (section 4.2.3): this unit never wants to end by itself.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or another status is asked for.
+    pub fn boolean_status(&self, kind: StatusKind) -> Result<bool, Error> {
+        self.check(Call::GetBooleanStatus)?;
+        match kind {
+            StatusKind::Terminated => Ok(false),
+            other => Err(no_such_status(other)),
+        }
+    }
+
+    /// `fmi2GetStatus`, `fmi2GetIntegerStatus` and `fmi2GetStringStatus` (section 4.2.3): there is none of that type.
+    ///
+    /// # Errors
+    /// Always: the mode does not allow it, or a unit with synchronous steps has no such status.
+    pub fn other_status(&self, call: Call, kind: StatusKind) -> Result<(), Error> {
+        self.check(call)?;
+        Err(no_such_status(kind))
+    }
+
+    /// A part of the standard that this version does not offer.
+    ///
+    /// # Errors
+    /// Always.
+    pub fn not_supported(&self, call: Call, reason: &'static str) -> Result<(), Error> {
+        self.check(call)?;
+        Err(Error::NotSupported { reason })
+    }
+
+    /// The initial state that belongs to the values as set.
+    fn solve_initial_state(&mut self) -> Result<(), Error> {
+        if self.session.solved {
+            return Ok(());
+        }
+        let outcome = self.model.initialize(self.session.start);
+        self.pass_on_warnings();
+        outcome?;
+        self.session.solved = true;
+        Ok(())
+    }
+
+    /// Logs what happened, where the host wants to know.
+    fn event(&mut self, message: impl FnOnce() -> String) {
+        if self.session.logging.wants(LogCategory::Events) {
+            self.entries.push(Entry { status: Status::Ok, category: LogCategory::Events, message: message() });
+        }
+    }
+
+    fn warn(&mut self, message: String) {
+        self.entries.push(Entry { status: Status::Warning, category: LogCategory::StatusWarning, message });
+    }
+
+    fn pass_on_warnings(&mut self) {
+        for warning in self.model.take_warnings() {
+            self.warn(warning);
+        }
+    }
+}
+
+fn no_such_status(kind: StatusKind) -> Error {
+    let reason = match kind {
+        StatusKind::DoStep | StatusKind::Pending => {
+            "fmi2DoStep never returns fmi2Pending; its own result is the status"
+        }
+        StatusKind::LastSuccessfulTime => "fmi2LastSuccessfulTime is asked for by fmi2GetRealStatus",
+        StatusKind::Terminated => "fmi2Terminated is asked for by fmi2GetBooleanStatus",
+    };
+    Error::NoSuchStatus { reason }
+}

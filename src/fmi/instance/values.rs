@@ -1,0 +1,249 @@
+//! Reading and writing variables (FMI 2.0, section 2.1.7): all of a call, or nothing.
+
+use super::Instance;
+use crate::fmi::{
+    Model, Value,
+    error::Error,
+    lifecycle::{Call, Mode},
+    variable::{Causality, Variability, Variable},
+};
+
+/// A number type of FMI that variables here can have.
+trait Number: Copy {
+    /// FMI's name of the type.
+    const NAME: &'static str;
+
+    fn from_value(value: Value) -> Option<Self>;
+
+    fn into_value(self) -> Value;
+}
+
+impl Number for f64 {
+    const NAME: &'static str = "Real";
+
+    fn from_value(value: Value) -> Option<Self> {
+        match value {
+            Value::Real(number) => Some(number),
+            Value::Integer(_) => None,
+        }
+    }
+
+    fn into_value(self) -> Value {
+        Value::Real(self)
+    }
+}
+
+impl Number for i32 {
+    const NAME: &'static str = "Integer";
+
+    fn from_value(value: Value) -> Option<Self> {
+        match value {
+            Value::Integer(number) => Some(number),
+            Value::Real(_) => None,
+        }
+    }
+
+    fn into_value(self) -> Value {
+        Value::Integer(self)
+    }
+}
+
+impl<M: Model> Instance<M> {
+    /// Reads Real variables.
+    ///
+    /// # Errors
+    /// The mode does not allow it, a reference or type is wrong, or the initial state cannot be found; `values` is
+    /// untouched then.
+    pub fn get_real(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), Error> {
+        self.check(Call::GetReal)?;
+        self.get(references, values)
+    }
+
+    /// Reads Integer variables.
+    ///
+    /// # Errors
+    /// As [`Self::get_real`].
+    pub fn get_integer(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), Error> {
+        self.check(Call::GetInteger)?;
+        self.get(references, values)
+    }
+
+    /// Reads Boolean variables, of which there are none.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or any reference is given.
+    pub fn get_boolean(&mut self, references: &[u32]) -> Result<(), Error> {
+        self.check(Call::GetBoolean)?;
+        self.none_of_type(references, "Boolean")
+    }
+
+    /// Reads String variables, of which there are none.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or any reference is given.
+    pub fn get_string(&mut self, references: &[u32]) -> Result<(), Error> {
+        self.check(Call::GetString)?;
+        self.none_of_type(references, "String")
+    }
+
+    /// Sets Real variables.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or a reference, a type or a value is refused; no value is changed then.
+    pub fn set_real(&mut self, references: &[u32], values: &[f64]) -> Result<(), Error> {
+        self.check(Call::SetReal)?;
+        self.set(references, values)
+    }
+
+    /// Sets Integer variables.
+    ///
+    /// # Errors
+    /// As [`Self::set_real`].
+    pub fn set_integer(&mut self, references: &[u32], values: &[i32]) -> Result<(), Error> {
+        self.check(Call::SetInteger)?;
+        self.set(references, values)
+    }
+
+    /// Sets Boolean variables, of which there are none.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or any reference is given.
+    pub fn set_boolean(&mut self, references: &[u32]) -> Result<(), Error> {
+        self.check(Call::SetBoolean)?;
+        self.none_of_type(references, "Boolean")
+    }
+
+    /// Sets String variables, of which there are none.
+    ///
+    /// # Errors
+    /// The mode does not allow it, or any reference is given.
+    pub fn set_string(&mut self, references: &[u32]) -> Result<(), Error> {
+        self.check(Call::SetString)?;
+        self.none_of_type(references, "String")
+    }
+
+    fn get<T: Number>(&mut self, references: &[u32], values: &mut [T]) -> Result<(), Error> {
+        self.same_length(references.len(), values.len())?;
+        let mut results_wanted = false;
+        for &reference in references {
+            results_wanted |= is_result(self.variable::<T>(reference)?);
+        }
+        match self.mode() {
+            Mode::Instantiated if results_wanted => self.warn_early(),
+            Mode::Initialization if results_wanted => self.solve_initial_state()?,
+            _ => (),
+        }
+        for (value, &reference) in values.iter_mut().zip(references) {
+            *value =
+                T::from_value(self.model.value(reference as usize)).expect("a variable keeps the type of its start");
+        }
+        Ok(())
+    }
+
+    fn set<T: Number>(&mut self, references: &[u32], values: &[T]) -> Result<(), Error> {
+        self.same_length(references.len(), values.len())?;
+        for (&reference, &value) in references.iter().zip(values) {
+            let variable = self.variable::<T>(reference)?;
+            may_be_set(variable, self.mode())?;
+            in_range(variable, value.into_value())?;
+        }
+        self.undo.clear();
+        for (&reference, &value) in references.iter().zip(values) {
+            let place = reference as usize;
+            let before = self.model.value(place);
+            if let Err(failure) = self.model.set_value(place, value.into_value()) {
+                self.take_back();
+                return Err(failure.into());
+            }
+            self.undo.push((place, before));
+        }
+        self.session.solved = false;
+        Ok(())
+    }
+
+    /// Undoes the values set so far in this call, the last one first.
+    fn take_back(&mut self) {
+        while let Some((place, before)) = self.undo.pop() {
+            if let Err(failure) = self.model.set_value(place, before) {
+                self.warn(format!("a value could not be set back: {}", failure.message));
+            }
+        }
+    }
+
+    fn warn_early(&mut self) {
+        if !self.session.warned_early {
+            self.session.warned_early = true;
+            self.warn(
+                "results were read before initialization: these are start values; the results of the initial state \
+                 are there from fmi2EnterInitializationMode on"
+                    .to_owned(),
+            );
+        }
+    }
+
+    /// The row of a reference, if its type is `T`.
+    fn variable<T: Number>(&self, reference: u32) -> Result<&Variable, Error> {
+        let variable = self.row(reference)?;
+        match T::from_value(variable.start) {
+            Some(_) => Ok(variable),
+            None => Err(wrong_type(variable, reference, T::NAME)),
+        }
+    }
+
+    fn none_of_type(&self, references: &[u32], asked: &'static str) -> Result<(), Error> {
+        match references.first() {
+            Some(&reference) => Err(wrong_type(self.row(reference)?, reference, asked)),
+            None => Ok(()),
+        }
+    }
+
+    fn row(&self, reference: u32) -> Result<&Variable, Error> {
+        let variables = self.model.variables();
+        variables.get(reference as usize).ok_or(Error::UnknownReference { reference, count: variables.len() })
+    }
+
+    fn same_length(&self, references: usize, values: usize) -> Result<(), Error> {
+        if references == values { Ok(()) } else { Err(Error::LengthsDiffer { references, values }) }
+    }
+}
+
+fn wrong_type(variable: &Variable, reference: u32, asked: &'static str) -> Error {
+    Error::WrongType { name: variable.name.clone(), reference, actual: variable.type_name(), asked }
+}
+
+/// Whether the value follows from others, so that it needs the initial state.
+fn is_result(variable: &Variable) -> bool {
+    matches!(variable.causality, Causality::Output | Causality::CalculatedParameter)
+}
+
+/// Parameters and inputs up to the end of the initialization, afterwards inputs and tunable parameters.
+fn may_be_set(variable: &Variable, mode: Mode) -> Result<(), Error> {
+    match (variable.causality, variable.variability) {
+        (Causality::Input, _) | (Causality::Parameter, Variability::Tunable) => Ok(()),
+        (Causality::Parameter, _) if matches!(mode, Mode::Instantiated | Mode::Initialization) => Ok(()),
+        (Causality::Parameter, _) => Err(Error::Fixed { name: variable.name.clone() }),
+        _ => Err(Error::Result { name: variable.name.clone() }),
+    }
+}
+
+/// Finite and within `min` and `max`.
+fn in_range(variable: &Variable, value: Value) -> Result<(), Error> {
+    let number = value.number();
+    if !number.is_finite() {
+        return Err(Error::NotFinite { name: variable.name.clone(), value: number });
+    }
+    if variable.min.is_none_or(|min| number >= min) && variable.max.is_none_or(|max| number <= max) {
+        return Ok(());
+    }
+    let unit = match variable.quantity.unit.as_str() {
+        "" => String::new(),
+        unit => format!(" {unit}"),
+    };
+    let bounds = match (variable.min, variable.max) {
+        (Some(min), Some(max)) => format!("between {min} and {max}"),
+        (Some(min), None) => format!("at least {min}"),
+        (None, Some(max)) => format!("at most {max}"),
+        (None, None) => "any finite number".to_owned(),
+    };
+    Err(Error::OutOfRange { name: variable.name.clone(), value: number, unit, bounds })
+}

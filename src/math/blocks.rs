@@ -1,0 +1,68 @@
+//! A sparse matrix as a fixed list of dense blocks: what mechanics writes and the linear solver reads.
+
+/// Where a dense block sits: `rows × columns` from (`row`, `column`) on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// First row.
+    pub row: usize,
+    /// First column.
+    pub column: usize,
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of columns.
+    pub columns: usize,
+}
+
+/// A sum of dense blocks, which may overlap. Values are column-major within a block, blocks in the order of their pushing.
+#[derive(Clone, Debug, Default)]
+pub struct Blocks {
+    layout: Vec<Block>,
+    offsets: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Blocks {
+    /// Adds a block of zeros and returns its number.
+    pub fn push(&mut self, block: Block) -> usize {
+        self.layout.push(block);
+        self.offsets.push(self.values.len());
+        self.values.resize(self.values.len() + block.rows * block.columns, 0.0);
+        self.layout.len() - 1
+    }
+
+    /// The blocks in order.
+    pub fn layout(&self) -> &[Block] {
+        &self.layout
+    }
+
+    /// All values, block after block.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The values of block `number`, column-major.
+    pub fn block_mut(&mut self, number: usize) -> &mut [f64] {
+        let Block { rows, columns, .. } = self.layout[number];
+        let start = self.offsets[number];
+        &mut self.values[start..start + rows * columns]
+    }
+
+    /// Sets all values to zero.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+    }
+
+    /// `target += self · vector`.
+    pub fn multiply_add(&self, vector: &[f64], target: &mut [f64]) {
+        let mut value = 0;
+        for block in &self.layout {
+            for column in 0..block.columns {
+                let factor = vector[block.column + column];
+                for row in 0..block.rows {
+                    target[block.row + row] += self.values[value] * factor;
+                    value += 1;
+                }
+            }
+        }
+    }
+}

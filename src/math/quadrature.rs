@@ -1,0 +1,52 @@
+//! Quadrature on [0, 1] and the collocation weights that go with it (MECHANICS 5.1, 5.2, 2.13).
+
+const SQRT_15: f64 = 3.872_983_346_207_417;
+
+/// Points of the 3-point Gauss rule.
+pub const GAUSS_POINTS: [f64; 3] = [0.5 - SQRT_15 / 10.0, 0.5, 0.5 + SQRT_15 / 10.0];
+/// Weights of the 3-point Gauss rule.
+pub const GAUSS_WEIGHTS: [f64; 3] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
+
+/// Points of the 3-point Lobatto rule: both ends and the middle.
+pub const LOBATTO_POINTS: [f64; 3] = [0.0, 0.5, 1.0];
+/// Weights of the 3-point Lobatto rule.
+pub const LOBATTO_WEIGHTS: [f64; 3] = [1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0];
+
+/// Values at `xi` of the three quadratic Lagrange polynomials on `points`.
+pub fn lagrange(points: &[f64; 3], xi: f64) -> [f64; 3] {
+    let [a, b, c] = *points;
+    [
+        (xi - b) * (xi - c) / ((a - b) * (a - c)),
+        (xi - a) * (xi - c) / ((b - a) * (b - c)),
+        (xi - a) * (xi - b) / ((c - a) * (c - b)),
+    ]
+}
+
+/// `A_h(ξ) = ∫_0^ξ (Lagrange polynomial h on the Gauss points) dξ`; at the Gauss points the matrix of 3-stage Gauss collocation.
+pub fn collocation(xi: f64) -> [f64; 3] {
+    // A quadratic is integrated exactly over [0, ξ] by Simpson's rule.
+    let (start, middle, end) =
+        (lagrange(&GAUSS_POINTS, 0.0), lagrange(&GAUSS_POINTS, 0.5 * xi), lagrange(&GAUSS_POINTS, xi));
+    std::array::from_fn(|h| xi / 6.0 * (start[h] + 4.0 * middle[h] + end[h]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The integrals of the Lagrange polynomials must be the Butcher matrix that MECHANICS 3.3 prints; the tolerance is rounding.
+    #[test]
+    fn collocation_is_the_gauss_matrix() {
+        let s = SQRT_15;
+        let printed = [
+            [5.0 / 36.0, 2.0 / 9.0 - s / 15.0, 5.0 / 36.0 - s / 30.0],
+            [5.0 / 36.0 + s / 24.0, 2.0 / 9.0, 5.0 / 36.0 - s / 24.0],
+            [5.0 / 36.0 + s / 30.0, 2.0 / 9.0 + s / 15.0, 5.0 / 36.0],
+        ];
+        for (row, xi) in printed.iter().zip(GAUSS_POINTS) {
+            for (value, expected) in collocation(xi).iter().zip(row) {
+                assert!((value - expected).abs() < 1e-15);
+            }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Stretching: `EA/2 eps²` for small strain, `EA/2 e² + E Ip/2 taum² e` (Wagner's term) with the Green strain `e` otherwise, J/m (MECHANICS 3.1, 3.2).
+//!
+//! Over a step the strain is the mean of the two ends' and its force acts along the mean slope (MECHANICS 7.6): a beam that
+//! turns keeps its length. At an increment of zero that is the plain energy of the configuration.
+
+use super::strain::Stiffness;
+use crate::math::{Mat3, Vec3};
+
+/// The slope at one axial point, and what it changes by over the step.
+#[derive(Clone, Copy, Debug)]
+pub struct Slope {
+    /// `r'` at the middle of the step, 1.
+    pub middle: Vec3,
+    /// `r'` at the end of the step minus `r'` at its start, 1; zero: the energy of the configuration itself.
+    pub increment: Vec3,
+    /// `|r0'|` of the undeformed beam here, 1.
+    pub reference_stretch: f64,
+}
+
+impl Slope {
+    /// `|r'|` at the start and at the end of the step, 1.
+    fn stretches(&self) -> (f64, f64) {
+        ((self.middle - self.increment * 0.5).norm(), (self.middle + self.increment * 0.5).norm())
+    }
+
+    /// Mean Green strain of the two ends of the step, 1: `((|r'|/J0)² − 1)/2 + |Δr'|²/(8 J0²)`.
+    pub fn green_strain(&self) -> f64 {
+        let square = self.reference_stretch * self.reference_stretch;
+        0.5 * (self.middle.norm_squared() / square - 1.0) + 0.125 * self.increment.norm_squared() / square
+    }
+
+    /// Mean engineering strain of the two ends of the step, 1: `(|r'_a| + |r'_b|)/(2 J0) − 1`.
+    pub fn engineering_strain(&self) -> f64 {
+        let (start, end) = self.stretches();
+        0.5 * (start + end) / self.reference_stretch - 1.0
+    }
+}
+
+/// The small-strain energy `EA/2 eps²`, a function of the slope alone.
+pub mod small {
+    use super::{Mat3, Slope, Stiffness, Vec3};
+
+    /// Energy density, J/m.
+    pub fn energy(stiffness: &Stiffness, slope: &Slope) -> f64 {
+        0.5 * stiffness.axial * slope.engineering_strain().powi(2)
+    }
+
+    /// `EA/J0 eps n`, N, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: work by the increment is the increment of the energy.
+    pub fn gradient(stiffness: &Stiffness, slope: &Slope) -> Vec3 {
+        let (start, end) = slope.stretches();
+        let direction = slope.middle * (2.0 / (start + end));
+        direction * (stiffness.axial * slope.engineering_strain() / slope.reference_stretch)
+    }
+
+    /// Twice the derivative of the gradient by the slope at the end of the step, N: at an increment of zero the Hessian.
+    pub fn hessian(stiffness: &Stiffness, slope: &Slope) -> Mat3 {
+        let (start, end) = slope.stretches();
+        let n = slope.middle * (2.0 / (start + end));
+        let tangent = (slope.middle + slope.increment * 0.5) / end;
+        let n_t = n * tangent.transpose();
+        let j0 = slope.reference_stretch;
+        n_t * (stiffness.axial / (j0 * j0))
+            + (Mat3::identity() - n_t) * (2.0 * stiffness.axial * slope.engineering_strain() / (j0 * (start + end)))
+    }
+}
+
+/// The large-strain energy, a function of the Green strain `e` and of the mean torsion `taum`.
+pub mod large {
+    use super::Stiffness;
+    use nalgebra::{Matrix2, Vector2};
+
+    /// Energy density, J/m.
+    pub fn energy(stiffness: &Stiffness, e: f64, taum: f64) -> f64 {
+        0.5 * stiffness.axial * e * e + 0.5 * stiffness.wagner * taum * taum * e
+    }
+
+    /// Derivatives by `e` (N) and by `taum` (N m).
+    pub fn gradient(stiffness: &Stiffness, e: f64, taum: f64) -> Vector2<f64> {
+        Vector2::new(stiffness.axial * e + 0.5 * stiffness.wagner * taum * taum, stiffness.wagner * taum * e)
+    }
+
+    /// Second derivatives by `e` and `taum`.
+    pub fn hessian(stiffness: &Stiffness, e: f64, taum: f64) -> Matrix2<f64> {
+        let mixed = stiffness.wagner * taum;
+        Matrix2::new(stiffness.axial, mixed, mixed, stiffness.wagner * e)
+    }
+}

@@ -1,0 +1,46 @@
+//! Bending: `(1 + 3 e)/2 (E Iz g1² + E Iy g2²)`, J/m; `e = 0` for small strain (MECHANICS 3.1, 3.2).
+
+use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
+
+/// How much the axial Green strain stiffens bending: `d(1 + 3 e)/de`, none for small strain.
+fn coupling(stiffness: &Stiffness) -> f64 {
+    match stiffness.strain {
+        Strain::Small => 0.0,
+        Strain::Large | Strain::LargeTruncated => 3.0,
+    }
+}
+
+/// Energy density, J/m.
+pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {
+    let [g1, g2, _, e] = (*strains).into();
+    0.5 * (1.0 + coupling(stiffness) * e) * (stiffness.bending_z * g1 * g1 + stiffness.bending_y * g2 * g2)
+}
+
+/// Derivatives by the strains: moments (N m), 0, and the axial part (J/m).
+pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
+    let [g1, g2, _, e] = (*strains).into();
+    let factor = 1.0 + coupling(stiffness) * e;
+    let square = stiffness.bending_z * g1 * g1 + stiffness.bending_y * g2 * g2;
+    Resultants::new(
+        factor * stiffness.bending_z * g1,
+        factor * stiffness.bending_y * g2,
+        0.0,
+        0.5 * coupling(stiffness) * square,
+    )
+}
+
+/// Second derivatives by the strains.
+pub fn hessian(stiffness: &Stiffness, strains: &Strains) -> Rigidities {
+    let [g1, g2, _, e] = (*strains).into();
+    let factor = 1.0 + coupling(stiffness) * e;
+    let (with_1, with_2) =
+        (coupling(stiffness) * stiffness.bending_z * g1, coupling(stiffness) * stiffness.bending_y * g2);
+    let mut sum = Rigidities::zeros();
+    sum[(0, 0)] = factor * stiffness.bending_z;
+    sum[(1, 1)] = factor * stiffness.bending_y;
+    sum[(0, 3)] = with_1;
+    sum[(3, 0)] = with_1;
+    sum[(1, 3)] = with_2;
+    sum[(3, 1)] = with_2;
+    sum
+}

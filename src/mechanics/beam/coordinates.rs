@@ -1,0 +1,58 @@
+//! Order of the coordinates (MECHANICS 3.3): a node is `r` (3), `p = r'` (3), `theta` (1); an element is its two nodes.
+
+use crate::math::Vec3;
+use nalgebra::{SMatrix, SVector};
+
+/// Coordinates of a node.
+pub const NODE: usize = 7;
+/// Coordinates of an element.
+pub const ELEMENT: usize = 14;
+/// Place of the position in a node, m.
+pub const R: usize = 0;
+/// Place of the slope in a node, 1.
+pub const P: usize = 3;
+/// Place of the twist angle in a node, rad.
+pub const THETA: usize = 6;
+
+/// Where `X_a` of `X = (r_0, p_0, r_1, p_1)` starts in an element's coordinates.
+pub const SHAPE_PLACES: [usize; 4] = [R, P, NODE + R, NODE + P];
+
+/// One number per coordinate of an element.
+pub type ElementVector = SVector<f64, ELEMENT>;
+/// One number per pair of coordinates of an element.
+pub type ElementMatrix = SMatrix<f64, ELEMENT, ELEMENT>;
+
+/// The three numbers of `q` from `place` on.
+pub fn vec3(q: &[f64], place: usize) -> Vec3 {
+    Vec3::new(q[place], q[place + 1], q[place + 2])
+}
+
+/// Writes three numbers into `q` from `place` on.
+pub fn set_vec3(q: &mut [f64], place: usize, value: &Vec3) {
+    q[place..place + 3].copy_from_slice(value.as_slice());
+}
+
+/// Adds three numbers to `q` from `place` on.
+pub fn add_vec3(q: &mut [f64], place: usize, value: &Vec3) {
+    for (target, value) in q[place..place + 3].iter_mut().zip(value) {
+        *target += value;
+    }
+}
+
+/// `Σ_a weight_a X_a` of the element coordinates `q` (14).
+pub fn interpolate(weights: &[f64; 4], q: &[f64]) -> Vec3 {
+    let mut sum = Vec3::zeros();
+    for (weight, place) in weights.iter().zip(SHAPE_PLACES) {
+        sum += vec3(q, place) * *weight;
+    }
+    sum
+}
+
+/// `weightsᵀ v`, 14×1: the generalized force of a vector `v` that works on `Σ_a weight_a X_a`.
+pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
+    let mut sum = ElementVector::zeros();
+    for (weight, place) in weights.iter().zip(SHAPE_PLACES) {
+        sum.fixed_rows_mut::<3>(place).copy_from(&(v * *weight));
+    }
+    sum
+}

@@ -1,0 +1,424 @@
+//! One ANCF14 element: its quadrature points, and the pull-back of the energy densities to the 14 coordinates (MECHANICS 3, 8).
+//!
+//! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs; here their derivatives by strains become
+//! derivatives by coordinates. Where the paper and this differ, MECHANICS 1 and 3 say why.
+
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, NODE, P, THETA, interpolate, spread};
+use super::frame::NodeFrame;
+use super::kinematics::Kinematics;
+use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
+use super::{axial, bending, fourth_moments, inertia, torsion};
+use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
+use crate::math::{Vec3, hermite};
+use nalgebra::{SMatrix, SVector};
+
+/// A Lobatto point: stretching is taken here.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialPoint {
+    /// `N'_a`.
+    pub shape_x: [f64; 4],
+    /// Quadrature weight `w l J0`, m.
+    pub weight: f64,
+    /// `J0 = |r0'|`, 1.
+    pub reference_stretch: f64,
+    /// Mean torsion of the undeformed beam, rad/m.
+    pub reference_torsion: f64,
+}
+
+/// A Gauss point: bending and torsion are taken here.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BendingPoint {
+    /// Place in the element, 0 to 1.
+    pub xi: f64,
+    /// `N'_a`.
+    pub shape_x: [f64; 4],
+    /// `N''_a`, 1/m.
+    pub shape_xx: [f64; 4],
+    /// `l A_gh` of (2.13), m.
+    pub collocation: [f64; 3],
+    /// Quadratic Lagrange polynomials of the axial points, here.
+    pub from_axial: [f64; 3],
+    /// Quadrature weight `w l J0`, m.
+    pub weight: f64,
+    /// `J0 = |r0'|`, 1.
+    pub reference_stretch: f64,
+    /// Curvatures `gamma_10`, `gamma_20` (1/m) and torsion (rad/m) of the undeformed beam.
+    pub reference: [f64; 3],
+}
+
+/// One element of a beam; never changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Element {
+    /// Undeformed length l, m.
+    pub length: f64,
+    /// Number of its first node; the second is the next.
+    pub node: usize,
+    /// Section stiffness.
+    pub stiffness: Stiffness,
+    /// The three Lobatto points.
+    pub axial: [AxialPoint; 3],
+    /// The three Gauss points.
+    pub bending: [BendingPoint; 3],
+    /// `l w_g`, m: weights of the twist rate in the total twist (2.12).
+    pub rate_weights: [f64; 3],
+    /// Total twist `T` of the undeformed element, rad.
+    pub reference_twist: f64,
+    /// Constant mass matrix, 14×14.
+    pub mass: ElementMatrix,
+    /// `ρA`, kg/m.
+    pub line_density: f64,
+}
+
+impl Element {
+    /// An element that is stress free at the coordinates `reference` (14) with the nodes' frames `first` and `second`.
+    ///
+    /// `density` is `[ρA, ρIp]` in kg/m and kg m; `holonomy` the holonomy angle of the reference's branch, rad.
+    pub fn new(
+        node: usize,
+        length: f64,
+        stiffness: Stiffness,
+        density: [f64; 2],
+        reference: &[f64],
+        frames: [&NodeFrame; 2],
+        holonomy: f64,
+    ) -> Self {
+        let axial = std::array::from_fn(|m| {
+            let shape_x = hermite::shape_x(LOBATTO_POINTS[m], length);
+            let stretch = interpolate(&shape_x, reference).norm();
+            AxialPoint {
+                shape_x,
+                weight: LOBATTO_WEIGHTS[m] * length * stretch,
+                reference_stretch: stretch,
+                reference_torsion: 0.0,
+            }
+        });
+        let bending = std::array::from_fn(|g| {
+            let xi = GAUSS_POINTS[g];
+            let shape_x = hermite::shape_x(xi, length);
+            let stretch = interpolate(&shape_x, reference).norm();
+            BendingPoint {
+                xi,
+                shape_x,
+                shape_xx: hermite::shape_xx(xi, length),
+                collocation: collocation(xi).map(|a| a * length),
+                from_axial: lagrange(&LOBATTO_POINTS, xi),
+                weight: GAUSS_WEIGHTS[g] * length * stretch,
+                reference_stretch: stretch,
+                reference: [0.0; 3],
+            }
+        });
+        let mut element = Self {
+            length,
+            node,
+            stiffness,
+            axial,
+            bending,
+            rate_weights: GAUSS_WEIGHTS.map(|w| w * length),
+            reference_twist: 0.0,
+            mass: inertia::mass(density[0], density[1], length),
+            line_density: density[0],
+        };
+        // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
+        let at_rest = Evaluation::new(&element, reference, None, frames, holonomy);
+        let (strains, twist) = (at_rest.strains, at_rest.kinematics.twist);
+        element.reference_twist = twist;
+        for (point, found) in element.bending.iter_mut().zip(strains) {
+            point.reference = [found[0], found[1], found[2]];
+        }
+        for point in &mut element.axial {
+            point.reference_torsion = twist / (length * point.reference_stretch);
+        }
+        element
+    }
+
+    /// `N_a(ξ)`.
+    pub fn shape(&self, xi: f64) -> [f64; 4] {
+        hermite::shape(xi, self.length)
+    }
+
+    /// Generalized weight in the gravity field `gravity` (m/s²), 14×1.
+    pub fn weight(&self, gravity: &Vec3) -> ElementVector {
+        inertia::weight(self.line_density, self.length, gravity)
+    }
+}
+
+/// An element at one configuration, or over one step: strains first, then energy, gradient and Hessian as asked.
+#[derive(Clone, Debug)]
+pub struct Evaluation<'a> {
+    element: &'a Element,
+    frames: [&'a NodeFrame; 2],
+    /// Curvatures and twist rates of the carried frame.
+    pub kinematics: Kinematics,
+    slopes: [axial::Slope; 3],
+    green: [f64; 3],
+    mean_torsion: [f64; 3],
+    /// `gammahat` at the bending points, 1/m (2.16).
+    gammahat: [[f64; 2]; 3],
+    /// Strains at the bending points, undeformed values taken off.
+    pub strains: [Strains; 3],
+}
+
+/// First derivatives, shared by gradient and Hessian.
+struct FirstOrder {
+    points: SMatrix<f64, ELEMENT, 9>,
+    twist: ElementVector,
+    resultants: [Resultants; 3],
+    /// Factors of κ1, κ2, ω of each bending point in the gradient: `c1, c2, c3` of MECHANICS 8.
+    factors: [[f64; 3]; 3],
+    /// `λ_T`, N m.
+    twist_factor: f64,
+    /// `Σ_g λ_alpha_g`, N m.
+    alpha_factor: f64,
+}
+
+impl<'a> Evaluation<'a> {
+    /// Of `element` at the coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last
+    /// accepted state (rad); `increment` is what the coordinates change by over a step whose middle is `q`, or none.
+    pub fn new(
+        element: &'a Element,
+        q: &[f64],
+        increment: Option<&[f64]>,
+        frames: [&'a NodeFrame; 2],
+        previous: f64,
+    ) -> Self {
+        let kinematics = Kinematics::new(element, q, frames[0], frames[1], previous);
+        let slopes: [axial::Slope; 3] = element.axial.each_ref().map(|point| axial::Slope {
+            middle: interpolate(&point.shape_x, q),
+            increment: increment.map_or_else(Vec3::zeros, |increment| interpolate(&point.shape_x, increment)),
+            reference_stretch: point.reference_stretch,
+        });
+        let green = slopes.each_ref().map(axial::Slope::green_strain);
+        let mean_torsion = element
+            .axial
+            .each_ref()
+            .map(|point| kinematics.twist / (element.length * point.reference_stretch) - point.reference_torsion);
+        let mut gammahat = [[0.0; 2]; 3];
+        let strains = std::array::from_fn(|g| {
+            let point = &element.bending[g];
+            let (sin, cos) = kinematics.alpha[g].sin_cos();
+            let [kappa1, kappa2, _] = kinematics.points[g].scalars.map(|scalar| scalar.value);
+            let j0 = point.reference_stretch;
+            gammahat[g] = [(cos * kappa1 + sin * kappa2) / j0, (cos * kappa2 - sin * kappa1) / j0];
+            Strains::new(
+                gammahat[g][0] - point.reference[0],
+                gammahat[g][1] - point.reference[1],
+                kinematics.twist / (element.length * j0) - point.reference[2],
+                point.from_axial.iter().zip(&green).map(|(weight, e)| weight * e).sum(),
+            )
+        });
+        Self { element, frames, kinematics, slopes, green, mean_torsion, gammahat, strains }
+    }
+
+    /// Strain energy, J.
+    pub fn energy(&self) -> f64 {
+        let stiffness = &self.element.stiffness;
+        let mut sum = 0.0;
+        for (point, strains) in self.element.bending.iter().zip(&self.strains) {
+            sum += point.weight
+                * (bending::energy(stiffness, strains)
+                    + torsion::energy(stiffness, strains)
+                    + fourth_moments::energy(stiffness, strains));
+        }
+        for (m, point) in self.element.axial.iter().enumerate() {
+            sum += point.weight
+                * match stiffness.strain {
+                    Strain::Small => axial::small::energy(stiffness, &self.slopes[m]),
+                    _ => axial::large::energy(stiffness, self.green[m], self.mean_torsion[m]),
+                };
+        }
+        sum
+    }
+
+    /// `∂U/∂q`, 14×1, J per unit of each coordinate; over a step the force of MECHANICS 7.6.
+    pub fn gradient(&self) -> ElementVector {
+        self.gradient_from(&self.first_order())
+    }
+
+    /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
+    pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
+        let first = self.first_order();
+        let mut hessian = self.frame_hessian(&first);
+        self.add_section_hessian(&first, &mut hessian);
+        (self.gradient_from(&first), hessian)
+    }
+
+    /// Mean torsion per unit length, undeformed value taken off, rad/m; the largest of the bending points in size.
+    pub fn largest_torsion(&self) -> f64 {
+        self.strains
+            .iter()
+            .fold(0.0, |largest, strains| if strains[2].abs() > f64::abs(largest) { strains[2] } else { largest })
+    }
+
+    /// Green strains at the axial points (engineering strains for small strain), 1.
+    pub fn axial_strains(&self) -> [f64; 3] {
+        match self.element.stiffness.strain {
+            Strain::Small => self.slopes.each_ref().map(axial::Slope::engineering_strain),
+            _ => self.green,
+        }
+    }
+
+    fn first_order(&self) -> FirstOrder {
+        let (element, stiffness) = (self.element, &self.element.stiffness);
+        let points = self.kinematics.point_gradients(element);
+        let twist = self.kinematics.twist_gradient(element, self.frames[0], self.frames[1], &points);
+        let resultants: [Resultants; 3] = self.strains.each_ref().map(|strains| {
+            bending::gradient(stiffness, strains)
+                + torsion::gradient(stiffness, strains)
+                + fourth_moments::gradient(stiffness, strains)
+        });
+        let mut by_alpha = [0.0; 3];
+        let mut twist_factor = 0.0;
+        for (g, point) in element.bending.iter().enumerate() {
+            by_alpha[g] =
+                point.weight * (resultants[g][0] * self.gammahat[g][1] - resultants[g][1] * self.gammahat[g][0]);
+            twist_factor +=
+                point.weight * resultants[g][2] / (element.length * point.reference_stretch) + by_alpha[g] * point.xi;
+        }
+        if stiffness.strain != Strain::Small {
+            for (m, point) in element.axial.iter().enumerate() {
+                let by_torsion = axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1];
+                twist_factor += point.weight * by_torsion / (element.length * point.reference_stretch);
+            }
+        }
+        let factors = std::array::from_fn(|g| {
+            let point = &element.bending[g];
+            let (sin, cos) = self.kinematics.alpha[g].sin_cos();
+            let per_length = point.weight / point.reference_stretch;
+            let by_rate: f64 = (0..3).map(|h| by_alpha[h] * element.bending[h].collocation[g]).sum();
+            [
+                per_length * (resultants[g][0] * cos - resultants[g][1] * sin),
+                per_length * (resultants[g][0] * sin + resultants[g][1] * cos),
+                element.rate_weights[g] * twist_factor - by_rate,
+            ]
+        });
+        FirstOrder { points, twist, resultants, factors, twist_factor, alpha_factor: by_alpha.iter().sum() }
+    }
+
+    fn gradient_from(&self, first: &FirstOrder) -> ElementVector {
+        let mut sum = first.points * SVector::<f64, 9>::from_iterator(first.factors.iter().flatten().copied());
+        // λ_T multiplies the whole gradient of T; its share through ω stands in the factors already.
+        let (by_p0, by_p1) = self.kinematics.holonomy.gradient(self.frames[0], self.frames[1]);
+        let mut slope = sum.fixed_rows_mut::<3>(P);
+        slope += by_p0 * first.twist_factor;
+        let mut slope = sum.fixed_rows_mut::<3>(NODE + P);
+        slope += by_p1 * first.twist_factor;
+        sum[THETA] += first.alpha_factor - first.twist_factor;
+        sum[NODE + THETA] += first.twist_factor;
+        for m in 0..3 {
+            sum += spread(&self.element.axial[m].shape_x, &self.axial_force(m, &first.resultants));
+        }
+        sum
+    }
+
+    /// Derivative of the energy by `r'` at axial point `m`, N m.
+    fn axial_force(&self, m: usize, resultants: &[Resultants; 3]) -> Vec3 {
+        let (stiffness, point) = (&self.element.stiffness, &self.element.axial[m]);
+        match stiffness.strain {
+            Strain::Small => axial::small::gradient(stiffness, &self.slopes[m]) * point.weight,
+            _ => self.slopes[m].middle * (self.green_force(m, resultants) / point.reference_stretch.powi(2)),
+        }
+    }
+
+    /// `F_m`, N m: derivative of the large-strain energy by the Green strain of axial point `m`.
+    fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
+        let (element, point) = (self.element, &self.element.axial[m]);
+        let here = axial::large::gradient(&element.stiffness, self.green[m], self.mean_torsion[m])[0];
+        let bending: f64 =
+            (0..3).map(|g| element.bending[g].from_axial[m] * element.bending[g].weight * resultants[g][3]).sum();
+        point.weight * here + bending
+    }
+
+    /// Second derivatives of κ1, κ2, ω and β at frozen factors.
+    fn frame_hessian(&self, first: &FirstOrder) -> ElementMatrix {
+        let mut sum = ElementMatrix::zeros();
+        for (g, point) in self.element.bending.iter().enumerate() {
+            self.kinematics.base.add_hessian(
+                &mut sum,
+                self.frames[0],
+                &self.kinematics.points[g],
+                &first.factors[g],
+                &point.shape_x,
+                &point.shape_xx,
+            );
+        }
+        let [h_00, h_01, h_11] = self.kinematics.holonomy.hessian(self.frames[0], self.frames[1]);
+        for (row, column, block) in
+            [(P, P, h_00), (P, NODE + P, h_01), (NODE + P, P, h_01.transpose()), (NODE + P, NODE + P, h_11)]
+        {
+            let mut view = sum.fixed_view_mut::<3, 3>(row, column);
+            view += block * first.twist_factor;
+        }
+        sum
+    }
+
+    /// Second derivatives of the densities by the strains, and of the strains by the angle of the section.
+    fn add_section_hessian(&self, first: &FirstOrder, sum: &mut ElementMatrix) {
+        let (element, stiffness) = (self.element, &self.element.stiffness);
+        let green_gradients: [ElementVector; 3] = std::array::from_fn(|m| {
+            let point = &element.axial[m];
+            spread(&point.shape_x, &(self.slopes[m].middle / point.reference_stretch.powi(2)))
+        });
+        // By the Green strain of each axial point: of the gradient at fixed slopes, 14×3.
+        let mut by_green = SMatrix::<f64, ELEMENT, 3>::zeros();
+        for (g, point) in element.bending.iter().enumerate() {
+            let strains = &self.strains[g];
+            let rigidities: Rigidities = bending::hessian(stiffness, strains)
+                + torsion::hessian(stiffness, strains)
+                + fourth_moments::hessian(stiffness, strains);
+            let (sin, cos) = self.kinematics.alpha[g].sin_cos();
+            let j0 = point.reference_stretch;
+            let mut alpha_q = first.twist * point.xi - self.kinematics.rate_gradient(&point.collocation, &first.points);
+            alpha_q[THETA] += 1.0;
+            let (kappa1_q, kappa2_q) = (first.points.column(3 * g), first.points.column(3 * g + 1));
+            let j1 = (kappa1_q * cos + kappa2_q * sin) / j0;
+            let j2 = (kappa2_q * cos - kappa1_q * sin) / j0;
+            let [gamma1, gamma2] = self.gammahat[g];
+            let mut strains_q = SMatrix::<f64, ELEMENT, 4>::zeros();
+            strains_q.set_column(0, &(j1 + alpha_q * gamma2));
+            strains_q.set_column(1, &(j2 - alpha_q * gamma1));
+            strains_q.set_column(2, &(first.twist / (element.length * j0)));
+            if stiffness.strain != Strain::Small {
+                let mut green_q = ElementVector::zeros();
+                for (weight, gradient) in point.from_axial.iter().zip(&green_gradients) {
+                    green_q += gradient * *weight;
+                }
+                strains_q.set_column(3, &green_q);
+            }
+            let weighted = strains_q * rigidities * point.weight;
+            *sum += weighted * strains_q.transpose();
+            for m in 0..3 {
+                let mut column = by_green.column_mut(m);
+                column += weighted.column(3) * point.from_axial[m];
+            }
+            let [n1, n2] = [first.resultants[g][0] * point.weight, first.resultants[g][1] * point.weight];
+            let turned = (j2 * n1 - j1 * n2) - alpha_q * (0.5 * (n1 * gamma1 + n2 * gamma2));
+            let product = turned * alpha_q.transpose();
+            *sum += product + product.transpose();
+        }
+        for (m, point) in element.axial.iter().enumerate() {
+            let slope = &self.slopes[m];
+            let square = point.reference_stretch.powi(2);
+            let mut add_slopes = |block: &crate::math::Mat3| {
+                for (a, row) in super::coordinates::SHAPE_PLACES.into_iter().enumerate() {
+                    for (b, column) in super::coordinates::SHAPE_PLACES.into_iter().enumerate() {
+                        let mut view = sum.fixed_view_mut::<3, 3>(row, column);
+                        view += block * (point.shape_x[a] * point.shape_x[b]);
+                    }
+                }
+            };
+            if stiffness.strain == Strain::Small {
+                add_slopes(&(axial::small::hessian(stiffness, slope) * point.weight));
+                continue;
+            }
+            add_slopes(&(crate::math::Mat3::identity() * (self.green_force(m, &first.resultants) / square)));
+            let second = axial::large::hessian(stiffness, self.green[m], self.mean_torsion[m]) * point.weight;
+            let torsion_q = first.twist / (element.length * point.reference_stretch);
+            let own = green_gradients[m] * second[(0, 0)] + torsion_q * second[(0, 1)];
+            *sum += own * green_gradients[m].transpose()
+                + (green_gradients[m] * second[(1, 0)] + torsion_q * second[(1, 1)]) * torsion_q.transpose();
+            // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.
+            let by_increment = spread(&point.shape_x, &(slope.increment / (2.0 * square)));
+            *sum += (own + by_green.column(m)) * by_increment.transpose();
+        }
+    }
+}

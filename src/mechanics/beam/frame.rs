@@ -1,0 +1,88 @@
+//! The frame of a node: a reference triad carried in time, turned by the slope and by `theta` (MECHANICS 2.1-2.6).
+
+use super::coordinates::{P, THETA, vec3};
+use crate::math::rotation::{carry, half_turn, half_turn_by_second, normal_projector};
+use crate::math::{Mat3, Vec3};
+
+/// A node's reference triad, constant during a step: tangent `t` and normal `u`, orthonormal; the third axis is `t × u`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triad {
+    /// Reference tangent, unit.
+    pub t: Vec3,
+    /// Reference normal, unit.
+    pub u: Vec3,
+}
+
+impl Triad {
+    /// The triad with the tangent along `tangent` and `u` as near to `normal` as can be.
+    pub fn new(tangent: &Vec3, normal: &Vec3) -> Self {
+        let t = tangent.normalize();
+        Self { t, u: (normal - t * t.dot(normal)).normalize() }
+    }
+}
+
+/// The frame of a node at a configuration, relative to its reference triad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeFrame {
+    /// `|p|`, 1.
+    pub stretch: f64,
+    /// Tangent `t = p / |p|` (2.1).
+    pub t: Vec3,
+    /// `u = P(t_r, t) u_r` (2.3).
+    pub u: Vec3,
+    /// `v = t × u`.
+    pub v: Vec3,
+    /// `k = kb(t_r, t)`; the `s` of (2.5) is `−k`.
+    pub k: Vec3,
+    /// Section axes `[t y z]` (2.4).
+    pub section: Mat3,
+    /// `∂k/∂t`, 3×3: `E` of (2.9).
+    pub k_t: Mat3,
+}
+
+impl NodeFrame {
+    /// The frame of the node with coordinates `q` (7) and reference `triad`.
+    pub fn new(q: &[f64], triad: &Triad) -> Self {
+        let p = vec3(q, P);
+        let stretch = p.norm();
+        let t = p / stretch;
+        let u = carry(&triad.t, &t, &triad.u);
+        let v = t.cross(&u);
+        let k = half_turn(&triad.t, &t);
+        let (sin, cos) = q[THETA].sin_cos();
+        let section = Mat3::from_columns(&[t, u * cos + v * sin, v * cos - u * sin]);
+        Self { stretch, t, u, v, k, section, k_t: half_turn_by_second(&triad.t, &t, &k) }
+    }
+
+    /// `∂t/∂p = (I − t tᵀ)/|p|`, 3×3.
+    pub fn t_p(&self) -> Mat3 {
+        normal_projector(&self.t) / self.stretch
+    }
+
+    /// `∂φ/∂p`, 3×3: turn of the section by the slope, `([t]× − t kᵀ)/|p|` (2.5). By `theta` it is `t`.
+    pub fn turn_p(&self) -> Mat3 {
+        (self.t.cross_matrix() - self.t * self.k.transpose()) / self.stretch
+    }
+
+    /// `[Q_p, Q_theta]`: generalized force of the spatial moment `moment`, N m (MECHANICS 3.5).
+    pub fn moment_force(&self, moment: &Vec3) -> (Vec3, f64) {
+        let along = self.t.dot(moment);
+        // Both terms are normal to t, so that the projector of 3.5 changes nothing.
+        ((moment.cross(&self.t) - self.k * along) / self.stretch, along)
+    }
+
+    /// `(∂Q_p/∂p, ∂Q_theta/∂p)` at a moment frozen in space (MECHANICS 3.5).
+    pub fn moment_force_p(&self, moment: &Vec3) -> (Mat3, Vec3) {
+        let t_p = self.t_p();
+        let (force, along) = self.moment_force(moment);
+        let across = t_p * moment;
+        let turn = moment.cross_matrix() * t_p - self.k * across.transpose() - self.k_t * t_p * along;
+        let by_p = (turn - force * self.t.transpose()) / self.stretch;
+        (by_p, across)
+    }
+
+    /// The reference triad of the next step: this frame at `theta` = 0 (2.6), made orthonormal against round-off.
+    pub fn carried(&self) -> Triad {
+        Triad::new(&self.t, &self.u)
+    }
+}

@@ -1,0 +1,12 @@
+//! The ANCF14 beam: coordinates, frames, kinematics inside the element, energies, inertia (Ebrahimi, Butscher, Cheong 2020).
+
+pub mod axial;
+pub mod bending;
+pub mod coordinates;
+pub mod element;
+pub mod fourth_moments;
+pub mod frame;
+pub mod inertia;
+pub mod kinematics;
+pub mod strain;
+pub mod torsion;

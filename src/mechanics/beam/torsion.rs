@@ -1,0 +1,20 @@
+//! Torsion: Saint-Venant's `G Jt/2 tau²`, J/m (MECHANICS 3.1). The Wagner term lives with the axial points, in axial.rs.
+
+use super::strain::{Resultants, Rigidities, Stiffness, Strains};
+
+/// Energy density, J/m.
+pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {
+    0.5 * stiffness.torsion * strains[2] * strains[2]
+}
+
+/// Derivatives by the strains: the torque, N m.
+pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
+    Resultants::new(0.0, 0.0, stiffness.torsion * strains[2], 0.0)
+}
+
+/// Second derivatives by the strains.
+pub fn hessian(stiffness: &Stiffness, _strains: &Strains) -> Rigidities {
+    let mut sum = Rigidities::zeros();
+    sum[(2, 2)] = stiffness.torsion;
+    sum
+}

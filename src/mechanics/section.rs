@@ -1,0 +1,115 @@
+//! Doubly symmetric cross-sections: integrals over the area, fourth moments included (MECHANICS 3.2b).
+//!
+//! Local y and z are the symmetry axes, x the tangent, `z = x × y`.
+
+use std::f64::consts::PI;
+
+/// The integrals of a section that the element needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Section {
+    /// Area A, m².
+    pub area: f64,
+    /// `Iy = ∫ z² dA`, m⁴: bending about y.
+    pub second_moment_y: f64,
+    /// `Iz = ∫ y² dA`, m⁴: bending about z.
+    pub second_moment_z: f64,
+    /// Saint-Venant's torsion constant Jt, m⁴.
+    pub torsion_constant: f64,
+    /// Polar moment Ip, m⁴: spin inertia and Wagner term.
+    pub polar_moment: f64,
+    /// `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]`, m⁶.
+    pub fourth_moments: [f64; 3],
+}
+
+impl Section {
+    /// Rectangle `width` (along y) × `height` (along z), m.
+    pub fn rectangle(width: f64, height: f64) -> Self {
+        let second_moment_y = width * height.powi(3) / 12.0;
+        let second_moment_z = height * width.powi(3) / 12.0;
+        Self {
+            area: width * height,
+            second_moment_y,
+            second_moment_z,
+            torsion_constant: rectangle_torsion_constant(width, height),
+            polar_moment: second_moment_y + second_moment_z,
+            fourth_moments: [
+                height * width.powi(5) / 80.0,
+                width.powi(3) * height.powi(3) / 144.0,
+                width * height.powi(5) / 80.0,
+            ],
+        }
+    }
+
+    /// Solid circle, m.
+    pub fn circle(radius: f64) -> Self {
+        let second_moment = PI * radius.powi(4) / 4.0;
+        let fourth = PI * radius.powi(6) / 24.0;
+        Self {
+            area: PI * radius * radius,
+            second_moment_y: second_moment,
+            second_moment_z: second_moment,
+            torsion_constant: 2.0 * second_moment,
+            polar_moment: 2.0 * second_moment,
+            fourth_moments: [3.0 * fourth, fourth, 3.0 * fourth],
+        }
+    }
+
+    /// Circular tube between the radii `inner` and `outer`, m.
+    pub fn tube(inner: f64, outer: f64) -> Self {
+        let (hole, disk) = (Self::circle(inner), Self::circle(outer));
+        Self {
+            area: disk.area - hole.area,
+            second_moment_y: disk.second_moment_y - hole.second_moment_y,
+            second_moment_z: disk.second_moment_z - hole.second_moment_z,
+            torsion_constant: disk.torsion_constant - hole.torsion_constant,
+            polar_moment: disk.polar_moment - hole.polar_moment,
+            fourth_moments: std::array::from_fn(|i| disk.fourth_moments[i] - hole.fourth_moments[i]),
+        }
+    }
+}
+
+/// Saint-Venant's torsion constant of a rectangle, m⁴: `a b³/3 (1 − 192 b/(π⁵ a) Σ_{n odd} tanh(nπa/2b)/n⁵)`, a ≥ b (Timoshenko).
+fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
+    let (long, short) = (width.max(height), width.min(height));
+    // The terms fall with n⁻⁵: 40 of them leave less than 1e-9 of the constant; summed from the smallest.
+    let series: f64 =
+        (0..40).rev().map(|k| f64::from(2 * k + 1)).map(|n| (n * PI * long / (2.0 * short)).tanh() / n.powi(5)).sum();
+    long * short.powi(3) / 3.0 * (1.0 - 192.0 * short / (PI.powi(5) * long) * series)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The square's constant 0.140577 a⁴ stands in every table (and in the 45-degree bend's reference); a thin strip tends to a b³/3.
+    #[test]
+    fn torsion_of_rectangles() {
+        assert!((Section::rectangle(1.0, 1.0).torsion_constant - 0.140_577_0).abs() < 1e-7);
+        let strip = Section::rectangle(1e-3, 1.0).torsion_constant;
+        assert!((strip / (1e-9 / 3.0) - 1.0).abs() < 1e-3);
+        assert_eq!(Section::rectangle(2.0, 3.0).torsion_constant, Section::rectangle(3.0, 2.0).torsion_constant);
+    }
+
+    /// A midpoint rule over the area must find the same moments; its error with 400 × 400 cells is below 1e-4 relative.
+    #[test]
+    fn moments_are_integrals() {
+        let (width, height, cells) = (0.03, 0.05, 400);
+        let section = Section::rectangle(width, height);
+        let mut sums = [0.0; 5];
+        let cell = width * height / f64::from(cells * cells);
+        for i in 0..cells {
+            for j in 0..cells {
+                let y = width * ((f64::from(i) + 0.5) / f64::from(cells) - 0.5);
+                let z = height * ((f64::from(j) + 0.5) / f64::from(cells) - 0.5);
+                for (sum, value) in sums.iter_mut().zip([z * z, y * y, y.powi(4), y * y * z * z, z.powi(4)]) {
+                    *sum += cell * value;
+                }
+            }
+        }
+        let [yyyy, yyzz, zzzz] = section.fourth_moments;
+        let closed = [section.second_moment_y, section.second_moment_z, yyyy, yyzz, zzzz];
+        for (sum, value) in sums.iter().zip(closed) {
+            assert!((sum / value - 1.0).abs() < 1e-4);
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! What can be measured at a point of a beam: kinematics of its section, and strains with the signs of the model file.
+
+use super::marker::{Configuration, Marker, Pose};
+use super::state::State;
+use super::system::{System, evaluation};
+use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
+use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_vector_near};
+use crate::math::{Vec3, hermite};
+use crate::mechanics::beam::coordinates::interpolate;
+use crate::mechanics::beam::kinematics::CurvePoint;
+
+/// A point of a beam that is watched.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensor {
+    /// Its section.
+    pub marker: Marker,
+    /// Place and axes as drawn.
+    pub drawn: Pose,
+    /// Number of its beam.
+    pub beam: usize,
+    /// Fraction of the beam's length, 0 to 1.
+    pub fraction: f64,
+}
+
+/// Strains of a section, undeformed values taken off.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SectionStrains {
+    /// Axial strain, 1.
+    pub axial: f64,
+    /// Curvature about y and about z, 1/m.
+    pub curvature: [f64; 2],
+    /// Torsion, rad/m.
+    pub torsion: f64,
+}
+
+impl Sensor {
+    /// Velocity (m/s) and angular velocity (rad/s) in global axes.
+    pub fn motion(&self, c: &Configuration, velocity: &[f64]) -> (Vec3, Vec3) {
+        let range = self.marker.coordinates(c.elements);
+        let motion = self.marker.motion(c);
+        let (mut linear, mut angular) = (Vec3::zeros(), Vec3::zeros());
+        for (local, index) in range.enumerate() {
+            linear += motion.place_q.column(local) * velocity[index];
+            angular += motion.turn_q.column(local) * velocity[index];
+        }
+        (linear, angular)
+    }
+
+    /// Rotation vector from the orientation as drawn, rad, the one nearest to `previous`.
+    pub fn rotation(&self, c: &Configuration, previous: &Vec3) -> Vec3 {
+        let axes = self.marker.pose(c).axes;
+        rotation_vector_near(&(axes * self.drawn.axes.transpose()), previous)
+    }
+
+    /// Quaternion `w x y z` of the section, continuous with the rotation vector `rotation`.
+    pub fn quaternion(&self, rotation: &Vec3) -> [f64; 4] {
+        let turned = quaternion_of(rotation) * quaternion_of_triad(&self.drawn.axes);
+        [turned.w, turned.i, turned.j, turned.k]
+    }
+
+    /// The elements that the point belongs to, each with the place in it: two at an inner node.
+    fn places(&self, system: &System) -> ([(usize, f64); 2], usize) {
+        let beam = &system.beams[self.beam];
+        match self.marker {
+            Marker::Section { element, xi } => ([(element, xi); 2], 1),
+            Marker::Node { node, .. } => {
+                let place = node - beam.first_node;
+                if place == 0 {
+                    ([(beam.first_element, 0.0); 2], 1)
+                } else if place == beam.elements {
+                    ([(beam.first_element + place - 1, 1.0); 2], 1)
+                } else {
+                    let after = beam.first_element + place;
+                    ([(after - 1, 1.0), (after, 0.0)], 2)
+                }
+            }
+            Marker::Ground(_) => ([(0, 0.0); 2], 0),
+        }
+    }
+
+    /// Material twist from the beam's start to here, undeformed value taken off, rad: the sum of `l tau` (MECHANICS, trap 16).
+    pub fn twist(&self, system: &System, c: &Configuration) -> f64 {
+        let beam = &system.beams[self.beam];
+        let (places, _) = self.places(system);
+        let (last, xi) = places[0];
+        let twist = |number: usize| c.kinematics(number).twist - c.elements[number].reference_twist;
+        (beam.first_element..last).map(twist).sum::<f64>() + xi * twist(last)
+    }
+
+    /// Strains of the section; at an inner node the mean of its two elements'.
+    pub fn strains(&self, system: &System, c: &Configuration) -> SectionStrains {
+        let (places, count) = self.places(system);
+        let mut sum = SectionStrains::default();
+        for (number, xi) in &places[..count] {
+            let own = strains_in_element(c, *number, *xi);
+            let share = 1.0 / count as f64;
+            sum.axial += share * own.axial;
+            sum.torsion += share * own.torsion;
+            for (sum, own) in sum.curvature.iter_mut().zip(own.curvature) {
+                *sum += share * own;
+            }
+        }
+        sum
+    }
+}
+
+/// Strains at the place `xi` of element `number`: axial strain the quadratic through the axial points, curvature about y `−gamma2`, about z `gamma1`.
+fn strains_in_element(c: &Configuration, number: usize, xi: f64) -> SectionStrains {
+    let element = &c.elements[number];
+    let evaluation = evaluation(c, number, None);
+    let axial =
+        lagrange(&LOBATTO_POINTS, xi).iter().zip(evaluation.axial_strains()).map(|(weight, e)| weight * e).sum();
+    let q = c.element_q(element);
+    let shape_x = hermite::shape_x(xi, element.length);
+    let shape_xx = hermite::shape_xx(xi, element.length);
+    let kinematics = &evaluation.kinematics;
+    let point = CurvePoint::new(&kinematics.base.axes, interpolate(&shape_x, q), interpolate(&shape_xx, q));
+    let inner = collocation(xi).map(|a| a * element.length);
+    let (sin, cos) = kinematics.alpha_at(q, xi, &inner).sin_cos();
+    let [kappa1, kappa2, _] = point.scalars.map(|scalar| scalar.value);
+    // Straight beams: J0 = 1 and no curvature of the undeformed beam.
+    let gammas = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
+    SectionStrains {
+        axial,
+        curvature: [-gammas[1], gammas[0]],
+        torsion: (kinematics.twist - element.reference_twist) / element.length,
+    }
+}
+
+/// A state with the frames of its nodes: what sensors read.
+#[derive(Clone, Debug, Default)]
+pub struct Snapshot {
+    frames: Vec<crate::mechanics::beam::frame::NodeFrame>,
+}
+
+impl Snapshot {
+    /// Computes the frames of `state` and returns its configuration.
+    pub fn of<'a>(&'a mut self, system: &'a System, state: &'a State) -> Configuration<'a> {
+        system.frames(&state.q, &state.triads, &mut self.frames);
+        system.configuration(&state.q, &self.frames, &state.holonomy)
+    }
+}

@@ -1,0 +1,44 @@
+//! What changes in time, as plain data: to save, restore and repeat is to clone this.
+
+use super::beam::frame::Triad;
+use crate::math::Vec3;
+
+/// Everything that persists from one step to the next.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Time, s.
+    pub time: f64,
+    /// Coordinates: m, 1, rad.
+    pub q: Vec<f64>,
+    /// Velocities of the coordinates, 1/s each.
+    pub velocity: Vec<f64>,
+    /// Momenta of the coordinates, in charts centred at the nodes' own tangents.
+    pub momentum: Vec<f64>,
+    /// Multipliers of the joints' conditions at the start of the last step, N or N m.
+    pub multipliers: Vec<f64>,
+    /// Reference triads of the nodes.
+    pub triads: Vec<Triad>,
+    /// Holonomy angles of the elements, rad: the branch that the next one continues.
+    pub holonomy: Vec<f64>,
+    /// Rotation vectors of the sensors from the orientation as drawn, rad, continued over turns.
+    pub rotations: Vec<Vec3>,
+    /// Size of the last step, s; 0 at the start.
+    pub previous_step: f64,
+    /// Steps are `2^-halving` of the step size.
+    pub halving: u32,
+    /// Whole steps since the last change of `halving`.
+    pub good_steps: u32,
+    /// Counts since the start.
+    pub statistics: Statistics,
+}
+
+/// Counts since the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Newton iterations, of rejected steps too.
+    pub iterations: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+}

@@ -1,0 +1,70 @@
+//! The two gyroscopic terms of the midpoint integrators (MECHANICS 7.2, 7.3, 7.5).
+//!
+//! `theta` is measured in the chart carried from `t_k`, so that the discrete spin depends on both configurations. One half of
+//! its variation acts in the step (`C` of 7.3), the other when the momentum changes charts (7.5). Either alone is unstable
+//! or loses angular momentum.
+
+use crate::math::blocks::Blocks;
+use crate::math::rotation::{half_turn, half_turn_by_second};
+use crate::mechanics::beam::coordinates::{ELEMENT, NODE, P, THETA, add_vec3};
+use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::system::System;
+
+/// Adds `h C` to `residual` (the negative of the step's residual) and `−h ∂C/∂q` to the element blocks of the matrix;
+/// `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node (7.3). `frames`: at the start, middle and end of the step.
+pub fn add_to_step(
+    system: &System,
+    frames: [&[NodeFrame]; 3],
+    mass_increment: &[f64],
+    forces: &[f64],
+    step: f64,
+    residual: &mut [f64],
+    blocks: &mut Blocks,
+) {
+    let [start, middle, end] = frames;
+    for beam in &system.beams {
+        for place in 0..=beam.elements {
+            let node = beam.first_node + place;
+            let (first, last) = (&start[node], &end[node]);
+            // The start's chart is centred: its reference tangent is t_k itself, so that k of the end is kb(t_k, t_{k+1}).
+            let kap = half_turn(&first.t, &last.t);
+            let km = half_turn(&first.t, &middle[node].t);
+            let theta = NODE * node + THETA;
+            let spin_momentum = mass_increment[theta] / step;
+            let force = (kap * spin_momentum - (kap * 0.5 - km) * (step * forces[theta])) / first.stretch;
+            add_vec3(residual, NODE * node + P, &(force * step));
+
+            // By the end's slope at fixed spin momentum; what Uth adds is of third order in the step and left out of the tangent.
+            let kap_p = half_turn_by_second(&first.t, &last.t, &kap) * last.t_p() * (spin_momentum / first.stretch);
+            let (element, local) = if place < beam.elements { (place, 0) } else { (place - 1, NODE) };
+            let block = blocks.block_mut(beam.first_element + element);
+            for column in 0..3 {
+                for row in 0..3 {
+                    block[(local + P + column) * ELEMENT + local + P + row] -= step * kap_p[(row, column)];
+                }
+            }
+            // By the increments of theta, of this node and of its neighbours through M.
+            let scaled = kap / first.stretch;
+            let neighbours = [(place > 0).then(|| place - 1), (place < beam.elements).then_some(place)];
+            for (element, local) in neighbours.into_iter().zip([NODE, 0]) {
+                let Some(element) = element.map(|element| beam.first_element + element) else { continue };
+                let mass = &system.elements[element].mass;
+                let block = blocks.block_mut(element);
+                for column in [THETA, NODE + THETA] {
+                    for row in 0..3 {
+                        block[column * ELEMENT + local + P + row] -= scaled[row] * mass[(local + THETA, column)];
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Takes the momentum from the charts of the step's start to charts centred at its end: `P_p += P_theta kap/|p_{k+1}|` (7.5).
+/// `frames` at the end, still relative to the references of the start.
+pub fn change_charts(frames: &[NodeFrame], momentum: &mut [f64]) {
+    for (frame, momentum) in frames.iter().zip(momentum.chunks_exact_mut(NODE)) {
+        let spin = momentum[THETA];
+        add_vec3(momentum, P, &(frame.k * (spin / frame.stretch)));
+    }
+}

@@ -1,0 +1,143 @@
+//! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
+
+use super::linear::{Singular, SparseLu};
+use crate::error::Error;
+use crate::math::blocks::{Block, Blocks};
+use crate::mechanics::joint::JointGradient;
+use crate::mechanics::marker::MarkerMatrix;
+use crate::mechanics::system::{System, copy_corner};
+
+/// Matrix and factorization of one machine's constrained system.
+#[derive(Debug)]
+pub struct Kkt {
+    /// The matrix; the machine's tangent blocks come first.
+    pub blocks: Blocks,
+    /// First of each joint's four constraint blocks: columns of a and b, rows of a and b.
+    joints: Vec<usize>,
+    /// First of each joint's four stiffness blocks, where the system has them.
+    curvatures: Vec<usize>,
+    solver: SparseLu,
+}
+
+impl Kkt {
+    /// For a step in time: no second derivatives of the constraints.
+    ///
+    /// # Errors
+    /// The analysis of the matrix fails for want of memory.
+    pub fn for_steps(system: &System) -> Result<Self, Error> {
+        let (blocks, joints) = constraint_layout(system);
+        Self::finish(system, blocks, joints, Vec::new())
+    }
+
+    /// For an equilibrium: second derivatives of the constraints included.
+    ///
+    /// # Errors
+    /// The analysis of the matrix fails for want of memory.
+    pub fn for_equilibrium(system: &System) -> Result<Self, Error> {
+        let (mut blocks, joints) = constraint_layout(system);
+        let mut curvatures = Vec::new();
+        for joint in &system.joints {
+            let (a, b) = (joint.a.coordinates(&system.elements), joint.b.coordinates(&system.elements));
+            for (number, (rows, columns)) in [(&a, &a), (&a, &b), (&b, &a), (&b, &b)].into_iter().enumerate() {
+                let block = Block { row: rows.start, column: columns.start, rows: rows.len(), columns: columns.len() };
+                let place = blocks.push(block);
+                if number == 0 {
+                    curvatures.push(place);
+                }
+            }
+        }
+        Self::finish(system, blocks, joints, curvatures)
+    }
+
+    fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>) -> Result<Self, Error> {
+        let solver = SparseLu::new(system.coordinates() + system.constraints(), &blocks)
+            .map_err(|Singular| Error::Singular { time: 0.0, place: String::from("the machine (out of memory)") })?;
+        Ok(Self { blocks, joints, curvatures, solver })
+    }
+
+    /// Sets the constraint blocks: `scale` times `columns` transposed on the right, `rows` below.
+    pub fn set_constraints(&mut self, system: &System, columns: &[JointGradient], rows: &[JointGradient], scale: f64) {
+        for (number, joint) in system.joints.iter().enumerate() {
+            let start = self.joints[number];
+            let (count_a, count_b) =
+                (joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len());
+            let conditions = joint.rows();
+            let (right, below) = (&columns[number], &rows[number]);
+            copy_corner(self.blocks.block_mut(start), count_a, conditions, |row, column| {
+                scale * right.a[(column, row)]
+            });
+            copy_corner(self.blocks.block_mut(start + 1), count_b, conditions, |row, column| {
+                scale * right.b[(column, row)]
+            });
+            copy_corner(self.blocks.block_mut(start + 2), conditions, count_a, |row, column| below.a[(row, column)]);
+            copy_corner(self.blocks.block_mut(start + 3), conditions, count_b, |row, column| below.b[(row, column)]);
+        }
+    }
+
+    /// Sets the stiffness blocks of joint `number`: `∂²(λ·φ)/∂q²` as `aa, ab, ba, bb`.
+    pub fn set_curvature(&mut self, number: usize, counts: [usize; 2], blocks: &[MarkerMatrix; 4]) {
+        let [a, b] = counts;
+        for (place, ((rows, columns), block)) in [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(blocks).enumerate() {
+            let target = self.blocks.block_mut(self.curvatures[number] + place);
+            copy_corner(target, rows, columns, |row, column| block[(row, column)]);
+        }
+    }
+
+    /// Factorizes and solves in place.
+    ///
+    /// # Errors
+    /// The matrix is singular: the error names the part of the machine that the lost direction moves most.
+    pub fn solve(&mut self, system: &System, vector: &mut [f64], time: f64) -> Result<(), Error> {
+        let solved = self.solver.factorize(&self.blocks).and_then(|()| self.solver.solve(vector));
+        solved.map_err(|Singular| Error::Singular { time, place: self.lost_direction(system) })
+    }
+
+    /// The unknown that a null vector of the matrix moves most: a few inverse iterations on the matrix with a slightly shifted diagonal.
+    fn lost_direction(&self, system: &System) -> String {
+        let size = system.coordinates() + system.constraints();
+        let mut shifted = self.blocks.clone();
+        if shifted.values().iter().any(|value| !value.is_finite()) {
+            return String::from("a part of the machine with numbers that are not finite");
+        }
+        let largest = shifted.values().iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        for index in 0..size {
+            let block = shifted.push(Block { row: index, column: index, rows: 1, columns: 1 });
+            let sign = if index < system.coordinates() { 1.0 } else { -1.0 };
+            // Small against the smallest honest stiffness, large against round-off.
+            shifted.block_mut(block)[0] = sign * 1e-11 * largest.max(1e-300);
+        }
+        let unnamed = || String::from("a part of the machine");
+        let Ok(mut solver) = SparseLu::new(size, &shifted) else { return unnamed() };
+        if solver.factorize(&shifted).is_err() {
+            return unnamed();
+        }
+        let mut vector = vec![1.0; size];
+        for _ in 0..3 {
+            if solver.solve(&mut vector).is_err() {
+                return unnamed();
+            }
+            let norm = vector.iter().fold(0.0_f64, |norm, value| norm.max(value.abs()));
+            vector.iter_mut().for_each(|value| *value /= norm);
+        }
+        let most = vector.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        most.map_or_else(unnamed, |(index, _)| system.describe_unknown(index))
+    }
+}
+
+/// The machine's tangent blocks, then four constraint blocks a joint.
+fn constraint_layout(system: &System) -> (Blocks, Vec<usize>) {
+    let mut blocks = Blocks::default();
+    system.push_tangent_blocks(&mut blocks);
+    let mut joints = Vec::new();
+    let mut row = system.coordinates();
+    for joint in &system.joints {
+        let (a, b) = (joint.a.coordinates(&system.elements), joint.b.coordinates(&system.elements));
+        let conditions = joint.rows();
+        joints.push(blocks.push(Block { row: a.start, column: row, rows: a.len(), columns: conditions }));
+        blocks.push(Block { row: b.start, column: row, rows: b.len(), columns: conditions });
+        blocks.push(Block { row, column: a.start, rows: conditions, columns: a.len() });
+        blocks.push(Block { row, column: b.start, rows: conditions, columns: b.len() });
+        row += conditions;
+    }
+    (blocks, joints)
+}

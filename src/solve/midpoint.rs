@@ -1,0 +1,234 @@
+//! The constrained midpoint integrator in position-momentum form (MECHANICS 7): `Variational` (7.1, the paper's) and
+//! `Conserving` (7.6), which differ in one term: the axial strain of the middle, or the mean of the two ends'.
+//!
+//! A step from `q_k, P_k` solves `P_k − M Dq/h − h/2 f(qm) + C − h G_kᵀ λ = 0` and `g(q_{k+1}) = 0`, `f = dU/dq − F`,
+//! `qm = q_k + Dq/2`, for `Dq` and `Λ = h λ`. Momentum and references then move on to the new charts (gyroscopic.rs).
+
+use super::gyroscopic;
+use super::kkt::Kkt;
+use super::newton::{self, Problem};
+use super::stepping::Integrator;
+use crate::error::Error;
+use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::joint::JointGradient;
+use crate::mechanics::state::State;
+use crate::mechanics::system::{Excitation, System};
+
+/// Largest turn of a tangent in a step, rad: beyond it Newton may find a wrong root (MECHANICS 7.4).
+const LARGEST_TURN: f64 = 0.5;
+/// Iterations of a step: more than this ended in wrong states (MECHANICS 7.4).
+const ITERATIONS: usize = 10;
+
+/// How the axial strain of a step is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxialRule {
+    /// At the middle of the step (7.1).
+    Variational,
+    /// Mean of the two ends' (7.6).
+    Conserving,
+}
+
+/// Integrator and its scratch memory; nothing in it outlives a step.
+#[derive(Debug)]
+pub struct Midpoint {
+    rule: AxialRule,
+    tolerance: f64,
+    kkt: Kkt,
+    right: Vec<f64>,
+    scratch: Scratch,
+}
+
+/// What a step computes on the way.
+#[derive(Debug, Default)]
+struct Scratch {
+    increment: Vec<f64>,
+    impulses: Vec<f64>,
+    q_middle: Vec<f64>,
+    q_end: Vec<f64>,
+    forces: Vec<f64>,
+    mass_increment: Vec<f64>,
+    conditions: Vec<f64>,
+    frames_start: Vec<NodeFrame>,
+    frames_middle: Vec<NodeFrame>,
+    frames_end: Vec<NodeFrame>,
+    gradients_start: Vec<JointGradient>,
+    gradients_end: Vec<JointGradient>,
+}
+
+impl Midpoint {
+    /// For `system`; Newton ends when its correction is below `tolerance`.
+    ///
+    /// # Errors
+    /// The linear system cannot be set up.
+    pub fn new(system: &System, rule: AxialRule, tolerance: f64) -> Result<Self, Error> {
+        let (coordinates, conditions) = (system.coordinates(), system.constraints());
+        let scratch = Scratch {
+            increment: vec![0.0; coordinates],
+            impulses: vec![0.0; conditions],
+            q_middle: vec![0.0; coordinates],
+            q_end: vec![0.0; coordinates],
+            forces: vec![0.0; coordinates],
+            mass_increment: vec![0.0; coordinates],
+            conditions: vec![0.0; conditions],
+            ..Scratch::default()
+        };
+        let kkt = Kkt::for_steps(system)?;
+        Ok(Self { rule, tolerance, kkt, right: vec![0.0; coordinates + conditions], scratch })
+    }
+
+    /// Velocities that belong to `state.momentum` and that the constraints allow: `[M Gᵀ; G 0][v; ν] = [P; 0]`.
+    ///
+    /// # Errors
+    /// The constraints are redundant.
+    pub fn set_velocity(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
+        let scratch = &mut self.scratch;
+        system.frames(&state.q, &state.triads, &mut scratch.frames_start);
+        let configuration = system.configuration(&state.q, &scratch.frames_start, &state.holonomy);
+        system.constraint_gradients(&configuration, &mut scratch.gradients_start);
+        self.kkt.blocks.clear();
+        system.add_mass(1.0, &mut self.kkt.blocks);
+        self.kkt.set_constraints(system, &scratch.gradients_start, &scratch.gradients_start, 1.0);
+        self.right.fill(0.0);
+        self.right[..state.q.len()].copy_from_slice(&state.momentum);
+        self.kkt.solve(system, &mut self.right, state.time)?;
+        state.velocity.copy_from_slice(&self.right[..state.q.len()]);
+        Ok(())
+    }
+}
+
+impl Integrator for Midpoint {
+    fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
+        self.scratch.predict(system, state, step);
+        let mut problem = Step { system, state, rule: self.rule, step, scratch: &mut self.scratch };
+        let mut iterations = state.statistics.iterations;
+        let solved = newton::solve(
+            system,
+            &mut problem,
+            &mut self.kkt,
+            &mut self.right,
+            (self.tolerance, ITERATIONS),
+            end,
+            &mut iterations,
+        );
+        let scratch = &mut self.scratch;
+        scratch
+            .check_end(system, state, end, solved.map(|_| ()))
+            .inspect_err(|_| state.statistics.iterations = iterations)?;
+        state.statistics.iterations = iterations;
+        scratch.finish(system, state, self.rule, step, end);
+        self.set_velocity(system, state)
+    }
+}
+
+impl Scratch {
+    /// Start of the iteration: `Dq = h v_k`, `Λ = 0`.
+    fn predict(&mut self, system: &System, state: &State, step: f64) {
+        for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
+            *increment = step * velocity;
+        }
+        self.impulses.fill(0.0);
+        system.frames(&state.q, &state.triads, &mut self.frames_start);
+        let configuration = system.configuration(&state.q, &self.frames_start, &state.holonomy);
+        system.constraint_gradients(&configuration, &mut self.gradients_start);
+    }
+
+    /// Positions and frames in the middle and at the end, for the current increment.
+    fn place(&mut self, system: &System, state: &State) {
+        for (index, (q, increment)) in state.q.iter().zip(&self.increment).enumerate() {
+            self.q_middle[index] = q + 0.5 * increment;
+            self.q_end[index] = q + increment;
+        }
+        system.frames(&self.q_middle, &state.triads, &mut self.frames_middle);
+        system.frames(&self.q_end, &state.triads, &mut self.frames_end);
+        system.mass_times(&self.increment, &mut self.mass_increment);
+    }
+
+    /// Refuses what the elements cannot bear (MECHANICS 7.4).
+    fn check_end(&mut self, system: &System, state: &State, end: f64, solved: Result<(), Error>) -> Result<(), Error> {
+        solved?;
+        self.place(system, state);
+        let configuration = system.configuration(&self.q_end, &self.frames_end, &state.holonomy);
+        system.check(&configuration, &state.triads, LARGEST_TURN, end)
+    }
+
+    /// Writes the end of the converged step into `state`: momentum (7.4), change of charts (7.5), references (2.6).
+    fn finish(&mut self, system: &System, state: &mut State, rule: AxialRule, step: f64, end: f64) {
+        let over = over_step(rule, &self.increment);
+        let middle = system.configuration(&self.q_middle, &self.frames_middle, &state.holonomy);
+        system.forces(&middle, over, excitation(end - 0.5 * step), &mut self.forces);
+        for (index, momentum) in state.momentum.iter_mut().enumerate() {
+            *momentum = self.mass_increment[index] / step - 0.5 * step * self.forces[index];
+        }
+        gyroscopic::change_charts(&self.frames_end, &mut state.momentum);
+        for (multiplier, impulse) in state.multipliers.iter_mut().zip(&self.impulses) {
+            *multiplier = impulse / step;
+        }
+        state.q.copy_from_slice(&self.q_end);
+        system.carry_references(state, &self.frames_end);
+        state.time = end;
+        state.previous_step = step;
+        state.statistics.steps += 1;
+    }
+}
+
+fn excitation(time: f64) -> Excitation {
+    Excitation { time, share: 1.0 }
+}
+
+/// The one term in which the two integrators differ.
+fn over_step(rule: AxialRule, increment: &[f64]) -> Option<&[f64]> {
+    match rule {
+        AxialRule::Variational => None,
+        AxialRule::Conserving => Some(increment),
+    }
+}
+
+/// One step as Newton sees it.
+struct Step<'a> {
+    system: &'a System,
+    state: &'a State,
+    rule: AxialRule,
+    step: f64,
+    scratch: &'a mut Scratch,
+}
+
+impl Problem for Step<'_> {
+    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) {
+        let (system, state, h) = (self.system, self.state, self.step);
+        let scratch = &mut *self.scratch;
+        scratch.place(system, state);
+        kkt.blocks.clear();
+
+        let middle = system.configuration(&scratch.q_middle, &scratch.frames_middle, &state.holonomy);
+        let over = over_step(self.rule, &scratch.increment);
+        let time = excitation(state.time + 0.5 * h);
+        system.forces_and_tangent(&middle, over, time, 0.25 * h * h, &mut scratch.forces, &mut kkt.blocks);
+        system.add_mass(1.0, &mut kkt.blocks);
+
+        let end = system.configuration(&scratch.q_end, &scratch.frames_end, &state.holonomy);
+        system.constraint_gradients(&end, &mut scratch.gradients_end);
+        system.constraint_conditions(&end, &mut scratch.conditions);
+        kkt.set_constraints(system, &scratch.gradients_start, &scratch.gradients_end, h);
+
+        let (residual, conditions) = right.split_at_mut(state.q.len());
+        for (index, residual) in residual.iter_mut().enumerate() {
+            *residual = h * state.momentum[index] - scratch.mass_increment[index] - 0.5 * h * h * scratch.forces[index];
+        }
+        system.add_constraint_forces(&scratch.gradients_start, &scratch.impulses, -h, residual);
+        let frames = [&scratch.frames_start[..], &scratch.frames_middle, &scratch.frames_end];
+        gyroscopic::add_to_step(system, frames, &scratch.mass_increment, &scratch.forces, h, residual, &mut kkt.blocks);
+        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
+            *target = -condition;
+        }
+    }
+
+    fn correct(&mut self, correction: &[f64]) {
+        let (coordinates, impulses) = correction.split_at(self.scratch.increment.len());
+        for (value, correction) in self.scratch.increment.iter_mut().zip(coordinates) {
+            *value += correction;
+        }
+        for (value, correction) in self.scratch.impulses.iter_mut().zip(impulses) {
+            *value += correction;
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Equilibria: `dU/dq − F + Gᵀ λ = 0`, `g = 0`, one after the other along a ramp of loads or along time.
+
+use super::kkt::Kkt;
+use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
+use super::stepping::Integrator;
+use crate::error::Error;
+use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::joint::JointGradient;
+use crate::mechanics::state::State;
+use crate::mechanics::system::{Excitation, System};
+
+/// Largest turn of a tangent in an increment, rad: `1 + t_r·t < 0.1` (MECHANICS 2.6).
+const LARGEST_TURN: f64 = 2.69;
+/// The ramp gives up when its increment falls below this share of the loads.
+const SMALLEST_SHARE: f64 = 1.0 / 4096.0;
+/// An increment that took at most this many iterations may grow.
+const EASY: usize = 6;
+
+/// Equilibrium solver and its scratch memory; nothing in it outlives a solve.
+#[derive(Debug)]
+pub struct Statics {
+    tolerance: f64,
+    kkt: Kkt,
+    right: Vec<f64>,
+    scratch: Scratch,
+    /// How the last solve went.
+    pub convergence: Option<Convergence>,
+}
+
+#[derive(Debug, Default)]
+struct Scratch {
+    q: Vec<f64>,
+    multipliers: Vec<f64>,
+    forces: Vec<f64>,
+    conditions: Vec<f64>,
+    frames: Vec<NodeFrame>,
+    gradients: Vec<JointGradient>,
+}
+
+impl Statics {
+    /// For `system`; Newton ends when its correction is below `tolerance`.
+    ///
+    /// # Errors
+    /// The linear system cannot be set up.
+    pub fn new(system: &System, tolerance: f64) -> Result<Self, Error> {
+        let (coordinates, conditions) = (system.coordinates(), system.constraints());
+        let scratch = Scratch {
+            q: vec![0.0; coordinates],
+            multipliers: vec![0.0; conditions],
+            forces: vec![0.0; coordinates],
+            conditions: vec![0.0; conditions],
+            ..Scratch::default()
+        };
+        let kkt = Kkt::for_equilibrium(system)?;
+        Ok(Self { tolerance, kkt, right: vec![0.0; coordinates + conditions], scratch, convergence: None })
+    }
+
+    /// Finds the equilibrium under all loads of `state.time`, from the state as given, by a ramp of the loads.
+    ///
+    /// # Errors
+    /// The ramp got stuck; `state` is then to be discarded.
+    pub fn ramp(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
+        let (mut share, mut increment) = (0.0, 1.0);
+        while share < 1.0 {
+            let next = f64::min(share + increment, 1.0);
+            match self.equilibrium(system, state, Excitation { time: state.time, share: next }) {
+                Ok(()) => {
+                    share = next;
+                    if self.convergence.is_some_and(|convergence| convergence.iterations <= EASY) {
+                        increment *= 2.0;
+                    }
+                }
+                Err(reason) => {
+                    state.statistics.rejected += 1;
+                    increment = 0.5 * f64::min(increment, 1.0 - share);
+                    if increment < SMALLEST_SHARE {
+                        return Err(Error::RampStuck { time: state.time, share, reason: Box::new(reason) });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds the equilibrium under `excitation` near `state` and writes it there.
+    ///
+    /// # Errors
+    /// Newton fails or the increment is too large; `state` is as it was but for the count of iterations.
+    pub fn equilibrium(&mut self, system: &System, state: &mut State, excitation: Excitation) -> Result<(), Error> {
+        self.scratch.q.copy_from_slice(&state.q);
+        self.scratch.multipliers.copy_from_slice(&state.multipliers);
+        let mut problem = Equilibrium { system, state, excitation, scratch: &mut self.scratch };
+        let mut iterations = state.statistics.iterations;
+        let control = (self.tolerance, MOST_ITERATIONS);
+        let solved = newton::solve(
+            system,
+            &mut problem,
+            &mut self.kkt,
+            &mut self.right,
+            control,
+            excitation.time,
+            &mut iterations,
+        );
+        state.statistics.iterations = iterations;
+        self.convergence = Some(solved?);
+        let scratch = &mut self.scratch;
+        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
+        let configuration = system.configuration(&scratch.q, &scratch.frames, &state.holonomy);
+        system.check(&configuration, &state.triads, LARGEST_TURN, excitation.time)?;
+        state.q.copy_from_slice(&scratch.q);
+        state.multipliers.copy_from_slice(&scratch.multipliers);
+        system.carry_references(state, &scratch.frames);
+        state.time = excitation.time;
+        state.statistics.steps += 1;
+        Ok(())
+    }
+}
+
+impl Integrator for Statics {
+    /// The equilibrium of `end`.
+    fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
+        self.equilibrium(system, state, Excitation { time: end, share: 1.0 })?;
+        state.previous_step = step;
+        Ok(())
+    }
+}
+
+/// One equilibrium as Newton sees it.
+struct Equilibrium<'a> {
+    system: &'a System,
+    state: &'a State,
+    excitation: Excitation,
+    scratch: &'a mut Scratch,
+}
+
+impl Problem for Equilibrium<'_> {
+    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) {
+        let (system, state) = (self.system, self.state);
+        let scratch = &mut *self.scratch;
+        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
+        let configuration = system.configuration(&scratch.q, &scratch.frames, &state.holonomy);
+        kkt.blocks.clear();
+        system.forces_and_tangent(&configuration, None, self.excitation, 1.0, &mut scratch.forces, &mut kkt.blocks);
+        system.constraint_gradients(&configuration, &mut scratch.gradients);
+        system.constraint_conditions(&configuration, &mut scratch.conditions);
+        kkt.set_constraints(system, &scratch.gradients, &scratch.gradients, 1.0);
+        let mut row = 0;
+        for (number, joint) in system.joints.iter().enumerate() {
+            let own = &scratch.multipliers[row..row + joint.rows()];
+            let counts = [joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len()];
+            kkt.set_curvature(number, counts, &joint.phi_qq(&configuration, own));
+            row += joint.rows();
+        }
+        let (residual, conditions) = right.split_at_mut(state.q.len());
+        for (residual, force) in residual.iter_mut().zip(&scratch.forces) {
+            *residual = -force;
+        }
+        system.add_constraint_forces(&scratch.gradients, &scratch.multipliers, -1.0, residual);
+        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
+            *target = -condition;
+        }
+    }
+
+    fn correct(&mut self, correction: &[f64]) {
+        let (coordinates, multipliers) = correction.split_at(self.scratch.q.len());
+        for (value, correction) in self.scratch.q.iter_mut().zip(coordinates) {
+            *value += correction;
+        }
+        for (value, correction) in self.scratch.multipliers.iter_mut().zip(multipliers) {
+            *value += correction;
+        }
+    }
+}

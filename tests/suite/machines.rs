@@ -1,0 +1,100 @@
+//! Small machines that several tests use, built without a model file.
+
+use ancf14::error::Error;
+use ancf14::math::{Mat3, Vec3};
+use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
+use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::joint::{Joint, primitive::Primitive, weld};
+use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::marker::{Marker, Pose};
+use ancf14::mechanics::material::Material;
+use ancf14::mechanics::section::Section;
+use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::state::State;
+use ancf14::mechanics::system::System;
+use ancf14::solve::midpoint::{AxialRule, Midpoint};
+use ancf14::solve::start;
+use ancf14::solve::stepping::Integrator;
+
+/// A steel-like beam of 1 m along x.
+pub fn design(name: &str, elements: usize) -> BeamDesign {
+    BeamDesign {
+        name: name.into(),
+        from: Vec3::zeros(),
+        to: Vec3::x(),
+        y_axis: Vec3::y(),
+        pretwist: 0.0,
+        elements,
+        material: Material { young: 2e11, shear: 8e10, density: 7800.0 },
+        section: Section::rectangle(0.01, 0.02),
+        strain: Strain::Small,
+        torsion: Torsion::Free,
+        velocity: Vec3::zeros(),
+        angular_velocity: Vec3::zeros(),
+    }
+}
+
+/// A joint of `primitives` between the ground and the node of `beam` at `fraction`, at that node.
+pub fn hold(
+    assembly: &mut Assembly,
+    name: &str,
+    beam: usize,
+    fraction: f64,
+    axes: &Mat3,
+    primitives: &'static [Primitive],
+) {
+    let node = assembly.node_at(beam, fraction).unwrap();
+    let place = assembly.drawn(&assembly.section_at(beam, fraction)).place;
+    let joint = Joint {
+        name: name.into(),
+        a: Marker::Ground(Pose { place, axes: *axes }),
+        b: assembly.marker_on_node(node, &place, axes),
+        primitives,
+    };
+    assembly.add_joint(joint);
+}
+
+/// Clamps the start of `beam`.
+pub fn clamp(assembly: &mut Assembly, beam: usize) {
+    hold(assembly, "root", beam, 0.0, &Mat3::identity(), weld::PRIMITIVES);
+}
+
+/// A dead force and moment on the section of `beam` at `fraction`.
+pub fn load(assembly: &mut Assembly, beam: usize, fraction: f64, force: Vec3, moment: Vec3) {
+    let marker = assembly.section_at(beam, fraction);
+    let constant = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
+    assembly.add_load(Load {
+        name: "load".into(),
+        points: vec![(marker, 1.0)],
+        force: constant(force),
+        moment: constant(moment),
+        direction: Direction::Global,
+    });
+}
+
+/// Integrates from the state as drawn: projects the velocities, takes `count` steps of `step` and shows each state to `watch`.
+pub fn integrate(
+    system: &System,
+    state: &mut State,
+    rule: AxialRule,
+    (step, count): (f64, u32),
+    mut watch: impl FnMut(&State),
+) -> Result<(), Error> {
+    let mut midpoint = Midpoint::new(system, rule, 1e-8)?;
+    start::check_assembled(system, state)?;
+    start::set_motion(system, &mut midpoint, state)?;
+    let begin = state.time;
+    watch(state);
+    for number in 1..=count {
+        midpoint.step(system, state, step, begin + f64::from(number) * step)?;
+        watch(state);
+    }
+    Ok(())
+}
+
+/// Kinetic, elastic and gravity energy, J.
+pub fn energies(system: &System, state: &State) -> [f64; 3] {
+    let mut snapshot = Snapshot::default();
+    let configuration = snapshot.of(system, state);
+    [system.kinetic_energy(&state.velocity), system.elastic_energy(&configuration), system.gravity_energy(&state.q)]
+}

@@ -1,0 +1,147 @@
+//! The element's energy written a second time, straight from the definitions, over any dual number: automatic differentiation
+//! of it is the oracle for the closed gradient and Hessian. It shares no formula with the closed form but the definitions:
+//! vectors in space instead of components, no derivative by hand.
+
+use ancf14::mechanics::beam::element::Element;
+use ancf14::mechanics::beam::frame::Triad;
+use ancf14::mechanics::beam::strain::Strain;
+use num_dual::DualNum;
+
+/// Any dual number over f64.
+pub trait Scalar: DualNum<Primitive = f64> + Copy {}
+impl<D: DualNum<Primitive = f64> + Copy> Scalar for D {}
+
+type Vector<D> = [D; 3];
+
+pub fn constant<D: Scalar>(v: &ancf14::math::Vec3) -> Vector<D> {
+    [D::from(v[0]), D::from(v[1]), D::from(v[2])]
+}
+
+pub fn dot<D: Scalar>(a: &Vector<D>, b: &Vector<D>) -> D {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross<D: Scalar>(a: &Vector<D>, b: &Vector<D>) -> Vector<D> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub fn scale<D: Scalar>(a: &Vector<D>, factor: D) -> Vector<D> {
+    a.map(|x| x * factor)
+}
+
+pub fn sum<D: Scalar>(a: &Vector<D>, b: &Vector<D>) -> Vector<D> {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+/// P(a, b) w (MECHANICS 2.2).
+pub fn carry<D: Scalar>(a: &Vector<D>, b: &Vector<D>, w: &Vector<D>) -> Vector<D> {
+    let factor = -(dot(b, w) / (dot(a, b) + 1.0));
+    sum(w, &scale(&sum(a, b), factor))
+}
+
+/// t, u and section axes y, z of a node (2.1-2.4).
+pub struct Node<D> {
+    pub stretch: D,
+    pub t: Vector<D>,
+    pub u: Vector<D>,
+    pub y: Vector<D>,
+    pub z: Vector<D>,
+}
+
+pub fn node<D: Scalar>(q: &[D], triad: &Triad) -> Node<D> {
+    let p = [q[3], q[4], q[5]];
+    let stretch = dot(&p, &p).sqrt();
+    let t = scale(&p, stretch.recip());
+    let u = carry(&constant(&triad.t), &t, &constant(&triad.u));
+    let v = cross(&t, &u);
+    let (sin, cos) = q[6].sin_cos();
+    let y = sum(&scale(&u, cos), &scale(&v, sin));
+    let z = cross(&t, &y);
+    Node { stretch, t, u, y, z }
+}
+
+fn interpolate<D: Scalar>(weights: &[f64; 4], q: &[D]) -> Vector<D> {
+    std::array::from_fn(|i| q[i] * weights[0] + q[3 + i] * weights[1] + q[7 + i] * weights[2] + q[10 + i] * weights[3])
+}
+
+/// Section axes at `xi` inside the element (2.10-2.13), and the total twist T.
+pub fn inside<D: Scalar>(
+    element: &Element,
+    q: &[D],
+    triads: &[Triad; 2],
+    previous: f64,
+    xi: f64,
+) -> (Vector<D>, Vector<D>, D) {
+    let (first, second) = (node(&q[..7], &triads[0]), node(&q[7..], &triads[1]));
+    let rates: [D; 3] = std::array::from_fn(|g| {
+        let p = interpolate(&element.bending[g].shape_x, q);
+        let w = interpolate(&element.bending[g].shape_xx, q);
+        let length = dot(&p, &p).sqrt();
+        let t = scale(&p, length.recip());
+        -(dot(&first.t, &cross(&p, &w)) / (length * length * (dot(&first.t, &t) + 1.0)))
+    });
+    let carried = carry(&first.t, &second.t, &first.u);
+    let (s, c) = (dot(&second.u, &cross(&second.t, &carried)), dot(&second.u, &carried));
+    let beta = (s * previous.cos() - c * previous.sin()).atan2(c * previous.cos() + s * previous.sin()) + previous;
+    let weights = ancf14::math::quadrature::GAUSS_WEIGHTS;
+    let twist =
+        q[13] - q[6] + beta + (rates[0] * weights[0] + rates[1] * weights[1] + rates[2] * weights[2]) * element.length;
+    let inner = ancf14::math::quadrature::collocation(xi);
+    let alpha = q[6] + twist * xi - (rates[0] * inner[0] + rates[1] * inner[1] + rates[2] * inner[2]) * element.length;
+    let p = interpolate(&ancf14::math::hermite::shape_x(xi, element.length), q);
+    let t = scale(&p, dot(&p, &p).sqrt().recip());
+    let u = carry(&first.t, &t, &first.u);
+    let v = cross(&t, &u);
+    let (sin, cos) = alpha.sin_cos();
+    let y = sum(&scale(&u, cos), &scale(&v, sin));
+    (t, y, twist)
+}
+
+/// Strain energy, J (MECHANICS 2.16, 3.1, 3.2, 3.2b).
+pub fn energy<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previous: f64) -> D {
+    let k = &element.stiffness;
+    let square = |x: D| x * x;
+    let mut total = D::from(0.0);
+    let twist = inside(element, q, triads, previous, 0.5).2;
+    let mut green = [D::from(0.0); 3];
+    for (m, point) in element.axial.iter().enumerate() {
+        let j0 = point.reference_stretch;
+        let p = interpolate(&point.shape_x, q);
+        let length = dot(&p, &p).sqrt() / j0;
+        green[m] = (length * length - 1.0) * 0.5;
+        let torsion = twist / (element.length * j0) - point.reference_torsion;
+        total += match k.strain {
+            Strain::Small => square(length - 1.0) * (0.5 * k.axial),
+            _ => {
+                square(length * length - 1.0) * (k.axial / 8.0)
+                    + square(torsion) * (length * length - 1.0) * (k.wagner / 4.0)
+            }
+        } * point.weight;
+    }
+    for point in &element.bending {
+        let j0 = point.reference_stretch;
+        let (t, y, twist) = inside(element, q, triads, previous, point.xi);
+        let z = cross(&t, &y);
+        let p = interpolate(&point.shape_x, q);
+        let w = interpolate(&point.shape_xx, q);
+        let length = dot(&p, &p).sqrt();
+        let g1 = dot(&y, &w) / length / j0 - point.reference[0];
+        let g2 = dot(&z, &w) / length / j0 - point.reference[1];
+        let tau = twist / (element.length * j0) - point.reference[2];
+        let e = green[0] * point.from_axial[0] + green[1] * point.from_axial[1] + green[2] * point.from_axial[2];
+        let factor = match k.strain {
+            Strain::Small => D::from(1.0),
+            _ => e * 3.0 + 1.0,
+        };
+        let [yyyy, yyzz, zzzz] = k.fourth;
+        let (g1, g2, tau) = (square(g1), square(g2), square(tau));
+        let fourth = square(tau) * (yyyy + 2.0 * yyzz + zzzz)
+            + tau * (g1 * (yyyy + yyzz) + g2 * (zzzz + yyzz)) * 2.0
+            + square(g1) * yyyy
+            + g1 * g2 * (6.0 * yyzz)
+            + square(g2) * zzzz;
+        total += (factor * 0.5 * (g1 * k.bending_z + g2 * k.bending_y) + tau * (0.5 * k.torsion) + fourth * 0.125)
+            * point.weight;
+    }
+    total
+}
