@@ -1,5 +1,6 @@
 //! `[beam.NAME]`: a straight beam and how it is divided and formulated.
 
+use crate::mechanics::beam::strain::Strain;
 use crate::model::diagnostic::Place;
 use crate::model::names::Kind;
 use crate::model::number::Number;
@@ -35,17 +36,6 @@ pub struct Beam {
     pub velocity: [Number; 3],
     /// Initial angular velocity, rad/s.
     pub angular_velocity: [Number; 3],
-}
-
-/// The strain measure of a beam.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Strain {
-    /// Full Green-Lagrange strain.
-    Large,
-    /// The paper's: without fourth moments.
-    LargeTruncated,
-    /// Linear in extension, curvature and twist rate.
-    Small,
 }
 
 /// The words of `strain`.
