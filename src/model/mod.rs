@@ -5,6 +5,7 @@
 
 pub mod diagnostic;
 pub mod document;
+pub mod drawing;
 pub mod entries;
 pub mod expression;
 pub mod function;
