@@ -1,1 +1,7 @@
-fn main() {}
+//! The command line of ancf14.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}
