@@ -1,3 +1,22 @@
 //! From a model file to a simulation: where the two halves meet.
+//!
+//! [`document::Document::parse`] reads a file into typed data, [`expression`] gives every number of it a value and exact
+//! derivatives, [`diagnostic`] says what is wrong and where.
 
+pub mod build;
+pub mod diagnostic;
+pub mod document;
+pub mod entries;
+pub mod expression;
+pub mod function;
+pub mod names;
+pub mod number;
+mod overrides;
+pub mod parameter;
+pub mod quantity;
+mod reader;
+mod schema;
+mod tree;
+pub mod unit;
 pub mod simulation;
+pub mod variables;

@@ -9,4 +9,5 @@ mod marker_derivatives;
 mod oracle;
 mod princeton;
 mod random;
+mod scratch;
 mod statics;

@@ -1,0 +1,290 @@
+//! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
+
+use super::diagnostic::{Diagnostic, Diagnostics, Place, Report, Source};
+use super::entries::beam::Beam;
+use super::entries::joint::Joint;
+use super::entries::load::Load;
+use super::entries::material::Material;
+use super::entries::output::Output;
+use super::entries::overview::Model;
+use super::entries::parameters;
+use super::entries::section::Section;
+use super::entries::simulation::Simulation;
+use super::function::Function;
+use super::names::{Kind, Named, Names, SECTIONS, is_legal, is_reserved, suggestion};
+use super::number::{Number, Numbers, Written};
+use super::overrides;
+use super::parameter::Parameter;
+use super::reader::{Context, Reader};
+use super::tree::{self, Entry, Node};
+
+/// A model file.
+#[derive(Clone, Debug)]
+pub struct Document {
+    source: Source,
+    pub(super) numbers: Numbers,
+    pub(super) parameters: Vec<Parameter>,
+    /// Name, description, gravity.
+    pub model: Model,
+    /// Materials, in file order.
+    pub materials: Vec<Material>,
+    /// Sections, in file order.
+    pub sections: Vec<Section>,
+    /// Beams, in file order.
+    pub beams: Vec<Beam>,
+    /// Joints, in file order.
+    pub joints: Vec<Joint>,
+    /// Loads, in file order.
+    pub loads: Vec<Load>,
+    /// Outputs, in file order.
+    pub outputs: Vec<Output>,
+    /// What is computed.
+    pub simulation: Simulation,
+}
+
+/// The only version of the format.
+const FORMAT: i64 = 1;
+
+impl Document {
+    /// Reads a file with its overrides, key and value each. `file_name` is for messages only.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file and the overrides, in their order.
+    pub fn parse(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Diagnostics> {
+        let source = Source::new(file_name, text, overrides);
+        let mut report = Report::new(&source);
+        let Some(mut tree) = tree::parse(text, &mut report) else { return Err(report.finish()) };
+        overrides::apply(&mut tree, overrides, &mut report);
+        let mut context = Context { report, numbers: Numbers::default(), names: Names::default() };
+        context.names = collect_names(&tree, &mut context);
+        let mut tree = Top(tree);
+        tree.format(&mut context);
+        let empty = Vec::new();
+        parameters::read(&mut context, tree.table("parameters").as_ref().unwrap_or(&empty));
+        context.numbers.sort(&mut context.report);
+
+        let model = tree.single(&mut context, "model").map(Model::read);
+        let materials = tree.named(&mut context, "material", Material::read);
+        let sections = tree.named(&mut context, "section", Section::read);
+        let beams = tree.named(&mut context, "beam", Beam::read);
+        let joints = tree.named(&mut context, "joint", Joint::read);
+        let loads = tree.named(&mut context, "load", Load::read);
+        let outputs = tree.named(&mut context, "output", Output::read);
+        let simulation = tree.single(&mut context, "simulation").map(Simulation::read);
+        tree.finish(&mut context, beams.is_empty());
+
+        let Context { mut report, mut numbers, .. } = context;
+        numbers.resolve();
+        numbers.spread_tunable();
+        report_objections(&numbers, &sections, &mut report);
+        match (model, simulation) {
+            (Some(model), Some(simulation)) if report.is_empty() => {
+                let parameters = Parameter::table(&numbers);
+                let source = source.clone();
+                let document = Self {
+                    source,
+                    numbers,
+                    parameters,
+                    model,
+                    materials,
+                    sections,
+                    beams,
+                    joints,
+                    loads,
+                    outputs,
+                    simulation,
+                };
+                Ok(document)
+            }
+            _ => Err(report.finish()),
+        }
+    }
+
+    /// The value of a number, parameters resolved; of one that changes in time the value at 0.
+    pub fn value(&self, number: Number) -> f64 {
+        self.numbers.values[number.0]
+    }
+
+    /// The values of three numbers.
+    pub fn vector(&self, numbers: [Number; 3]) -> [f64; 3] {
+        numbers.map(|number| self.value(number))
+    }
+
+    /// A number as a function of time with the parameters of now: it owns what it needs.
+    pub fn function(&self, number: Number) -> Function {
+        self.numbers.function(number)
+    }
+
+    /// The name of a number: `tip.force[1]`.
+    pub fn name(&self, number: Number) -> &str {
+        &self.numbers.slots[number.0].meta.name
+    }
+
+    /// Where a number is written; for a default the name of its section.
+    pub fn place(&self, number: Number) -> Place {
+        self.numbers.slots[number.0].place
+    }
+
+    /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help` below it.
+    pub fn diagnostic(&self, place: Place, message: &str, label: &str, help: &str) -> Diagnostic {
+        Diagnostic::new(&self.source, place, message, label, help)
+    }
+}
+
+/// The top level of the file; sections are taken out of it one by one.
+struct Top(Vec<Entry>);
+
+impl Top {
+    fn take(&mut self, key: &str) -> Option<Entry> {
+        self.0.iter().position(|entry| entry.key == key).map(|at| self.0.remove(at))
+    }
+
+    fn format(&mut self, context: &mut Context<'_>) {
+        match self.take("format") {
+            Some(Entry { item, .. }) => {
+                if !matches!(item.node, Node::Integer(FORMAT)) {
+                    let message = "this version reads format 1 only";
+                    context.report.error(item.place, message, "format = 1 was expected", "");
+                }
+            }
+            None => {
+                let help = "the first line of every model file is: format = 1";
+                context.report.error(Place::file(0..0), "the file does not say its format", "missing here", help);
+            }
+        }
+    }
+
+    /// The entries of a section that may be missing; a wrong type is reported with the names.
+    fn table(&mut self, key: &str) -> Option<Vec<Entry>> {
+        match self.take(key)?.item.node {
+            Node::Table(entries) => Some(entries),
+            _ => None,
+        }
+    }
+
+    /// A section that must be there.
+    fn single<'c, 'a>(&mut self, context: &'c mut Context<'a>, key: &str) -> Option<Reader<'c, 'a>> {
+        match self.take(key) {
+            Some(Entry { key_place, item, .. }) => match item.node {
+                Node::Table(entries) => {
+                    let prefix = if key == "model" { String::new() } else { format!("{key}.") };
+                    Some(Reader::new(context, format!("[{key}]"), prefix, key_place, entries))
+                }
+                _ => {
+                    context.wrong_type(key, &item, &format!("a section [{key}]"));
+                    None
+                }
+            },
+            None => {
+                let message = format!("the section [{key}] is missing");
+                let end = context.report.source.end();
+                context.report.error(end, &message, "missing at the end of the file", "");
+                None
+            }
+        }
+    }
+
+    /// All sections of a kind, in file order.
+    fn named<T>(
+        &mut self,
+        context: &mut Context<'_>,
+        word: &str,
+        read: impl Fn(&str, Reader<'_, '_>) -> Option<T>,
+    ) -> Vec<T> {
+        let mut list = Vec::new();
+        for Entry { key: name, key_place, item } in self.table(word).unwrap_or_default() {
+            let Node::Table(entries) = item.node else { continue };
+            let title = format!("[{word}.{name}]");
+            list.extend(read(&name, Reader::new(context, title, format!("{name}."), key_place, entries)));
+        }
+        list
+    }
+
+    /// What is left over, and what this version does not build.
+    fn finish(self, context: &mut Context<'_>, no_beam: bool) {
+        let known = || SECTIONS.iter().map(|(word, _, _)| *word).chain(["format", "model", "parameters", "simulation"]);
+        for entry in &self.0 {
+            if known().any(|word| word == entry.key) {
+                let Node::Table(things) = &entry.item.node else { continue };
+                let available: Vec<_> = SECTIONS.iter().filter(|row| row.2).map(|row| row.0).collect();
+                for thing in things {
+                    let message = format!("[{}.{}]: not available in this version", entry.key, thing.key);
+                    let help = format!("available sections: {}", available.join(", "));
+                    context.report.error(thing.key_place, &message, "", &help);
+                }
+                continue;
+            }
+            let message = format!("unknown section or key `{}`", entry.key);
+            let help = format!("known here: {}", known().collect::<Vec<_>>().join(", "));
+            context.report.error(entry.key_place, &message, &suggestion(&entry.key, known()), &help);
+        }
+        if no_beam && context.names.of(Kind::Beam).next().is_none() {
+            let end = context.report.source.end();
+            context.report.error(end, "the file has no beam", "a section [beam.NAME] is missing", "");
+        }
+    }
+}
+
+/// Every name with what it stands for; illegal, reserved and double ones are reported.
+fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
+    let mut names = Names::default();
+    let report = &mut context.report;
+    let mut found: Vec<(Kind, usize, &Entry)> = Vec::new();
+    for entry in tree {
+        let kind = match SECTIONS.iter().find(|(word, _, _)| *word == entry.key) {
+            Some((_, kind, _)) => *kind,
+            None if entry.key == "parameters" => Kind::Parameter,
+            None => continue,
+        };
+        let title = if kind == Kind::Parameter { "[parameters]".to_owned() } else { format!("[{}.NAME]", entry.key) };
+        let Node::Table(things) = &entry.item.node else {
+            let message = format!("`{}` is {}", entry.key, entry.item.node.describe());
+            report.error(entry.item.place, &message, &format!("a section {title} was expected"), "");
+            continue;
+        };
+        for (index, thing) in things.iter().enumerate() {
+            if kind != Kind::Parameter && !matches!(thing.item.node, Node::Table(_)) {
+                let message = format!("`{}` in [{}] is {}", thing.key, entry.key, thing.item.node.describe());
+                let help = format!("each {} has its own section with its own name", entry.key);
+                report.error(thing.key_place, &message, &format!("a section {title} was expected"), &help);
+                continue;
+            }
+            found.push((kind, index, thing));
+        }
+    }
+    found.sort_by_key(|(_, _, thing)| thing.key_place);
+    for (kind, index, thing) in found {
+        let name = &thing.key;
+        let mut named = Named { name: name.clone(), kind, index, place: thing.key_place };
+        if !is_legal(name) {
+            let help = "a name is a letter, then letters, digits and _";
+            report.error(thing.key_place, &format!("`{name}` is no legal name"), "", help);
+        } else if is_reserved(name) {
+            report.error(thing.key_place, &format!("the name `{name}` is reserved"), "another name was expected", "");
+        } else if let Some(first) = names.find(name) {
+            let line = report.source.line(first.place);
+            let message = format!("the name `{name}` is used twice");
+            let label = format!("line {line} has a {} of this name", first.kind.word());
+            report.error(thing.key_place, &message, &label, "names are unique in the whole file");
+            named.index = index;
+        }
+        names.0.push(named);
+    }
+    names
+}
+
+/// Reports every number that is out of its range.
+fn report_objections(numbers: &Numbers, sections: &[Section], report: &mut Report<'_>) {
+    let tubes = sections.iter().filter_map(|section| section.objection(numbers));
+    for (number, objection) in numbers.objections().into_iter().chain(tubes) {
+        let slot = &numbers.slots[number.0];
+        let value = numbers.values[number.0];
+        let unit = if slot.meta.unit.is_empty() || !value.is_finite() { "" } else { &format!(" {}", slot.meta.unit) };
+        let verb = if matches!(slot.written, Written::Plain(_)) { "this is" } else { "this gives" };
+        let label = match &slot.written {
+            Written::Formula(formula) if !formula.is_constant() => String::new(),
+            _ => format!("{verb} {value}{unit}"),
+        };
+        report.error(slot.place, &format!("`{}` {objection}", slot.meta.name), &label, "");
+    }
+}

@@ -1,0 +1,88 @@
+//! `[beam.NAME]`: a straight beam and how it is divided and formulated.
+
+use crate::mechanics::beam::strain::Strain;
+use crate::model::diagnostic::Place;
+use crate::model::names::Kind;
+use crate::model::number::Number;
+use crate::model::reader::Reader;
+use crate::model::schema;
+
+/// A section `[beam.NAME]`.
+#[derive(Clone, Debug)]
+pub struct Beam {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// Place in the list of materials.
+    pub material: usize,
+    /// Place in the list of sections.
+    pub section: usize,
+    /// Start, global, m.
+    pub from: [Number; 3],
+    /// End, global, m.
+    pub to: [Number; 3],
+    /// Direction of the section's y at the start, to be made perpendicular to the tangent.
+    pub y_axis: [Number; 3],
+    /// Number of elements.
+    pub elements: Number,
+    /// Which strains the energy knows.
+    pub strain: Strain,
+    /// false: the twist is left out.
+    pub torsion: bool,
+    /// Additional turn of the section from start to end, rad.
+    pub pretwist: Number,
+    /// Initial velocity of the start, m/s.
+    pub velocity: [Number; 3],
+    /// Initial angular velocity, rad/s.
+    pub angular_velocity: [Number; 3],
+}
+
+/// The words of `strain`.
+const STRAINS: [(&str, Strain); 3] =
+    [("large", Strain::Large), ("large_truncated", Strain::LargeTruncated), ("small", Strain::Small)];
+
+impl Beam {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+        let material = reader.reference("material", Kind::Material);
+        let section = reader.reference("section", Kind::Section);
+        if reader.has("from") || reader.has("to") {
+            reader.exclude("curve", "from` and `to");
+        }
+        let curved = reader.has("curve");
+        reader.unavailable("curve", "available: straight beams, by `from` and `to`");
+        reader.unavailable("spacing", "it belongs to curved beams, which are not available");
+        let end = |reader: &mut Reader<'_, '_>, rule| match curved {
+            true => reader.vector_or(rule, [0.0; 3]),
+            false => reader.vector(rule),
+        };
+        let from = end(&mut reader, &schema::FROM);
+        let to = end(&mut reader, &schema::TO);
+        let y_axis = reader.vector_or(&schema::Y_AXIS, [0.0, 1.0, 0.0]);
+        let elements = reader.number(&schema::ELEMENTS);
+        reader.word("element", &[("ancf14", ())], &["ancf24"], Some(()));
+        let strain = reader.word("strain", &STRAINS, &[], Some(Strain::Large)).unwrap_or(Strain::Large);
+        reader.word("twist", &[("linear", ())], &["quadratic"], Some(()));
+        let torsion = reader.boolean("torsion", true);
+        let pretwist = reader.number_or(&schema::PRETWIST, 0.0);
+        let velocity = reader.vector_or(&schema::VELOCITY, [0.0; 3]);
+        let angular_velocity = reader.vector_or(&schema::ANGULAR_VELOCITY, [0.0; 3]);
+        let place = reader.place;
+        reader.finish();
+        Some(Self {
+            name: name.to_owned(),
+            place,
+            material,
+            section,
+            from,
+            to,
+            y_axis,
+            elements,
+            strain,
+            torsion,
+            pretwist,
+            velocity,
+            angular_velocity,
+        })
+    }
+}

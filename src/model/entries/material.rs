@@ -1,0 +1,54 @@
+//! `[material.NAME]`: a linear elastic, isotropic material.
+
+use crate::model::diagnostic::Place;
+use crate::model::number::Number;
+use crate::model::reader::Reader;
+use crate::model::schema;
+
+/// A section `[material.NAME]`.
+#[derive(Clone, Debug)]
+pub struct Material {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// Young's modulus, Pa.
+    pub young: Number,
+    /// What gives the shear modulus.
+    pub lateral: Lateral,
+    /// Density, kg/m³.
+    pub density: Number,
+}
+
+/// The second elastic constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lateral {
+    /// Poisson's ratio: G = E / (2 (1 + ν)).
+    Poisson(Number),
+    /// The shear modulus itself, Pa.
+    Shear(Number),
+}
+
+impl Material {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+        let young = reader.number(&schema::YOUNG);
+        let lateral = match reader.optional(&schema::POISSON) {
+            Some(poisson) => {
+                reader.exclude("shear", "poisson");
+                Lateral::Poisson(poisson)
+            }
+            None => match reader.optional(&schema::SHEAR) {
+                Some(shear) => Lateral::Shear(shear),
+                None => {
+                    reader.missing("poisson", "or `shear`, the shear modulus in Pa");
+                    Lateral::Poisson(young)
+                }
+            },
+        };
+        let density = reader.number(&schema::DENSITY);
+        reader.unavailable("damping", "available: damping = 0");
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, young, lateral, density })
+    }
+}

@@ -1,0 +1,12 @@
+//! The sections of a file, one module each: the typed data, and how it is read.
+
+pub mod anchor;
+pub mod beam;
+pub mod joint;
+pub mod load;
+pub mod material;
+pub mod output;
+pub mod overview;
+pub mod parameters;
+pub mod section;
+pub mod simulation;

@@ -1,0 +1,26 @@
+//! Numbers as formulas: `0.5*pi*(1 - cos(pi*t/T))`, compiled once, evaluated with exact first and second derivatives.
+//!
+//! Known are `+ - * / ^`, parentheses, the functions of [`program::FUNCTIONS`], `pi`, `e`, the parameters of the file, and `t` or
+//! `s` where the place allows it. `^` binds tightest and from the right, above the unary minus, as in mathematics:
+//! `-2^2 = -4`, `2^3^2 = 512`.
+
+pub mod jet;
+mod parser;
+pub mod program;
+#[cfg(test)]
+mod tests;
+
+pub use jet::Jet;
+pub use parser::{ExpressionError, compile};
+pub use program::Program;
+
+/// What a name in an expression may stand for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variable {
+    /// No variable: the number does not change.
+    None,
+    /// `t`, time.
+    Time,
+    /// `s`, the curve parameter.
+    Curve,
+}

@@ -1,0 +1,283 @@
+//! Text to [`Program`], by recursive descent with a bounded depth.
+//!
+//! ```text
+//! sum     = product { ("+" | "-") product }
+//! product = sign { ("*" | "/") sign }
+//! sign    = ("+" | "-") sign | power
+//! power   = atom [ "^" sign ]
+//! atom    = number | name | name "(" sum { "," sum } ")" | "(" sum ")"
+//! ```
+
+use super::Variable;
+use super::program::{Binary, Callable, FUNCTIONS, Operation, Program, Unary};
+use std::ops::Range;
+
+/// Depth of nesting; deep enough for every formula that someone writes, far from the end of the stack.
+const DEPTH: usize = 60;
+/// Longest text in bytes.
+const LENGTH: usize = 4000;
+
+/// Why a text is no expression.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExpressionError {
+    /// What is wrong.
+    pub message: String,
+    /// What stands below the underlined text: what was expected.
+    pub label: String,
+    /// The offending bytes of the text.
+    pub range: Range<usize>,
+    /// A name that is not known: the caller, who knows the names, offers the nearest.
+    pub unknown: Option<String>,
+}
+
+/// Compiles `text`. `lookup` gives the place of a parameter by its name.
+///
+/// # Errors
+/// The text is no expression, too long, too deep, or uses an unknown name.
+pub fn compile(
+    text: &str,
+    variable: Variable,
+    lookup: &dyn Fn(&str) -> Option<usize>,
+) -> Result<Program, ExpressionError> {
+    if text.len() > LENGTH {
+        let message = format!("the expression has {} bytes, the limit is {LENGTH}", text.len());
+        return Err(error(message, "too long", 0..text.len()));
+    }
+    let mut parser = Parser { text, variable, lookup, at: 0, depth: 0, operations: Vec::new() };
+    parser.skip_space();
+    if parser.at == text.len() {
+        return Err(error("the expression is empty", "a number or an expression was expected", 0..text.len()));
+    }
+    parser.sum()?;
+    if parser.at < text.len() {
+        return Err(parser.unexpected("an operator (+ - * / ^) or the end was expected"));
+    }
+    Program::new(parser.operations)
+        .ok_or_else(|| error("the expression is nested too deeply", "too deep", 0..text.len()))
+}
+
+fn error(message: impl Into<String>, label: impl Into<String>, range: Range<usize>) -> ExpressionError {
+    ExpressionError { message: message.into(), label: label.into(), range, unknown: None }
+}
+
+struct Parser<'a> {
+    text: &'a str,
+    variable: Variable,
+    lookup: &'a dyn Fn(&str) -> Option<usize>,
+    at: usize,
+    depth: usize,
+    operations: Vec<Operation>,
+}
+
+impl Parser<'_> {
+    fn skip_space(&mut self) {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.text[self.at..].chars().next()
+    }
+
+    /// Takes `symbol` and the space after it, if it comes next.
+    fn take(&mut self, symbol: char) -> bool {
+        let found = self.peek() == Some(symbol);
+        if found {
+            self.at += symbol.len_utf8();
+            self.skip_space();
+        }
+        found
+    }
+
+    fn unexpected(&self, label: &str) -> ExpressionError {
+        match self.peek() {
+            Some(c) => error(format!("unexpected `{c}` in the expression"), label, self.at..self.at + c.len_utf8()),
+            None => error("the expression ends too early", label, self.at..self.at),
+        }
+    }
+
+    fn enter(&mut self) -> Result<(), ExpressionError> {
+        self.depth += 1;
+        if self.depth > DEPTH {
+            return Err(error("the expression is nested too deeply", format!("deeper than {DEPTH}"), self.at..self.at));
+        }
+        Ok(())
+    }
+
+    fn sum(&mut self) -> Result<(), ExpressionError> {
+        self.enter()?;
+        self.product()?;
+        loop {
+            let operation = match self.peek() {
+                Some('+') => Binary::Add,
+                Some('-') => Binary::Subtract,
+                _ => break,
+            };
+            self.at += 1;
+            self.skip_space();
+            self.product()?;
+            self.operations.push(Operation::Binary(operation));
+        }
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn product(&mut self) -> Result<(), ExpressionError> {
+        self.sign()?;
+        loop {
+            let operation = match self.peek() {
+                Some('*') => Binary::Multiply,
+                Some('/') => Binary::Divide,
+                _ => return Ok(()),
+            };
+            self.at += 1;
+            if operation == Binary::Multiply && self.peek() == Some('*') {
+                return Err(error("`**` is no operator", "a power is written with ^", self.at - 1..self.at + 1));
+            }
+            self.skip_space();
+            self.sign()?;
+            self.operations.push(Operation::Binary(operation));
+        }
+    }
+
+    fn sign(&mut self) -> Result<(), ExpressionError> {
+        self.enter()?;
+        if self.take('-') {
+            self.sign()?;
+            self.operations.push(Operation::Unary(Unary::Negate));
+        } else if self.take('+') {
+            self.sign()?;
+        } else {
+            self.power()?;
+        }
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn power(&mut self) -> Result<(), ExpressionError> {
+        self.atom()?;
+        if self.take('^') {
+            self.sign()?;
+            self.operations.push(Operation::Binary(Binary::Power));
+        }
+        Ok(())
+    }
+
+    fn atom(&mut self) -> Result<(), ExpressionError> {
+        match self.peek() {
+            Some('(') => {
+                self.take('(');
+                self.sum()?;
+                if self.take(')') { Ok(()) } else { Err(self.unexpected("`)` or an operator was expected")) }
+            }
+            Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
+            Some(c) if c.is_ascii_alphabetic() || c == '_' => self.name(),
+            _ => Err(self.unexpected("a number, a name or `(` was expected")),
+        }
+    }
+
+    fn number(&mut self) -> Result<(), ExpressionError> {
+        let bytes = self.text.as_bytes();
+        let start = self.at;
+        let digits = |mut at: usize| {
+            while bytes.get(at).is_some_and(u8::is_ascii_digit) {
+                at += 1;
+            }
+            at
+        };
+        let mut end = digits(start);
+        if bytes.get(end) == Some(&b'.') {
+            end = digits(end + 1);
+        }
+        if matches!(bytes.get(end), Some(b'e' | b'E')) {
+            let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+            let exponent_end = digits(end + 1 + sign);
+            if exponent_end > end + 1 + sign {
+                end = exponent_end;
+            }
+        }
+        let value: f64 = self.text[start..end]
+            .parse()
+            .map_err(|_| error("this is no number", "a number was expected", start..end))?;
+        if !value.is_finite() {
+            return Err(error("the number is too large", "beyond 1.8e308", start..end));
+        }
+        self.at = end;
+        if self.peek().is_some_and(|c| c.is_ascii_alphabetic() || c == '_' || c == '(') {
+            return Err(self.unexpected("an operator was expected: a product is written with *"));
+        }
+        self.skip_space();
+        self.operations.push(Operation::Constant(value));
+        Ok(())
+    }
+
+    fn name(&mut self) -> Result<(), ExpressionError> {
+        let start = self.at;
+        let rest = &self.text[start..];
+        let length = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
+        let name = &rest[..length];
+        let range = start..start + length;
+        self.at = range.end;
+        self.skip_space();
+        if let Some((_, callable)) = FUNCTIONS.iter().find(|(function, _)| *function == name) {
+            return self.call(name, *callable, range);
+        }
+        let operation = match name {
+            "pi" => Operation::Constant(std::f64::consts::PI),
+            "e" => Operation::Constant(std::f64::consts::E),
+            "t" if self.variable == Variable::Time => Operation::Variable,
+            "s" if self.variable == Variable::Curve => Operation::Variable,
+            "t" => return Err(error("`t` is not known here", "time is known in loads, drives and frames only", range)),
+            "s" => return Err(error("`s` is not known here", "the curve parameter is known in curves only", range)),
+            _ => match (self.lookup)(name) {
+                Some(place) => Operation::Parameter(place),
+                None => {
+                    let label = "no entry of [parameters], no function, no constant has this name";
+                    let mut unknown = error(format!("unknown name `{name}` in the expression"), label, range);
+                    unknown.unknown = Some(name.to_owned());
+                    return Err(unknown);
+                }
+            },
+        };
+        if self.peek() == Some('(') {
+            let mut unknown = error(format!("`{name}` is no function"), "a product is written with *", range);
+            unknown.unknown = Some(name.to_owned());
+            return Err(unknown);
+        }
+        self.operations.push(operation);
+        Ok(())
+    }
+
+    fn call(&mut self, name: &str, callable: Callable, range: Range<usize>) -> Result<(), ExpressionError> {
+        if !self.take('(') {
+            return Err(error(format!("`{name}` is a function"), format!("{name}(...) was expected"), range));
+        }
+        let mut count = 1;
+        self.sum()?;
+        while self.take(',') {
+            self.sum()?;
+            count += 1;
+            // At once, not at the end: so max of many needs a stack of two.
+            if let Callable::Many(function) = callable {
+                self.operations.push(Operation::Binary(function));
+            }
+        }
+        if !self.take(')') {
+            return Err(self.unexpected("`)`, `,` or an operator was expected"));
+        }
+        let (fits, wanted) = match callable {
+            Callable::One(_) => (count == 1, "1 argument"),
+            Callable::Two(_) => (count == 2, "2 arguments"),
+            Callable::Many(_) => (count >= 2, "2 or more arguments"),
+        };
+        if !fits {
+            return Err(error(format!("`{name}` has {count} argument(s) here"), format!("it takes {wanted}"), range));
+        }
+        match callable {
+            Callable::One(function) => self.operations.push(Operation::Unary(function)),
+            Callable::Two(function) => self.operations.push(Operation::Binary(function)),
+            Callable::Many(_) => {}
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,188 @@
+//! Names: which are legal, what each stands for, and which known one is nearest to a mistyped one.
+
+use super::diagnostic::Place;
+use super::expression::program::FUNCTIONS;
+
+/// What a name stands for: the sections that carry names, and the entries of [parameters].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each is the section of its name")]
+pub enum Kind {
+    Parameter,
+    Material,
+    Section,
+    Beam,
+    Body,
+    Frame,
+    Joint,
+    Drive,
+    Spring,
+    Load,
+    Output,
+}
+
+/// The sections of named things: their word in the file, and whether this version builds them.
+pub const SECTIONS: [(&str, Kind, bool); 10] = [
+    ("material", Kind::Material, true),
+    ("section", Kind::Section, true),
+    ("body", Kind::Body, false),
+    ("beam", Kind::Beam, true),
+    ("frame", Kind::Frame, false),
+    ("joint", Kind::Joint, true),
+    ("drive", Kind::Drive, false),
+    ("spring", Kind::Spring, false),
+    ("load", Kind::Load, true),
+    ("output", Kind::Output, true),
+];
+
+impl Kind {
+    /// The word for messages: `a beam`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Parameter => "parameter",
+            _ => SECTIONS.iter().find(|(_, kind, _)| *kind == self).map_or("", |(word, _, _)| word),
+        }
+    }
+}
+
+/// Names that would collide with result columns, constants or variables of expressions.
+const RESERVED: [&str; 11] =
+    ["ground", "gravity", "simulation", "statistics", "energy", "momentum", "model", "time", "t", "s", "pi"];
+
+/// Whether a name is taken by the format itself.
+pub fn is_reserved(name: &str) -> bool {
+    name == "e" || RESERVED.contains(&name) || FUNCTIONS.iter().any(|(function, _)| *function == name)
+}
+
+/// Letter first, then letters, digits, `_`.
+pub fn is_legal(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+/// One named thing of the file.
+#[derive(Clone, Debug)]
+pub struct Named {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Its place among those of its kind, in file order.
+    pub index: usize,
+    /// Where the name is given.
+    pub place: Place,
+}
+
+/// All names of a file.
+#[derive(Clone, Debug, Default)]
+pub struct Names(pub Vec<Named>);
+
+impl Names {
+    /// What a name stands for.
+    pub fn find(&self, name: &str) -> Option<&Named> {
+        self.0.iter().find(|named| named.name == name)
+    }
+
+    /// The names of a kind, in file order.
+    pub fn of(&self, kind: Kind) -> impl Iterator<Item = &str> {
+        self.0.iter().filter(move |named| named.kind == kind).map(|named| named.name.as_str())
+    }
+}
+
+/// The candidate nearest to `word`, if it is near enough to be meant: at most a third of the letters differ.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word: Vec<char> = word.chars().take(LONGEST).collect();
+    let limit = word.len().div_ceil(3).max(1);
+    let rated = candidates.into_iter().map(|candidate| (distance(&word, candidate), candidate));
+    rated
+        .filter(|(distance, candidate)| *distance <= limit && *distance < candidate.len())
+        .min_by_key(|(d, _)| *d)
+        .map(|(_, c)| c)
+}
+
+/// Letters that are compared: a name of a megabyte must not take a minute.
+const LONGEST: usize = 100;
+
+/// Letters to insert, delete, replace or swap with the neighbour to make one word of the other; case counts nothing.
+fn distance(a: &[char], b: &str) -> usize {
+    let lower = |c: &char| c.to_ascii_lowercase();
+    let a: Vec<char> = a.iter().map(lower).collect();
+    let b: Vec<char> = b.chars().take(LONGEST).map(|c| c.to_ascii_lowercase()).collect();
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                let mut best = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    best = best.min(rows[i - 2][j - 2] + 1);
+                }
+                best
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+/// `did you mean `young`?`, or nothing.
+pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(word, candidates).map_or(String::new(), |name| format!("did you mean `{name}`?"))
+}
+
+/// A C identifier made of free text, never empty and no keyword: the FMU's modelIdentifier.
+pub fn identifier(text: &str) -> String {
+    let mut name: String =
+        text.trim().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).take(IDENTIFIER).collect();
+    if name.chars().all(|c| c == '_') {
+        name = "model".to_owned();
+    }
+    if name.starts_with(|c: char| c.is_ascii_digit()) {
+        name.insert(0, '_');
+    }
+    if KEYWORDS.contains(&name.as_str()) {
+        name.push('_');
+    }
+    name
+}
+
+/// Length of an identifier: it becomes a file name.
+const IDENTIFIER: usize = 60;
+
+/// The keywords of C that are words (C11).
+const KEYWORDS: [&str; 34] = [
+    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum", "extern", "float",
+    "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return", "short", "signed", "sizeof",
+    "static", "struct", "switch", "typedef", "union", "unsigned", "void", "volatile", "while",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slip of the finger finds its word; a different word finds nothing.
+    #[test]
+    fn nearest_names() {
+        let keys = ["young", "poisson", "density", "shear"];
+        assert_eq!(nearest("yuong", keys), Some("young"));
+        assert_eq!(nearest("Density", keys), Some("density"));
+        assert_eq!(nearest("poison", keys), Some("poisson"));
+        assert_eq!(nearest("wavelength", keys), None);
+        assert_eq!(nearest("x", ["y"]), None);
+    }
+
+    /// Whatever the name, C must accept the identifier.
+    #[test]
+    fn identifiers_are_legal_in_c() {
+        for (text, expected) in [
+            ("LateralBuckling", "LateralBuckling"),
+            ("My beam, v2", "My_beam__v2"),
+            ("4-bar", "_4_bar"),
+            ("Träger", "Tr_ger"),
+            ("", "model"),
+            ("äöü", "model"),
+            ("int", "int_"),
+        ] {
+            assert_eq!(identifier(text), expected);
+        }
+    }
+}

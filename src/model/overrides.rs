@@ -1,0 +1,134 @@
+//! `--set steel.young=2.1e11`: an override replaces or adds a value in the tree, before anything is read. So it is read, checked
+//! and reported as if it stood in the file, except that messages quote the override.
+
+use super::diagnostic::{OVERRIDE, Place, Report};
+use super::names::{SECTIONS, is_legal, suggestion};
+use super::tree::{Entry, Item, Node, parse_override};
+
+/// Most components that an index may have: every list of numbers that can be overridden is a vector.
+const COMPONENTS: usize = 3;
+
+/// Puts the overrides into the tree, in their order.
+pub fn apply(tree: &mut Vec<Entry>, overrides: &[(String, String)], report: &mut Report<'_>) {
+    for (k, (key, value)) in overrides.iter().enumerate() {
+        let source = k + 1;
+        let start = OVERRIDE.len();
+        let place = Place { source, start, end: start + key.len() };
+        if overrides[..k].iter().any(|(earlier, _)| earlier == key) {
+            report.error(place, &format!("`{key}` is set twice"), "the second one", "");
+            continue;
+        }
+        let item = parse_override(value, source, place.end + 1, report);
+        let (path, index) = match split_index(key) {
+            Ok(split) => split,
+            Err(message) => {
+                report.error(place, &message, "an index from 1 to 3 was expected", "");
+                continue;
+            }
+        };
+        if let Some(target) = find(tree, path, place, report) {
+            store(target, index, item, place, report);
+        }
+    }
+}
+
+/// `gravity[3]` to `gravity` and 3.
+fn split_index(key: &str) -> Result<(&str, Option<usize>), String> {
+    let Some((path, rest)) = key.split_once('[') else { return Ok((key, None)) };
+    let index = rest.strip_suffix(']').and_then(|index| index.parse::<usize>().ok());
+    match index {
+        Some(index) if (1..=COMPONENTS).contains(&index) => Ok((path, Some(index))),
+        _ => Err(format!("`{key}` has no such component")),
+    }
+}
+
+/// The table and the key that a path means; the key may not exist yet.
+fn find<'t, 'k>(
+    tree: &'t mut [Entry],
+    path: &'k str,
+    place: Place,
+    report: &mut Report<'_>,
+) -> Option<(&'t mut Vec<Entry>, &'k str)> {
+    if path == "gravity" {
+        return Some((section(tree, "model")?, "gravity"));
+    }
+    let names = names(tree);
+    let message = match path.split_once('.') {
+        Some(("simulation", key)) => return Some((section(tree, "simulation")?, key)),
+        Some((name, key)) => {
+            let kind = SECTIONS.iter().map(|(word, _, _)| *word).find(|word| names.contains(&(*word, name.to_owned())));
+            match kind {
+                Some(kind) => return Some((table(section(tree, kind)?, name)?, key)),
+                None => format!("nothing in the file is named `{name}`"),
+            }
+        }
+        None if names.contains(&("parameters", path.to_owned())) => return Some((section(tree, "parameters")?, path)),
+        None => format!("there is no parameter `{path}`"),
+    };
+    let head = path.split_once('.').map_or(path, |(name, _)| name);
+    let wanted = |kind: &str| path.contains('.') != (kind == "parameters");
+    let known = names.iter().filter(|(kind, _)| wanted(kind)).map(|(_, name)| name.as_str());
+    let near = suggestion(head, known.chain(if path.contains('.') { ["simulation"] } else { ["gravity"] }));
+    report.error(place, &message, &near, "set NAME.key, gravity, simulation.key or an entry of [parameters]");
+    None
+}
+
+/// Every name of the tree with the section it stands in.
+fn names(tree: &[Entry]) -> Vec<(&'static str, String)> {
+    let mut names = Vec::new();
+    for kind in SECTIONS.iter().map(|(word, _, _)| *word).chain(["parameters"]) {
+        let Some(entry) = tree.iter().find(|entry| entry.key == kind) else { continue };
+        if let Node::Table(entries) = &entry.item.node {
+            names.extend(entries.iter().filter(|entry| is_legal(&entry.key)).map(|entry| (kind, entry.key.clone())));
+        }
+    }
+    names
+}
+
+fn section<'t>(tree: &'t mut [Entry], word: &str) -> Option<&'t mut Vec<Entry>> {
+    tree.iter_mut().find(|entry| entry.key == word).and_then(|entry| table_of(&mut entry.item))
+}
+
+fn table<'t>(entries: &'t mut [Entry], name: &str) -> Option<&'t mut Vec<Entry>> {
+    entries.iter_mut().find(|entry| entry.key == name).and_then(|entry| table_of(&mut entry.item))
+}
+
+fn table_of(item: &mut Item) -> Option<&mut Vec<Entry>> {
+    match &mut item.node {
+        Node::Table(entries) => Some(entries),
+        _ => None,
+    }
+}
+
+/// Writes the value; a parameter given as a table keeps its unit and bounds.
+fn store(
+    (entries, key): (&mut Vec<Entry>, &str),
+    index: Option<usize>,
+    item: Item,
+    place: Place,
+    report: &mut Report<'_>,
+) {
+    let at = match entries.iter().position(|entry| entry.key == key) {
+        Some(at) => at,
+        None => {
+            entries.push(Entry { key: key.to_owned(), key_place: place, item: Item { place, node: Node::Missing } });
+            entries.len() - 1
+        }
+    };
+    let old = &mut entries[at].item;
+    match (index, &mut old.node) {
+        (None, Node::Table(inner)) => match inner.iter_mut().find(|entry| entry.key == "value") {
+            Some(value) => value.item = item,
+            None => inner.push(Entry { key: "value".to_owned(), key_place: place, item }),
+        },
+        (None, _) => *old = item,
+        (Some(index), Node::Array(items)) if items.len() == COMPONENTS => items[index - 1] = item,
+        (Some(index), Node::Missing) => {
+            let missing = Item { place, node: Node::Missing };
+            let mut items = vec![missing; COMPONENTS];
+            items[index - 1] = item;
+            old.node = Node::Array(items);
+        }
+        (Some(_), _) => report.error(place, &format!("`{key}` is not a list"), "it has no components", ""),
+    }
+}

@@ -1,0 +1,388 @@
+//! Reads one section: every key that is asked for is known, what is left over at the end is a mistake.
+
+use super::diagnostic::{Place, Report};
+use super::expression::{Program, Variable, compile};
+use super::function::{Formula, Piece};
+use super::names::{Kind, Names, nearest, suggestion};
+use super::number::{Meta, Number, Numbers, Slot, Written};
+use super::schema::Rule;
+use super::tree::{Entry, Item, Node};
+
+/// What all sections are read with.
+#[derive(Debug)]
+pub struct Context<'a> {
+    /// The mistakes so far.
+    pub report: Report<'a>,
+    /// The numbers so far.
+    pub numbers: Numbers,
+    /// All names of the file.
+    pub names: Names,
+}
+
+impl Context<'_> {
+    /// Compiles an expression that stands at `place`.
+    pub fn program(&mut self, text: &str, place: Place, variable: Variable) -> Option<Program> {
+        let numbers = &self.numbers;
+        match compile(text, variable, &|name| numbers.parameter(name)) {
+            Ok(program) => Some(program),
+            Err(error) => {
+                let near = error.unknown.as_deref().map_or(String::new(), |name| {
+                    let functions = super::expression::program::FUNCTIONS.iter().map(|(name, _)| *name);
+                    suggestion(name, self.names.of(Kind::Parameter).chain(functions).chain(["pi"]))
+                });
+                let place = self.report.source.inside(place, text, error.range);
+                self.report.error(place, &error.message, &error.label, &near);
+                None
+            }
+        }
+    }
+
+    /// Reports a value of the wrong type.
+    pub fn wrong_type(&mut self, name: &str, item: &Item, expected: &str) {
+        let message = format!("`{name}` is {}", item.node.describe());
+        self.report.error(item.place, &message, &format!("{expected} was expected"), "");
+    }
+}
+
+/// A section while it is read.
+#[derive(Debug)]
+pub struct Reader<'c, 'a> {
+    /// Report, numbers and names of the whole file.
+    pub context: &'c mut Context<'a>,
+    /// `[material.steel]`, for messages.
+    pub title: String,
+    /// Where the section's name stands.
+    pub place: Place,
+    prefix: String,
+    entries: Vec<Entry>,
+    known: Vec<&'static str>,
+    missing: Vec<(String, String)>,
+}
+
+impl<'c, 'a> Reader<'c, 'a> {
+    /// Begins with a section; `prefix` comes before the names of its numbers: `steel.`.
+    pub fn new(context: &'c mut Context<'a>, title: String, prefix: String, place: Place, entries: Vec<Entry>) -> Self {
+        Self { context, title, place, prefix, entries, known: Vec::new(), missing: Vec::new() }
+    }
+
+    /// Takes a key out of the section.
+    pub fn take(&mut self, key: &'static str) -> Option<Entry> {
+        self.known.push(key);
+        self.entries.iter().position(|entry| entry.key == key).map(|at| self.entries.remove(at))
+    }
+
+    /// Whether a key is there; it is still to be read.
+    pub fn has(&self, key: &str) -> bool {
+        self.entries.iter().any(|entry| entry.key == key)
+    }
+
+    /// A key is missing: reported at the end, unless it is only mistyped.
+    pub fn missing(&mut self, key: &str, help: &str) {
+        self.missing.push((key.to_owned(), help.to_owned()));
+    }
+
+    /// Reports every key that is missing and every key that nobody asked for.
+    pub fn finish(mut self) {
+        let help = format!("known here: {}", self.known.join(", "));
+        for entry in std::mem::take(&mut self.entries) {
+            let message = format!("unknown key `{}` in {}", entry.key, self.title);
+            let meant = nearest(&entry.key, self.known.iter().copied());
+            self.missing.retain(|(key, _)| Some(key.as_str()) != meant);
+            let label = suggestion(&entry.key, self.known.iter().copied());
+            self.context.report.error(entry.key_place, &message, &label, &help);
+        }
+        self.abandon();
+    }
+
+    /// Reports what is missing; without it nobody knows which of the other keys belong here.
+    pub fn abandon(self) {
+        for (key, help) in &self.missing {
+            let message = format!("{} needs the key `{key}`", self.title);
+            self.context.report.error(self.place, &message, "missing here", help);
+        }
+    }
+
+    /// Reports a key of the format that this version cannot take yet. 0 and false are nothing and may stand.
+    pub fn unavailable(&mut self, key: &'static str, available: &str) {
+        let Some(entry) = self.take(key) else { return };
+        if is_nothing(&entry.item.node) {
+            return;
+        }
+        let message = format!("`{key}` is not available in this version");
+        self.context.report.error(entry.key_place, &message, "", available);
+    }
+
+    /// A key that cannot stand together with another one that is there.
+    pub fn exclude(&mut self, key: &'static str, other: &str) {
+        if let Some(entry) = self.take(key) {
+            let message = format!("`{key}` and `{other}` say the same thing twice in {}", self.title);
+            self.context.report.error(entry.key_place, &message, &format!("either this or `{other}`"), "");
+        }
+    }
+
+    /// A number that must be there.
+    pub fn number(&mut self, rule: &Rule) -> Number {
+        match self.optional(rule) {
+            Some(number) => number,
+            None => {
+                self.missing(rule.key, &format!("{}{}", rule.meaning, unit_words(rule)));
+                self.default(rule, None, Written::Broken)
+            }
+        }
+    }
+
+    /// A number, or its default.
+    pub fn number_or(&mut self, rule: &Rule, default: f64) -> Number {
+        self.optional(rule).unwrap_or_else(|| self.default(rule, None, Written::Plain(default)))
+    }
+
+    /// A number that may be left out.
+    pub fn optional(&mut self, rule: &Rule) -> Option<Number> {
+        let entry = self.take(rule.key)?;
+        let name = format!("{}{}", self.prefix, rule.key);
+        Some(self.scalar(rule, name, &entry.item, listed(&entry), None))
+    }
+
+    /// Three numbers that must be there.
+    pub fn vector(&mut self, rule: &Rule) -> [Number; 3] {
+        self.components(rule, None).unwrap_or_else(|| {
+            self.missing(rule.key, &format!("{}: a list of 3{}", rule.meaning, unit_words(rule)));
+            [1, 2, 3].map(|i| self.default(rule, Some(i), Written::Broken))
+        })
+    }
+
+    /// Three numbers, or their default.
+    pub fn vector_or(&mut self, rule: &Rule, default: [f64; 3]) -> [Number; 3] {
+        self.components(rule, Some(default))
+            .unwrap_or_else(|| [1, 2, 3].map(|i| self.default(rule, Some(i), Written::Plain(default[i - 1]))))
+    }
+
+    /// Three numbers that may be left out.
+    pub fn optional_vector(&mut self, rule: &Rule) -> Option<[Number; 3]> {
+        self.components(rule, None)
+    }
+
+    fn components(&mut self, rule: &Rule, default: Option<[f64; 3]>) -> Option<[Number; 3]> {
+        let entry = self.take(rule.key)?;
+        let name = format!("{}{}", self.prefix, rule.key);
+        match &entry.item.node {
+            Node::Array(items) if items.len() == 3 => Some([0, 1, 2].map(|i| {
+                let name = format!("{name}[{}]", i + 1);
+                self.scalar(rule, name, &items[i], listed(&entry), default.map(|default| default[i]))
+            })),
+            _ => {
+                self.context.wrong_type(&name, &entry.item, "a list of 3 numbers");
+                Some([1, 2, 3].map(|i| self.default(rule, Some(i), Written::Broken)))
+            }
+        }
+    }
+
+    /// A number that is not written in the file.
+    fn default(&mut self, rule: &Rule, component: Option<usize>, written: Written) -> Number {
+        let index = component.map_or(String::new(), |i| format!("[{i}]"));
+        let meta = Meta::of(rule, format!("{}{}{index}", self.prefix, rule.key));
+        self.context.numbers.push(Slot { meta, place: self.place, listed: None, written })
+    }
+
+    fn scalar(
+        &mut self,
+        rule: &Rule,
+        name: String,
+        item: &Item,
+        listed: Option<usize>,
+        default: Option<f64>,
+    ) -> Number {
+        let variable = if rule.time { Variable::Time } else { Variable::None };
+        let written = match &item.node {
+            Node::Integer(value) => Written::Plain(*value as f64),
+            Node::Float(value) => Written::Plain(*value),
+            Node::Text(text) => match self.context.program(text, item.place, variable) {
+                Some(program) => Written::Formula(Formula::single(program)),
+                None => Written::Broken,
+            },
+            Node::Array(pieces) if rule.time => match self.pieces(&name, item, pieces) {
+                Some(formula) => Written::Formula(formula),
+                None => Written::Broken,
+            },
+            Node::Missing if default.is_some() => Written::Plain(default.unwrap_or_default()),
+            Node::Missing => {
+                let message = format!("`{name}` has no value");
+                self.context.report.error(item.place, &message, "the other components must be given too", "");
+                Written::Broken
+            }
+            _ => {
+                self.context.wrong_type(&name, item, "a number, or an expression in quotes,");
+                Written::Broken
+            }
+        };
+        let meta = Meta::of(rule, name);
+        self.context.numbers.push(Slot { meta, place: item.place, listed, written })
+    }
+
+    /// `[{ until = .., is = .. }, { is = .. }]`.
+    fn pieces(&mut self, name: &str, item: &Item, items: &[Item]) -> Option<Formula> {
+        let mut pieces = Vec::new();
+        let mut sound = !items.is_empty();
+        if items.is_empty() {
+            self.context.wrong_type(name, item, "a number, an expression, or a list of pieces");
+        }
+        for (k, item) in items.iter().enumerate() {
+            let Node::Table(entries) = &item.node else {
+                self.context.wrong_type(name, item, "a piece like { until = 1, is = \"t\" }");
+                sound = false;
+                continue;
+            };
+            let mut until = None;
+            let mut is = None;
+            for entry in entries {
+                match entry.key.as_str() {
+                    "until" => until = Some(self.piece_value(name, &entry.item, Variable::None)),
+                    "is" => is = Some(self.piece_value(name, &entry.item, Variable::Time)),
+                    _ => {
+                        let message = format!("unknown key `{}` in a piece of `{name}`", entry.key);
+                        let label = suggestion(&entry.key, ["until", "is"]);
+                        self.context.report.error(entry.key_place, &message, &label, "known here: until, is");
+                        sound = false;
+                    }
+                }
+            }
+            let last = k + 1 == items.len();
+            let complaint = match (is.is_some(), until.is_some(), last) {
+                (false, _, _) => Some("a piece needs its value, `is`"),
+                (_, false, false) => Some("every piece but the last needs `until`"),
+                (_, true, true) => Some("the last piece has no `until`: it is valid for ever"),
+                _ => None,
+            };
+            if let Some(complaint) = complaint {
+                let help = format!("{name} = [{{ until = 1, is = \"t\" }}, {{ is = 1 }}]");
+                self.context.report.error(item.place, complaint, "", &help);
+            }
+            let broken = complaint.is_some() || matches!(is, Some(None)) || matches!(until, Some(None));
+            sound &= !broken;
+            if let (false, Some(Some(is))) = (broken, is) {
+                pieces.push(Piece { until: until.flatten(), is });
+            }
+        }
+        sound.then(|| Formula::piecewise(pieces))
+    }
+
+    fn piece_value(&mut self, name: &str, item: &Item, variable: Variable) -> Option<Program> {
+        match &item.node {
+            Node::Integer(value) => Some(Program::constant(*value as f64)),
+            Node::Float(value) => Some(Program::constant(*value)),
+            Node::Text(text) => self.context.program(text, item.place, variable),
+            _ => {
+                self.context.wrong_type(name, item, "a number, or an expression in quotes,");
+                None
+            }
+        }
+    }
+
+    /// A word out of a table; `later` are words of the format that this version cannot take yet.
+    pub fn word<T: Copy>(
+        &mut self,
+        key: &'static str,
+        words: &[(&'static str, T)],
+        later: &[&'static str],
+        default: Option<T>,
+    ) -> Option<T> {
+        let Some(entry) = self.take(key) else {
+            if default.is_none() {
+                self.missing(key, &format!("one of {}", listing(words.iter().map(|(word, _)| *word))));
+            }
+            return default;
+        };
+        let name = format!("{}{key}", self.prefix);
+        let listing = listing(words.iter().map(|(word, _)| *word));
+        let Node::Text(word) = &entry.item.node else {
+            self.context.wrong_type(&name, &entry.item, &listing);
+            return default;
+        };
+        if let Some((_, value)) = words.iter().find(|(known, _)| known == word) {
+            return Some(*value);
+        }
+        if later.contains(&word.as_str()) {
+            let message = format!("{key} \"{word}\" is not available in this version");
+            self.context.report.error(entry.item.place, &message, &format!("available: {listing}"), "");
+        } else {
+            let message = format!("unknown {key} \"{word}\"");
+            let near = suggestion(word, words.iter().map(|(word, _)| *word));
+            self.context.report.error(entry.item.place, &message, &near, &format!("known here: {listing}"));
+        }
+        default
+    }
+
+    /// true or false, or its default.
+    pub fn boolean(&mut self, key: &'static str, default: bool) -> bool {
+        match self.take(key) {
+            None => default,
+            Some(Entry { item: Item { node: Node::Boolean(value), .. }, .. }) => value,
+            Some(entry) => {
+                self.context.wrong_type(key, &entry.item, "true or false");
+                default
+            }
+        }
+    }
+
+    /// A text with its place.
+    pub fn text(&mut self, key: &'static str) -> Option<(String, Place)> {
+        let entry = self.take(key)?;
+        match entry.item.node {
+            Node::Text(text) => Some((text, entry.item.place)),
+            _ => {
+                self.context.wrong_type(key, &entry.item, "a string");
+                None
+            }
+        }
+    }
+
+    /// The name of another thing of the file: its place among its kind. 0 stands for what is reported.
+    pub fn reference(&mut self, key: &'static str, kind: Kind) -> usize {
+        let known = self.has(key);
+        let Some((name, place)) = self.text(key) else {
+            if !known {
+                self.missing(key, &format!("the name of a {}", kind.word()));
+            }
+            return 0;
+        };
+        let message = match self.context.names.find(&name) {
+            Some(named) if named.kind == kind => return named.index,
+            Some(named) => format!("`{name}` is a {}", named.kind.word()),
+            None => format!("unknown {} `{name}`", kind.word()),
+        };
+        let near = suggestion(&name, self.context.names.of(kind));
+        let label = if near.is_empty() { format!("the name of a {} was expected", kind.word()) } else { near };
+        let names: Vec<_> = self.context.names.of(kind).collect();
+        let help = if names.is_empty() { String::new() } else { format!("known: {}", names.join(", ")) };
+        self.context.report.error(place, &message, &label, &help);
+        0
+    }
+}
+
+/// The place in the file that makes an entry a parameter: an override alone does not.
+fn listed(entry: &Entry) -> Option<usize> {
+    (entry.key_place.source == 0).then_some(entry.key_place.start)
+}
+
+fn is_nothing(node: &Node) -> bool {
+    match node {
+        Node::Integer(value) => *value == 0,
+        Node::Float(value) => *value == 0.0,
+        Node::Boolean(value) => !value,
+        _ => false,
+    }
+}
+
+fn unit_words(rule: &Rule) -> String {
+    if rule.unit.is_empty() { String::new() } else { format!(", in {}", rule.unit) }
+}
+
+/// `"small", "large" or "large_truncated"`.
+pub fn listing<'s>(words: impl Iterator<Item = &'s str>) -> String {
+    let quoted: Vec<_> = words.map(|word| format!("\"{word}\"")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        Some((last, _)) => last.clone(),
+        None => String::new(),
+    }
+}

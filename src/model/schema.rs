@@ -1,0 +1,107 @@
+//! Every numeric key of the format: one row each, with meaning, unit, allowed range, and whether it may change while the model runs.
+
+use super::number::{Limit, Range};
+
+/// The rule for a numeric key.
+#[derive(Clone, Copy, Debug)]
+pub struct Rule {
+    /// The key as written in the file.
+    pub key: &'static str,
+    /// What the number is.
+    pub meaning: &'static str,
+    /// Unit label; empty: dimensionless.
+    pub unit: &'static str,
+    /// Allowed values.
+    pub range: Range,
+    /// A count.
+    pub integer: bool,
+    /// The solver takes a change between two steps.
+    pub tunable: bool,
+    /// It may depend on t.
+    pub time: bool,
+}
+
+const fn rule(key: &'static str, meaning: &'static str, unit: &'static str) -> Rule {
+    Rule { key, meaning, unit, range: Range::ALL, integer: false, tunable: false, time: false }
+}
+
+impl Rule {
+    const fn above(mut self, limit: f64) -> Self {
+        self.range.lower = Some(Limit { value: limit, included: false });
+        self
+    }
+
+    const fn below(mut self, limit: f64) -> Self {
+        self.range.upper = Some(Limit { value: limit, included: false });
+        self
+    }
+
+    const fn from(mut self, limit: f64) -> Self {
+        self.range.lower = Some(Limit { value: limit, included: true });
+        self
+    }
+
+    const fn to(mut self, limit: f64) -> Self {
+        self.range.upper = Some(Limit { value: limit, included: true });
+        self
+    }
+
+    const fn count(mut self) -> Self {
+        self.integer = true;
+        self
+    }
+
+    const fn tunable(mut self) -> Self {
+        self.tunable = true;
+        self
+    }
+
+    const fn in_time(mut self) -> Self {
+        self.time = true;
+        self
+    }
+}
+
+pub const GRAVITY: Rule = rule("gravity", "acceleration of gravity in global axes", "m/s2").tunable();
+
+pub const YOUNG: Rule = rule("young", "Young's modulus", "Pa").above(0.0);
+pub const POISSON: Rule = rule("poisson", "Poisson's ratio", "").above(-1.0).below(0.5);
+pub const SHEAR: Rule = rule("shear", "shear modulus", "Pa").above(0.0);
+pub const DENSITY: Rule = rule("density", "density", "kg/m3").above(0.0);
+
+pub const WIDTH: Rule = rule("width", "width of the section along its y", "m").above(0.0);
+pub const HEIGHT: Rule = rule("height", "height of the section along its z", "m").above(0.0);
+pub const RADIUS: Rule = rule("radius", "radius of the section", "m").above(0.0);
+pub const INNER: Rule = rule("inner", "inner radius of the section", "m").from(0.0);
+pub const OUTER: Rule = rule("outer", "outer radius of the section", "m").above(0.0);
+pub const AREA: Rule = rule("area", "area of the section", "m2").above(0.0);
+pub const SECOND_MOMENT_Y: Rule = rule("second_moment_y", "second moment of area, integral of z^2", "m4").above(0.0);
+pub const SECOND_MOMENT_Z: Rule = rule("second_moment_z", "second moment of area, integral of y^2", "m4").above(0.0);
+pub const TORSION_CONSTANT: Rule = rule("torsion_constant", "Saint-Venant torsion constant", "m4").above(0.0);
+pub const POLAR_MOMENT: Rule = rule("polar_moment", "polar second moment of area", "m4").above(0.0);
+pub const FOURTH_MOMENTS: Rule = rule("fourth_moments", "fourth moment of area (yyyy, yyzz, zzzz)", "m6").from(0.0);
+
+pub const FROM: Rule = rule("from", "start of the beam, global", "m");
+pub const TO: Rule = rule("to", "end of the beam, global", "m");
+pub const Y_AXIS: Rule = rule("y_axis", "direction of the section's y at the start, global", "");
+/// More elements than this are a slip of the finger.
+const MOST_ELEMENTS: f64 = 1e5;
+pub const ELEMENTS: Rule = rule("elements", "number of elements", "").from(1.0).to(MOST_ELEMENTS).count();
+pub const PRETWIST: Rule = rule("pretwist", "additional turn of the section from start to end", "rad");
+pub const VELOCITY: Rule = rule("velocity", "initial velocity of the start, global axes", "m/s");
+pub const ANGULAR_VELOCITY: Rule = rule("angular_velocity", "initial angular velocity, global axes", "rad/s");
+
+pub const AT: Rule = rule("at", "place of the joint as drawn, global", "m");
+pub const AXIS: Rule = rule("axis", "axis of the joint as drawn, global", "");
+
+pub const FORCE: Rule = rule("force", "force", "N").tunable().in_time();
+pub const MOMENT: Rule = rule("moment", "moment", "N.m").tunable().in_time();
+pub const FORCE_PER_LENGTH: Rule = rule("force", "force per length", "N/m").tunable().in_time();
+pub const MOMENT_PER_LENGTH: Rule = rule("moment", "moment per length", "N").tunable().in_time();
+/// The number behind the `@` of a point of a beam.
+pub const FRACTION: Rule = rule("at", "fraction of the beam's length", "").from(0.0).to(1.0);
+
+pub const STOP: Rule = rule("stop", "end of the simulation", "s").above(0.0);
+pub const STEP: Rule = rule("step", "largest internal step", "s").above(0.0);
+pub const OUTPUT_STEP: Rule = rule("output_step", "time between two rows of results", "s").above(0.0);
+pub const TOLERANCE: Rule = rule("tolerance", "bound of the last Newton increment", "").above(0.0).below(1.0);

@@ -1,0 +1,135 @@
+//! The file as a plain tree in file order, every key and value with its place. From here on nobody sees the TOML crate.
+
+use super::diagnostic::{Place, Report};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A key and its value.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The key.
+    pub key: String,
+    /// Where the key is written.
+    pub key_place: Place,
+    /// The value.
+    pub item: Item,
+}
+
+/// A value and its place.
+#[derive(Clone, Debug)]
+pub struct Item {
+    /// Where it is written.
+    pub place: Place,
+    /// What it is.
+    pub node: Node,
+}
+
+/// A value.
+#[derive(Clone, Debug)]
+pub enum Node {
+    /// A string.
+    Text(String),
+    /// A whole number.
+    Integer(i64),
+    /// A number that is not written as a whole one.
+    Float(f64),
+    /// true or false.
+    Boolean(bool),
+    /// A date or a time: the format has none.
+    Date,
+    /// A list.
+    Array(Vec<Item>),
+    /// A table, in file order.
+    Table(Vec<Entry>),
+    /// A component that an override left out: the default.
+    Missing,
+}
+
+impl Node {
+    /// What it is, for messages.
+    pub fn describe(&self) -> String {
+        match self {
+            Self::Text(_) => "a string".to_owned(),
+            Self::Integer(_) | Self::Float(_) => "a number".to_owned(),
+            Self::Boolean(value) => format!("{value}"),
+            Self::Date => "a date".to_owned(),
+            Self::Array(items) => format!("a list of {}", items.len()),
+            Self::Table(_) => "a table".to_owned(),
+            Self::Missing => "nothing".to_owned(),
+        }
+    }
+}
+
+/// Reads the file; syntax errors go to the report. None if what was read is not worth looking at.
+pub fn parse(text: &str, report: &mut Report<'_>) -> Option<Vec<Entry>> {
+    let (table, errors) = DeTable::parse_recoverable(text);
+    let mut worthless = false;
+    for error in &errors {
+        let place = Place::file(error.span().unwrap_or(text.len()..text.len()));
+        if error.message().starts_with("duplicate key") {
+            let key = report.source.slice(place).to_owned();
+            report.error(place, &format!("`{key}` is given twice"), "the second one", "");
+        } else {
+            worthless = true;
+            report.error(place, &format!("not valid TOML: {}", error.message()), "", "");
+        }
+    }
+    if worthless {
+        return None;
+    }
+    Some(convert_table(table.into_inner(), 0, 0, report))
+}
+
+/// Reads the value of override `source`, which stands `offset` bytes after the start of its text.
+///
+/// What is no TOML value is a word or an expression: a shell has taken its quotes away.
+pub fn parse_override(value: &str, source: usize, offset: usize, report: &mut Report<'_>) -> Item {
+    match DeValue::parse(value) {
+        Ok(parsed) => convert(parsed, source, offset, report),
+        Err(_) => {
+            let place = Place { source, start: offset, end: offset + value.len() };
+            Item { place, node: Node::Text(value.to_owned()) }
+        }
+    }
+}
+
+fn convert_table(table: DeTable<'_>, source: usize, offset: usize, report: &mut Report<'_>) -> Vec<Entry> {
+    let mut entries = Vec::with_capacity(table.len());
+    for (key, value) in table {
+        let span = key.span();
+        let key_place = Place { source, start: span.start + offset, end: span.end + offset };
+        let item = convert(value, source, offset, report);
+        entries.push(Entry { key: key.into_inner().into_owned(), key_place, item });
+    }
+    entries.sort_by_key(|entry| entry.key_place);
+    entries
+}
+
+fn convert(value: Spanned<DeValue<'_>>, source: usize, offset: usize, report: &mut Report<'_>) -> Item {
+    let span = value.span();
+    let place = Place { source, start: span.start + offset, end: span.end + offset };
+    let node = match value.into_inner() {
+        DeValue::String(text) => Node::Text(text.into_owned()),
+        DeValue::Integer(number) => match i64::from_str_radix(number.as_str(), number.radix()) {
+            Ok(number) => Node::Integer(number),
+            Err(_) => {
+                report.error(place, "the number is too large", "", "write large numbers with an exponent: 1e20");
+                Node::Integer(1)
+            }
+        },
+        DeValue::Float(number) => match number.as_str().parse::<f64>() {
+            Ok(number) if number.is_finite() => Node::Float(number),
+            _ => {
+                report.error(place, "the number is not finite", "a finite number was expected", "");
+                Node::Float(1.0)
+            }
+        },
+        DeValue::Boolean(value) => Node::Boolean(value),
+        DeValue::Datetime(_) => Node::Date,
+        DeValue::Array(items) => {
+            Node::Array(items.into_iter().map(|item| convert(item, source, offset, report)).collect())
+        }
+        DeValue::Table(table) => Node::Table(convert_table(table, source, offset, report)),
+    };
+    Item { place, node }
+}
