@@ -31,6 +31,8 @@ pub struct Simulation {
     results: Vec<f64>,
     frames: Frames,
     warnings: Vec<String>,
+    /// Whether the twist of a beam with truncated strain has been warned of.
+    twist_warned: bool,
 }
 
 /// The machine as built, the state it has reached, and the means to go on.
@@ -94,6 +96,7 @@ impl Simulation {
             results: Vec::new(),
             frames: Frames::default(),
             warnings: Vec::new(),
+            twist_warned: false,
         };
         simulation.measure();
         Ok(simulation)
@@ -117,6 +120,21 @@ impl Simulation {
     fn measure(&mut self) {
         let machine = &self.machine;
         self.table.measure(&machine.system, &machine.state, &mut self.frames, &mut self.results);
+    }
+
+    /// Warns once when a beam with `strain = "large_truncated"` is twisted beyond half of what that energy bears (MECHANICS 3.7).
+    fn watch_twist(&mut self) {
+        if self.twist_warned {
+            return;
+        }
+        if let Some((beam, rate, limit)) = self.machine.system.twist_near_limit(&self.machine.state, &mut self.frames) {
+            self.twist_warned = true;
+            self.warnings.push(format!(
+                "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: strain = \"large_truncated\" softens and fails above \
+                 {limit:.3} rad/m; use strain = \"large\"",
+                self.machine.state.time
+            ));
+        }
     }
 }
 
@@ -164,7 +182,9 @@ impl Model for Simulation {
         let warning = machine.find_initial_state(&self.document).map_err(|error| failure(&error))?;
         self.warnings.extend(warning);
         self.machine = machine;
+        self.twist_warned = false;
         self.measure();
+        self.watch_twist();
         Ok(())
     }
 
@@ -175,6 +195,7 @@ impl Model for Simulation {
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
         self.machine.advance(end).map_err(|error| failure(&error))?;
         self.measure();
+        self.watch_twist();
         Ok(())
     }
 

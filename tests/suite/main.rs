@@ -9,5 +9,4 @@ mod marker_derivatives;
 mod oracle;
 mod princeton;
 mod random;
-mod scratch;
 mod statics;
