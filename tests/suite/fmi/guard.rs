@@ -11,7 +11,7 @@ use ancf14::{
         guard::{free, free_state, guard, load_state, store_state},
         types::fmi2Status,
     },
-    fmi::lifecycle::Call,
+    fmi::{error::Error, instance::Instance, lifecycle},
 };
 
 use super::{
@@ -19,45 +19,65 @@ use super::{
     toy::{FORCE, POSITION, Toy, Trap, toy},
 };
 
-fn handle(lines: &Lines, trap: Trap) -> *mut c_void {
-    let mut model = toy();
-    model.trap = trap;
-    Component::new(model, Host::new(c"toy 1", &lines.callbacks()), false).into_handle()
-}
+/// A toy behind a C handle, given back at the end of the test.
+struct Handle(*mut c_void);
 
-/// SAFETY of all uses below: the handle comes from `handle` and is freed at the end of the test.
-fn start(handle: *mut c_void) {
-    let status = unsafe {
-        guard::<Toy>(handle, Call::EnterInitializationMode, |instance| {
+impl Handle {
+    fn new(lines: &Lines, trap: Trap) -> Self {
+        let mut model = toy();
+        model.trap = trap;
+        Self(Component::new(model, Host::new(c"toy 1", &lines.callbacks()), false).into_handle())
+    }
+
+    /// What the exported functions do.
+    fn call(&self, call: lifecycle::Call, body: impl FnOnce(&mut Instance<Toy>) -> Result<(), Error>) -> fmi2Status {
+        // SAFETY: the handle is of a toy, or NULL, and in use here only.
+        unsafe { guard::<Toy>(self.0, call, body) }
+    }
+
+    fn initialize(&self) {
+        let both = |instance: &mut Instance<Toy>| {
             instance.enter_initialization_mode()?;
             instance.exit_initialization_mode()
-        })
-    };
-    assert_eq!(status, fmi2Status::fmi2OK);
+        };
+        assert_eq!(self.call(lifecycle::Call::EnterInitializationMode, both), fmi2Status::fmi2OK);
+    }
+
+    fn step(&self, time: f64) -> fmi2Status {
+        self.call(lifecycle::Call::DoStep, |instance| instance.do_step(time, 0.5))
+    }
+
+    fn position(&self) -> f64 {
+        let mut value = [f64::NAN];
+        let status = self.call(lifecycle::Call::GetReal, |instance| instance.get_real(&[POSITION], &mut value));
+        assert_eq!(status, fmi2Status::fmi2OK);
+        value[0]
+    }
 }
 
-fn step(handle: *mut c_void, time: f64) -> fmi2Status {
-    unsafe { guard::<Toy>(handle, Call::DoStep, |instance| instance.do_step(time, 0.5)) }
+impl Drop for Handle {
+    fn drop(&mut self) {
+        // SAFETY: the handle is of a toy, or NULL, and not used again.
+        unsafe { free::<Toy>(self.0) }
+    }
 }
 
-/// Named so that the child process below can run this test alone.
+/// Fatal once and for all, with the panic's words in the log; the handle is given back like any other.
 #[test]
 fn a_panic_becomes_fatal() {
     let lines = Lines::default();
-    let toy = handle(&lines, Trap::PanicBeyond(0.7));
-    start(toy);
-    assert_eq!(step(toy, 0.0), fmi2Status::fmi2OK);
+    let toy = Handle::new(&lines, Trap::PanicBeyond(0.7));
+    toy.initialize();
+    assert_eq!(toy.step(0.0), fmi2Status::fmi2OK);
     assert_eq!(lines.take(), Vec::<String>::new());
-    assert_eq!(step(toy, 0.5), fmi2Status::fmi2Fatal);
+    assert_eq!(toy.step(0.5), fmi2Status::fmi2Fatal);
     let told = lines.take();
     assert_eq!(told.len(), 1);
     assert!(told[0].starts_with("toy 1 fmi2Fatal logStatusFatal fmi2DoStep: internal fault"), "{told:?}");
     assert!(told[0].contains("the toy broke at 1 s"), "{told:?}");
-    assert_eq!(step(toy, 0.5), fmi2Status::fmi2Fatal);
+    assert_eq!(toy.step(0.5), fmi2Status::fmi2Fatal);
     assert!(lines.take()[0].contains("fmi2DoStep after an internal fault: not allowed now; only fmi2FreeInstance"));
-    let reset = unsafe { guard::<Toy>(toy, Call::Reset, |instance| instance.reset()) };
-    assert_eq!(reset, fmi2Status::fmi2Fatal);
-    unsafe { free::<Toy>(toy) };
+    assert_eq!(toy.call(lifecycle::Call::Reset, Instance::reset), fmi2Status::fmi2Fatal);
 }
 
 /// In a library whose hook was set by `fmi2Instantiate`, a panic prints nothing and its place is in the log line.
@@ -79,82 +99,78 @@ fn a_panic_prints_nothing() {
 
 #[test]
 #[ignore = "run by a_panic_prints_nothing in a process of its own"]
+#[allow(clippy::print_stdout, reason = "read by the parent process")]
 fn child_that_panics() {
-    let lines = Lines::default();
     if std::env::var("ANCF14_TEST_SILENCED").is_ok_and(|word| word == "yes") {
         ancf14::ffi::silence_panics();
     }
-    let toy = handle(&lines, Trap::PanicBeyond(0.7));
-    start(toy);
-    assert_eq!(step(toy, 0.0), fmi2Status::fmi2OK);
-    assert_eq!(step(toy, 0.5), fmi2Status::fmi2Fatal);
+    let lines = Lines::default();
+    let toy = Handle::new(&lines, Trap::PanicBeyond(0.7));
+    toy.initialize();
+    assert_eq!(toy.step(0.0), fmi2Status::fmi2OK);
+    assert_eq!(toy.step(0.5), fmi2Status::fmi2Fatal);
     println!("{:?}", lines.take());
-    unsafe { free::<Toy>(toy) };
 }
 
 /// Errors carry call and mode; a failed step is an error and not fatal.
 #[test]
 fn errors_name_call_and_mode() {
     let lines = Lines::default();
-    let toy = handle(&lines, Trap::FailBeyond(0.7));
-    assert_eq!(step(toy, 0.0), fmi2Status::fmi2Error);
+    let toy = Handle::new(&lines, Trap::FailBeyond(0.7));
+    assert_eq!(toy.step(0.0), fmi2Status::fmi2Error);
     assert!(lines.take()[0].contains("toy 1 fmi2Error logStatusError fmi2DoStep while instantiated: not allowed now"));
-    start(toy);
-    assert_eq!(step(toy, 0.0), fmi2Status::fmi2OK);
-    assert_eq!(step(toy, 0.5), fmi2Status::fmi2Error);
+    toy.initialize();
+    assert_eq!(toy.step(0.0), fmi2Status::fmi2OK);
+    assert_eq!(toy.step(0.5), fmi2Status::fmi2Error);
     assert!(lines.take()[0].contains("fmi2Error logNonlinearSystems fmi2DoStep between steps: no equilibrium"));
-    unsafe { free::<Toy>(toy) };
 }
 
 /// A warning of the instance is the status of the call.
 #[test]
 fn warnings_are_a_status() {
     let lines = Lines::default();
-    let toy = handle(&lines, Trap::None);
-    let read = || unsafe { guard::<Toy>(toy, Call::GetReal, |instance| instance.get_real(&[POSITION], &mut [0.0])) };
+    let toy = Handle::new(&lines, Trap::None);
+    let read = || toy.call(lifecycle::Call::GetReal, |instance| instance.get_real(&[POSITION], &mut [0.0]));
     assert_eq!(read(), fmi2Status::fmi2Warning);
     assert_eq!(read(), fmi2Status::fmi2OK);
     assert_eq!(lines.take().len(), 1);
-    unsafe { free::<Toy>(toy) };
 }
 
 /// A state is made, made again in the same place, set, freed, and freed again.
 #[test]
 fn states_by_handle() {
     let lines = Lines::default();
-    let toy = handle(&lines, Trap::None);
-    start(toy);
-    let mut state = null_mut();
-    let position = || {
-        let mut value = [0.0];
-        let status = unsafe { guard::<Toy>(toy, Call::GetReal, |i| i.get_real(&[POSITION], &mut value)) };
-        assert_eq!(status, fmi2Status::fmi2OK);
-        value[0]
-    };
-    unsafe { guard::<Toy>(toy, Call::SetReal, |i| i.set_real(&[FORCE], &[1.0])) };
-    unsafe { guard::<Toy>(toy, Call::GetFMUstate, |i| store_state(i, &raw mut state)) };
+    let toy = Handle::new(&lines, Trap::None);
+    toy.initialize();
+    let mut state: *mut c_void = null_mut();
+    let place = &raw mut state;
+    // SAFETY (here and below): `place` holds NULL or a state of a toy.
+    let store = || toy.call(lifecycle::Call::GetFMUstate, |i| unsafe { store_state(i, place) });
+    toy.call(lifecycle::Call::SetReal, |i| i.set_real(&[FORCE], &[1.0]));
+    assert_eq!(store(), fmi2Status::fmi2OK);
     let first = state;
     assert!(!first.is_null());
-    step(toy, 0.0);
-    assert_eq!(position(), 2.5);
-    unsafe { guard::<Toy>(toy, Call::GetFMUstate, |i| store_state(i, &raw mut state)) };
+    toy.step(0.0);
+    assert_eq!(toy.position(), 2.5);
+    assert_eq!(store(), fmi2Status::fmi2OK);
     assert_eq!(state, first, "the memory is used again");
-    step(toy, 0.5);
-    unsafe { guard::<Toy>(toy, Call::SetFMUstate, |i| load_state(i, state)) };
-    assert_eq!(position(), 2.5);
+    toy.step(0.5);
+    assert_eq!(toy.position(), 3.5);
+    // SAFETY: as above.
+    let load = |state| toy.call(lifecycle::Call::SetFMUstate, |i| unsafe { load_state(i, state) });
+    assert_eq!(load(state), fmi2Status::fmi2OK);
+    assert_eq!(toy.position(), 2.5);
     for _ in 0..2 {
-        let freed = unsafe { guard::<Toy>(toy, Call::FreeFMUstate, |i| free_state(i, &raw mut state)) };
+        // SAFETY: as above.
+        let freed = toy.call(lifecycle::Call::FreeFMUstate, |i| unsafe { free_state(i, place) });
         assert_eq!((freed, state), (fmi2Status::fmi2OK, null_mut()));
     }
-    let none = unsafe { guard::<Toy>(toy, Call::SetFMUstate, |i| load_state(i, null_mut())) };
-    assert_eq!(none, fmi2Status::fmi2Error);
+    assert_eq!(load(null_mut()), fmi2Status::fmi2Error);
     assert!(lines.take()[0].contains("`FMUstate` is NULL"));
-    unsafe { free::<Toy>(toy) };
 }
 
 /// NULL is no instance, and no reason to crash.
 #[test]
 fn null_handles() {
-    assert_eq!(step(null_mut(), 0.0), fmi2Status::fmi2Error);
-    unsafe { free::<Toy>(null_mut()) };
+    assert_eq!(Handle(null_mut()).step(0.0), fmi2Status::fmi2Error);
 }
