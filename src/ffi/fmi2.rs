@@ -97,15 +97,15 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let host = Host::new(name, functions);
     let made = catch_unwind(AssertUnwindSafe(|| {
         // SAFETY: the caller's promise.
-        unsafe { instantiate(name, fmuType, fmuGUID, fmuResourceLocation) }
+        let model = unsafe { instantiate(name, fmuType, fmuGUID, fmuResourceLocation) }?;
+        Ok(Component::new(model, host.clone(), loggingOn != fmi2False).into_handle())
     }));
-    match made.unwrap_or_else(|payload| Err(Error::Fault { message: fault::message(payload.as_ref()) })) {
-        Ok(model) => Component::new(model, host, loggingOn != fmi2False).into_handle(),
-        Err(error) => {
+    made.unwrap_or_else(|payload| Err(Error::Fault { message: fault::message(payload.as_ref()) })).unwrap_or_else(
+        |error| {
             host.log(error.status(), error.category(), &format!("fmi2Instantiate: {error}"));
             null_mut()
-        }
-    }
+        },
+    )
 }
 
 /// The model of a new instance.

@@ -9,6 +9,8 @@ use ancf14::fmi::{
     log::Entry,
 };
 
+use crate::allocations::count;
+
 use super::toy::{
     AREA, CELLS, COUNT, FORCE, GAIN, IMPOSSIBLE_LENGTH, LENGTH, POSITION, REFUSED_FORCE, TIME, Toy, Trap, toy,
 };
@@ -261,6 +263,23 @@ fn a_failed_step_and_two_ways_back() {
     assert!(instance.do_step(1.0, 0.5).is_err());
     instance.reset().unwrap();
     assert_eq!((instance.mode(), instance.time(), real(&mut instance, GAIN)), (Mode::Instantiated, 0.0, 2.0));
+}
+
+/// What a host does a million times costs no memory: set, step, get.
+#[test]
+fn set_step_get_allocate_nothing() {
+    let mut instance = initialized();
+    instance.set_real(&[GAIN, FORCE], &[1.0, 0.0]).unwrap(); // the list for undoing is made once
+    let mut position = [0.0];
+    let allocations = count(|| {
+        for k in 0..10 {
+            instance.set_real(&[GAIN, FORCE], &[1.0, f64::from(k)]).unwrap();
+            instance.do_step(0.5 * f64::from(k), 0.5).unwrap();
+            instance.get_real(&[POSITION], &mut position).unwrap();
+            assert!(instance.take_entries().is_empty());
+        }
+    });
+    assert_eq!((allocations, position[0]), (0, 1.5 + 0.5 * 45.0));
 }
 
 // --- states
