@@ -144,7 +144,7 @@ fn states_by_handle() {
     toy.initialize();
     let mut state: *mut c_void = null_mut();
     let place = &raw mut state;
-    // SAFETY (here and below): `place` holds NULL or a state of a toy.
+    // SAFETY: `place` holds NULL or a state of a toy.
     let store = || toy.call(lifecycle::Call::GetFMUstate, |i| unsafe { store_state(i, place) });
     toy.call(lifecycle::Call::SetReal, |i| i.set_real(&[FORCE], &[1.0]));
     assert_eq!(store(), fmi2Status::fmi2OK);
