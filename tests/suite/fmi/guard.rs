@@ -76,7 +76,10 @@ fn a_panic_becomes_fatal() {
     assert!(told[0].starts_with("toy 1 fmi2Fatal logStatusFatal fmi2DoStep: internal fault"), "{told:?}");
     assert!(told[0].contains("the toy broke at 1 s"), "{told:?}");
     assert_eq!(toy.step(0.5), fmi2Status::fmi2Fatal);
-    assert!(lines.take()[0].contains("fmi2DoStep after an internal fault: not allowed now; only fmi2FreeInstance"));
+    assert!(
+        lines.take()[0]
+            .contains("fmi2DoStep after an internal fault at t = 0.5 s: not allowed now; only fmi2FreeInstance")
+    );
     assert_eq!(toy.call(lifecycle::Call::Reset, Instance::reset), fmi2Status::fmi2Fatal);
 }
 
@@ -118,11 +121,16 @@ fn errors_name_call_and_mode() {
     let lines = Lines::default();
     let toy = Handle::new(&lines, Trap::FailBeyond(0.7));
     assert_eq!(toy.step(0.0), fmi2Status::fmi2Error);
-    assert!(lines.take()[0].contains("toy 1 fmi2Error logStatusError fmi2DoStep while instantiated: not allowed now"));
+    assert!(
+        lines.take()[0]
+            .contains("toy 1 fmi2Error logStatusError fmi2DoStep while instantiated at t = 0 s: not allowed now")
+    );
     toy.initialize();
     assert_eq!(toy.step(0.0), fmi2Status::fmi2OK);
     assert_eq!(toy.step(0.5), fmi2Status::fmi2Error);
-    assert!(lines.take()[0].contains("fmi2Error logNonlinearSystems fmi2DoStep between steps: no equilibrium"));
+    assert!(
+        lines.take()[0].contains("fmi2Error logNonlinearSystems fmi2DoStep in step mode at t = 0.5 s: no equilibrium")
+    );
 }
 
 /// A warning of the instance is the status of the call.
