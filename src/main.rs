@@ -19,7 +19,14 @@ fn main() {
             let library = package::find_library(given.as_deref().map(Path::new), &std::env::current_exe().unwrap());
             let library = library.unwrap_or_else(|error| panic!("{error}"));
             let path = option("-o").unwrap();
-            package::write(Path::new(&path), model.about(), model.variables(), &text, &library).unwrap();
+            package::write(
+                Path::new(&path),
+                model.about(),
+                model.variables(),
+                &text,
+                &[(package::Platform::NATIVE, library)],
+            )
+            .unwrap();
         }
         "header" => {
             let prefix = option("--prefix").unwrap_or(model.about().identifier.clone());

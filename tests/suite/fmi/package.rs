@@ -7,7 +7,7 @@ use std::{
     path::Path,
 };
 
-use ancf14::fmi::package::{LIBRARY, find_library, fmu, write};
+use ancf14::fmi::package::{LIBRARY, Platform, find_library, fmu, write};
 use zip::{CompressionMethod, ZipArchive};
 
 use super::toy;
@@ -15,7 +15,8 @@ use super::toy;
 const MODEL: &str = "format = 1\n";
 
 fn packed() -> Vec<u8> {
-    fmu(&toy::about(), &toy::variables(), MODEL, &[7; 5000]).unwrap()
+    fmu(&toy::about(), &toy::variables(), MODEL, &[(Platform::Linux64, vec![7; 5000]), (Platform::Win64, vec![8; 500])])
+        .unwrap()
 }
 
 #[test]
@@ -35,7 +36,13 @@ fn entries_in_order() {
     }
     assert_eq!(
         names,
-        ["modelDescription.xml", "binaries/linux64/Toy.so", "documentation/index.html", "resources/model.toml"]
+        [
+            "modelDescription.xml",
+            "binaries/linux64/Toy.so",
+            "binaries/win64/Toy.dll",
+            "documentation/index.html",
+            "resources/model.toml"
+        ]
     );
 }
 
@@ -85,10 +92,25 @@ fn written_or_an_error_with_the_path() {
     let directory = tempfile::tempdir().unwrap();
     let library = directory.path().join("library.so");
     fs::write(&library, [7; 5000]).unwrap();
+    let other = directory.path().join("library.dll");
+    fs::write(&other, [8; 500]).unwrap();
+    let libraries = [(Platform::Linux64, library.clone()), (Platform::Win64, other)];
     let target = directory.path().join("toy.fmu");
-    write(&target, &toy::about(), &toy::variables(), MODEL, &library).unwrap();
+    write(&target, &toy::about(), &toy::variables(), MODEL, &libraries).unwrap();
     assert_eq!(fs::read(&target).unwrap(), packed());
+    fs::remove_file(&library).unwrap();
+    let error = write(&target, &toy::about(), &toy::variables(), MODEL, &libraries).unwrap_err().to_string();
+    assert!(error.contains("cannot read") && error.contains("library.so"), "{error}");
+    fs::write(&library, [7; 5000]).unwrap();
     let nowhere = directory.path().join("missing/toy.fmu");
-    let error = write(&nowhere, &toy::about(), &toy::variables(), MODEL, &library).unwrap_err().to_string();
+    let error = write(&nowhere, &toy::about(), &toy::variables(), MODEL, &libraries).unwrap_err().to_string();
     assert!(error.contains("missing/toy.fmu"), "{error}");
+}
+
+/// The names of `--binary` are the standard's.
+#[test]
+fn platforms_by_name() {
+    assert_eq!(Platform::from_name("win64"), Some(Platform::Win64));
+    assert_eq!(Platform::from_name("amiga"), None);
+    assert_eq!(Platform::from_name(Platform::NATIVE.name()), Some(Platform::NATIVE));
 }
