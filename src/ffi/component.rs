@@ -16,7 +16,7 @@ use crate::fmi::{
 };
 
 /// The host as an instance sees it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Host {
     name: CString,
     logger: fmi2CallbackLogger,

@@ -1,7 +1,7 @@
 //! The functions of fmi2Functions.h for co-simulation, except those on values and derivatives ([`super::fmi2_values`]).
 //!
-//! The words "safe for the component" below mean: `c` is NULL or comes from `fmi2Instantiate`, was not freed, and is not
-//! in use on another thread.
+//! A live instance, in what follows, comes from `fmi2Instantiate`, was not freed, and is not in use on another thread. NULL
+//! is answered with an error.
 #![allow(non_snake_case, reason = "the standard's names")]
 
 use std::{
@@ -28,7 +28,7 @@ use crate::{
 /// Three lines per function: borrow, call safe code, translate.
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 pub(super) unsafe fn guard(
     c: fmi2Component,
     call: Call,
@@ -53,7 +53,7 @@ pub extern "C" fn fmi2GetVersion() -> *const c_char {
 /// Switches debug messages; no category means all (section 2.1.5).
 ///
 /// # Safety
-/// Safe for the component; `categories` has `nCategories` texts.
+/// `c` is a live instance; `categories` has `nCategories` texts.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetDebugLogging(
     c: fmi2Component,
@@ -77,13 +77,14 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
 /// # Safety
 /// The texts end with a zero byte, `functions` holds functions that can be called as long as the instance lives.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2Instantiate(
     instanceName: fmi2String,
     fmuType: fmi2Type,
     fmuGUID: fmi2String,
     fmuResourceLocation: fmi2String,
     functions: *const fmi2CallbackFunctions,
-    _visible: fmi2Boolean,
+    visible: fmi2Boolean,
     loggingOn: fmi2Boolean,
 ) -> fmi2Component {
     fault::silence();
@@ -96,15 +97,15 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let host = Host::new(name, functions);
     let made = catch_unwind(AssertUnwindSafe(|| {
         // SAFETY: the caller's promise.
-        unsafe { instantiate(name, fmuType, fmuGUID, fmuResourceLocation) }
+        let model = unsafe { instantiate(name, fmuType, fmuGUID, fmuResourceLocation) }?;
+        Ok(Component::new(model, host.clone(), loggingOn != fmi2False).into_handle())
     }));
-    match made.unwrap_or_else(|payload| Err(Error::Fault { message: fault::message(payload.as_ref()) })) {
-        Ok(model) => Component::new(model, host, loggingOn != fmi2False).into_handle(),
-        Err(error) => {
+    made.unwrap_or_else(|payload| Err(Error::Fault { message: fault::message(payload.as_ref()) })).unwrap_or_else(
+        |error| {
             host.log(error.status(), error.category(), &format!("fmi2Instantiate: {error}"));
             null_mut()
-        }
-    }
+        },
+    )
 }
 
 /// The model of a new instance.
@@ -134,7 +135,7 @@ unsafe fn instantiate(
 /// Gives an instance back; NULL is fine (section 2.1.5).
 ///
 /// # Safety
-/// Safe for the component, which is not used again.
+/// `c` is a live instance, which is not used again.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeInstance(c: fmi2Component) {
     // SAFETY: the caller's promise; every component of this library has a `Simulation`.
@@ -144,7 +145,7 @@ pub unsafe extern "C" fn fmi2FreeInstance(c: fmi2Component) {
 /// Start and stop time, s; the tolerance is not used (section 2.1.6).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetupExperiment(
     c: fmi2Component,
@@ -163,7 +164,7 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
 /// Enters Initialization Mode (section 2.1.6).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -173,7 +174,7 @@ pub unsafe extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2St
 /// Finds the initial state and leaves Initialization Mode (section 2.1.6).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -183,7 +184,7 @@ pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Sta
 /// Ends the simulation; values can still be read (section 2.1.6).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -193,7 +194,7 @@ pub unsafe extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
 /// Back to just instantiated, also after an error (section 2.1.6).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -203,7 +204,7 @@ pub unsafe extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
 /// Copies everything the instance is; over an earlier copy if there is one (section 2.1.8).
 ///
 /// # Safety
-/// Safe for the component; `FMUstate` points to NULL or to a copy made by this library.
+/// `c` is a live instance; `FMUstate` points to NULL or to a copy made by this library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -213,7 +214,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FM
 /// Goes back to a copy, also after an error (section 2.1.8).
 ///
 /// # Safety
-/// Safe for the component; `FMUstate` is a copy made by this library.
+/// `c` is a live instance; `FMUstate` is a copy made by this library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstate) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -223,7 +224,7 @@ pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstat
 /// Gives a copy back; NULL is fine (section 2.1.8).
 ///
 /// # Safety
-/// Safe for the component; `FMUstate` points to NULL or to a copy made by this library, which is not used again.
+/// `c` is a live instance; `FMUstate` points to NULL or to a copy made by this library, which is not used again.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -237,12 +238,13 @@ const NOT_SERIALIZED: &str =
 /// Not offered: canSerializeFMUstate is false (section 2.1.8).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     c: fmi2Component,
-    _FMUstate: fmi2FMUstate,
-    _size: *mut usize,
+    FMUstate: fmi2FMUstate,
+    size: *mut usize,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe {
@@ -255,13 +257,14 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
 /// Not offered: canSerializeFMUstate is false (section 2.1.8).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2SerializeFMUstate(
     c: fmi2Component,
-    _FMUstate: fmi2FMUstate,
-    _serializedState: *mut fmi2Byte,
-    _size: usize,
+    FMUstate: fmi2FMUstate,
+    serializedState: *mut fmi2Byte,
+    size: usize,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe {
@@ -272,13 +275,14 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
 /// Not offered: canSerializeFMUstate is false (section 2.1.8).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     c: fmi2Component,
-    _serializedState: *const fmi2Byte,
-    _size: usize,
-    _FMUstate: *mut fmi2FMUstate,
+    serializedState: *const fmi2Byte,
+    size: usize,
+    FMUstate: *mut fmi2FMUstate,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe {
@@ -291,13 +295,14 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
 /// Computes one communication step, s (section 4.2.2).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2DoStep(
     c: fmi2Component,
     currentCommunicationPoint: fmi2Real,
     communicationStepSize: fmi2Real,
-    _noSetFMUStatePriorToCurrentPoint: fmi2Boolean,
+    noSetFMUStatePriorToCurrentPoint: fmi2Boolean,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe { guard(c, Call::DoStep, |instance| instance.do_step(currentCommunicationPoint, communicationStepSize)) }
@@ -306,7 +311,7 @@ pub unsafe extern "C" fn fmi2DoStep(
 /// Always an error: steps are done when `fmi2DoStep` returns (section 4.2.2).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -316,9 +321,10 @@ pub unsafe extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
 /// `fmi2Discard`: no status of this type exists, since steps are never pending (section 4.2.3).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetStatus(c: fmi2Component, s: fmi2StatusKind, _value: *mut fmi2Status) -> fmi2Status {
+#[allow(unused_variables, reason = "the standard's signature")]
+pub unsafe extern "C" fn fmi2GetStatus(c: fmi2Component, s: fmi2StatusKind, value: *mut fmi2Status) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe { guard(c, Call::GetStatus, |instance| instance.other_status(Call::GetStatus, kind(s)?)) }
 }
@@ -326,7 +332,7 @@ pub unsafe extern "C" fn fmi2GetStatus(c: fmi2Component, s: fmi2StatusKind, _val
 /// The time reached, s, for `fmi2LastSuccessfulTime`; otherwise `fmi2Discard` (section 4.2.3).
 ///
 /// # Safety
-/// Safe for the component; `value` can be written to.
+/// `c` is a live instance; `value` can be written to.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: fmi2StatusKind, value: *mut fmi2Real) -> fmi2Status {
     // SAFETY: the caller's promise.
@@ -341,12 +347,13 @@ pub unsafe extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: fmi2StatusKind, 
 /// `fmi2Discard`: no status of this type exists (section 4.2.3).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetIntegerStatus(
     c: fmi2Component,
     s: fmi2StatusKind,
-    _value: *mut fmi2Integer,
+    value: *mut fmi2Integer,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe { guard(c, Call::GetIntegerStatus, |instance| instance.other_status(Call::GetIntegerStatus, kind(s)?)) }
@@ -355,7 +362,7 @@ pub unsafe extern "C" fn fmi2GetIntegerStatus(
 /// False for `fmi2Terminated`: the unit never ends by itself; otherwise `fmi2Discard` (section 4.2.3).
 ///
 /// # Safety
-/// Safe for the component; `value` can be written to.
+/// `c` is a live instance; `value` can be written to.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetBooleanStatus(
     c: fmi2Component,
@@ -374,12 +381,13 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
 /// `fmi2Discard`: no status of this type exists (section 4.2.3).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetStringStatus(
     c: fmi2Component,
     s: fmi2StatusKind,
-    _value: *mut fmi2String,
+    value: *mut fmi2String,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe { guard(c, Call::GetStringStatus, |instance| instance.other_status(Call::GetStringStatus, kind(s)?)) }

@@ -1,8 +1,7 @@
 //! The functions of fmi2Functions.h on values and derivatives.
 //!
-//! The words "safe for the component" below mean: `c` is NULL or comes from `fmi2Instantiate`, was not freed, and is not
-//! in use on another thread. "Safe for the arrays": each of them has as many elements as said, and nobody else uses
-//! them during the call.
+//! A live instance, in what follows, comes from `fmi2Instantiate`, was not freed, and is not in use on another thread. NULL
+//! is answered with an error.
 #![allow(non_snake_case, reason = "the standard's names")]
 
 use super::{
@@ -15,7 +14,7 @@ use crate::fmi::lifecycle::Call;
 /// Reads Real variables (section 2.1.7).
 ///
 /// # Safety
-/// Safe for the component and the arrays.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetReal(
     c: fmi2Component,
@@ -32,7 +31,7 @@ pub unsafe extern "C" fn fmi2GetReal(
 /// Sets Real variables: all of them, or none if one is refused (section 2.1.7).
 ///
 /// # Safety
-/// Safe for the component and the arrays.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetReal(
     c: fmi2Component,
@@ -47,7 +46,7 @@ pub unsafe extern "C" fn fmi2SetReal(
 /// Reads Integer variables (section 2.1.7).
 ///
 /// # Safety
-/// Safe for the component and the arrays.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetInteger(
     c: fmi2Component,
@@ -66,7 +65,7 @@ pub unsafe extern "C" fn fmi2GetInteger(
 /// Sets Integer variables: all of them, or none if one is refused (section 2.1.7).
 ///
 /// # Safety
-/// Safe for the component and the arrays.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetInteger(
     c: fmi2Component,
@@ -83,13 +82,14 @@ pub unsafe extern "C" fn fmi2SetInteger(
 /// Reads Boolean variables, of which there are none: an error unless `nvr` is 0 (section 2.1.7).
 ///
 /// # Safety
-/// Safe for the component and the arrays.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetBoolean(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
-    _value: *mut fmi2Boolean,
+    value: *mut fmi2Boolean,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe { guard(c, Call::GetBoolean, |instance| instance.get_boolean(slice(vr, nvr, "vr")?)) }
@@ -98,13 +98,14 @@ pub unsafe extern "C" fn fmi2GetBoolean(
 /// Sets Boolean variables, of which there are none: an error unless `nvr` is 0 (section 2.1.7).
 ///
 /// # Safety
-/// Safe for the component and the arrays.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2SetBoolean(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
-    _value: *const fmi2Boolean,
+    value: *const fmi2Boolean,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe { guard(c, Call::SetBoolean, |instance| instance.set_boolean(slice(vr, nvr, "vr")?)) }
@@ -113,13 +114,14 @@ pub unsafe extern "C" fn fmi2SetBoolean(
 /// Reads String variables, of which there are none: an error unless `nvr` is 0 (section 2.1.7).
 ///
 /// # Safety
-/// Safe for the component and the arrays.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetString(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
-    _value: *mut fmi2String,
+    value: *mut fmi2String,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe { guard(c, Call::GetString, |instance| instance.get_string(slice(vr, nvr, "vr")?)) }
@@ -128,13 +130,14 @@ pub unsafe extern "C" fn fmi2GetString(
 /// Sets String variables, of which there are none: an error unless `nvr` is 0 (section 2.1.7).
 ///
 /// # Safety
-/// Safe for the component and the arrays.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2SetString(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
-    _value: *const fmi2String,
+    value: *const fmi2String,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
     unsafe { guard(c, Call::SetString, |instance| instance.set_string(slice(vr, nvr, "vr")?)) }
@@ -143,14 +146,15 @@ pub unsafe extern "C" fn fmi2SetString(
 /// Not offered: canInterpolateInputs is false (section 4.2.1).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     c: fmi2Component,
-    _vr: *const fmi2ValueReference,
-    _nvr: usize,
-    _order: *const fmi2Integer,
-    _value: *const fmi2Real,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    order: *const fmi2Integer,
+    value: *const fmi2Real,
 ) -> fmi2Status {
     const REASON: &str = "canInterpolateInputs is false; set the inputs themselves by fmi2SetReal before each step";
     // SAFETY: the caller's promise.
@@ -164,14 +168,15 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
 /// Not offered: maxOutputDerivativeOrder is 0 (section 4.2.1).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
     c: fmi2Component,
-    _vr: *const fmi2ValueReference,
-    _nvr: usize,
-    _order: *const fmi2Integer,
-    _value: *mut fmi2Real,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    order: *const fmi2Integer,
+    value: *mut fmi2Real,
 ) -> fmi2Status {
     const REASON: &str = "maxOutputDerivativeOrder is 0; read velocities where the model has them as outputs";
     // SAFETY: the caller's promise.
@@ -185,16 +190,17 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
 /// Not offered: providesDirectionalDerivative is false (section 2.1.9).
 ///
 /// # Safety
-/// Safe for the component.
+/// `c` is a live instance.
 #[unsafe(no_mangle)]
+#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     c: fmi2Component,
-    _vUnknown_ref: *const fmi2ValueReference,
-    _nUnknown: usize,
-    _vKnown_ref: *const fmi2ValueReference,
-    _nKnown: usize,
-    _dvKnown: *const fmi2Real,
-    _dvUnknown: *mut fmi2Real,
+    vUnknown_ref: *const fmi2ValueReference,
+    nUnknown: usize,
+    vKnown_ref: *const fmi2ValueReference,
+    nKnown: usize,
+    dvKnown: *const fmi2Real,
+    dvUnknown: *mut fmi2Real,
 ) -> fmi2Status {
     const REASON: &str = "providesDirectionalDerivative is false; repeat a step from an FMU state with changed inputs";
     // SAFETY: the caller's promise.

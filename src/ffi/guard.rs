@@ -51,13 +51,13 @@ fn answer<M: Model>(
     call: Call,
     body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
 ) -> Status {
-    let mode = component.instance.mode();
+    let (mode, time) = (component.instance.mode(), component.instance.time());
     let outcome = body(&mut component.instance);
     let noticed = component.report();
     match outcome {
         Ok(()) => noticed,
         Err(error) => {
-            component.host.log(error.status(), error.category(), &format!("{call} {mode}: {error}"));
+            component.host.log(error.status(), error.category(), &format!("{call} {mode} at t = {time} s: {error}"));
             error.status()
         }
     }

@@ -3,7 +3,7 @@
 //! [`types`] names C types as the standard does, [`fmi2`] and [`fmi2_values`] export its functions, three lines each:
 //! borrow, call safe code, translate. [`guard`] checks pointers, catches panics, logs and makes the status;
 //! [`component`] is what a host holds. Nothing here is kept outside a component, except the words of a panic on their
-//! way from where it happened to the guard ([`fault`]).
+//! way from where it happened to the guard (`fault`).
 #![allow(unsafe_code, reason = "C hands over pointers; every use of one states who keeps the promise")]
 
 pub mod component;

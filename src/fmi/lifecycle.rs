@@ -35,7 +35,7 @@ impl fmt::Display for Mode {
         f.write_str(match self {
             Self::Instantiated => "while instantiated",
             Self::Initialization => "in Initialization Mode",
-            Self::Step => "between steps",
+            Self::Step => "in step mode",
             Self::Terminated => "after fmi2Terminate",
             Self::Error => "after a failed step",
             Self::Fatal => "after an internal fault",

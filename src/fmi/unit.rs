@@ -68,7 +68,7 @@ impl Unit {
     pub fn parse(label: &str) -> Option<Self> {
         let none = Self { exponents: Exponents::default(), power_of_ten: 0, rest: 1.0 };
         let (above, below) = label.split_once('/').unwrap_or((label, ""));
-        let above = if matches!(above, "" | "1") { Some(none) } else { product(none, above, 1) }?;
+        let above = if above == "1" || label.is_empty() { Some(none) } else { product(none, above, 1) }?;
         match below {
             "" if label.contains('/') => None,
             "" => Some(above),
@@ -177,7 +177,7 @@ mod tests {
     /// A conversion or a word is no coherent unit; a trailing slash or an empty factor is no label at all.
     #[test]
     fn other_labels_are_refused() {
-        for label in ["mm", "deg", "g", "t", "furlong", "m/", "m..s", "m2.", "m0", "m99", "kt", "m/s/s", "-"] {
+        for label in ["mm", "deg", "g", "t", "furlong", "m/", "m..s", "m2.", "m0", "m99", "kt", "m/s/s", "-", "/m"] {
             assert_eq!(exponents(label), None, "{label}");
         }
     }

@@ -59,6 +59,11 @@ pub struct Load {
 }
 
 impl Load {
+    /// Whether all components are finite numbers at `time`, s.
+    pub fn is_finite(&self, time: f64) -> bool {
+        self.force.iter().chain(&self.moment).all(|signal| signal.at(time).is_finite())
+    }
+
     /// Force (N) and moment (N m) of share `share` at `time`, in space.
     fn wrench(&self, c: &Configuration, marker: &Marker, share: f64, time: f64) -> (Vec3, Vec3) {
         let value = |signals: &[Signal; 3]| Vec3::from_fn(|i, _| signals[i].at(time) * share);

@@ -4,7 +4,7 @@ use super::beam::frame::Triad;
 use crate::math::Vec3;
 
 /// Everything that persists from one step to the next.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct State {
     /// Time, s.
     pub time: f64,
@@ -30,6 +30,38 @@ pub struct State {
     pub good_steps: u32,
     /// Counts since the start.
     pub statistics: Statistics,
+}
+
+impl Clone for State {
+    fn clone(&self) -> Self {
+        Self {
+            q: self.q.clone(),
+            velocity: self.velocity.clone(),
+            momentum: self.momentum.clone(),
+            multipliers: self.multipliers.clone(),
+            triads: self.triads.clone(),
+            holonomy: self.holonomy.clone(),
+            rotations: self.rotations.clone(),
+            ..*self
+        }
+    }
+
+    /// Keeps the memory that is there: a step that makes a backup must not allocate.
+    fn clone_from(&mut self, source: &Self) {
+        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, rotations, .. } = self;
+        *time = source.time;
+        q.clone_from(&source.q);
+        velocity.clone_from(&source.velocity);
+        momentum.clone_from(&source.momentum);
+        multipliers.clone_from(&source.multipliers);
+        triads.clone_from(&source.triads);
+        holonomy.clone_from(&source.holonomy);
+        rotations.clone_from(&source.rotations);
+        self.previous_step = source.previous_step;
+        self.halving = source.halving;
+        self.good_steps = source.good_steps;
+        self.statistics = source.statistics;
+    }
 }
 
 /// Counts since the start.

@@ -7,7 +7,7 @@ use super::beam::frame::{NodeFrame, Triad};
 use super::joint::{Joint, JointGradient};
 use super::load::Load;
 use super::marker::{Configuration, MARKER};
-use super::sensor::Sensor;
+use super::sensor::{Sensor, Snapshot};
 use super::state::State;
 use crate::error::Error;
 use crate::math::Vec3;
@@ -327,6 +327,14 @@ impl System {
         (beam, number - beam.first_element)
     }
 
+    /// What is not finite in the equations of `time` (s), in words.
+    pub fn describe_not_finite(&self, time: f64) -> String {
+        match self.loads.iter().find(|load| !load.is_finite(time)) {
+            Some(load) => format!("the force or moment of load {}", load.name),
+            None => String::from("a number in the equations"),
+        }
+    }
+
     /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the machine's size, slopes and angles as they are.
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
         let mut largest = (0.0, 0);
@@ -338,6 +346,19 @@ impl System {
             }
         }
         largest
+    }
+
+    /// The first beam with truncated strain that is twisted beyond half of what that energy bears: its name, twist rate and bound, rad/m.
+    pub fn twist_near_limit<'a>(&'a self, state: &'a State, snapshot: &mut Snapshot) -> Option<(&'a str, f64, f64)> {
+        let mut limited = self.beams.iter().filter(|beam| beam.twist_limit.is_finite()).peekable();
+        limited.peek()?;
+        let configuration = snapshot.of(self, state);
+        limited.find_map(|beam| {
+            let rates = (beam.first_element..beam.first_element + beam.elements)
+                .map(|number| evaluation(&configuration, number, None).largest_torsion().abs());
+            let largest = rates.fold(0.0, f64::max);
+            (largest > 0.5 * beam.twist_limit).then_some((beam.name.as_str(), largest, beam.twist_limit))
+        })
     }
 
     /// Checks what the element can bear (MECHANICS 2.6, 7.4) at the end of a step or increment.

@@ -3,6 +3,7 @@
 //! [`document::Document::parse`] reads a file into typed data, [`expression`] gives every number of it a value and exact
 //! derivatives, [`diagnostic`] says what is wrong and where.
 
+pub mod build;
 pub mod diagnostic;
 pub mod document;
 pub mod drawing;
@@ -19,3 +20,4 @@ mod schema;
 pub mod simulation;
 mod tree;
 pub mod unit;
+pub mod variables;

@@ -1,212 +1,373 @@
-//! A stand-in for the simulation: one mass on a spring, so that the FMI half can be built and tested end to end.
+//! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
 
-use crate::fmi::{
-    About, Failure, LogCategory, Model, Value,
-    variable::{Causality, Quantity, Variability, Variable},
-};
+use super::build::{self, Built};
+use super::document::Document;
+use super::entries::simulation::{Analysis, Integrator as Choice};
+use super::variables::{Source, Table};
+use crate::error::Error;
+use crate::fmi::variable::Variable;
+use crate::fmi::{About, Failure, LogCategory, Model, Value};
+use crate::mechanics::sensor::Snapshot as Frames;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::solve::midpoint::{AxialRule, Midpoint};
+use crate::solve::start;
+use crate::solve::statics::Statics;
+use crate::solve::stepping::grid_step;
+use std::sync::Arc;
 
-/// A mass on a spring, pulled by a force.
-#[derive(Clone, Debug)]
+/// How near to a point of the grid of internal steps a communication point must be to be that point, in steps.
+const ON_GRID: f64 = 1e-9;
+/// Round-off that a communication step may have before it takes one internal step more, in steps.
+const STEP_ROUNDING: f64 = 1e-6;
+
+/// A model file, its machine and its state.
+#[derive(Debug)]
 pub struct Simulation {
     about: About,
-    variables: Vec<Variable>,
-    values: [f64; 5],
+    table: Arc<Table>,
+    document: Arc<Document>,
+    machine: Machine,
+    results: Vec<f64>,
+    frames: Frames,
+    warnings: Vec<String>,
+    /// Whether the twist of a beam with truncated strain has been warned of.
+    twist_warned: bool,
+}
+
+/// The machine as built, the state it has reached, and the means to go on.
+#[derive(Debug)]
+struct Machine {
+    system: Arc<System>,
     state: State,
-}
-
-/// What changes in a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
+    /// The state before the running call, to go back to when it fails.
+    backup: State,
+    /// Start of the grid of internal steps, s.
     start: f64,
-    time: f64,
-    position: f64,
-    velocity: f64,
-    steps: i32,
-    initialized: bool,
+    /// Internal step, s.
+    step: f64,
+    solver: Solver,
 }
 
-/// Places in the variable table.
-const YOUNG: usize = 0;
-const GRAVITY: usize = 1;
-const STEP: usize = 2;
-const FORCE: usize = 3;
-const HALF_YOUNG: usize = 4;
-const POSITION: usize = 5;
-const VELOCITY: usize = 6;
-const STEPS: usize = 7;
-const TIME: usize = 8;
+/// What takes a step.
+#[derive(Debug)]
+enum Solver {
+    /// Not initialized yet.
+    None,
+    Midpoint(Box<Midpoint>),
+    Statics(Box<Statics>),
+}
 
-fn row(name: &str, causality: Causality, variability: Variability, start: Value, quantity: Quantity) -> Variable {
-    Variable {
-        name: name.to_owned(),
-        description: format!("Stand-in: {name}"),
-        causality,
-        variability,
-        start,
-        min: None,
-        max: None,
-        quantity,
-        display_unit: None,
-    }
+/// What changes between two calls of a host.
+#[derive(Clone, Debug)]
+pub struct Snapshot {
+    document: Arc<Document>,
+    system: Arc<System>,
+    state: State,
+    start: f64,
+    step: f64,
+    initialized: bool,
+    results: Vec<f64>,
 }
 
 impl Simulation {
-    /// Reads the model file.
+    /// Reads and builds a model file; `overrides` are keys and values of `--set`, `file_name` is for messages.
     ///
     /// # Errors
-    /// It is no TOML, or has no parameter `young`.
+    /// Everything that is wrong with the file, each with its place.
     pub fn load(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Failure> {
-        let failure = |message| Failure { message, category: LogCategory::StatusError };
-        let table: toml::Table = text.parse().map_err(|e| failure(format!("{file_name}: {e}")))?;
-        let young = table
-            .get("parameters")
-            .and_then(|parameters| parameters.get("young")?.as_float())
-            .ok_or_else(|| failure(format!("{file_name}: parameters.young is missing")))?;
-        let name = table.get("model").and_then(|model| model.get("name")?.as_str()).unwrap_or("Oscillator").to_owned();
-        let mut variables = vec![
-            row("young", Causality::Parameter, Variability::Fixed, Value::Real(young), Quantity::new("", "")),
-            row(
-                "gravity[3]",
-                Causality::Parameter,
-                Variability::Tunable,
-                Value::Real(-9.81),
-                Quantity::new("Acceleration", "m/s2"),
-            ),
-            row(
-                "simulation.step",
-                Causality::Parameter,
-                Variability::Fixed,
-                Value::Real(1e-3),
-                Quantity::new("Time", "s"),
-            ),
-            row(
-                "tip.force[3]",
-                Causality::Input,
-                Variability::Continuous,
-                Value::Real(0.0),
-                Quantity::new("Force", "N"),
-            ),
-            row(
-                "half_young",
-                Causality::CalculatedParameter,
-                Variability::Fixed,
-                Value::Real(0.0),
-                Quantity::new("", ""),
-            ),
-            row(
-                "P.position[3]",
-                Causality::Output,
-                Variability::Continuous,
-                Value::Real(0.1),
-                Quantity::new("Position", "m"),
-            ),
-            row(
-                "P.velocity[3]",
-                Causality::Output,
-                Variability::Continuous,
-                Value::Real(0.0),
-                Quantity::new("Velocity", "m/s"),
-            ),
-            row("statistics.steps", Causality::Output, Variability::Discrete, Value::Integer(0), Quantity::new("", "")),
-            row("time", Causality::Independent, Variability::Continuous, Value::Real(0.0), Quantity::new("Time", "s")),
-        ];
-        variables[YOUNG].min = Some(0.0);
-        variables[STEP].min = Some(1e-9);
-        variables[POSITION].display_unit = Some("mm".to_owned());
-        let guid = uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_OID, text.as_bytes());
+        let wrong = |message: String| Failure { message, category: LogCategory::StatusError };
+        let document = Document::parse(file_name, text, overrides).map_err(|mistakes| wrong(mistakes.to_string()))?;
+        let built = build::build(&document, 0.0).map_err(|mistakes| wrong(join(&mistakes)))?;
+        let table = Table::new(&document);
         let about = About {
-            identifier: name.clone(),
-            name,
-            description: "A mass on a spring, a stand-in for the beams".to_owned(),
-            guid: format!("{{{guid}}}"),
-            stop: 0.1,
-            output_step: 0.01,
+            name: document.model.name.clone(),
+            identifier: document.model.identifier.clone(),
+            description: document.model.description.clone(),
+            guid: guid(text, overrides, &table),
+            stop: document.value(document.simulation.stop),
+            output_step: document.value(document.simulation.output_step),
         };
-        let mut simulation = Self { about, variables, values: [0.0; 5], state: State::default() };
-        simulation.reset();
-        for (key, value) in overrides {
-            let place = simulation.variables.iter().position(|variable| variable.name == *key);
-            let number = value.parse().map_err(|e| failure(format!("{key} = {value}: {e}")))?;
-            simulation.set_value(place.ok_or_else(|| failure(format!("no key {key}")))?, Value::Real(number))?;
-        }
+        let mut simulation = Self {
+            about,
+            table: Arc::new(table),
+            machine: Machine::new(built, &document, 0.0),
+            document: Arc::new(document),
+            results: Vec::new(),
+            frames: Frames::default(),
+            warnings: Vec::new(),
+            twist_warned: false,
+        };
+        simulation.measure();
         Ok(simulation)
+    }
+
+    /// The file that is simulated.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The machine.
+    pub fn system(&self) -> &System {
+        &self.machine.system
+    }
+
+    /// The state it has reached.
+    pub fn state(&self) -> &State {
+        &self.machine.state
+    }
+
+    fn measure(&mut self) {
+        let machine = &self.machine;
+        self.table.measure(&machine.system, &machine.state, &mut self.frames, &mut self.results);
+    }
+
+    /// Warns once when a beam with `strain = "large_truncated"` is twisted beyond half of what that energy bears (MECHANICS 3.7).
+    fn watch_twist(&mut self) {
+        if self.twist_warned {
+            return;
+        }
+        if let Some((beam, rate, limit)) = self.machine.system.twist_near_limit(&self.machine.state, &mut self.frames) {
+            self.twist_warned = true;
+            self.warnings.push(format!(
+                "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: strain = \"large_truncated\" softens and fails above \
+                 {limit:.3} rad/m; use strain = \"large\"",
+                self.machine.state.time
+            ));
+        }
     }
 }
 
 impl Model for Simulation {
-    type Snapshot = (State, [f64; 5]);
+    type Snapshot = Snapshot;
 
     fn about(&self) -> &About {
         &self.about
     }
 
     fn variables(&self) -> &[Variable] {
-        &self.variables
+        &self.table.variables
     }
 
     fn value(&self, reference: usize) -> Value {
-        match reference {
-            HALF_YOUNG => Value::Real(self.values[YOUNG] / 2.0),
-            POSITION => Value::Real(self.state.position),
-            VELOCITY => Value::Real(self.state.velocity),
-            STEPS => Value::Integer(self.state.steps),
-            TIME => Value::Real(self.state.time),
-            place => Value::Real(self.values[place]),
+        match self.table.sources[reference] {
+            Source::Parameter(index) => self.document.parameter_value(index),
+            Source::Result(number) => match self.table.variables[reference].start {
+                Value::Real(_) => Value::Real(self.results[number]),
+                // A count that outgrows FMI's Integer stays at the largest one.
+                Value::Integer(_) => Value::Integer(self.results[number] as i32),
+            },
+            Source::Time => Value::Real(self.machine.state.time),
         }
     }
 
     fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure> {
-        self.values[reference] = value.number();
+        let wrong = |message| Failure { message, category: LogCategory::StatusError };
+        let Source::Parameter(index) = self.table.sources[reference] else {
+            let name = &self.table.variables[reference].name;
+            return Err(wrong(format!("`{name}` is a result and cannot be set")));
+        };
+        Arc::make_mut(&mut self.document).set_parameter(index, value).map_err(wrong)?;
+        if self.machine.is_initialized() {
+            build::retune(&self.document, Arc::make_mut(&mut self.machine.system));
+        }
         Ok(())
     }
 
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
-        self.state = State { start, time: start, position: 0.1, velocity: 0.0, steps: 0, initialized: true };
+        let wrong = |message| Failure { message, category: LogCategory::StatusError };
+        self.document.check().map_err(wrong)?;
+        let built = build::build(&self.document, start).map_err(|mistakes| wrong(join(&mistakes)))?;
+        let mut machine = Machine::new(built, &self.document, start);
+        let warning = machine.find_initial_state(&self.document).map_err(|error| failure(&error))?;
+        self.warnings.extend(warning);
+        self.machine = machine;
+        self.twist_warned = false;
+        self.measure();
+        self.watch_twist();
         Ok(())
     }
 
     fn time(&self) -> f64 {
-        self.state.time
+        self.machine.state.time
     }
 
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
-        let step = self.values[STEP];
-        let place = ((end - self.state.start) / step).round();
-        let end = if (self.state.start + place * step - end).abs() < 1e-9 * step {
-            self.state.start + place * step
-        } else {
-            end
-        };
-        let on_grid = (self.state.time - self.state.start) / step;
-        let count = ((end - self.state.time) / step - 1e-6).ceil();
-        let whole = (on_grid - on_grid.round()).abs() < 1e-6 && end == self.state.start + place * step;
-        let h = if whole { step } else { (end - self.state.time) / count };
-        for _ in 0..count as usize {
-            let force = self.values[FORCE] + self.values[GRAVITY] - self.values[YOUNG] * 1e-9 * self.state.position;
-            self.state.velocity += h * force;
-            self.state.position += h * self.state.velocity;
-            self.state.steps += 1;
-        }
-        self.state.time = end;
+        self.machine.advance(end).map_err(|error| failure(&error))?;
+        self.measure();
+        self.watch_twist();
         Ok(())
     }
 
     fn take_warnings(&mut self) -> Vec<String> {
-        Vec::new()
+        std::mem::take(&mut self.warnings)
     }
 
     fn reset(&mut self) {
-        for place in 0..5 {
-            self.values[place] = self.variables[place].start.number();
+        Arc::make_mut(&mut self.document).reset();
+        // The file was built with these very numbers when it was loaded.
+        if let Ok(built) = build::build(&self.document, 0.0) {
+            self.machine = Machine::new(built, &self.document, 0.0);
         }
-        self.state = State { position: 0.1, ..State::default() };
+        self.warnings.clear();
+        self.measure();
     }
 
-    fn snapshot(&self) -> Self::Snapshot {
-        (self.state, self.values)
+    fn snapshot(&self) -> Snapshot {
+        let machine = &self.machine;
+        Snapshot {
+            document: Arc::clone(&self.document),
+            system: Arc::clone(&machine.system),
+            state: machine.state.clone(),
+            start: machine.start,
+            step: machine.step,
+            initialized: machine.is_initialized(),
+            results: self.results.clone(),
+        }
     }
 
-    fn restore(&mut self, snapshot: &Self::Snapshot) {
-        (self.state, self.values) = *snapshot;
+    fn restore(&mut self, snapshot: &Snapshot) {
+        let machine = &mut self.machine;
+        // The solver's memory fits every system of the same file, unless counts of elements have changed.
+        let same_shape = machine.system.coordinates() == snapshot.system.coordinates();
+        self.document = Arc::clone(&snapshot.document);
+        machine.system = Arc::clone(&snapshot.system);
+        machine.state.clone_from(&snapshot.state);
+        (machine.start, machine.step) = (snapshot.start, snapshot.step);
+        self.results.clone_from(&snapshot.results);
+        if !snapshot.initialized {
+            machine.solver = Solver::None;
+        } else if !(same_shape && machine.is_initialized()) {
+            // It could be set up for this system before.
+            machine.solver = Solver::new(&self.document, &machine.system).unwrap_or(Solver::None);
+        }
     }
+}
+
+impl Machine {
+    fn new(built: Built, document: &Document, start: f64) -> Self {
+        let Built { system, state, .. } = built;
+        Self {
+            system: Arc::new(system),
+            backup: state.clone(),
+            state,
+            start,
+            step: document.value(document.simulation.step),
+            solver: Solver::None,
+        }
+    }
+
+    fn is_initialized(&self) -> bool {
+        !matches!(self.solver, Solver::None)
+    }
+
+    /// Sets up the solver and finds the state at the start; returns a warning if the given velocities had to change.
+    fn find_initial_state(&mut self, document: &Document) -> Result<Option<String>, Error> {
+        start::check_assembled(&self.system, &self.state)?;
+        self.solver = Solver::new(document, &self.system)?;
+        let moving = self.state.velocity.iter().any(|value| *value != 0.0);
+        match &mut self.solver {
+            Solver::None => Ok(None),
+            Solver::Midpoint(midpoint) => {
+                let change = start::set_motion(&self.system, midpoint, &mut self.state)?;
+                Ok((change > 0.0).then(|| {
+                    format!(
+                        "the given initial velocities do not fit the joints: they were changed by {:.2e} of the largest, \
+                         to the nearest that do",
+                        change
+                    )
+                }))
+            }
+            Solver::Statics(statics) => {
+                self.state.velocity.fill(0.0);
+                statics.ramp(&self.system, &mut self.state)?;
+                Ok(moving.then(|| String::from("the initial velocities are not used: the analysis is static")))
+            }
+        }
+    }
+
+    /// Advances to `end`, on the grid `start + k step` where both ends are on it, else in equal steps; all or nothing.
+    fn advance(&mut self, end: f64) -> Result<(), Error> {
+        self.backup.clone_from(&self.state);
+        let result = self.advance_over_grid(end);
+        if result.is_err() {
+            self.state.clone_from(&self.backup);
+        }
+        result
+    }
+
+    fn advance_over_grid(&mut self, end: f64) -> Result<(), Error> {
+        let grid = |number: f64| self.start + number * self.step;
+        let nearest = |time: f64| ((time - self.start) / self.step).round();
+        let last = nearest(end);
+        let on_grid = (end - grid(last)).abs() <= ON_GRID * self.step;
+        let end = if on_grid { grid(last) } else { end };
+        let first = nearest(self.state.time);
+        if on_grid && self.state.time == grid(first) {
+            let count = (last - first) as u64;
+            for number in 1..=count {
+                let next = self.start + (first + number as f64) * self.step;
+                self.step_to(next, self.step)?;
+            }
+            return Ok(());
+        }
+        let begin = self.state.time;
+        let count = ((end - begin) / self.step - STEP_ROUNDING).ceil().max(1.0);
+        let step = (end - begin) / count;
+        for number in 1..=count as u64 {
+            let next = if number as f64 == count { end } else { begin + number as f64 * step };
+            self.step_to(next, step)?;
+        }
+        Ok(())
+    }
+
+    fn step_to(&mut self, end: f64, step: f64) -> Result<(), Error> {
+        match &mut self.solver {
+            // The FMI half lets no step pass before the initialization.
+            Solver::None => Ok(()),
+            Solver::Midpoint(midpoint) => grid_step(midpoint.as_mut(), &self.system, &mut self.state, step, end),
+            Solver::Statics(statics) => grid_step(statics.as_mut(), &self.system, &mut self.state, step, end),
+        }
+    }
+}
+
+impl Solver {
+    fn new(document: &Document, system: &System) -> Result<Self, Error> {
+        let simulation = &document.simulation;
+        let tolerance = document.value(simulation.tolerance);
+        Ok(match (simulation.analysis, simulation.integrator) {
+            (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance)?)),
+            (Analysis::Dynamic, Choice::Conserving) => {
+                Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Conserving, tolerance)?))
+            }
+            (Analysis::Dynamic, Choice::Variational) => {
+                Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Variational, tolerance)?))
+            }
+        })
+    }
+}
+
+fn join(mistakes: &[super::diagnostic::Diagnostic]) -> String {
+    mistakes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+}
+
+fn failure(error: &Error) -> Failure {
+    let category = match error {
+        Error::Singular { .. } => LogCategory::SingularLinearSystems,
+        Error::NotConverged { .. } | Error::StepTooSmall { .. } | Error::RampStuck { .. } => LogCategory::NonlinearSystems,
+        _ => LogCategory::StatusError,
+    };
+    Failure { message: error.to_string(), category }
+}
+
+/// A name-based hash of the file, of its overrides and of the variable table: what a host's XML and the model must agree on.
+fn guid(text: &str, overrides: &[(String, String)], table: &Table) -> String {
+    let mut content = format!("ancf14 {}\n{text}\n", env!("CARGO_PKG_VERSION"));
+    for (key, value) in overrides {
+        content.push_str(&format!("{key}={value}\n"));
+    }
+    for variable in &table.variables {
+        content.push_str(&format!("{variable:?}\n"));
+    }
+    format!("{{{}}}", uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_URL, content.as_bytes()))
 }

@@ -193,7 +193,7 @@ struct Step<'a> {
 }
 
 impl Problem for Step<'_> {
-    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) {
+    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
         let (system, state, h) = (self.system, self.state, self.step);
         let scratch = &mut *self.scratch;
         scratch.place(system, state);
@@ -220,6 +220,7 @@ impl Problem for Step<'_> {
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;
         }
+        time.time
     }
 
     fn correct(&mut self, correction: &[f64]) {

@@ -18,8 +18,9 @@ pub struct Convergence {
 
 /// Something Newton can solve.
 pub trait Problem {
-    /// Sets `right` to minus the residual at the current unknowns, and the matrix of `kkt` to its derivative.
-    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]);
+    /// Sets `right` to minus the residual at the current unknowns, and the matrix of `kkt` to its derivative;
+    /// returns the time at which loads were taken, s.
+    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64;
 
     /// Adds a correction to the unknowns.
     fn correct(&mut self, correction: &[f64]);
@@ -42,7 +43,11 @@ pub fn solve(
     let mut convergence = Convergence { iterations: 0, corrections: [0.0; MOST_ITERATIONS] };
     let mut last = (f64::INFINITY, 0);
     while convergence.iterations < limit {
-        problem.linearize(kkt, right);
+        let loads_time = problem.linearize(kkt, right);
+        if right.iter().any(|value| !value.is_finite()) {
+            *iterations += 1;
+            return Err(Error::NotFinite { time: loads_time, what: system.describe_not_finite(loads_time) });
+        }
         kkt.solve(system, right, time)?;
         problem.correct(right);
         last = system.correction_size(right);

@@ -134,7 +134,7 @@ struct Equilibrium<'a> {
 }
 
 impl Problem for Equilibrium<'_> {
-    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) {
+    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
         let (system, state) = (self.system, self.state);
         let scratch = &mut *self.scratch;
         system.frames(&scratch.q, &state.triads, &mut scratch.frames);
@@ -159,6 +159,7 @@ impl Problem for Equilibrium<'_> {
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;
         }
+        self.excitation.time
     }
 
     fn correct(&mut self, correction: &[f64]) {

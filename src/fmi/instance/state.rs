@@ -4,7 +4,6 @@ use super::{Instance, Session};
 use crate::fmi::{Model, error::Error, lifecycle::Call};
 
 /// A copy of an instance: model, mode, times and logging.
-#[derive(Clone, Debug)]
 pub struct FmuState<M: Model> {
     guid: String,
     session: Session,

@@ -1,0 +1,62 @@
+"""Host tests: every FMU goes through real hosts and checkers.
+
+    scripts/python-env.sh
+    cargo build --release
+    target/python-env/bin/python -m pytest -q tests/fmpy
+
+ANCF14       the executable; default target/release/ancf14
+ANCF14_FMUS  a folder with FMUs to test; default: all of models/*.toml and of tests/suite/fmi/, packed by the executable
+"""
+
+import os
+import subprocess
+import tempfile
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCES = [*sorted(ROOT.glob("models/*.toml")), *sorted(ROOT.glob("tests/suite/fmi/*.toml"))]
+
+
+def executable() -> Path:
+    return Path(os.environ.get("ANCF14", ROOT / "target/release/ancf14"))
+
+
+def run(*words):
+    """Runs the executable; a failure shows what it said."""
+    done = subprocess.run([executable(), *words], capture_output=True, text=True)
+    assert done.returncode == 0, f"ancf14 {' '.join(map(str, words))}:\n{done.stdout}{done.stderr}"
+
+
+def pack_all(folder: Path):
+    for source in SOURCES:
+        run("pack", source, "-o", folder / f"{source.stem}.fmu")
+
+
+def pytest_configure(config):
+    given = os.environ.get("ANCF14_FMUS")
+    if given is None:
+        config.packed = tempfile.TemporaryDirectory(prefix="ancf14-fmus-")
+        given = config.packed.name
+        pack_all(Path(given))
+    config.fmus = sorted(Path(given).glob("*.fmu"))
+    if not config.fmus:
+        raise pytest.UsageError(f"there is no FMU in {given}")
+
+
+def pytest_generate_tests(metafunc):
+    if "fmu" in metafunc.fixturenames:
+        fmus = metafunc.config.fmus
+        metafunc.parametrize("fmu", fmus, ids=[path.stem for path in fmus], scope="module")
+
+
+@pytest.fixture(scope="module")
+def results(fmu, tmp_path_factory) -> Path:
+    """results.csv of `ancf14 run` on the model file inside the FMU."""
+    folder = tmp_path_factory.mktemp(fmu.stem)
+    with zipfile.ZipFile(fmu) as archive:
+        (folder / "model.toml").write_bytes(archive.read("resources/model.toml"))
+    run("run", folder / "model.toml", "--out", folder / "results")
+    return folder / "results" / "results.csv"

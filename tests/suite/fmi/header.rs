@@ -1,0 +1,54 @@
+//! Do the C names of a model's header lead to its variables? A C compiler reads the header and prints them.
+
+use std::{fs, process::Command};
+
+use ancf14::fmi::header::text;
+
+use super::{golden, toy};
+
+/// The header of the toy, as reviewed.
+#[test]
+fn golden_header_of_the_toy() {
+    golden::assert_current("tests/golden/toy.h", &text(&toy::about(), &toy::variables(), "Toy").unwrap());
+}
+
+/// Names that C cannot tell apart get their value reference behind them, and no name is a macro of the header.
+#[test]
+fn names_stay_apart() {
+    let mut variables = toy::variables();
+    variables[0].name = "a.b_c".to_owned();
+    variables[1].name = "a_b.c".to_owned();
+    variables[2].name = "GUID".to_owned();
+    let text = text(&toy::about(), &variables, "M").unwrap();
+    for line in ["M_a_b_c = 0,", "M_a_b_c_1 = 1,", "M_GUID_2 = 2,"] {
+        assert!(text.contains(line), "{line} is missing in\n{text}");
+    }
+}
+
+#[test]
+fn prefixes_are_identifiers() {
+    assert!(text(&toy::about(), &toy::variables(), "1M").is_err());
+}
+
+/// Compiles without a warning as C99 and as C++17, and the macro lists name, unit and reference of the outputs.
+#[test]
+fn compilers_read_it() {
+    let directory = tempfile::tempdir().unwrap();
+    let mut variables = toy::variables();
+    variables[0].description = "ends */ the comment /* or not \\".to_owned();
+    fs::write(directory.path().join("toy.h"), text(&toy::about(), &variables, "Toy").unwrap()).unwrap();
+    let source = "#include \"toy.h\"\n#include <stdio.h>\n#define SHOW(r, n, u) printf(\"%d %s %s\\n\", (int)r, n, u);\n\
+                  int main(void) { Toy_REAL_OUTPUTS(SHOW) Toy_INTEGER_OUTPUTS(SHOW) return Toy_STOP_TIME > 0 ? 0 : 1; }\n";
+    for (file, standard) in [("toy.c", "-std=c99"), ("toy.cpp", "-std=c++17")] {
+        fs::write(directory.path().join(file), source).unwrap();
+        let built = Command::new("cc")
+            .current_dir(directory.path())
+            .args([standard, "-Wall", "-Wextra", "-Werror", "-pedantic", file, "-o", "toy"])
+            .output()
+            .unwrap();
+        assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+        let ran = Command::new(directory.path().join("toy")).output().unwrap();
+        assert!(ran.status.success());
+        assert_eq!(String::from_utf8_lossy(&ran.stdout), "4 tip.position[1] m\n5 statistics.steps \n");
+    }
+}

@@ -1,0 +1,16 @@
+//! The FMI half: everything a host can see of a unit, on a toy model in [`toy`] and through the C ABI on a real one.
+
+mod c_example;
+mod c_header;
+mod description;
+mod ffi;
+mod golden;
+mod guard;
+mod header;
+mod host;
+mod instance;
+mod lifecycle;
+mod location;
+mod log;
+mod package;
+mod toy;

@@ -1,0 +1,199 @@
+//! A model of one line, `x' = gain * force`, with traps: it can be told to fail or to panic, and counts what it is asked.
+
+use ancf14::fmi::{
+    About, Failure, LogCategory, Model, Value,
+    variable::{Causality, Quantity, Variability, Variable},
+};
+
+/// Places in the variable table.
+pub const GAIN: u32 = 0;
+pub const LENGTH: u32 = 1;
+pub const FORCE: u32 = 2;
+pub const AREA: u32 = 3;
+pub const POSITION: u32 = 4;
+pub const COUNT: u32 = 5;
+pub const CELLS: u32 = 6;
+pub const TIME: u32 = 7;
+
+/// A force that the model itself refuses, though it is within the bounds.
+pub const REFUSED_FORCE: f64 = -777.0;
+/// A length without an initial state.
+pub const IMPOSSIBLE_LENGTH: f64 = 13.0;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plain {
+    gain: f64,
+    length: f64,
+    force: f64,
+    cells: i32,
+    time: f64,
+    position: f64,
+    count: i32,
+}
+
+/// What the next step does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Trap {
+    None,
+    FailBeyond(f64),
+    PanicBeyond(f64),
+}
+
+#[derive(Debug)]
+pub struct Toy {
+    about: About,
+    variables: Vec<Variable>,
+    plain: Plain,
+    pub trap: Trap,
+    pub initializations: usize,
+    warnings: Vec<String>,
+}
+
+const START: Plain = Plain { gain: 2.0, length: 1.5, force: 0.0, cells: 4, time: 0.0, position: 0.0, count: 0 };
+
+pub fn about() -> About {
+    About {
+        name: "Toy & \"friends\"".to_owned(),
+        identifier: "Toy".to_owned(),
+        description: "One line: x' = gain * force, a < b".to_owned(),
+        guid: "{00000000-0000-0000-0000-000000000001}".to_owned(),
+        stop: 2.0,
+        output_step: 0.1,
+    }
+}
+
+pub fn variables() -> Vec<Variable> {
+    use Causality::{CalculatedParameter, Independent, Input, Output, Parameter};
+    use Variability::{Continuous, Discrete, Fixed, Tunable};
+    let row = |name: &str, causality, variability, start, quantity| Variable {
+        name: name.to_owned(),
+        description: format!("The {name} of the toy"),
+        causality,
+        variability,
+        start,
+        min: None,
+        max: None,
+        quantity,
+        display_unit: None,
+    };
+    let real = Value::Real;
+    vec![
+        Variable {
+            min: Some(0.0),
+            max: Some(10.0),
+            ..row("gain", Parameter, Tunable, real(2.0), Quantity::new("", "m/(N.s)"))
+        },
+        row("body.length", Parameter, Fixed, real(1.5), Quantity::new("Length", "m")),
+        row("tip.force[1]", Input, Continuous, real(0.0), Quantity::new("Force", "N")),
+        row("area", CalculatedParameter, Fixed, real(0.0), Quantity::new("Area", "m2")),
+        Variable {
+            display_unit: Some("mm".to_owned()),
+            ..row("tip.position[1]", Output, Continuous, real(0.0), Quantity::new("Position", "m"))
+        },
+        row("statistics.steps", Output, Discrete, Value::Integer(0), Quantity::new("", "")),
+        Variable {
+            min: Some(1.0),
+            max: Some(100.0),
+            ..row("body.cells", Parameter, Fixed, Value::Integer(4), Quantity::new("", ""))
+        },
+        row("time", Independent, Continuous, real(0.0), Quantity::new("Time", "s")),
+    ]
+}
+
+pub fn toy() -> Toy {
+    Toy {
+        about: about(),
+        variables: variables(),
+        plain: START,
+        trap: Trap::None,
+        initializations: 0,
+        warnings: Vec::new(),
+    }
+}
+
+fn failure(message: &str) -> Failure {
+    Failure { message: message.to_owned(), category: LogCategory::NonlinearSystems }
+}
+
+impl Model for Toy {
+    type Snapshot = Plain;
+
+    fn about(&self) -> &About {
+        &self.about
+    }
+
+    fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    fn value(&self, reference: usize) -> Value {
+        let plain = &self.plain;
+        match u32::try_from(reference).unwrap() {
+            GAIN => Value::Real(plain.gain),
+            LENGTH => Value::Real(plain.length),
+            FORCE => Value::Real(plain.force),
+            AREA => Value::Real(plain.length.powi(2)),
+            POSITION => Value::Real(plain.position),
+            COUNT => Value::Integer(plain.count),
+            CELLS => Value::Integer(plain.cells),
+            TIME => Value::Real(plain.time),
+            other => panic!("the toy has no variable {other}"),
+        }
+    }
+
+    fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure> {
+        match (u32::try_from(reference).unwrap(), value) {
+            (FORCE, Value::Real(REFUSED_FORCE)) => return Err(failure("the toy does not like this force")),
+            (GAIN, Value::Real(number)) => self.plain.gain = number,
+            (LENGTH, Value::Real(number)) => self.plain.length = number,
+            (FORCE, Value::Real(number)) => self.plain.force = number,
+            (CELLS, Value::Integer(number)) => self.plain.cells = number,
+            other => panic!("the caller should have refused {other:?}"),
+        }
+        Ok(())
+    }
+
+    fn initialize(&mut self, start: f64) -> Result<(), Failure> {
+        self.initializations += 1;
+        if self.plain.length == IMPOSSIBLE_LENGTH {
+            return Err(failure("no initial state with this length"));
+        }
+        if self.plain.gain == 0.0 {
+            self.warnings.push("a gain of 0 moves nothing".to_owned());
+        }
+        self.plain = Plain { time: start, position: self.plain.length, count: 0, ..self.plain };
+        Ok(())
+    }
+
+    fn time(&self) -> f64 {
+        self.plain.time
+    }
+
+    fn advance(&mut self, end: f64) -> Result<(), Failure> {
+        match self.trap {
+            Trap::FailBeyond(limit) if end > limit => return Err(failure("no equilibrium at t = 1 s")),
+            Trap::PanicBeyond(limit) if end > limit => panic!("the toy broke at {end} s"),
+            _ => (),
+        }
+        self.plain.position += self.plain.gain * self.plain.force * (end - self.plain.time);
+        self.plain.time = end;
+        self.plain.count += 1;
+        Ok(())
+    }
+
+    fn take_warnings(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.warnings)
+    }
+
+    fn reset(&mut self) {
+        self.plain = START;
+    }
+
+    fn snapshot(&self) -> Plain {
+        self.plain
+    }
+
+    fn restore(&mut self, snapshot: &Plain) {
+        self.plain = *snapshot;
+    }
+}
