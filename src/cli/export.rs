@@ -1,26 +1,44 @@
 //! `pack` and `header`: what leaves for other programs.
 
 use super::{Stop, say, write};
-use ancf14::fmi::{Model, error::Error, header, package};
+use ancf14::fmi::package::{self, Platform};
+use ancf14::fmi::{Model, error::Error, header};
 use ancf14::model::simulation::Simulation;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// Packs the model as an FMU.
-pub fn pack(simulation: &Simulation, text: &str, output: &Path, library: Option<&Path>) -> Result<(), Stop> {
+/// `win64=ancf14.dll`.
+pub fn platform_and_path(text: &str) -> Result<(Platform, PathBuf), String> {
+    let found = text.split_once('=').and_then(|(name, path)| Some((Platform::from_name(name)?, PathBuf::from(path))));
+    found.ok_or_else(|| "PLATFORM=PATH was expected, with linux64, win64 or darwin64".to_owned())
+}
+
+/// Packs the model as an FMU, with the library of this platform and of others that are given.
+pub fn pack(
+    simulation: &Simulation,
+    text: &str,
+    output: &Path,
+    library: Option<&Path>,
+    others: Vec<(Platform, PathBuf)>,
+) -> Result<(), Stop> {
     let executable = std::env::current_exe()
         .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?;
     // No library at the place that was given is a wrong argument; a failed write is not.
-    let library =
-        package::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    package::write(output, simulation.about(), simulation.variables(), text, &library).map_err(failed)?;
-    say(&format!("{} packed, with {}", output.display(), library.display()));
+    let own = package::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    let mut libraries = vec![(Platform::NATIVE, own)];
+    libraries.extend(others);
+    package::write(output, simulation.about(), simulation.variables(), text, &libraries).map_err(failed)?;
+    let packed: Vec<_> =
+        libraries.iter().map(|(platform, path)| format!("{} ({})", platform.name(), path.display())).collect();
+    say(&format!("{} packed for {}", output.display(), packed.join(", ")));
     Ok(())
 }
 
 /// Writes the C header of the model.
-pub fn header(simulation: &Simulation, output: &Path) -> Result<(), Stop> {
+pub fn header(simulation: &Simulation, output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
     let about = simulation.about();
-    let text = header::text(about, simulation.variables(), &about.identifier).map_err(failed)?;
+    let prefix = prefix.unwrap_or(&about.identifier);
+    let text =
+        header::text(about, simulation.variables(), prefix).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     write(output, &text)?;
     say(&format!("{} written", output.display()));
     Ok(())

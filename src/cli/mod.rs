@@ -9,6 +9,7 @@ mod results;
 mod run;
 
 use ancf14::fmi::Failure;
+use ancf14::fmi::package::Platform;
 use ancf14::model::simulation::Simulation;
 use clap::{Args, Parser, Subcommand};
 use std::fs;
@@ -53,6 +54,9 @@ enum Command {
         /// Shared library to pack [default: beside this program, or in ../lib]
         #[arg(long, value_name = "PATH")]
         library: Option<PathBuf>,
+        /// Library of another platform to pack too: --binary win64=ancf14.dll
+        #[arg(long = "binary", value_name = "PLATFORM=PATH", value_parser = export::platform_and_path)]
+        binaries: Vec<(Platform, PathBuf)>,
     },
     /// Write a C header with the GUID and value references of a model
     Header {
@@ -62,6 +66,9 @@ enum Command {
         /// Header to write
         #[arg(short, long, value_name = "MODEL.h")]
         output: PathBuf,
+        /// What every name in it begins with [default: the model's identifier]
+        #[arg(long)]
+        prefix: Option<String>,
     },
     /// Simulate a flexible double pendulum, results in ./ancf14-demo-results
     Demo,
@@ -104,10 +111,10 @@ pub fn main() -> ExitCode {
         }
         Command::Check { model, draw } => load(&model.file, &model.overrides)
             .and_then(|(simulation, _)| check::check(&simulation, &model.file, draw.as_deref())),
-        Command::Pack { file, output, library } => load(&file, &[])
-            .and_then(|(simulation, text)| export::pack(&simulation, &text, &output, library.as_deref())),
-        Command::Header { file, output } => {
-            load(&file, &[]).and_then(|(simulation, _)| export::header(&simulation, &output))
+        Command::Pack { file, output, library, binaries } => load(&file, &[])
+            .and_then(|(simulation, text)| export::pack(&simulation, &text, &output, library.as_deref(), binaries)),
+        Command::Header { file, output, prefix } => {
+            load(&file, &[]).and_then(|(simulation, _)| export::header(&simulation, &output, prefix.as_deref()))
         }
         Command::Demo => demo::demo(),
     };

@@ -79,6 +79,8 @@ fn mistakes_of_the_user_give_exit_code_2() {
         (vec!["run", "latin.toml"], "no UTF-8 text: byte 11"),
         (vec!["run", &cantilever, "--set", "arm.yuong=1"], "unknown key `yuong`"),
         (vec!["run", &cantilever, "--set", "arm"], "KEY=VALUE was expected"),
+        (vec!["pack", &cantilever, "-o", "c.fmu", "--binary", "amiga=a.so"], "linux64, win64 or darwin64"),
+        (vec!["header", &cantilever, "-o", "c.h", "--prefix", "9"], "9"),
         (vec!["jump"], "unrecognized subcommand"),
         (vec!["pack", &cantilever, "-o", "c.fmu", "--library", "nothing.so"], "nothing.so"),
     ] {

@@ -81,20 +81,10 @@ fn oracle(name: &str, x: Dual2_64, y: Dual2_64) -> Dual2_64 {
         "sqrt" => x.sqrt(),
         "abs" => x * x.re.signum(),
         "sign" => Dual2_64::from(x.re.signum()),
-        "min" => {
-            if x.re <= y.re {
-                x
-            } else {
-                y
-            }
-        }
-        "max" => {
-            if x.re >= y.re {
-                x
-            } else {
-                y
-            }
-        }
+        // NaN wins on either side.
+        "min" if x.re <= y.re || x.re.is_nan() => x,
+        "max" if x.re >= y.re || x.re.is_nan() => x,
+        "min" | "max" => y,
         _ => panic!("no oracle for {name}"),
     }
 }
