@@ -5,6 +5,7 @@ use ancf14::fmi::Value;
 use ancf14::fmi::variable::{Causality, Variability, Variable};
 use ancf14::mechanics::beam::strain::Strain;
 use ancf14::model::document::Document;
+use ancf14::model::drawing::{ArrowKind, Drawing, MarkKind};
 use ancf14::model::entries::anchor::{Along, Spot};
 use ancf14::model::entries::load::Target;
 use ancf14::model::entries::section::Shape;
@@ -212,4 +213,29 @@ fn shapes_and_line_loads() {
     assert_eq!(document.loads[0].target, Target::On(0));
     assert!(document.loads[0].follower);
     assert_eq!(row(&document, "weight.force[1]").quantity.unit, "N/m");
+}
+
+/// The picture shows things where they are: nodes along the beam, a joint at its default place, a load that begins at zero
+/// as it is at the end.
+#[test]
+fn drawings_are_made_of_the_file() {
+    let drawing = Drawing::new(&parse(PRINCETON, &[("angle_deg", "90"), ("arm.elements", "4")]));
+    assert_eq!(drawing.lines[0].points.len(), 5);
+    assert_eq!(drawing.lines[0].points[2], [0.254, 0.0, 0.0]);
+    let root = &drawing.marks[0];
+    assert_eq!((root.name.as_str(), root.kind, root.at), ("root", MarkKind::Support, [0.0; 3]));
+    let weight = &drawing.arrows[0];
+    assert_eq!((weight.kind, weight.at, weight.direction[1]), (ArrowKind::Force, [0.508, 0.0, 0.0], 8.896));
+    let pendulum = Drawing::new(&parse(MODELS[1].1, &[]));
+    let axis = &pendulum.arrows[0];
+    assert_eq!((axis.name.as_str(), axis.kind, axis.direction), ("elbow", ArrowKind::Axis, [0.0, 1.0, 0.0]));
+}
+
+/// Gravity goes by its bare name and can be changed while the model runs.
+#[test]
+fn gravity_is_a_parameter_without_a_section() {
+    let document = parse(MODELS[1].1, &[]);
+    let gravity = row(&document, "gravity[3]");
+    assert_eq!((gravity.start, gravity.variability), (Value::Real(-9.81), Variability::Tunable));
+    assert_eq!((gravity.quantity.unit.as_str(), gravity.quantity.name), ("m/s2", "Acceleration"));
 }
