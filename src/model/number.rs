@@ -69,8 +69,8 @@ impl Meta {
     /// What a rule says of the number `name`.
     pub(super) fn of(rule: &Rule, name: String) -> Self {
         Self {
+            description: description(rule.meaning, &name),
             name,
-            description: rule.meaning.to_owned(),
             unit: rule.unit.to_owned(),
             display: None,
             range: rule.range,
@@ -91,6 +91,14 @@ impl Meta {
             None
         }
     }
+}
+
+/// `Force, component 2`: the meaning as a sentence begins, and which component the name says.
+fn description(meaning: &str, name: &str) -> String {
+    let component = name.strip_suffix(']').and_then(|name| name.rsplit_once('['));
+    let component = component.map_or(String::new(), |(_, index)| format!(", component {index}"));
+    let (first, rest) = meaning.split_at(meaning.chars().next().map_or(0, char::len_utf8));
+    format!("{}{rest}{component}", first.to_uppercase())
 }
 
 /// A number as written.

@@ -237,5 +237,6 @@ fn gravity_is_a_parameter_without_a_section() {
     let document = parse(MODELS[1].1, &[]);
     let gravity = row(&document, "gravity[3]");
     assert_eq!((gravity.start, gravity.variability), (Value::Real(-9.81), Variability::Tunable));
+    assert_eq!(gravity.description, "Acceleration of gravity in global axes, component 3");
     assert_eq!((gravity.quantity.unit.as_str(), gravity.quantity.name), ("m/s2", "Acceleration"));
 }
