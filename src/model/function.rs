@@ -83,10 +83,13 @@ impl Function {
         self.pieces[place].jet(t, |_| f64::NAN)
     }
 
-    /// The first limit that is not above the one before it, with that one: pieces must ascend.
-    pub fn descent(&self) -> Option<(f64, f64)> {
-        // Written as a negation so that a NaN limit is found too.
-        self.limits.windows(2).find(|pair| !(pair[0] < pair[1])).map(|pair| (pair[0], pair[1]))
+    /// What is wrong with the limits: they must be finite and ascend.
+    pub fn objection(&self) -> Option<String> {
+        if let Some(limit) = self.limits.iter().find(|limit| !limit.is_finite()) {
+            return Some(format!("must have finite limits, this one is {limit}"));
+        }
+        let descent = self.limits.windows(2).find(|pair| pair[0] >= pair[1])?;
+        Some(format!("must have ascending limits, but {} comes after {}", descent[1], descent[0]))
     }
 
     /// The limits between the pieces, ascending.

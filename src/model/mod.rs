@@ -16,7 +16,7 @@ pub mod parameter;
 pub mod quantity;
 mod reader;
 mod schema;
+pub mod simulation;
 mod tree;
 pub mod unit;
-pub mod simulation;
 pub mod variables;

@@ -229,8 +229,7 @@ impl Numbers {
             }
             let objection = match &slot.written {
                 Written::Formula(formula) if !formula.is_constant() => {
-                    let descent = formula.bound(|used| self.values[used]).descent();
-                    descent.map(|(a, b)| format!("must have ascending limits, but {b} comes after {a}"))
+                    formula.bound(|used| self.values[used]).objection()
                 }
                 _ => slot.meta.objection(self.values[place]),
             };

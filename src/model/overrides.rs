@@ -9,7 +9,7 @@ use super::tree::{Entry, Item, Node, parse_override};
 const COMPONENTS: usize = 3;
 
 /// Puts the overrides into the tree, in their order.
-pub fn apply(tree: &mut Vec<Entry>, overrides: &[(String, String)], report: &mut Report<'_>) {
+pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Report<'_>) {
     for (k, (key, value)) in overrides.iter().enumerate() {
         let source = k + 1;
         let start = OVERRIDE.len();

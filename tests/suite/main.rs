@@ -10,6 +10,8 @@ mod invariance;
 mod machines;
 mod marker_derivatives;
 mod oracle;
+mod model_file;
+mod model_mistakes;
 mod princeton;
 mod random;
 mod statics;
