@@ -6,6 +6,7 @@
 pub mod build;
 pub mod diagnostic;
 pub mod document;
+pub mod drawing;
 pub mod entries;
 pub mod expression;
 pub mod function;

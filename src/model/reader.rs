@@ -67,7 +67,9 @@ impl<'c, 'a> Reader<'c, 'a> {
 
     /// Takes a key out of the section.
     pub fn take(&mut self, key: &'static str) -> Option<Entry> {
-        self.known.push(key);
+        if !self.known.contains(&key) {
+            self.known.push(key);
+        }
         self.entries.iter().position(|entry| entry.key == key).map(|at| self.entries.remove(at))
     }
 

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "an unmet expectation is a failed test")]
 
 mod allocations;
+mod command_line;
 mod dynamics;
 mod element_derivatives;
 mod fmi;
@@ -9,9 +10,9 @@ mod frequencies;
 mod invariance;
 mod machines;
 mod marker_derivatives;
-mod oracle;
 mod model_file;
 mod model_mistakes;
+mod oracle;
 mod princeton;
 mod random;
 mod statics;

@@ -3,9 +3,9 @@
 
 use ancf14::fmi::Value;
 use ancf14::fmi::variable::{Causality, Variability, Variable};
+use ancf14::mechanics::beam::strain::Strain;
 use ancf14::model::document::Document;
 use ancf14::model::entries::anchor::{Along, Spot};
-use ancf14::mechanics::beam::strain::Strain;
 use ancf14::model::entries::load::Target;
 use ancf14::model::entries::section::Shape;
 

@@ -1,12 +1,13 @@
 //! `[parameters]`: named numbers, for expressions and for the user of the FMU.
 
+use crate::fmi::unit::{display_factor, natural};
 use crate::model::expression::Variable;
 use crate::model::function::Formula;
 use crate::model::names::suggestion;
 use crate::model::number::{Limit, Meta, Number, Range, Slot, Written};
 use crate::model::reader::Context;
 use crate::model::tree::{Entry, Item, Node};
-use crate::model::unit::DISPLAY_ONLY;
+use crate::model::unit::coherent_instead;
 
 /// The keys of a parameter that is given as a table.
 const KEYS: [&str; 6] = ["value", "unit", "display", "min", "max", "description"];
@@ -92,10 +93,18 @@ fn table<'e>(context: &mut Context<'_>, number: Number, entry: &Entry, inner: &'
         let message = format!("min of `{}` is greater than its max", entry.key);
         context.report.error(place, &message, &format!("{} > {}", lower.value, upper.value), "");
     }
-    if let Some((unit, coherent)) = DISPLAY_ONLY.iter().find(|(unit, _)| *unit == meta.unit) {
-        let place = inner.iter().find(|part| part.key == "unit").map_or(entry.key_place, |part| part.item.place);
-        let help = format!("write unit = \"{coherent}\", display = \"{unit}\" and the number in {coherent}");
-        context.report.error(place, &format!("the unit {unit} would need a conversion"), "a label only", &help);
+    let at = |key: &str| inner.iter().find(|part| part.key == key).map_or(entry.key_place, |part| part.item.place);
+    if let Some(coherent) = coherent_instead(&meta.unit) {
+        let help = format!("write unit = \"{coherent}\", display = \"{}\" and the number in {coherent}", meta.unit);
+        let message = format!("the unit {} would need a conversion", meta.unit);
+        context.report.error(at("unit"), &message, "a label only", &help);
+    } else if let Some(display) = &meta.display
+        && display_factor(&meta.unit, display).is_none()
+    {
+        let help = format!("units like {}", natural(&meta.unit).join(", "));
+        let help = if natural(&meta.unit).is_empty() { "" } else { &help };
+        let label = format!("a unit for `{}` was expected", meta.unit);
+        context.report.error(at("display"), &format!("`{}` cannot be shown in {display}", entry.key), &label, help);
     }
     context.numbers.slots[number.0].meta = meta;
     value

@@ -5,6 +5,7 @@ use super::program::FUNCTIONS;
 use super::{Jet, Variable, compile};
 use num_dual::{Dual2_64, DualNum};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 /// Rounding of some ten operations on numbers around 1, and of two implementations of the same functions.
 const ROUNDING: f64 = 1e-11;
@@ -82,14 +83,14 @@ fn oracle(name: &str, x: Dual2_64, y: Dual2_64) -> Dual2_64 {
         "abs" => x * x.re.signum(),
         "sign" => Dual2_64::from(x.re.signum()),
         "min" => {
-            if x.re <= y.re {
+            if x.re <= y.re || x.re.is_nan() {
                 x
             } else {
                 y
             }
         }
         "max" => {
-            if x.re >= y.re {
+            if x.re >= y.re || x.re.is_nan() {
                 x
             } else {
                 y
@@ -199,7 +200,10 @@ fn tree() -> impl Strategy<Value = Tree> {
     })
 }
 
+// A fixed seed: the same cases in every run.
 proptest! {
+    #![proptest_config(ProptestConfig { cases: 256, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default() })]
+
     /// Whatever is nested in whatever: value and both derivatives are those of num-dual.
     #[test]
     fn random_expressions_agree_with_num_dual(tree in tree(), t in 0.1_f64..2.0) {

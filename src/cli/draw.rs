@@ -1,0 +1,329 @@
+//! A picture of a mechanism: oblique projection, x to the right, z up, y into the depth.
+
+use ancf14::model::drawing::{Arrow, ArrowKind, Drawing, Mark, MarkKind};
+use std::fmt::Write;
+
+/// Size of the picture, and the border that labels need, pixels.
+const WIDTH: f64 = 960.0;
+const HEIGHT: f64 = 640.0;
+const BORDER: f64 = 110.0;
+
+/// The depth axis on paper: direction and shortening.
+const DEPTH: [f64; 2] = [0.42, 0.30];
+
+/// Length of an arrow, pixels.
+const ARROW: f64 = 58.0;
+
+/// From metres to pixels.
+struct View {
+    scale: f64,
+    centre: [f64; 2],
+}
+
+/// A point on paper before scaling, z up.
+fn flat(point: [f64; 3]) -> [f64; 2] {
+    [point[0] + DEPTH[0] * point[1], point[2] + DEPTH[1] * point[1]]
+}
+
+impl View {
+    fn of(drawing: &Drawing) -> Self {
+        let lines = drawing.lines.iter().flat_map(|line| &line.points);
+        let points: Vec<_> = lines.chain(drawing.marks.iter().map(|mark| &mark.at)).map(|point| flat(*point)).collect();
+        let extreme = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
+            points.iter().map(|point| point[axis]).fold(start, pick)
+        };
+        let low = [0, 1].map(|axis| extreme(axis, f64::min, f64::INFINITY));
+        let high = [0, 1].map(|axis| extreme(axis, f64::max, f64::NEG_INFINITY));
+        let room = [WIDTH - 2.0 * BORDER, HEIGHT - 2.0 * BORDER];
+        let scale = [0, 1].map(|axis| room[axis] / (high[axis] - low[axis])).into_iter().fold(f64::INFINITY, f64::min);
+        let centre = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+        if scale.is_finite() && centre.iter().all(|c| c.is_finite()) {
+            Self { scale, centre }
+        } else {
+            Self { scale: 100.0, centre: [0.0; 2] }
+        }
+    }
+
+    fn place(&self, point: [f64; 3]) -> [f64; 2] {
+        let [x, y] = flat(point);
+        [WIDTH / 2.0 + self.scale * (x - self.centre[0]), HEIGHT / 2.0 - self.scale * (y - self.centre[1])]
+    }
+}
+
+/// The picture; every name that can be read in it is one of the model file.
+pub fn svg(drawing: &Drawing, title: &str) -> String {
+    let view = View::of(drawing);
+    let mut page = Page { text: String::new(), occupied: Vec::new(), names: Vec::new() };
+    page.begin(title);
+    for line in &drawing.lines {
+        let points: Vec<_> = line.points.iter().map(|point| view.place(*point)).collect();
+        page.beam(&line.name, &points);
+    }
+    for arrow in &drawing.arrows {
+        page.arrow(arrow, view.place(arrow.at));
+    }
+    for mark in &drawing.marks {
+        page.mark(mark, view.place(mark.at));
+    }
+    page.write_names();
+    page.axes();
+    page.scale(view.scale);
+    page.text.push_str("</svg>\n");
+    page.text
+}
+
+/// Where a name may stand beside its point, best first: directions on paper, and gaps in pixels.
+const DIRECTIONS: [[f64; 2]; 8] =
+    [[0.0, 1.0], [0.7, 0.8], [0.7, -0.8], [0.0, -1.0], [-0.7, 0.8], [-0.7, -0.8], [1.0, 0.0], [-1.0, 0.0]];
+const DISTANCES: [f64; 4] = [10.0, 18.0, 28.0, 40.0];
+
+/// The picture while it is drawn.
+struct Page {
+    text: String,
+    /// Points that a name must not cover: the lines, close enough to each other, and the names.
+    occupied: Vec<[f64; 2]>,
+    /// Names to write when all else is drawn: text, the point that it belongs to, colour.
+    names: Vec<(String, [f64; 2], &'static str)>,
+}
+
+/// Distance of the points that stand for a line, pixels.
+const GRAIN: f64 = 5.0;
+/// Height and mean width of a letter, pixels.
+const LETTER: [f64; 2] = [8.4, 15.0];
+
+impl Page {
+    fn push(&mut self, element: std::fmt::Arguments<'_>) {
+        // Writing into a String cannot fail.
+        let _ = writeln!(self.text, "{element}");
+    }
+
+    fn begin(&mut self, title: &str) {
+        self.push(format_args!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" \
+             font-family=\"sans-serif\" font-size=\"15\">"
+        ));
+        self.push(format_args!("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>"));
+        let title = escaped(title);
+        self.push(format_args!("<text x=\"24\" y=\"36\" font-size=\"20\" fill=\"#323232\">{title}</text>"));
+    }
+
+    fn occupy(&mut self, from: [f64; 2], to: [f64; 2]) {
+        let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / GRAIN).ceil().max(1.0);
+        for k in 0..=steps as usize {
+            self.occupied.push([0, 1].map(|i| from[i] + (to[i] - from[i]) * k as f64 / steps));
+        }
+    }
+
+    fn name(&mut self, name: &str, at: [f64; 2], colour: &'static str) {
+        if !name.is_empty() {
+            self.names.push((name.to_owned(), at, colour));
+        }
+    }
+
+    fn beam(&mut self, name: &str, points: &[[f64; 2]]) {
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
+        let path: Vec<_> = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        let path = path.join(" ");
+        self.push(format_args!("<polyline points=\"{path}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"3.5\"/>"));
+        for [x, y] in points {
+            self.push(format_args!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"white\" stroke=\"#0072b2\"/>"));
+        }
+        for pair in points.windows(2) {
+            self.occupy(pair[0], pair[1]);
+        }
+        self.name(name, [0, 1].map(|i| 0.5 * (first[i] + last[i])), "#0072b2");
+    }
+
+    fn mark(&mut self, mark: &Mark, [x, y]: [f64; 2]) {
+        match mark.kind {
+            MarkKind::Support => {
+                let (left, right, low) = (x - 12.0, x + 12.0, y + 18.0);
+                self.push(format_args!(
+                    "<path d=\"M{x:.1},{y:.1} L{left:.1},{low:.1} L{right:.1},{low:.1} Z\" fill=\"#dddddd\" stroke=\"#323232\"/>"
+                ));
+                for k in 0..4 {
+                    let from = left + 8.0 * f64::from(k);
+                    let (to, deep) = (from - 6.0, low + 7.0);
+                    self.push(format_args!(
+                        "<line x1=\"{from:.1}\" y1=\"{low:.1}\" x2=\"{to:.1}\" y2=\"{deep:.1}\" stroke=\"#323232\"/>"
+                    ));
+                }
+                self.occupy([left, low], [right, low]);
+                self.occupy([left, low + 7.0], [right, low + 7.0]);
+                self.name(&mark.name, [x, y + 16.0], "#323232");
+            }
+            MarkKind::Joint => {
+                self.push(format_args!(
+                    "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"7\" fill=\"white\" stroke=\"#323232\" stroke-width=\"2\"/>"
+                ));
+                self.occupy([x - 7.0, y], [x + 7.0, y]);
+                self.name(&mark.name, [x, y], "#323232");
+            }
+            MarkKind::Output => {
+                let (left, right, low, high) = (x - 6.0, x + 6.0, y + 6.0, y - 6.0);
+                self.push(format_args!(
+                    "<path d=\"M{left:.1},{y:.1} L{x:.1},{high:.1} L{right:.1},{y:.1} L{x:.1},{low:.1} Z\" fill=\"#009e73\"/>"
+                ));
+                self.occupy([left, y], [right, y]);
+                self.name(&mark.name, [x, y], "#009e73");
+            }
+        }
+    }
+
+    /// Forces end at their point, moments and axes begin there; a moment has two heads.
+    fn arrow(&mut self, arrow: &Arrow, at: [f64; 2]) {
+        let [right, up] = flat(arrow.direction);
+        let direction = unit([right, -up]);
+        let (colour, dashes) = match arrow.kind {
+            ArrowKind::Force | ArrowKind::Moment => ("#d55e00", ""),
+            ArrowKind::Axis => ("#777777", " stroke-dasharray=\"5 4\""),
+        };
+        let along = |length: f64| [0, 1].map(|i| at[i] + length * direction[i]);
+        let (tail, head) = match arrow.kind {
+            ArrowKind::Force => (along(-ARROW), along(-7.0)),
+            ArrowKind::Moment | ArrowKind::Axis => (along(7.0), along(ARROW)),
+        };
+        self.push(format_args!(
+            "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"{colour}\" stroke-width=\"2.5\"{dashes}/>",
+            tail[0], tail[1], head[0], head[1]
+        ));
+        self.arrow_head(head, direction, colour);
+        if arrow.kind == ArrowKind::Moment {
+            let second = [0, 1].map(|i| head[i] - 9.0 * direction[i]);
+            self.arrow_head(second, direction, colour);
+        }
+        self.occupy(tail, head);
+        let free = if arrow.kind == ArrowKind::Force { tail } else { head };
+        if arrow.kind != ArrowKind::Axis {
+            self.name(&arrow.name, free, colour);
+        }
+    }
+
+    fn arrow_head(&mut self, tip: [f64; 2], direction: [f64; 2], colour: &str) {
+        let corner = |side: f64| {
+            let x = tip[0] - 11.0 * direction[0] + side * 5.0 * direction[1];
+            let y = tip[1] - 11.0 * direction[1] - side * 5.0 * direction[0];
+            format!("{x:.1},{y:.1}")
+        };
+        let (left, right) = (corner(1.0), corner(-1.0));
+        self.push(format_args!("<path d=\"M{:.1},{:.1} L{left} L{right} Z\" fill=\"{colour}\"/>", tip[0], tip[1]));
+    }
+
+    /// Writes every name near its point, where it covers least.
+    fn write_names(&mut self) {
+        for (name, point, colour) in std::mem::take(&mut self.names) {
+            let half = [0.5 * LETTER[0] * name.chars().count() as f64, 0.5 * LETTER[1]];
+            let places = DISTANCES.iter().flat_map(|distance| {
+                DIRECTIONS.iter().map(move |[right, up]| {
+                    [point[0] + right * (half[0] + distance), point[1] - up * (half[1] + distance)]
+                })
+            });
+            let covered = |at: &[f64; 2]| {
+                self.occupied.iter().filter(|p| [0, 1].iter().all(|&i| (p[i] - at[i]).abs() < half[i] + 4.0)).count()
+            };
+            let at = places.min_by_key(covered).unwrap_or(point);
+            for y in [at[1] - 0.7 * half[1], at[1] + 0.7 * half[1]] {
+                self.occupy([at[0] - half[0], y], [at[0] + half[0], y]);
+            }
+            let (x, y, name) = (at[0], at[1] + 5.0, escaped(&name));
+            self.push(format_args!(
+                "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{colour}\" text-anchor=\"middle\">{name}</text>"
+            ));
+        }
+    }
+
+    /// The global axes, in the lower left corner.
+    fn axes(&mut self) {
+        let origin = [52.0, HEIGHT - 46.0];
+        for (name, direction) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0]), ("z", [0.0, 0.0, 1.0])] {
+            let [right, up] = flat(direction);
+            let length = 40.0;
+            let tip = [origin[0] + length * right, origin[1] - length * up];
+            self.push(format_args!(
+                "<line x1=\"{}\" y1=\"{}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"#323232\" stroke-width=\"1.5\"/>",
+                origin[0], origin[1], tip[0], tip[1]
+            ));
+            self.arrow_head(tip, unit([right, -up]), "#323232");
+            let (x, y) = (tip[0] + 9.0 * unit([right, -up])[0], tip[1] + 9.0 * unit([right, -up])[1] + 5.0);
+            self.push(format_args!(
+                "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"#323232\" text-anchor=\"middle\">{name}</text>"
+            ));
+        }
+    }
+
+    /// A bar of a round length, in the lower right corner.
+    fn scale(&mut self, scale: f64) {
+        let length = round_length(150.0 / scale);
+        let (right, y) = (WIDTH - 40.0, HEIGHT - 46.0);
+        let left = right - length * scale;
+        self.push(format_args!(
+            "<path d=\"M{left:.1},{:.1} V{y} H{right} V{:.1}\" fill=\"none\" stroke=\"#323232\" stroke-width=\"1.5\"/>",
+            y - 6.0,
+            y - 6.0
+        ));
+        let middle = 0.5 * (left + right);
+        self.push(format_args!(
+            "<text x=\"{middle:.1}\" y=\"{:.1}\" fill=\"#323232\" text-anchor=\"middle\">{length} m</text>",
+            y + 20.0
+        ));
+    }
+}
+
+/// A direction of length 1; of nothing nothing.
+fn unit([x, y]: [f64; 2]) -> [f64; 2] {
+    let length = x.hypot(y);
+    if length > 0.0 { [x / length, y / length] } else { [0.0, 0.0] }
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `length`.
+fn round_length(length: f64) -> f64 {
+    let exponent = length.log10().floor() as i32;
+    let mantissa = length / 10_f64.powi(exponent);
+    let digit = if mantissa >= 5.0 {
+        "5"
+    } else if mantissa >= 2.0 {
+        "2"
+    } else {
+        "1"
+    };
+    // By its text: 2e-1 is 0.2, but 2 * 10^-1 is not always.
+    format!("{digit}e{exponent}").parse().unwrap_or(length)
+}
+
+/// Text of the file inside XML.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ancf14::model::drawing::Line;
+
+    /// Every point is on the page, x points right and z up.
+    #[test]
+    fn the_picture_fits_its_page() {
+        let line = Line { name: "arm".to_owned(), points: vec![[0.0; 3], [3.0, 1.0, 0.5], [1.0, -2.0, 7.0]] };
+        let drawing = Drawing { lines: vec![line], ..Drawing::default() };
+        let view = View::of(&drawing);
+        for point in &drawing.lines[0].points {
+            let [x, y] = view.place(*point);
+            assert!((BORDER - 1e-9..=WIDTH - BORDER + 1e-9).contains(&x), "{x}");
+            assert!((BORDER - 1e-9..=HEIGHT - BORDER + 1e-9).contains(&y), "{y}");
+        }
+        let origin = view.place([0.0; 3]);
+        assert!(view.place([1.0, 0.0, 0.0])[0] > origin[0] && view.place([0.0, 0.0, 1.0])[1] < origin[1]);
+    }
+
+    #[test]
+    fn scale_bars_are_round() {
+        for (length, round) in [(0.23, 0.2), (0.99, 0.5), (1.0, 1.0), (7e-4, 5e-4), (49.0, 20.0)] {
+            assert_eq!(round_length(length), round);
+        }
+    }
+
+    #[test]
+    fn text_of_the_file_is_escaped() {
+        assert!(svg(&Drawing::default(), "a < b & c").contains("a &lt; b &amp; c"));
+    }
+}

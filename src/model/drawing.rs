@@ -1,0 +1,151 @@
+//! A mechanism as drawn: lines, points and arrows with names, for pictures.
+
+use super::document::Document;
+use super::entries::anchor::{Along, Anchor, Spot};
+use super::entries::load::Target;
+use super::number::Number;
+
+/// Everything that a picture of a mechanism shows. Global axes, m.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Drawing {
+    /// Beams.
+    pub lines: Vec<Line>,
+    /// Joints and outputs.
+    pub marks: Vec<Mark>,
+    /// Loads, and the axes of joints.
+    pub arrows: Vec<Arrow>,
+}
+
+/// A beam: its points are its nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Name of the beam.
+    pub name: String,
+    /// The nodes.
+    pub points: Vec<[f64; 3]>,
+}
+
+/// A point with a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// Name of the thing.
+    pub name: String,
+    /// What it is.
+    pub kind: MarkKind,
+    /// Where it is.
+    pub at: [f64; 3],
+}
+
+/// What a mark stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkKind {
+    /// A joint of which one side is the ground.
+    Support,
+    /// A joint between two beams.
+    Joint,
+    /// A place where something is measured.
+    Output,
+}
+
+/// A direction with a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrow {
+    /// Name of the load or joint.
+    pub name: String,
+    /// What it is.
+    pub kind: ArrowKind,
+    /// Where it acts.
+    pub at: [f64; 3],
+    /// Where it points; only the direction counts.
+    pub direction: [f64; 3],
+}
+
+/// What an arrow stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArrowKind {
+    /// A force at a point.
+    Force,
+    /// A moment at a point, by its axis.
+    Moment,
+    /// The axis of a joint.
+    Axis,
+}
+
+impl Drawing {
+    /// The mechanism of a file. A load that begins at zero is drawn as it is at the end of the simulation.
+    pub fn new(document: &Document) -> Self {
+        let mut drawing = Self::default();
+        for beam in &document.beams {
+            // The range of the key keeps the count within usize.
+            let elements = document.value(beam.elements) as usize;
+            let (from, to) = (document.vector(beam.from), document.vector(beam.to));
+            let points = (0..=elements).map(|k| between(from, to, k as f64 / elements as f64)).collect();
+            drawing.lines.push(Line { name: beam.name.clone(), points });
+        }
+        for joint in &document.joints {
+            let at = joint.at.map(|at| document.vector(at));
+            let Some(at) = at.or_else(|| point(document, joint.b)).or_else(|| point(document, joint.a)) else {
+                continue;
+            };
+            let grounded = joint.a.spot == Spot::Ground || joint.b.spot == Spot::Ground;
+            let kind = if grounded { MarkKind::Support } else { MarkKind::Joint };
+            drawing.marks.push(Mark { name: joint.name.clone(), kind, at });
+            if let Some(axis) = joint.axis {
+                let direction = document.vector(axis);
+                drawing.arrows.push(Arrow { name: joint.name.clone(), kind: ArrowKind::Axis, at, direction });
+            }
+        }
+        for load in &document.loads {
+            let places = match load.target {
+                Target::At(anchor) => point(document, anchor).into_iter().collect(),
+                Target::On(beam) => {
+                    let beam = &document.beams[beam];
+                    let (from, to) = (document.vector(beam.from), document.vector(beam.to));
+                    LINE_LOAD.map(|fraction| between(from, to, fraction)).to_vec()
+                }
+            };
+            for (kind, numbers) in [(ArrowKind::Force, load.force), (ArrowKind::Moment, load.moment)] {
+                let direction = direction(document, numbers);
+                if direction == [0.0; 3] {
+                    continue;
+                }
+                for (k, at) in places.iter().enumerate() {
+                    let name = if k == 0 { load.name.clone() } else { String::new() };
+                    drawing.arrows.push(Arrow { name, kind, at: *at, direction });
+                }
+            }
+        }
+        for output in &document.outputs {
+            let at = point(document, output.at);
+            drawing.marks.extend(at.map(|at| Mark { name: output.name.clone(), kind: MarkKind::Output, at }));
+        }
+        drawing
+    }
+}
+
+/// Fractions of a beam at which a load along it is drawn.
+const LINE_LOAD: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+
+fn between(from: [f64; 3], to: [f64; 3], fraction: f64) -> [f64; 3] {
+    [0, 1, 2].map(|i| from[i] + fraction * (to[i] - from[i]))
+}
+
+/// A load at the start, or at the end if it begins at zero.
+fn direction(document: &Document, numbers: [Number; 3]) -> [f64; 3] {
+    let at = |t: f64| numbers.map(|number| document.function(number).value(t));
+    let start = at(0.0);
+    if start == [0.0; 3] { at(document.value(document.simulation.stop)) } else { start }
+}
+
+/// Where an anchor is; the ground is nowhere.
+fn point(document: &Document, anchor: Anchor) -> Option<[f64; 3]> {
+    let Spot::Beam { beam, along } = anchor.spot else { return None };
+    let beam = &document.beams[beam];
+    let fraction = match along {
+        Along::Start => 0.0,
+        Along::End => 1.0,
+        Along::Fraction(number) => document.value(number),
+        Along::Node(node) => node as f64 / document.value(beam.elements),
+    };
+    Some(between(document.vector(beam.from), document.vector(beam.to), fraction))
+}

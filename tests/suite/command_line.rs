@@ -1,0 +1,132 @@
+//! Does the program do what its user reads? Exit codes, the table of results to the letter of its contract, and files that can
+//! be looked at. A wrong code would give another code, other times, or text that does not read back.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// A short run: the cantilever for a few steps.
+const SHORT: [&str; 6] =
+    ["--set", "simulation.stop=0.01", "--set", "simulation.output_step=0.003", "--set", "arm.elements=2"];
+
+fn ancf14(directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ancf14"))
+        .current_dir(directory)
+        .args(arguments)
+        .output()
+        .expect("the program runs")
+}
+
+fn model(name: &str) -> String {
+    format!("{}/models/{name}.toml", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// Rows at start + k * output step and at the stop; every number reads back to a double, in the shortest way.
+#[test]
+fn results_are_written_as_agreed() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let mut arguments = vec!["run"];
+    let cantilever = model("cantilever");
+    arguments.push(&cantilever);
+    arguments.extend(SHORT);
+    let output = ancf14(directory.path(), &arguments);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).is_empty(), "a pipe gets no progress bar");
+    let csv = std::fs::read_to_string(directory.path().join("cantilever-results/results.csv")).expect("results");
+    let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines[0][..3], ["time", "tip.displacement[1]", "tip.displacement[2]"]);
+    assert_eq!(lines[0][lines[0].len() - 3..], ["statistics.steps", "statistics.iterations", "statistics.rejected"]);
+    let times: Vec<_> = lines[1..].iter().map(|line| line[0].parse::<f64>().expect("a time")).collect();
+    assert_eq!(times, [0.0, 0.003, 2.0 * 0.003, 3.0 * 0.003, 0.01]);
+    for line in &lines[1..] {
+        assert_eq!(line.len(), lines[0].len());
+        for cell in line {
+            let value: f64 = cell.parse().expect("a number");
+            assert!(cell.len() <= format!("{value}").len().min(format!("{value:e}").len()), "{cell}");
+        }
+    }
+    let fallen: f64 = lines[lines.len() - 1][3].parse().expect("a number");
+    assert!(fallen < 0.0, "gravity pulls down, the tip is at {fallen}");
+    let plot = std::fs::read_to_string(directory.path().join("cantilever-results/tip.displacement.svg")).expect("plot");
+    assert!(plot.contains("displacement (m)") && plot.contains("time (s)") && plot.contains("displacement[3]"));
+}
+
+/// The same command writes the same bytes.
+#[test]
+fn results_are_reproducible() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let cantilever = model("cantilever");
+    let run = |out: &str| {
+        let arguments: Vec<_> = ["run", &cantilever, "--out", out].into_iter().chain(SHORT).collect();
+        assert!(ancf14(directory.path(), &arguments).status.success());
+        let file = |name: &str| std::fs::read(directory.path().join(out).join(name)).expect("a result");
+        (file("results.csv"), file("energy.svg"))
+    };
+    assert!(run("first") == run("second"));
+}
+
+/// 2 for what the user wrote wrong, with a message that says what.
+#[test]
+fn mistakes_of_the_user_give_exit_code_2() {
+    let directory = tempfile::tempdir().expect("a directory");
+    std::fs::write(directory.path().join("latin.toml"), b"name = \"Tr\xe4ger\"").expect("write");
+    let cantilever = model("cantilever");
+    for (arguments, expected) in [
+        (vec!["run", "nothing.toml"], "cannot read nothing.toml"),
+        (vec!["run", "latin.toml"], "no UTF-8 text: byte 11"),
+        (vec!["run", &cantilever, "--set", "arm.yuong=1"], "unknown key `yuong`"),
+        (vec!["run", &cantilever, "--set", "arm"], "KEY=VALUE was expected"),
+        (vec!["jump"], "unrecognized subcommand"),
+        (vec!["pack", &cantilever, "-o", "c.fmu", "--library", "nothing.so"], "nothing.so"),
+    ] {
+        let output = ancf14(directory.path(), &arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&output.stderr).contains(expected), "{}", text(&output.stderr));
+    }
+}
+
+/// A load that no number describes after a while: exit code 1, and the rows until then are there.
+#[test]
+fn a_failed_run_keeps_its_rows() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let load = "\n[load.push]\nat = \"arm.end\"\nforce = [0, 0, \"sqrt(0.005 - t)\"]\n";
+    let file = std::fs::read_to_string(model("cantilever")).expect("model") + load;
+    std::fs::write(directory.path().join("m.toml"), file).expect("write");
+    let output = ancf14(directory.path(), &["run", "m.toml", "--set", "simulation.output_step=1e-3"]);
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).starts_with("error: "), "{}", text(&output.stderr));
+    let csv = std::fs::read_to_string(directory.path().join("m-results/results.csv")).expect("results");
+    assert!(csv.lines().count() >= 4, "{csv}");
+}
+
+/// `check` lists every variable; the picture names everything that is drawn.
+#[test]
+fn check_lists_and_draws() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let output = ancf14(directory.path(), &["check", &model("pendulum"), "--draw", "p.svg"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let listing = text(&output.stdout);
+    for name in ["steel.young", "tip.position[3]", "simulation.step", "energy.total"] {
+        assert!(listing.contains(name), "{name} is not in\n{listing}");
+    }
+    let picture = std::fs::read_to_string(directory.path().join("p.svg")).expect("picture");
+    for name in ["upper", "lower", "hinge", "elbow", "tip"] {
+        assert!(picture.contains(&format!(">{name}<")), "{name}");
+    }
+}
+
+/// Header and FMU can be written; what is in them is tested where they are made.
+#[test]
+fn header_and_unit_are_written() {
+    let directory = tempfile::tempdir().expect("a directory");
+    std::fs::write(directory.path().join("library.so"), b"not looked at").expect("write");
+    let cantilever = model("cantilever");
+    assert!(ancf14(directory.path(), &["header", &cantilever, "-o", "c.h"]).status.success());
+    let pack = ["pack", &cantilever, "-o", "c.fmu", "--library", "library.so"];
+    assert!(ancf14(directory.path(), &pack).status.success());
+    assert!(std::fs::read_to_string(directory.path().join("c.h")).expect("header").contains("tip"));
+    assert!(std::fs::read(directory.path().join("c.fmu")).expect("unit").starts_with(b"PK"));
+}
