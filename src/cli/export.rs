@@ -12,15 +12,18 @@ pub fn pack(simulation: &Simulation, text: &str, output: &Path, library: Option<
     // No library at the place that was given is a wrong argument; a failed write is not.
     let library =
         package::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    package::write(output, simulation.about(), simulation.variables(), text, &library).map_err(failed)?;
-    say(&format!("{} packed, with {}", output.display(), library.display()));
+    let shown = library.display().to_string();
+    let libraries = [(package::Platform::NATIVE, library)];
+    package::write(output, simulation.about(), simulation.variables(), text, &libraries).map_err(failed)?;
+    say(&format!("{} packed, with {shown}", output.display()));
     Ok(())
 }
 
-/// Writes the C header of the model.
-pub fn header(simulation: &Simulation, output: &Path) -> Result<(), Stop> {
+/// Writes the C header of the model; `prefix` begins its names, by default the model's identifier.
+pub fn header(simulation: &Simulation, output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
     let about = simulation.about();
-    let text = header::text(about, simulation.variables(), &about.identifier).map_err(failed)?;
+    let prefix = prefix.unwrap_or(&about.identifier);
+    let text = header::text(about, simulation.variables(), prefix).map_err(failed)?;
     write(output, &text)?;
     say(&format!("{} written", output.display()));
     Ok(())

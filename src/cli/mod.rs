@@ -62,6 +62,9 @@ enum Command {
         /// Header to write
         #[arg(short, long, value_name = "MODEL.h")]
         output: PathBuf,
+        /// What its names begin with [default: the model's identifier]
+        #[arg(long, value_name = "NAME")]
+        prefix: Option<String>,
     },
     /// Simulate a flexible double pendulum, results in ./ancf14-demo-results
     Demo,
@@ -106,8 +109,8 @@ pub fn main() -> ExitCode {
             .and_then(|(simulation, _)| check::check(&simulation, &model.file, draw.as_deref())),
         Command::Pack { file, output, library } => load(&file, &[])
             .and_then(|(simulation, text)| export::pack(&simulation, &text, &output, library.as_deref())),
-        Command::Header { file, output } => {
-            load(&file, &[]).and_then(|(simulation, _)| export::header(&simulation, &output))
+        Command::Header { file, output, prefix } => {
+            load(&file, &[]).and_then(|(simulation, _)| export::header(&simulation, &output, prefix.as_deref()))
         }
         Command::Demo => demo::demo(),
     };

@@ -2,7 +2,7 @@
 //! that must come, to the letter: position, underlining, what was expected, the nearest name. A wrong code gives a
 //! different text, or takes the file.
 //!
-//! `UPDATE_GOLDEN=1 cargo test` writes the messages anew; read the difference before it is committed.
+//! `ANCF14_BLESS=1 cargo test` writes the messages anew; read the difference before it is committed.
 
 use ancf14::model::document::Document;
 use proptest::prelude::*;
@@ -30,7 +30,7 @@ fn messages_are_as_agreed() {
             Err(diagnostics) => format!("{diagnostics}\n"),
         };
         let golden = path.with_extension("txt");
-        if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        if std::env::var_os("ANCF14_BLESS").is_some() {
             fs::write(&golden, &message).expect("write");
         }
         if fs::read_to_string(&golden).unwrap_or_default() != message {
