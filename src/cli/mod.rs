@@ -66,8 +66,8 @@ enum Command {
         /// Header to write
         #[arg(short, long, value_name = "MODEL.h")]
         output: PathBuf,
-        /// What every name in it begins with [default: the model's identifier]
-        #[arg(long)]
+        /// What its names begin with [default: the model's identifier]
+        #[arg(long, value_name = "NAME")]
         prefix: Option<String>,
     },
     /// Simulate a flexible double pendulum, results in ./ancf14-demo-results

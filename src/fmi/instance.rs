@@ -24,7 +24,7 @@ const TIME_TOLERANCE: f64 = 1e-9;
 /// One instance of the unit.
 pub struct Instance<M: Model> {
     model: M,
-    session: Session,
+    control: Control,
     /// The logging switch of `fmi2Instantiate`, which a reset goes back to.
     first_logging: Switch,
     entries: Vec<Entry>,
@@ -34,7 +34,7 @@ pub struct Instance<M: Model> {
 
 /// What changes between two calls, apart from the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Session {
+struct Control {
     mode: Mode,
     /// Start time, s.
     start: f64,
@@ -47,7 +47,7 @@ struct Session {
     logging: Switch,
 }
 
-impl Session {
+impl Control {
     fn new(logging: Switch) -> Self {
         Self { mode: Mode::Instantiated, start: 0.0, stop: None, solved: false, warned_early: false, logging }
     }
@@ -72,7 +72,7 @@ impl<M: Model> Instance<M> {
         let logging = Switch::new(logging_on);
         let mut instance = Self {
             model,
-            session: Session::new(logging),
+            control: Control::new(logging),
             first_logging: logging,
             entries: Vec::new(),
             undo: Vec::new(),
@@ -88,13 +88,13 @@ impl<M: Model> Instance<M> {
 
     /// The mode it is in.
     pub fn mode(&self) -> Mode {
-        self.session.mode
+        self.control.mode
     }
 
     /// The time reached; before initialization the start time, s.
     pub fn time(&self) -> f64 {
-        match self.session.mode {
-            Mode::Instantiated | Mode::Initialization => self.session.start,
+        match self.control.mode {
+            Mode::Instantiated | Mode::Initialization => self.control.start,
             Mode::Step | Mode::Terminated | Mode::Error | Mode::Fatal => self.model.time(),
         }
     }
@@ -106,7 +106,7 @@ impl<M: Model> Instance<M> {
 
     /// Makes the instance unusable, after a caught panic.
     pub fn give_up(&mut self) {
-        self.session.mode = Mode::Fatal;
+        self.control.mode = Mode::Fatal;
     }
 
     /// Whether `call` is legal now (section 4.2.4).
@@ -114,7 +114,7 @@ impl<M: Model> Instance<M> {
     /// # Errors
     /// It is not.
     pub fn check(&self, call: Call) -> Result<(), Error> {
-        lifecycle::check(call, self.session.mode)
+        lifecycle::check(call, self.control.mode)
     }
 
     /// Switches debug messages; no category named means all (section 2.1.5). Unknown names are warned of and left out.
@@ -123,7 +123,7 @@ impl<M: Model> Instance<M> {
     /// The mode does not allow it.
     pub fn set_debug_logging(&mut self, on: bool, categories: &[&str]) -> Result<(), Error> {
         self.check(Call::SetDebugLogging)?;
-        for unknown in self.session.logging.select(on, categories) {
+        for unknown in self.control.logging.select(on, categories) {
             self.warn(format!("there is no log category `{unknown}`; the known ones stand in modelDescription.xml"));
         }
         Ok(())
@@ -143,8 +143,8 @@ impl<M: Model> Instance<M> {
         {
             return Err(Error::StopTime { start, stop });
         }
-        self.session.start = start;
-        self.session.stop = stop;
+        self.control.start = start;
+        self.control.stop = stop;
         self.event(|| match stop {
             Some(stop) => format!("experiment from t = {start} s to t = {stop} s"),
             None => format!("experiment from t = {start} s, no stop time"),
@@ -163,8 +163,8 @@ impl<M: Model> Instance<M> {
     /// The mode does not allow it.
     pub fn enter_initialization_mode(&mut self) -> Result<(), Error> {
         self.check(Call::EnterInitializationMode)?;
-        self.session.mode = Mode::Initialization;
-        self.session.solved = false;
+        self.control.mode = Mode::Initialization;
+        self.control.solved = false;
         self.event(|| "Initialization Mode".to_owned());
         Ok(())
     }
@@ -178,8 +178,8 @@ impl<M: Model> Instance<M> {
     pub fn exit_initialization_mode(&mut self) -> Result<(), Error> {
         self.check(Call::ExitInitializationMode)?;
         self.solve_initial_state()?;
-        self.session.mode = Mode::Step;
-        let start = self.session.start;
+        self.control.mode = Mode::Step;
+        let start = self.control.start;
         self.event(|| format!("initialized at t = {start} s"));
         Ok(())
     }
@@ -190,7 +190,7 @@ impl<M: Model> Instance<M> {
     /// The mode does not allow it.
     pub fn terminate(&mut self) -> Result<(), Error> {
         self.check(Call::Terminate)?;
-        self.session.mode = Mode::Terminated;
+        self.control.mode = Mode::Terminated;
         self.event(|| "terminated".to_owned());
         Ok(())
     }
@@ -202,7 +202,7 @@ impl<M: Model> Instance<M> {
     pub fn reset(&mut self) -> Result<(), Error> {
         self.check(Call::Reset)?;
         self.model.reset();
-        self.session = Session::new(self.first_logging);
+        self.control = Control::new(self.first_logging);
         self.event(|| "reset".to_owned());
         Ok(())
     }
@@ -219,7 +219,7 @@ impl<M: Model> Instance<M> {
         let outcome = self.model.advance(end);
         self.pass_on_warnings();
         outcome.map_err(|failure| {
-            self.session.mode = Mode::Error;
+            self.control.mode = Mode::Error;
             Error::Model(failure)
         })
     }
@@ -237,7 +237,7 @@ impl<M: Model> Instance<M> {
         if !advances {
             return Err(Error::StepSize { step, time });
         }
-        match self.session.stop {
+        match self.control.stop {
             Some(stop) if end > stop + TIME_TOLERANCE * scale => Err(Error::BeyondStop { end, stop }),
             _ => Ok(end),
         }
@@ -295,19 +295,19 @@ impl<M: Model> Instance<M> {
 
     /// The initial state that belongs to the values as set.
     fn solve_initial_state(&mut self) -> Result<(), Error> {
-        if self.session.solved {
+        if self.control.solved {
             return Ok(());
         }
-        let outcome = self.model.initialize(self.session.start);
+        let outcome = self.model.initialize(self.control.start);
         self.pass_on_warnings();
         outcome?;
-        self.session.solved = true;
+        self.control.solved = true;
         Ok(())
     }
 
     /// Logs what happened, where the host wants to know.
     fn event(&mut self, message: impl FnOnce() -> String) {
-        if self.session.logging.wants(LogCategory::Events) {
+        if self.control.logging.wants(LogCategory::Events) {
             self.entries.push(Entry { status: Status::Ok, category: LogCategory::Events, message: message() });
         }
     }

@@ -63,6 +63,8 @@ pub struct Meta {
     pub integer: bool,
     /// The solver takes a change between two steps.
     pub tunable: bool,
+    /// The host gives it, from one communication step to the next.
+    pub input: bool,
 }
 
 impl Meta {
@@ -76,6 +78,7 @@ impl Meta {
             range: rule.range,
             integer: rule.integer,
             tunable: rule.tunable,
+            input: false,
         }
     }
 

@@ -43,10 +43,15 @@ fn row(slot: &Slot, value: f64) -> Variable {
         name: meta.name.clone(),
         description: meta.description.clone(),
         causality: match slot.written {
+            _ if meta.input => Causality::Input,
             Written::Plain(_) => Causality::Parameter,
             _ => Causality::CalculatedParameter,
         },
-        variability: if meta.tunable { Variability::Tunable } else { Variability::Fixed },
+        variability: match (meta.input, meta.tunable) {
+            (true, _) => Variability::Continuous,
+            (false, true) => Variability::Tunable,
+            (false, false) => Variability::Fixed,
+        },
         start: typed(slot, value),
         min: meta.range.lower.map(|limit| limit.value),
         max: meta.range.upper.map(|limit| limit.value),

@@ -157,7 +157,6 @@ impl Model for Simulation {
                 // A count that outgrows FMI's Integer stays at the largest one.
                 Value::Integer(_) => Value::Integer(self.results[number] as i32),
             },
-            Source::Time => Value::Real(self.machine.state.time),
         }
     }
 

@@ -1,4 +1,4 @@
-//! The variable table of a model: parameters as the file has them, then results in the order of results.csv, then time.
+//! The variable table of a model: parameters as the file has them, then results in the order of results.csv.
 //! One row has the FMI variable and what it is read from.
 
 use super::document::Document;
@@ -18,8 +18,6 @@ pub enum Source {
     Parameter(usize),
     /// Result of this number.
     Result(usize),
-    /// The time that the model has reached.
-    Time,
 }
 
 /// What the results are made of, in their order.
@@ -82,12 +80,6 @@ impl Table {
             table.push_result(name, 1, "", meaning);
         }
         table.measures.push(Measure::Statistics);
-        let time = Variable {
-            variability: Variability::Continuous,
-            causality: Causality::Independent,
-            ..result("time", "s", "Time".to_owned(), Value::Real(0.0))
-        };
-        table.push(time, Source::Time);
         table
     }
 

@@ -1,12 +1,12 @@
 //! FMU states (FMI 2.0, section 2.1.8): all that an instance is, as a plain copy.
 
-use super::{Instance, Session};
+use super::{Control, Instance};
 use crate::fmi::{Model, error::Error, lifecycle::Call};
 
 /// A copy of an instance: model, mode, times and logging.
 pub struct FmuState<M: Model> {
     guid: String,
-    session: Session,
+    control: Control,
     model: M::Snapshot,
 }
 
@@ -17,7 +17,7 @@ impl<M: Model> Instance<M> {
     /// The mode does not allow it.
     pub fn state(&self) -> Result<FmuState<M>, Error> {
         self.check(Call::GetFMUstate)?;
-        Ok(FmuState { guid: self.model.about().guid.clone(), session: self.session, model: self.model.snapshot() })
+        Ok(FmuState { guid: self.model.about().guid.clone(), control: self.control, model: self.model.snapshot() })
     }
 
     /// Goes back to a copy, mode, times and logging included; also after a failed step (section 2.1.8).
@@ -31,7 +31,7 @@ impl<M: Model> Instance<M> {
             return Err(Error::ForeignState { theirs: state.guid.clone(), own: own.clone() });
         }
         self.model.restore(&state.model);
-        self.session = state.session;
+        self.control = state.control;
         let (mode, time) = (self.mode(), self.time());
         self.event(|| format!("back to a state {mode} at t = {time} s"));
         Ok(())

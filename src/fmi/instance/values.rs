@@ -157,7 +157,7 @@ impl<M: Model> Instance<M> {
             }
             self.undo.push((place, before));
         }
-        self.session.solved = false;
+        self.control.solved = false;
         Ok(())
     }
 
@@ -171,8 +171,8 @@ impl<M: Model> Instance<M> {
     }
 
     fn warn_early(&mut self) {
-        if !self.session.warned_early {
-            self.session.warned_early = true;
+        if !self.control.warned_early {
+            self.control.warned_early = true;
             self.warn(
                 "results were read before initialization: these are start values; the results of the initial state \
                  are there from fmi2EnterInitializationMode on"

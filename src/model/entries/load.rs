@@ -3,7 +3,7 @@
 use super::anchor::Anchor;
 use crate::model::diagnostic::Place;
 use crate::model::names::Kind;
-use crate::model::number::Number;
+use crate::model::number::{Number, Written};
 use crate::model::reader::Reader;
 use crate::model::schema;
 
@@ -22,6 +22,8 @@ pub struct Load {
     pub moment: [Number; 3],
     /// true: it turns with the section.
     pub follower: bool,
+    /// true: the host gives force and moment; the numbers are start values.
+    pub input: bool,
 }
 
 /// What a load acts on.
@@ -52,9 +54,26 @@ impl Load {
         let force = reader.vector_or(force, [0.0; 3]);
         let moment = reader.vector_or(moment, [0.0; 3]);
         let follower = reader.boolean("follower", false);
-        reader.unavailable("input", "available: input = false; loads as expressions of t");
+        let input = reader.boolean("input", false);
+        if input {
+            for number in force.into_iter().chain(moment) {
+                make_input(&mut reader, number);
+            }
+        }
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, target: target?, force, moment, follower })
+        Some(Self { name: name.to_owned(), place, target: target?, force, moment, follower, input })
     }
+}
+
+/// Makes a component an input of the FMU.
+fn make_input(reader: &mut Reader<'_, '_>, number: Number) {
+    let context = &mut reader.context;
+    let slot = &mut context.numbers.slots[number.0];
+    if let Written::Formula(_) = slot.written {
+        let message = format!("`{}` is an input and an expression", slot.meta.name);
+        context.report.error(slot.place, &message, "a number was expected: the start value of the input", "");
+    }
+    slot.meta.input = true;
+    slot.listed.get_or_insert(usize::MAX);
 }

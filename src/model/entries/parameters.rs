@@ -25,6 +25,7 @@ pub(in crate::model) fn read(context: &mut Context<'_>, entries: &[Entry]) {
                 range: Range::ALL,
                 integer: false,
                 tunable: false,
+                input: false,
             },
             place: entry.item.place,
             listed: Some(entry.key_place.start),
