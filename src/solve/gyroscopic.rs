@@ -10,31 +10,45 @@ use crate::mechanics::beam::coordinates::{ELEMENT, NODE, P, THETA, add_vec3};
 use crate::mechanics::beam::frame::NodeFrame;
 use crate::mechanics::system::System;
 
-/// Adds `h C` to `residual` (the negative of the step's residual) and `−h ∂C/∂q` to the element blocks of the matrix;
-/// `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node (7.3). `frames`: at the start, middle and end of the step.
-pub fn add_to_step(
-    system: &System,
+/// `target += factor C`, `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node (7.3), N.
+///
+/// `frames` are those at the start, middle and end of the step, `mass_increment` is `M Dq`, `forces` is `dU/dq − F`.
+pub fn add_forces(
     frames: [&[NodeFrame]; 3],
     mass_increment: &[f64],
     forces: &[f64],
     step: f64,
-    residual: &mut [f64],
-    blocks: &mut Blocks,
+    factor: f64,
+    target: &mut [f64],
 ) {
     let [start, middle, end] = frames;
+    for (node, (first, last)) in start.iter().zip(end).enumerate() {
+        // The start's chart is centred: its reference tangent is t_k itself, so that k of the end is kb(t_k, t_{k+1}).
+        let kap = half_turn(&first.t, &last.t);
+        let km = half_turn(&first.t, &middle[node].t);
+        let theta = NODE * node + THETA;
+        let force = kap * (mass_increment[theta] / step) - (kap * 0.5 - km) * (step * forces[theta]);
+        add_vec3(target, NODE * node + P, &(force * (factor / first.stretch)));
+    }
+}
+
+/// Subtracts `h ∂C/∂q` from the element blocks of a step's matrix; what `Uth` adds is of third order in the step and left out.
+pub fn add_tangent(
+    system: &System,
+    start: &[NodeFrame],
+    end: &[NodeFrame],
+    mass_increment: &[f64],
+    step: f64,
+    blocks: &mut Blocks,
+) {
     for beam in &system.beams {
         for place in 0..=beam.elements {
             let node = beam.first_node + place;
             let (first, last) = (&start[node], &end[node]);
-            // The start's chart is centred: its reference tangent is t_k itself, so that k of the end is kb(t_k, t_{k+1}).
             let kap = half_turn(&first.t, &last.t);
-            let km = half_turn(&first.t, &middle[node].t);
-            let theta = NODE * node + THETA;
-            let spin_momentum = mass_increment[theta] / step;
-            let force = (kap * spin_momentum - (kap * 0.5 - km) * (step * forces[theta])) / first.stretch;
-            add_vec3(residual, NODE * node + P, &(force * step));
+            let spin_momentum = mass_increment[NODE * node + THETA] / step;
 
-            // By the end's slope at fixed spin momentum; what Uth adds is of third order in the step and left out of the tangent.
+            // By the end's slope at fixed spin momentum.
             let kap_p = half_turn_by_second(&first.t, &last.t, &kap) * last.t_p() * (spin_momentum / first.stretch);
             let (element, local) = if place < beam.elements { (place, 0) } else { (place - 1, NODE) };
             let block = blocks.block_mut(beam.first_element + element);

@@ -156,9 +156,13 @@ impl Scratch {
         let over = over_step(rule, &self.increment);
         let middle = system.configuration(&self.q_middle, &self.frames_middle, &state.holonomy);
         system.forces(&middle, over, excitation(end - 0.5 * step), &mut self.forces);
-        for (index, momentum) in state.momentum.iter_mut().enumerate() {
-            *momentum = self.mass_increment[index] / step - 0.5 * step * self.forces[index];
+        // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it.
+        for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
+            *momentum = 2.0 * mass_increment / step - *momentum;
         }
+        let frames = [&self.frames_start[..], &self.frames_middle, &self.frames_end];
+        gyroscopic::add_forces(frames, &self.mass_increment, &self.forces, step, -1.0, &mut state.momentum);
+        system.add_constraint_forces(&self.gradients_start, &self.impulses, 1.0, &mut state.momentum);
         gyroscopic::change_charts(&self.frames_end, &mut state.momentum);
         for (multiplier, impulse) in state.multipliers.iter_mut().zip(&self.impulses) {
             *multiplier = impulse / step;
@@ -216,7 +220,8 @@ impl Problem for Step<'_> {
         }
         system.add_constraint_forces(&scratch.gradients_start, &scratch.impulses, -h, residual);
         let frames = [&scratch.frames_start[..], &scratch.frames_middle, &scratch.frames_end];
-        gyroscopic::add_to_step(system, frames, &scratch.mass_increment, &scratch.forces, h, residual, &mut kkt.blocks);
+        gyroscopic::add_forces(frames, &scratch.mass_increment, &scratch.forces, h, h, residual);
+        gyroscopic::add_tangent(system, frames[0], frames[2], &scratch.mass_increment, h, &mut kkt.blocks);
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;
         }

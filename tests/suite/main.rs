@@ -3,11 +3,14 @@
 
 mod allocations;
 mod command_line;
+mod descriptions;
 mod dynamics;
 mod element_derivatives;
 mod fmi;
 mod frequencies;
+mod golden;
 mod invariance;
+mod joints_in_motion;
 mod machines;
 mod marker_derivatives;
 mod model_file;
@@ -15,4 +18,6 @@ mod model_mistakes;
 mod oracle;
 mod princeton;
 mod random;
+mod released_cantilever;
 mod statics;
+mod turned_models;

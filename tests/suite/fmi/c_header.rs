@@ -3,7 +3,7 @@
 
 use std::{path::Path, process::Command};
 
-use super::golden;
+use crate::golden;
 
 const SOURCES: [&str; 3] = ["src/ffi/types.rs", "src/ffi/fmi2.rs", "src/ffi/fmi2_values.rs"];
 

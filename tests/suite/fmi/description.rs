@@ -5,7 +5,8 @@ use ancf14::fmi::{Value, description::xml, error::Error, variable::Causality};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-use super::{golden, toy};
+use super::toy;
+use crate::golden;
 
 /// The XML of the toy, as reviewed.
 #[test]

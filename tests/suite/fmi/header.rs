@@ -4,7 +4,8 @@ use std::{fs, process::Command};
 
 use ancf14::fmi::header::text;
 
-use super::{golden, toy};
+use super::toy;
+use crate::golden;
 
 /// The header of the toy, as reviewed.
 #[test]

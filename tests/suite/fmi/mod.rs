@@ -4,7 +4,6 @@ mod c_example;
 mod c_header;
 mod description;
 mod ffi;
-mod golden;
 mod guard;
 mod header;
 mod host;

@@ -1,0 +1,149 @@
+//! Physics has no preferred direction: every model in models/, turned and shifted as a whole, must give the turned result.
+//! A formula that mixes up axes, or a joint that only works along one, fails here at once.
+
+use crate::random::Random;
+use ancf14::fmi::Model;
+use ancf14::math::{Mat3, Vec3};
+use ancf14::model::simulation::Simulation;
+use toml::{Table, Value};
+
+/// A component in one of its pieces, as text: numbers and expressions alike.
+fn component(value: &Value, piece: usize) -> String {
+    match value {
+        Value::String(text) => format!("({text})"),
+        Value::Integer(number) => format!("({number})"),
+        Value::Float(number) => format!("({number})"),
+        Value::Array(pieces) => component(&pieces[piece]["is"], 0),
+        other => panic!("no number: {other}"),
+    }
+}
+
+/// A list of three, turned (and shifted where it is a place), as the text of an override. Piecewise components share their limits.
+fn turned(list: &Value, turn: &Mat3, shift: &Vec3) -> String {
+    let list = list.as_array().unwrap();
+    let limits: Vec<Option<&Value>> = match list.iter().find_map(Value::as_array) {
+        Some(pieces) => pieces.iter().map(|piece| piece.get("until")).collect(),
+        None => vec![None],
+    };
+    let expression = |row: usize, piece: usize| {
+        let terms = (0..3).map(|column| format!("({:e})*{}", turn[(row, column)], component(&list[column], piece)));
+        format!("\"{} + ({:e})\"", terms.collect::<Vec<_>>().join(" + "), shift[row])
+    };
+    let rows = (0..3).map(|row| {
+        if limits.len() == 1 {
+            return expression(row, 0);
+        }
+        let pieces = limits.iter().enumerate().map(|(piece, limit)| match limit {
+            Some(limit) => format!("{{ until = {limit}, is = {} }}", expression(row, piece)),
+            None => format!("{{ is = {} }}", expression(row, piece)),
+        });
+        format!("[{}]", pieces.collect::<Vec<_>>().join(", "))
+    });
+    format!("[{}]", rows.collect::<Vec<_>>().join(", "))
+}
+
+/// Overrides that turn the whole model: places, directions, gravity, loads.
+fn overrides(model: &Table, turn: &Mat3, shift: &Vec3) -> Vec<(String, String)> {
+    let none = Vec3::zeros();
+    let mut list = Vec::new();
+    let y_axis = Value::Array(vec![Value::Float(0.0), Value::Float(1.0), Value::Float(0.0)]);
+    let each = |kind: &str| model.get(kind).and_then(Value::as_table).cloned().unwrap_or_default();
+    for (name, beam) in each("beam") {
+        for (key, default) in [("from", None), ("to", None), ("y_axis", Some(&y_axis)), ("velocity", None), ("angular_velocity", None)] {
+            if let Some(value) = beam.get(key).or(default) {
+                let moves = if matches!(key, "from" | "to") { shift } else { &none };
+                list.push((format!("{name}.{key}"), turned(value, turn, moves)));
+            }
+        }
+    }
+    for (name, joint) in each("joint") {
+        for (key, moves) in [("at", shift), ("axis", &none)] {
+            if let Some(value) = joint.get(key) {
+                list.push((format!("{name}.{key}"), turned(value, turn, moves)));
+            }
+        }
+    }
+    for (name, load) in each("load") {
+        assert!(load.get("follower").is_none(), "the components of followers must not be turned: extend this test");
+        for key in ["force", "moment"] {
+            if let Some(value) = load.get(key) {
+                list.push((format!("{name}.{key}"), turned(value, turn, &none)));
+            }
+        }
+    }
+    if let Some(gravity) = model["model"].get("gravity") {
+        list.push(("gravity".into(), turned(gravity, turn, &none)));
+    }
+    list
+}
+
+/// All outputs at `count` output steps, by name.
+fn results(text: &str, overrides: &[(String, String)], count: u32) -> Vec<Vec<(String, f64)>> {
+    let mut simulation = Simulation::load("model.toml", text, overrides).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation.initialize(0.0).unwrap();
+    let step = simulation.about().output_step;
+    let all = |simulation: &Simulation| {
+        let rows = simulation.variables().iter().enumerate();
+        rows.map(|(reference, variable)| (variable.name.clone(), simulation.value(reference).number())).collect()
+    };
+    let mut rows = vec![all(&simulation)];
+    for number in 1..=count {
+        simulation.advance(f64::from(number) * step).unwrap();
+        rows.push(all(&simulation));
+    }
+    rows
+}
+
+fn vector(row: &[(String, f64)], name: &str) -> Option<Vec3> {
+    let component = |i: usize| row.iter().find(|entry| entry.0 == format!("{name}[{i}]")).map(|entry| entry.1);
+    Some(Vec3::new(component(1)?, component(2)?, component(3)?))
+}
+
+#[test]
+fn turned_models_give_turned_results() {
+    let mut random = Random(12);
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/models");
+    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    files.sort();
+    assert!(files.len() >= 3);
+    for file in files {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let (turn, shift) = (random.rotation(), random.vector());
+        let count = 10;
+        let plain = results(&text, &[("simulation.tolerance".into(), "1e-12".into())], count);
+        let model: Table = text.parse().unwrap();
+        let mut o = overrides(&model, &turn, &shift); o.push(("simulation.tolerance".into(), "1e-12".into())); let other = results(&text, &o, count);
+        let mut compared = 0;
+        let mut largest = (0.0_f64, String::new());
+        for (row, turned_row) in plain.iter().zip(&other) {
+            for name in row.iter().filter_map(|entry| entry.0.strip_suffix("[1]")) {
+                let quantity = name.rsplit('.').next().unwrap();
+                let moves = match quantity {
+                    "position" => shift,
+                    "displacement" | "velocity" | "rotation" | "angular_velocity" | "linear" => Vec3::zeros(),
+                    _ => continue,
+                };
+                let (own, turned) = (vector(row, name).unwrap(), vector(turned_row, name).unwrap());
+                let difference = (turn * own + moves - turned).norm() / own.norm().max(1.0);
+                if difference > largest.0 {
+                    largest = (difference, name.to_owned());
+                }
+                compared += 1;
+            }
+            for (name, own) in row {
+                let same = ["twist", "axial_strain", "torsion", "kinetic", "elastic", "curvature[1]", "curvature[2]"];
+                if same.iter().any(|end| name.ends_with(end)) {
+                    let turned = turned_row.iter().find(|entry| entry.0 == *name).unwrap().1;
+                    let difference = (own - turned).abs() / own.abs().max(1.0);
+                    if difference > largest.0 {
+                        largest = (difference, name.clone());
+                    }
+                    compared += 1;
+                }
+            }
+        }
+        println!("{}: {compared} values, largest difference {:.1e} in {}", file.display(), largest.0, largest.1);
+        assert!(compared > 50 && largest.0 < 1e-8, "{}: {largest:?}", file.display());
+    }
+}
