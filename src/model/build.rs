@@ -40,7 +40,8 @@ pub struct Built {
 /// # Errors
 /// Every mistake that the geometry shows, in file order.
 pub fn build(document: &Document, start: f64) -> Result<Built, Vec<Diagnostic>> {
-    let mut builder = Builder { document, assembly: Assembly::default(), mistakes: Vec::new(), joint_places: Vec::new() };
+    let mut builder =
+        Builder { document, assembly: Assembly::default(), mistakes: Vec::new(), joint_places: Vec::new() };
     for beam in &document.beams {
         builder.add_beam(beam);
     }
@@ -169,7 +170,9 @@ impl Builder<'_> {
             second_moment_z,
             torsion_constant: given(written.torsion_constant, shape.torsion_constant),
             polar_moment: given(written.polar_moment, second_moment_y + second_moment_z),
-            fourth_moments: written.fourth_moments.map_or(shape.fourth_moments, |numbers| self.document.vector(numbers)),
+            fourth_moments: written
+                .fourth_moments
+                .map_or(shape.fourth_moments, |numbers| self.document.vector(numbers)),
         }
     }
 

@@ -353,7 +353,9 @@ fn join(mistakes: &[super::diagnostic::Diagnostic]) -> String {
 fn failure(error: &Error) -> Failure {
     let category = match error {
         Error::Singular { .. } => LogCategory::SingularLinearSystems,
-        Error::NotConverged { .. } | Error::StepTooSmall { .. } | Error::RampStuck { .. } => LogCategory::NonlinearSystems,
+        Error::NotConverged { .. } | Error::StepTooSmall { .. } | Error::RampStuck { .. } => {
+            LogCategory::NonlinearSystems
+        }
         _ => LogCategory::StatusError,
     };
     Failure { message: error.to_string(), category }

@@ -15,7 +15,8 @@ fn descriptions_are_current() {
             continue;
         }
         let text = std::fs::read_to_string(&path).unwrap();
-        let simulation = Simulation::load("model.toml", &text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
+        let simulation =
+            Simulation::load("model.toml", &text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
         let stem = path.file_stem().unwrap().to_str().unwrap();
         let xml = description::xml(simulation.about(), simulation.variables()).unwrap();
         golden::assert_current(&format!("modelDescription/{stem}.xml"), &xml);

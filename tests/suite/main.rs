@@ -1,7 +1,9 @@
 //! The integration tests: one binary, a file for each question.
 #![allow(clippy::unwrap_used, reason = "an unmet expectation is a failed test")]
+#![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod allocations;
+mod architecture;
 mod command_line;
 mod descriptions;
 mod dynamics;

@@ -41,7 +41,6 @@ pub fn carry<D: Scalar>(a: &Vector<D>, b: &Vector<D>, w: &Vector<D>) -> Vector<D
 
 /// t, u and section axes y, z of a node (2.1-2.4).
 pub struct Node<D> {
-    pub stretch: D,
     pub t: Vector<D>,
     pub u: Vector<D>,
     pub y: Vector<D>,
@@ -57,7 +56,7 @@ pub fn node<D: Scalar>(q: &[D], triad: &Triad) -> Node<D> {
     let (sin, cos) = q[6].sin_cos();
     let y = sum(&scale(&u, cos), &scale(&v, sin));
     let z = cross(&t, &y);
-    Node { stretch, t, u, y, z }
+    Node { t, u, y, z }
 }
 
 fn interpolate<D: Scalar>(weights: &[f64; 4], q: &[D]) -> Vector<D> {

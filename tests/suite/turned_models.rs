@@ -49,7 +49,9 @@ fn overrides(model: &Table, turn: &Mat3, shift: &Vec3) -> Vec<(String, String)> 
     let y_axis = Value::Array(vec![Value::Float(0.0), Value::Float(1.0), Value::Float(0.0)]);
     let each = |kind: &str| model.get(kind).and_then(Value::as_table).cloned().unwrap_or_default();
     for (name, beam) in each("beam") {
-        for (key, default) in [("from", None), ("to", None), ("y_axis", Some(&y_axis)), ("velocity", None), ("angular_velocity", None)] {
+        for (key, default) in
+            [("from", None), ("to", None), ("y_axis", Some(&y_axis)), ("velocity", None), ("angular_velocity", None)]
+        {
             if let Some(value) = beam.get(key).or(default) {
                 let moves = if matches!(key, "from" | "to") { shift } else { &none };
                 list.push((format!("{name}.{key}"), turned(value, turn, moves)));
@@ -79,7 +81,8 @@ fn overrides(model: &Table, turn: &Mat3, shift: &Vec3) -> Vec<(String, String)> 
 
 /// All outputs at `count` output steps, by name.
 fn results(text: &str, overrides: &[(String, String)], count: u32) -> Vec<Vec<(String, f64)>> {
-    let mut simulation = Simulation::load("model.toml", text, overrides).unwrap_or_else(|failure| panic!("{}", failure.message));
+    let mut simulation =
+        Simulation::load("model.toml", text, overrides).unwrap_or_else(|failure| panic!("{}", failure.message));
     simulation.initialize(0.0).unwrap();
     let step = simulation.about().output_step;
     let all = |simulation: &Simulation| {
@@ -113,7 +116,9 @@ fn turned_models_give_turned_results() {
         let count = 10;
         let plain = results(&text, &[("simulation.tolerance".into(), "1e-12".into())], count);
         let model: Table = text.parse().unwrap();
-        let mut o = overrides(&model, &turn, &shift); o.push(("simulation.tolerance".into(), "1e-12".into())); let other = results(&text, &o, count);
+        let mut o = overrides(&model, &turn, &shift);
+        o.push(("simulation.tolerance".into(), "1e-12".into()));
+        let other = results(&text, &o, count);
         let mut compared = 0;
         let mut largest = (0.0_f64, String::new());
         for (row, turned_row) in plain.iter().zip(&other) {

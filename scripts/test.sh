@@ -1,0 +1,14 @@
+#!/bin/sh
+# All tests: formatting, lints, Rust, C (a part of the Rust suite), and the FMUs of all models in FMPy, libcosim and fmutool.
+# Needs Rust, a C compiler and Python 3.
+set -eu
+
+cd "$(dirname "$0")/.."
+cargo fmt --all -- --check
+cargo clippy --locked --all-targets --quiet -- --deny warnings
+# The library first: the tests of the C interface load it from target/debug.
+cargo build --locked
+cargo test --locked
+scripts/build.sh
+scripts/python-env.sh
+ANCF14=target/fmu/ancf14 target/python-env/bin/python -m pytest -q -p no:cacheprovider tests/fmpy
