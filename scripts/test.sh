@@ -6,8 +6,6 @@ set -eu
 cd "$(dirname "$0")/.."
 cargo fmt --all -- --check
 cargo clippy --locked --all-targets --quiet -- --deny warnings
-# The library first: the tests of the C interface load it from target/debug.
-cargo build --locked
 cargo test --locked
 scripts/build.sh
 scripts/python-env.sh

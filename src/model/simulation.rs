@@ -31,6 +31,8 @@ pub struct Simulation {
     results: Vec<f64>,
     frames: Frames,
     warnings: Vec<String>,
+    /// How often the model has been initialized.
+    initializations: u64,
     /// Whether the twist of a beam with truncated strain has been warned of.
     twist_warned: bool,
 }
@@ -46,6 +48,8 @@ struct Machine {
     start: f64,
     /// Internal step, s.
     step: f64,
+    /// Which initialization of this simulation the machine is from; 0: none yet.
+    generation: u64,
     solver: Solver,
 }
 
@@ -66,7 +70,7 @@ pub struct Snapshot {
     state: State,
     start: f64,
     step: f64,
-    initialized: bool,
+    generation: u64,
     results: Vec<f64>,
 }
 
@@ -96,6 +100,7 @@ impl Simulation {
             results: Vec::new(),
             frames: Frames::default(),
             warnings: Vec::new(),
+            initializations: 0,
             twist_warned: false,
         };
         simulation.measure();
@@ -180,6 +185,8 @@ impl Model for Simulation {
         let mut machine = Machine::new(built, &self.document, start);
         let warning = machine.find_initial_state(&self.document).map_err(|error| failure(&error))?;
         self.warnings.extend(warning);
+        self.initializations += 1;
+        machine.generation = self.initializations;
         self.machine = machine;
         self.twist_warned = false;
         self.measure();
@@ -220,25 +227,26 @@ impl Model for Simulation {
             state: machine.state.clone(),
             start: machine.start,
             step: machine.step,
-            initialized: machine.is_initialized(),
+            generation: machine.generation,
             results: self.results.clone(),
         }
     }
 
     fn restore(&mut self, snapshot: &Snapshot) {
         let machine = &mut self.machine;
-        // The solver's memory fits every system of the same file, unless counts of elements have changed.
-        let same_shape = machine.system.coordinates() == snapshot.system.coordinates();
         self.document = Arc::clone(&snapshot.document);
         machine.system = Arc::clone(&snapshot.system);
         machine.state.clone_from(&snapshot.state);
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
         self.results.clone_from(&snapshot.results);
-        if !snapshot.initialized {
-            machine.solver = Solver::None;
-        } else if !(same_shape && machine.is_initialized()) {
-            // It could be set up for this system before.
-            machine.solver = Solver::new(&self.document, &machine.system).unwrap_or(Solver::None);
+        // The solver is scratch memory, but of the shape and with the tolerance of its initialization.
+        if machine.generation != snapshot.generation {
+            machine.generation = snapshot.generation;
+            machine.solver = match snapshot.generation {
+                0 => Solver::None,
+                // It could be set up for this system before.
+                _ => Solver::new(&self.document, &machine.system).unwrap_or(Solver::None),
+            };
         }
     }
 }
@@ -252,6 +260,7 @@ impl Machine {
             state,
             start,
             step: document.value(document.simulation.step),
+            generation: 0,
             solver: Solver::None,
         }
     }

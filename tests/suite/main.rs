@@ -21,5 +21,6 @@ mod oracle;
 mod princeton;
 mod random;
 mod released_cantilever;
+mod rollback;
 mod statics;
 mod turned_models;

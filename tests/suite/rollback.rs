@@ -1,0 +1,87 @@
+//! A model taken back to a snapshot must go on with the very bits it went on with before: masters repeat steps.
+
+use ancf14::fmi::{Model, Value};
+use ancf14::model::simulation::Simulation;
+
+const MODELS: [(&str, &str); 3] = [
+    ("pendulum", include_str!("../../models/pendulum.toml")),
+    ("cantilever", include_str!("../../models/cantilever.toml")),
+    ("princeton_beam", include_str!("../../models/princeton_beam.toml")),
+];
+
+fn start(text: &str) -> Simulation {
+    let mut simulation =
+        Simulation::load("model.toml", text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation.initialize(0.0).unwrap();
+    simulation
+}
+
+/// All values as bits.
+fn bits(simulation: &Simulation) -> Vec<u64> {
+    (0..simulation.variables().len()).map(|reference| simulation.value(reference).number().to_bits()).collect()
+}
+
+fn reference(simulation: &Simulation, name: &str) -> usize {
+    simulation.variables().iter().position(|variable| variable.name == name).unwrap()
+}
+
+#[test]
+fn repeated_steps_give_the_same_bits() {
+    for (name, text) in MODELS {
+        let mut simulation = start(text);
+        let step = simulation.about().output_step;
+        // Between two points of the grid of internal steps, too.
+        for number in 1..=5 {
+            simulation.advance(0.7 * f64::from(number) * step).unwrap();
+        }
+        let snapshot = simulation.snapshot();
+        let before = bits(&simulation);
+        let onwards = |simulation: &mut Simulation| {
+            (5..10)
+                .map(|number| {
+                    simulation.advance(f64::from(number) * step).unwrap();
+                    bits(simulation)
+                })
+                .collect::<Vec<_>>()
+        };
+        let first = onwards(&mut simulation);
+        assert_ne!(first[0], before, "{name}");
+        simulation.restore(&snapshot);
+        assert_eq!(bits(&simulation), before, "{name}");
+        assert_eq!(onwards(&mut simulation), first, "{name}");
+    }
+}
+
+/// Back over a reset and another mesh: the scratch memory of the solver must not be the wrong one's.
+#[test]
+fn snapshots_outlive_a_reset() {
+    let mut simulation = start(MODELS[1].1);
+    let step = simulation.about().output_step;
+    simulation.advance(step).unwrap();
+    let snapshot = simulation.snapshot();
+    simulation.advance(2.0 * step).unwrap();
+    let expected = bits(&simulation);
+    simulation.reset();
+    let elements = reference(&simulation, "arm.elements");
+    let tolerance = reference(&simulation, "simulation.tolerance");
+    simulation.set_value(elements, Value::Integer(3)).unwrap();
+    simulation.set_value(tolerance, Value::Real(1e-3)).unwrap();
+    simulation.initialize(0.0).unwrap();
+    simulation.advance(step).unwrap();
+    simulation.restore(&snapshot);
+    simulation.advance(2.0 * step).unwrap();
+    assert_eq!(bits(&simulation), expected);
+}
+
+/// A step that fails leaves everything as it was, and what follows is as if it had not been tried.
+#[test]
+fn failed_steps_leave_no_trace() {
+    let text = MODELS[1].1.replace("[simulation]", "[load.blow]\nat = \"arm.end\"\nforce = [0, 0, [{ until = 0.0205, is = \"0\" }, { until = 0.03, is = \"sqrt(-1)\" }, { is = \"0\" }]]\n\n[simulation]");
+    let mut simulation = start(&text);
+    simulation.advance(0.02).unwrap();
+    let before = bits(&simulation);
+    let failure = simulation.advance(0.025).unwrap_err();
+    assert!(failure.message.contains("load blow is not a finite number"), "{}", failure.message);
+    assert_eq!(bits(&simulation), before);
+    assert_eq!(simulation.time(), 0.02);
+}
