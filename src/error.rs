@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// A failure of mechanics or solver. The state that a failed call was given is unchanged.
+/// A failure of mechanics or solver. A failed step leaves the state as it was, but for the counts of iterations and rejections.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Error {
     /// Newton did not reach its tolerance.
@@ -23,15 +23,12 @@ pub enum Error {
         tolerance: f64,
     },
     /// The linear system has no unique solution.
-    #[error(
-        "the equations have no unique solution at t = {time} s: {place} can move freely or is held twice; \
-         add or remove a joint there"
-    )]
+    #[error("the equations have no unique solution at t = {time} s: {what}")]
     Singular {
         /// Time, s.
         time: f64,
-        /// The unknown that the lost direction moves most.
-        place: String,
+        /// What moves freely, or is held twice, and what to do about it.
+        what: String,
     },
     /// A tangent turned too far in one step.
     #[error(
@@ -108,15 +105,35 @@ pub enum Error {
         /// What failed at last.
         reason: Box<Error>,
     },
-    /// The ramp of loads to the first equilibrium did not reach its end.
-    #[error("no equilibrium at t = {time} s beyond {share:.4} of the loads: {reason}")]
+    /// The ramp to an equilibrium did not reach its end.
+    #[error(
+        "the way to the equilibrium of t = {time} s ends at {share:.4} of the change of loads: a limit point, beyond which no \
+         equilibrium is near, or too coarse a mesh; there: {reason}"
+    )]
     RampStuck {
         /// Time, s.
         time: f64,
-        /// The share of the loads that was reached, 0 to 1.
+        /// The share of the change of loads that was reached, 0 to 1.
         share: f64,
         /// What failed at last.
         reason: Box<Error>,
+    },
+    /// A step before the start.
+    #[error("there is no initial state to step from; initialize first")]
+    NotInitialized,
+    /// Too many internal steps for one call: the step is far too small.
+    #[error(
+        "{count:.1e} internal steps of {step:e} s would lead from t = {from} s to t = {to} s (at most 1e9); take a larger simulation.step"
+    )]
+    TooManySteps {
+        /// Number of steps.
+        count: f64,
+        /// Internal step, s.
+        step: f64,
+        /// Start, s.
+        from: f64,
+        /// End, s.
+        to: f64,
     },
     /// The drawn machine does not satisfy its joints.
     #[error("the joint {joint} does not hold as drawn: its sides are {gap:.3e} apart; draw the machine closed")]

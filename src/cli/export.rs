@@ -12,6 +12,16 @@ pub fn platform_and_path(text: &str) -> Result<(Platform, PathBuf), String> {
     found.ok_or_else(|| "PLATFORM=PATH was expected, with linux64, win64 or darwin64".to_owned())
 }
 
+/// Refuses to write over the model file itself.
+pub fn spare(file: &Path, output: &Path) -> Result<(), Stop> {
+    match (file.canonicalize(), output.canonicalize()) {
+        (Ok(model), Ok(target)) if model == target => {
+            Err(Stop::Bad(format!("error: {} is the model file; choose another name to write to", output.display())))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Packs the model as an FMU, with the library of this platform and of others that are given.
 pub fn pack(
     simulation: &Simulation,

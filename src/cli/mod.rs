@@ -112,10 +112,11 @@ pub fn main() -> ExitCode {
         Command::Check { model, draw } => load(&model.file, &model.overrides)
             .and_then(|(simulation, _)| check::check(&simulation, &model.file, draw.as_deref())),
         Command::Pack { file, output, library, binaries } => load(&file, &[])
+            .and_then(|loaded| export::spare(&file, &output).map(|()| loaded))
             .and_then(|(simulation, text)| export::pack(&simulation, &text, &output, library.as_deref(), binaries)),
-        Command::Header { file, output, prefix } => {
-            load(&file, &[]).and_then(|(simulation, _)| export::header(&simulation, &output, prefix.as_deref()))
-        }
+        Command::Header { file, output, prefix } => load(&file, &[])
+            .and_then(|loaded| export::spare(&file, &output).map(|()| loaded))
+            .and_then(|(simulation, _)| export::header(&simulation, &output, prefix.as_deref())),
         Command::Demo => demo::demo(),
     };
     match result {

@@ -5,7 +5,7 @@ use super::beam::element::Element;
 use super::beam::frame::{NodeFrame, Triad};
 use super::beam::strain::{Stiffness, Strain};
 use super::joint::Joint;
-use super::load::Load;
+use super::load::{Excitation, Load};
 use super::marker::{Marker, Pose};
 use super::material::Material;
 use super::section::Section;
@@ -235,8 +235,8 @@ impl Assembly {
             multipliers: vec![0.0; system.constraints()],
             triads: self.triads,
             holonomy,
+            excitation: Excitation::default(),
             rotations,
-            previous_step: 0.0,
             halving: 0,
             good_steps: 0,
             statistics: Statistics::default(),

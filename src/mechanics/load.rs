@@ -43,6 +43,50 @@ pub enum Direction {
     Follower,
 }
 
+/// Components of a load at one instant, in the load's own axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wrench {
+    /// Force, N, or N/m along a beam.
+    pub force: Vec3,
+    /// Moment, N m, or N along a beam.
+    pub moment: Vec3,
+}
+
+impl Wrench {
+    /// Whether all components are numbers.
+    pub fn is_finite(&self) -> bool {
+        self.force.iter().chain(&self.moment).all(|value| value.is_finite())
+    }
+}
+
+/// What acts on a machine from outside at one instant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Excitation {
+    /// Gravity, m/s².
+    pub gravity: Vec3,
+    /// Components of the loads, in their order.
+    pub wrenches: Vec<Wrench>,
+}
+
+impl Excitation {
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.gravity = other.gravity;
+        self.wrenches.clone_from(&other.wrenches);
+    }
+
+    /// Sets this to what lies between `start` and `end`, at `share` (0 to 1) of the way; loads that `start` lacks begin at nothing.
+    pub fn set_between(&mut self, start: &Self, end: &Self, share: f64) {
+        self.copy_from(end);
+        self.gravity = start.gravity * (1.0 - share) + end.gravity * share;
+        for (number, wrench) in self.wrenches.iter_mut().enumerate() {
+            let from = start.wrenches.get(number).copied().unwrap_or_default();
+            wrench.force = from.force * (1.0 - share) + wrench.force * share;
+            wrench.moment = from.moment * (1.0 - share) + wrench.moment * share;
+        }
+    }
+}
+
 /// A load on one or more markers.
 #[derive(Clone, Debug)]
 pub struct Load {
@@ -59,15 +103,16 @@ pub struct Load {
 }
 
 impl Load {
-    /// Whether all components are finite numbers at `time`, s.
-    pub fn is_finite(&self, time: f64) -> bool {
-        self.force.iter().chain(&self.moment).all(|signal| signal.at(time).is_finite())
+    /// Its components at `time`, s.
+    pub fn at(&self, time: f64) -> Wrench {
+        let value = |signals: &[Signal; 3]| Vec3::from_fn(|i, _| signals[i].at(time));
+        Wrench { force: value(&self.force), moment: value(&self.moment) }
     }
 
-    /// Force (N) and moment (N m) of share `share` at `time`, in space.
-    fn wrench(&self, c: &Configuration, marker: &Marker, share: f64, time: f64) -> (Vec3, Vec3) {
-        let value = |signals: &[Signal; 3]| Vec3::from_fn(|i, _| signals[i].at(time) * share);
-        let (force, moment) = (value(&self.force), value(&self.moment));
+    /// The share of point `number` in the components `wrench`, in space: N, N m.
+    fn in_space(&self, c: &Configuration, number: usize, wrench: &Wrench) -> (Vec3, Vec3) {
+        let (marker, share) = &self.points[number];
+        let (force, moment) = (wrench.force * *share, wrench.moment * *share);
         match self.direction {
             Direction::Global => (force, moment),
             Direction::Follower => {
@@ -77,18 +122,17 @@ impl Load {
         }
     }
 
-    /// Generalized force of point `number` at `time` (s), 14×1, in the marker's coordinates.
-    pub fn force(&self, c: &Configuration, number: usize, time: f64) -> SVector<f64, 14> {
-        let (marker, share) = &self.points[number];
-        let (force, moment) = self.wrench(c, marker, *share, time);
-        let motion = marker.motion(c);
+    /// Generalized force of point `number` under the components `wrench`, 14×1, in the marker's coordinates.
+    pub fn force(&self, c: &Configuration, number: usize, wrench: &Wrench) -> SVector<f64, 14> {
+        let (force, moment) = self.in_space(c, number, wrench);
+        let motion = self.points[number].0.motion(c);
         motion.place_q.tr_mul(&force) + motion.turn_q.tr_mul(&moment)
     }
 
-    /// `∂(generalized force)/∂q` of point `number` at `time` (s), 14×14.
-    pub fn force_q(&self, c: &Configuration, number: usize, time: f64) -> MarkerMatrix {
-        let (marker, share) = &self.points[number];
-        let (force, moment) = self.wrench(c, marker, *share, time);
+    /// `∂(generalized force)/∂q` of point `number` under the components `wrench`, 14×14.
+    pub fn force_q(&self, c: &Configuration, number: usize, wrench: &Wrench) -> MarkerMatrix {
+        let marker = &self.points[number].0;
+        let (force, moment) = self.in_space(c, number, wrench);
         let sum = marker.wrench_stiffness(c, &force, &moment);
         match self.direction {
             Direction::Global => sum,

@@ -253,14 +253,7 @@ impl SectionPoint {
                 &point.shape_xx,
             );
         }
-        let [h_00, h_01, h_11] = self.kinematics.holonomy.hessian(first, second);
-        let slope = along * self.xi;
-        for (row, column, block) in
-            [(P, P, h_00), (P, NODE + P, h_01), (NODE + P, P, h_01.transpose()), (NODE + P, NODE + P, h_11)]
-        {
-            let mut view = sum.fixed_view_mut::<3, 3>(row, column);
-            view += block * slope;
-        }
+        self.kinematics.holonomy.add_hessian(&mut sum, first, second, along * self.xi);
         // Its inexact part, −(k_0 + kb)·dp_0/|p_0| − kb·dp/|p|.
         let k_t0 = half_turn_by_first(&first.t, &self.t, &self.k);
         let k_t = half_turn_by_second(&first.t, &self.t, &self.k);

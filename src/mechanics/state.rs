@@ -1,6 +1,7 @@
 //! What changes in time, as plain data: to save, restore and repeat is to clone this.
 
 use super::beam::frame::Triad;
+use super::load::Excitation;
 use crate::math::Vec3;
 
 /// Everything that persists from one step to the next.
@@ -20,10 +21,10 @@ pub struct State {
     pub triads: Vec<Triad>,
     /// Holonomy angles of the elements, rad: the branch that the next one continues.
     pub holonomy: Vec<f64>,
+    /// What acted from outside at the last equilibrium: where a jump of loads starts from. Nothing yet: empty.
+    pub excitation: Excitation,
     /// Rotation vectors of the sensors from the orientation as drawn, rad, continued over turns.
     pub rotations: Vec<Vec3>,
-    /// Size of the last step, s; 0 at the start.
-    pub previous_step: f64,
     /// Steps are `2^-halving` of the step size.
     pub halving: u32,
     /// Whole steps since the last change of `halving`.
@@ -41,6 +42,7 @@ impl Clone for State {
             multipliers: self.multipliers.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
+            excitation: self.excitation.clone(),
             rotations: self.rotations.clone(),
             ..*self
         }
@@ -48,7 +50,7 @@ impl Clone for State {
 
     /// Keeps the memory that is there: a step that makes a backup must not allocate.
     fn clone_from(&mut self, source: &Self) {
-        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, rotations, .. } = self;
+        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, excitation, rotations, .. } = self;
         *time = source.time;
         q.clone_from(&source.q);
         velocity.clone_from(&source.velocity);
@@ -56,8 +58,8 @@ impl Clone for State {
         multipliers.clone_from(&source.multipliers);
         triads.clone_from(&source.triads);
         holonomy.clone_from(&source.holonomy);
+        excitation.copy_from(&source.excitation);
         rotations.clone_from(&source.rotations);
-        self.previous_step = source.previous_step;
         self.halving = source.halving;
         self.good_steps = source.good_steps;
         self.statistics = source.statistics;

@@ -4,8 +4,9 @@
 use super::beam::coordinates::{ELEMENT, NODE, P, R, THETA, vec3};
 use super::beam::element::{Element, Evaluation};
 use super::beam::frame::{NodeFrame, Triad};
+use super::beam::kinematics::{Holonomy, Kinematics};
 use super::joint::{Joint, JointGradient};
-use super::load::Load;
+use super::load::{Excitation, Load};
 use super::marker::{Configuration, MARKER};
 use super::sensor::{Sensor, Snapshot};
 use super::state::State;
@@ -28,14 +29,12 @@ pub struct Beam {
     pub twist_limit: f64,
 }
 
-/// When, and how much of the loads and of gravity acts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Excitation {
-    /// Time at which loads are taken, s.
-    pub time: f64,
-    /// Share of loads and gravity, 1 but during the ramp to a first equilibrium.
-    pub share: f64,
-}
+/// Slopes `|r'|` in which the element means something: outside it is stretched or squeezed beyond any beam theory (MECHANICS 7.4).
+const STRETCHES: std::ops::RangeInclusive<f64> = 0.3..=3.0;
+/// Smallest `1 + t_0·t_1` of an element's ends: 143 degrees between them, near the singularity of the minimal rotation (MECHANICS 2.6).
+const SMALLEST_COSINE: f64 = 0.2;
+/// Largest change of the holonomy angle or of the twist of an element in a step, rad: the branch is safe below pi (MECHANICS 2.6).
+const LARGEST_TWIST_CHANGE: f64 = 2.0;
 
 /// The machine.
 #[derive(Clone, Debug)]
@@ -52,8 +51,8 @@ pub struct System {
     pub sensors: Vec<Sensor>,
     /// Largest extent of the machine as drawn, m: what lengths are compared with.
     pub size: f64,
-    gravity: Vec3,
-    weight: Vec<f64>,
+    /// Gravity, m/s².
+    pub gravity: Vec3,
 }
 
 impl System {
@@ -67,23 +66,14 @@ impl System {
         gravity: Vec3,
         size: f64,
     ) -> Self {
-        let mut system = Self { beams, elements, joints, loads, sensors, size, gravity, weight: Vec::new() };
-        system.set_gravity(gravity);
-        system
+        Self { beams, elements, joints, loads, sensors, size, gravity }
     }
 
-    /// Gravity, m/s².
-    pub fn gravity(&self) -> Vec3 {
-        self.gravity
-    }
-
-    /// Changes gravity, m/s².
-    pub fn set_gravity(&mut self, gravity: Vec3) {
-        self.gravity = gravity;
-        self.weight = vec![0.0; self.coordinates()];
-        for element in &self.elements {
-            add(&mut self.weight, NODE * element.node, element.weight(&gravity).as_slice());
-        }
+    /// Sets `excitation` to what acts at `time`, s.
+    pub fn excite(&self, time: f64, excitation: &mut Excitation) {
+        excitation.gravity = self.gravity;
+        excitation.wrenches.clear();
+        excitation.wrenches.extend(self.loads.iter().map(|load| load.at(time)));
     }
 
     /// Number of nodes.
@@ -130,7 +120,7 @@ impl System {
     }
 
     /// `∂U/∂q − F`: internal minus external forces. `increment`: the change of `q` over a step whose middle `c` is, or none.
-    pub fn forces(&self, c: &Configuration, increment: Option<&[f64]>, excitation: Excitation, forces: &mut [f64]) {
+    pub fn forces(&self, c: &Configuration, increment: Option<&[f64]>, excitation: &Excitation, forces: &mut [f64]) {
         self.add_external(c, excitation, forces);
         for (number, element) in self.elements.iter().enumerate() {
             let gradient = evaluation(c, number, increment).gradient();
@@ -144,7 +134,7 @@ impl System {
         &self,
         c: &Configuration,
         increment: Option<&[f64]>,
-        excitation: Excitation,
+        excitation: &Excitation,
         scale: f64,
         forces: &mut [f64],
         tangent: &mut Blocks,
@@ -157,25 +147,27 @@ impl System {
                 *target = scale * value;
             }
         }
-        let points = self.loads.iter().flat_map(|load| (0..load.points.len()).map(move |number| (load, number)));
-        for (place, (load, number)) in points.enumerate() {
-            let count = load.points[number].0.coordinates(&self.elements).len();
-            let force_q = load.force_q(c, number, excitation.time) * (-scale * excitation.share);
-            copy_corner(tangent.block_mut(self.elements.len() + place), count, count, |row, column| {
-                force_q[(row, column)]
-            });
+        let mut block = self.elements.len();
+        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
+            for (number, (marker, _)) in load.points.iter().enumerate() {
+                let count = marker.coordinates(&self.elements).len();
+                let force_q = load.force_q(c, number, wrench) * -scale;
+                copy_corner(tangent.block_mut(block), count, count, |row, column| force_q[(row, column)]);
+                block += 1;
+            }
         }
     }
 
     /// Sets `forces` to minus the external forces.
-    fn add_external(&self, c: &Configuration, excitation: Excitation, forces: &mut [f64]) {
-        for (force, weight) in forces.iter_mut().zip(&self.weight) {
-            *force = -excitation.share * weight;
+    fn add_external(&self, c: &Configuration, excitation: &Excitation, forces: &mut [f64]) {
+        forces.fill(0.0);
+        for element in &self.elements {
+            add(forces, NODE * element.node, (-element.weight(&excitation.gravity)).as_slice());
         }
-        for load in &self.loads {
+        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for (number, (marker, _)) in load.points.iter().enumerate() {
                 let range = marker.coordinates(&self.elements);
-                let force = load.force(c, number, excitation.time) * -excitation.share;
+                let force = -load.force(c, number, wrench);
                 add(forces, range.start, &force.as_slice()[..range.len()]);
             }
         }
@@ -254,7 +246,12 @@ impl System {
 
     /// `−Σ m g·r`, J; zero at the origin.
     pub fn gravity_energy(&self, q: &[f64]) -> f64 {
-        -self.weight.iter().zip(q).map(|(weight, q)| weight * q).sum::<f64>()
+        let lift = |element: &Element| {
+            let own = &q[NODE * element.node..NODE * (element.node + 2)];
+            own.iter().zip(&element.weight(&self.gravity)).map(|(q, weight)| q * weight).sum::<f64>()
+        };
+        // From +0: without gravity the energy is 0, not −0.
+        self.elements.iter().fold(0.0, |sum, element| sum - lift(element))
     }
 
     /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s): `Σ P_r`, `Σ r × P_r + p × P_p + P_θ t` (MECHANICS 7.2).
@@ -277,8 +274,7 @@ impl System {
         }
         for (number, element) in self.elements.iter().enumerate() {
             let [first, second] = [&frames[element.node], &frames[element.node + 1]];
-            state.holonomy[number] =
-                super::beam::kinematics::Holonomy::new(first, second, state.holonomy[number]).angle;
+            state.holonomy[number] = Holonomy::new(first, second, state.holonomy[number]).angle;
         }
         for (triad, frame) in state.triads.iter_mut().zip(frames) {
             *triad = frame.carried();
@@ -329,7 +325,7 @@ impl System {
 
     /// What is not finite in the equations of `time` (s), in words.
     pub fn describe_not_finite(&self, time: f64) -> String {
-        match self.loads.iter().find(|load| !load.is_finite(time)) {
+        match self.loads.iter().find(|load| !load.at(time).is_finite()) {
             Some(load) => format!("the force or moment of load {}", load.name),
             None => String::from("a number in the equations"),
         }
@@ -361,6 +357,32 @@ impl System {
         })
     }
 
+    /// Checks that no element twists further than the branch is safe for, from `state` to the coordinates `q`; `frames` is scratch memory.
+    ///
+    /// # Errors
+    /// An element twists too far: an increment that large may end on another branch of equilibria.
+    pub fn check_twist_change(
+        &self,
+        state: &State,
+        q: &[f64],
+        frames: &mut Vec<NodeFrame>,
+        time: f64,
+    ) -> Result<(), Error> {
+        for (number, element) in self.elements.iter().enumerate() {
+            let mut twist = |q: &[f64]| {
+                let nodes = element.node..element.node + 2;
+                self.frames(&q[NODE * nodes.start..NODE * nodes.end], &state.triads[nodes.clone()], frames);
+                let own = &q[NODE * nodes.start..NODE * nodes.end];
+                Kinematics::new(element, own, &frames[0], &frames[1], state.holonomy[number]).twist
+            };
+            if (twist(q) - twist(&state.q)).abs() > LARGEST_TWIST_CHANGE {
+                let (beam, place) = self.beam_of(number);
+                return Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what: "twisted" });
+            }
+        }
+        Ok(())
+    }
+
     /// Checks what the element can bear (MECHANICS 2.6, 7.4) at the end of a step or increment.
     ///
     /// # Errors
@@ -368,7 +390,7 @@ impl System {
     pub fn check(&self, c: &Configuration, triads: &[Triad], turn: f64, time: f64) -> Result<(), Error> {
         for (node, (frame, triad)) in c.frames.iter().zip(triads).enumerate() {
             let place = || self.describe_node(node);
-            if !frame.stretch.is_finite() || !(0.3..=3.0).contains(&frame.stretch) {
+            if !frame.stretch.is_finite() || !STRETCHES.contains(&frame.stretch) {
                 return Err(Error::Stretched { time, place: place(), stretch: frame.stretch });
             }
             let angle = frame.t.cross(&triad.t).norm().atan2(frame.t.dot(&triad.t));
@@ -382,11 +404,11 @@ impl System {
                 let (beam, place) = self.beam_of(number);
                 Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what })
             };
-            if 1.0 + first.t.dot(&second.t) < 0.2 {
+            if 1.0 + first.t.dot(&second.t) < SMALLEST_COSINE {
                 return distorted("bent");
             }
-            let holonomy = super::beam::kinematics::Holonomy::new(first, second, c.holonomy[number]);
-            if (holonomy.angle - c.holonomy[number]).abs() > 2.0 {
+            let holonomy = Holonomy::new(first, second, c.holonomy[number]);
+            if (holonomy.angle - c.holonomy[number]).abs() > LARGEST_TWIST_CHANGE {
                 return distorted("twisted");
             }
             let (beam, place) = self.beam_of(number);

@@ -31,8 +31,6 @@ pub struct Built {
     pub system: System,
     /// Its state as drawn, velocities as given.
     pub state: State,
-    /// The drawn place of each joint, in file order, m.
-    pub joint_places: Vec<Vec3>,
 }
 
 /// Builds the machine with the parameters of now; `start` is the time of the drawing, s.
@@ -40,8 +38,7 @@ pub struct Built {
 /// # Errors
 /// Every mistake that the geometry shows, in file order.
 pub fn build(document: &Document, start: f64) -> Result<Built, Vec<Diagnostic>> {
-    let mut builder =
-        Builder { document, assembly: Assembly::default(), mistakes: Vec::new(), joint_places: Vec::new() };
+    let mut builder = Builder { document, assembly: Assembly::default(), mistakes: Vec::new() };
     for beam in &document.beams {
         builder.add_beam(beam);
     }
@@ -59,21 +56,18 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Vec<Diagnostic>> 
             }
         }
     }
-    let Builder { assembly, mut mistakes, joint_places, .. } = builder;
+    let Builder { assembly, mut mistakes, .. } = builder;
     if !mistakes.is_empty() {
         mistakes.sort_by_key(|mistake| mistake.place);
         return Err(mistakes);
     }
     let (system, state) = assembly.finish(vector(document, document.model.gravity), start);
-    Ok(Built { system, state, joint_places })
+    Ok(Built { system, state })
 }
 
 /// Brings gravity and loads of a built machine to the parameters of now.
 pub fn retune(document: &Document, system: &mut System) {
-    let gravity = vector(document, document.model.gravity);
-    if system.gravity() != gravity {
-        system.set_gravity(gravity);
-    }
+    system.gravity = vector(document, document.model.gravity);
     for (load, written) in system.loads.iter_mut().zip(&document.loads) {
         load.force = written.force.map(|number| signal(document, number));
         load.moment = written.moment.map(|number| signal(document, number));
@@ -96,7 +90,6 @@ struct Builder<'a> {
     document: &'a Document,
     assembly: Assembly,
     mistakes: Vec<Diagnostic>,
-    joint_places: Vec<Vec3>,
 }
 
 impl Builder<'_> {
@@ -263,7 +256,6 @@ impl Builder<'_> {
         };
         let joint = joint::Joint { name: written.name.clone(), a: side(node_a), b: side(node_b), primitives };
         self.assembly.add_joint(joint);
-        self.joint_places.push(place);
     }
 
     fn add_load(&mut self, written: &Load) {

@@ -2,6 +2,7 @@
 
 use super::diagnostic::Place;
 use super::expression::program::FUNCTIONS;
+use crate::fmi::header::is_identifier;
 
 /// What a name stands for: the sections that carry names, and the entries of [parameters].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -139,7 +140,8 @@ pub fn identifier(text: &str) -> String {
     if name.starts_with(|c: char| c.is_ascii_digit()) {
         name.insert(0, '_');
     }
-    if KEYWORDS.contains(&name.as_str()) {
+    // Only a word that C or C++ keeps for itself is left to object to.
+    if !is_identifier(&name) {
         name.push('_');
     }
     name
@@ -147,13 +149,6 @@ pub fn identifier(text: &str) -> String {
 
 /// Length of an identifier: it becomes a file name.
 const IDENTIFIER: usize = 60;
-
-/// The keywords of C that are words (C11).
-const KEYWORDS: [&str; 34] = [
-    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum", "extern", "float",
-    "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return", "short", "signed", "sizeof",
-    "static", "struct", "switch", "typedef", "union", "unsigned", "void", "volatile", "while",
-];
 
 #[cfg(test)]
 mod tests {

@@ -14,10 +14,6 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
         let source = k + 1;
         let start = OVERRIDE.len();
         let place = Place { source, start, end: start + key.len() };
-        if overrides[..k].iter().any(|(earlier, _)| earlier == key) {
-            report.error(place, &format!("`{key}` is set twice"), "the second one", "");
-            continue;
-        }
         let item = parse_override(value, source, place.end + 1, report);
         let (path, index) = match split_index(key) {
             Ok(split) => split,
@@ -26,6 +22,12 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
                 continue;
             }
         };
+        let earlier = overrides[..k].iter().filter_map(|(key, _)| split_index(key).ok());
+        let overlaps = |other: Option<usize>| other.is_none() || index.is_none() || other == index;
+        if earlier.into_iter().any(|(other, component)| other == path && overlaps(component)) {
+            report.error(place, &format!("`{key}` is set twice"), "the second one", "");
+            continue;
+        }
         if let Some(target) = find(tree, path, place, report) {
             store(target, index, item, place, report);
         }
@@ -35,8 +37,9 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
 /// `gravity[3]` to `gravity` and 3.
 fn split_index(key: &str) -> Result<(&str, Option<usize>), String> {
     let Some((path, rest)) = key.split_once('[') else { return Ok((key, None)) };
-    let index = rest.strip_suffix(']').and_then(|index| index.parse::<usize>().ok());
-    match index {
+    // The one way to write an index: `[+3]` and `[03]` are mistakes.
+    let digits = rest.strip_suffix(']').filter(|digits| !digits.starts_with(['0', '+']));
+    match digits.and_then(|digits| digits.parse::<usize>().ok()) {
         Some(index) if (1..=COMPONENTS).contains(&index) => Ok((path, Some(index))),
         _ => Err(format!("`{key}` has no such component")),
     }

@@ -53,8 +53,9 @@ fn row(slot: &Slot, value: f64) -> Variable {
             (false, false) => Variability::Fixed,
         },
         start: typed(slot, value),
-        min: meta.range.lower.map(|limit| limit.value),
-        max: meta.range.upper.map(|limit| limit.value),
+        // FMI's limits belong to the range: one that does not is left out, and the refusal says it.
+        min: meta.range.lower.filter(|limit| limit.included).map(|limit| limit.value),
+        max: meta.range.upper.filter(|limit| limit.included).map(|limit| limit.value),
         quantity: unit::quantity(&meta.unit),
         display_unit: meta.display.clone(),
     }

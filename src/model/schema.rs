@@ -104,4 +104,4 @@ pub const FRACTION: Rule = rule("at", "fraction of the beam's length", "").from(
 pub const STOP: Rule = rule("stop", "end of the simulation", "s").above(0.0);
 pub const STEP: Rule = rule("step", "largest internal step", "s").above(0.0);
 pub const OUTPUT_STEP: Rule = rule("output_step", "time between two rows of results", "s").above(0.0);
-pub const TOLERANCE: Rule = rule("tolerance", "bound of the last Newton increment", "").above(0.0).below(1.0);
+pub const TOLERANCE: Rule = rule("tolerance", "bound of the last Newton increment", "").from(1e-14).to(1e-3);

@@ -18,6 +18,8 @@ use std::sync::Arc;
 
 /// How near to a point of the grid of internal steps a communication point must be to be that point, in steps.
 const ON_GRID: f64 = 1e-9;
+/// Most internal steps in one call: beyond, times a step apart are hardly different numbers, and nobody waits for the end.
+const MOST_STEPS: f64 = 1e9;
 /// Round-off that a communication step may have before it takes one internal step more, in steps.
 const STEP_ROUNDING: f64 = 1e-6;
 
@@ -31,8 +33,6 @@ pub struct Simulation {
     results: Vec<f64>,
     frames: Frames,
     warnings: Vec<String>,
-    /// How often the model has been initialized.
-    initializations: u64,
     /// Whether the twist of a beam with truncated strain has been warned of.
     twist_warned: bool,
 }
@@ -48,8 +48,9 @@ struct Machine {
     start: f64,
     /// Internal step, s.
     step: f64,
-    /// Which initialization of this simulation the machine is from; 0: none yet.
-    generation: u64,
+    /// The initialization that the machine is from; none yet: no solver. Shared with the snapshots taken since, of which a
+    /// solver is scratch memory only.
+    initialization: Arc<()>,
     solver: Solver,
 }
 
@@ -70,7 +71,9 @@ pub struct Snapshot {
     state: State,
     start: f64,
     step: f64,
-    generation: u64,
+    initialization: Arc<()>,
+    initialized: bool,
+    twist_warned: bool,
     results: Vec<f64>,
 }
 
@@ -100,7 +103,6 @@ impl Simulation {
             results: Vec::new(),
             frames: Frames::default(),
             warnings: Vec::new(),
-            initializations: 0,
             twist_warned: false,
         };
         simulation.measure();
@@ -171,8 +173,15 @@ impl Model for Simulation {
             let name = &self.table.variables[reference].name;
             return Err(wrong(format!("`{name}` is a result and cannot be set")));
         };
-        Arc::make_mut(&mut self.document).set_parameter(index, value).map_err(wrong)?;
+        let before = self.document.parameter_value(index);
+        let document = Arc::make_mut(&mut self.document);
+        document.set_parameter(index, value).map_err(wrong)?;
         if self.machine.is_initialized() {
+            // Nothing later checks what follows from a tunable parameter. Its old value was legal.
+            if let Err(objection) = document.check() {
+                document.set_parameter(index, before).map_err(wrong)?;
+                return Err(wrong(objection));
+            }
             build::retune(&self.document, Arc::make_mut(&mut self.machine.system));
         }
         Ok(())
@@ -185,8 +194,6 @@ impl Model for Simulation {
         let mut machine = Machine::new(built, &self.document, start);
         let warning = machine.find_initial_state(&self.document).map_err(|error| failure(&error))?;
         self.warnings.extend(warning);
-        self.initializations += 1;
-        machine.generation = self.initializations;
         self.machine = machine;
         self.twist_warned = false;
         self.measure();
@@ -227,7 +234,9 @@ impl Model for Simulation {
             state: machine.state.clone(),
             start: machine.start,
             step: machine.step,
-            generation: machine.generation,
+            initialization: Arc::clone(&machine.initialization),
+            initialized: machine.is_initialized(),
+            twist_warned: self.twist_warned,
             results: self.results.clone(),
         }
     }
@@ -239,13 +248,14 @@ impl Model for Simulation {
         machine.state.clone_from(&snapshot.state);
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
         self.results.clone_from(&snapshot.results);
-        // The solver is scratch memory, but of the shape and with the tolerance of its initialization.
-        if machine.generation != snapshot.generation {
-            machine.generation = snapshot.generation;
-            machine.solver = match snapshot.generation {
-                0 => Solver::None,
-                // It could be set up for this system before.
-                _ => Solver::new(&self.document, &machine.system).unwrap_or(Solver::None),
+        self.twist_warned = snapshot.twist_warned;
+        // The solver has the shape and the tolerance of its initialization, which may be another one, or another instance's.
+        if !Arc::ptr_eq(&machine.initialization, &snapshot.initialization) {
+            machine.initialization = Arc::clone(&snapshot.initialization);
+            machine.solver = match snapshot.initialized {
+                false => Solver::None,
+                // It could be set up for this very system before; if memory is short, the next step says that there is none.
+                true => Solver::new(&self.document, &machine.system).unwrap_or(Solver::None),
             };
         }
     }
@@ -253,14 +263,14 @@ impl Model for Simulation {
 
 impl Machine {
     fn new(built: Built, document: &Document, start: f64) -> Self {
-        let Built { system, state, .. } = built;
+        let Built { system, state } = built;
         Self {
             system: Arc::new(system),
             backup: state.clone(),
             state,
             start,
             step: document.value(document.simulation.step),
-            generation: 0,
+            initialization: Arc::new(()),
             solver: Solver::None,
         }
     }
@@ -277,18 +287,18 @@ impl Machine {
         match &mut self.solver {
             Solver::None => Ok(None),
             Solver::Midpoint(midpoint) => {
-                let change = start::set_motion(&self.system, midpoint, &mut self.state)?;
-                Ok((change > 0.0).then(|| {
+                let lost = start::set_motion(&self.system, midpoint, &mut self.state)?;
+                Ok((lost > 0.0).then(|| {
                     format!(
-                        "the given initial velocities do not fit the joints: they were changed by {:.2e} of the largest, \
-                         to the nearest that do",
-                        change
+                        "the given initial velocities do not fit the joints: they were changed to the nearest that do, \
+                         which takes {:.3} % of their kinetic energy",
+                        100.0 * lost
                     )
                 }))
             }
             Solver::Statics(statics) => {
                 self.state.velocity.fill(0.0);
-                statics.ramp(&self.system, &mut self.state)?;
+                statics.find(&self.system, &mut self.state, self.start)?;
                 Ok(moving.then(|| String::from("the initial velocities are not used: the analysis is static")))
             }
         }
@@ -311,6 +321,10 @@ impl Machine {
         let on_grid = (end - grid(last)).abs() <= ON_GRID * self.step;
         let end = if on_grid { grid(last) } else { end };
         let first = nearest(self.state.time);
+        let needed = (end - self.state.time) / self.step;
+        if needed > MOST_STEPS {
+            return Err(Error::TooManySteps { count: needed, step: self.step, from: self.state.time, to: end });
+        }
         if on_grid && self.state.time == grid(first) {
             let count = (last - first) as u64;
             for number in 1..=count {
@@ -331,8 +345,7 @@ impl Machine {
 
     fn step_to(&mut self, end: f64, step: f64) -> Result<(), Error> {
         match &mut self.solver {
-            // The FMI half lets no step pass before the initialization.
-            Solver::None => Ok(()),
+            Solver::None => Err(Error::NotInitialized),
             Solver::Midpoint(midpoint) => grid_step(midpoint.as_mut(), &self.system, &mut self.state, step, end),
             Solver::Statics(statics) => grid_step(statics.as_mut(), &self.system, &mut self.state, step, end),
         }
@@ -360,14 +373,16 @@ fn join(mistakes: &[super::diagnostic::Diagnostic]) -> String {
 }
 
 fn failure(error: &Error) -> Failure {
-    let category = match error {
+    Failure { message: error.to_string(), category: category(error) }
+}
+
+fn category(error: &Error) -> LogCategory {
+    match error {
         Error::Singular { .. } => LogCategory::SingularLinearSystems,
-        Error::NotConverged { .. } | Error::StepTooSmall { .. } | Error::RampStuck { .. } => {
-            LogCategory::NonlinearSystems
-        }
+        Error::NotConverged { .. } => LogCategory::NonlinearSystems,
+        Error::StepTooSmall { reason, .. } | Error::RampStuck { reason, .. } => category(reason),
         _ => LogCategory::StatusError,
-    };
-    Failure { message: error.to_string(), category }
+    }
 }
 
 /// A name-based hash of the file, of its overrides and of the variable table: what a host's XML and the model must agree on.

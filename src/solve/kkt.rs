@@ -1,11 +1,14 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
-use super::linear::{Singular, SparseLu};
+use super::linear::{Regularity, Singular, SparseLu, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::marker::MarkerMatrix;
 use crate::mechanics::system::{System, copy_corner};
+
+/// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
+const SHIFT: f64 = 1e-10;
 
 /// Matrix and factorization of one machine's constrained system.
 #[derive(Debug)]
@@ -50,8 +53,9 @@ impl Kkt {
     }
 
     fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>) -> Result<Self, Error> {
-        let solver = SparseLu::new(system.coordinates() + system.constraints(), &blocks)
-            .map_err(|Singular| Error::Singular { time: 0.0, place: String::from("the machine (out of memory)") })?;
+        let solver = SparseLu::new(system.coordinates() + system.constraints(), &blocks).map_err(|Singular| {
+            Error::Singular { time: 0.0, what: String::from("there is not enough memory to analyse them") }
+        })?;
         Ok(Self { blocks, joints, curvatures, solver })
     }
 
@@ -89,29 +93,40 @@ impl Kkt {
     /// The matrix is singular: the error names the part of the machine that the lost direction moves most.
     pub fn solve(&mut self, system: &System, vector: &mut [f64], time: f64) -> Result<(), Error> {
         let solved = self.solver.factorize(&self.blocks).and_then(|()| self.solver.solve(vector));
-        solved.map_err(|Singular| Error::Singular { time, place: self.lost_direction(system) })
+        solved.map_err(|Singular| Error::Singular { time, what: self.lost_direction(system) })
     }
 
-    /// The unknown that a null vector of the matrix moves most: a few inverse iterations on the matrix with a slightly shifted diagonal.
+    /// Checks that the solution just found is the only one: a singular system may have one by chance, as a floating beam
+    /// without loads has.
+    ///
+    /// # Errors
+    /// A part of the machine can move freely, or is held twice.
+    pub fn check_unique(&mut self, system: &System, time: f64) -> Result<(), Error> {
+        match self.solver.regularity() {
+            Regularity::Regular => Ok(()),
+            Regularity::Singular(index) => Err(Error::Singular { time, what: advice(system, index) }),
+            Regularity::Unknown => Err(Error::Singular { time, what: self.lost_direction(system) }),
+        }
+    }
+
+    /// What a null vector of the matrix moves most, found by inverse iterations on the matrix with a slightly shifted diagonal.
     fn lost_direction(&self, system: &System) -> String {
         let size = system.coordinates() + system.constraints();
         let mut shifted = self.blocks.clone();
         if shifted.values().iter().any(|value| !value.is_finite()) {
-            return String::from("a part of the machine with numbers that are not finite");
+            return String::from("a number in the equations is not finite; try a smaller step");
         }
-        let largest = shifted.values().iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         for index in 0..size {
             let block = shifted.push(Block { row: index, column: index, rows: 1, columns: 1 });
             let sign = if index < system.coordinates() { 1.0 } else { -1.0 };
-            // Small against the smallest honest stiffness, large against round-off.
-            shifted.block_mut(block)[0] = sign * 1e-11 * largest.max(1e-300);
+            shifted.block_mut(block)[0] = sign * SHIFT / self.solver.scale(index).powi(2);
         }
-        let unnamed = || String::from("a part of the machine");
+        let unnamed = || String::from("a part of the machine can move freely or is held twice");
         let Ok(mut solver) = SparseLu::new(size, &shifted) else { return unnamed() };
         if solver.factorize(&shifted).is_err() {
             return unnamed();
         }
-        let mut vector = vec![1.0; size];
+        let mut vector: Vec<f64> = (0..size).map(|index| irregular(index) / self.solver.scale(index)).collect();
         for _ in 0..3 {
             if solver.solve(&mut vector).is_err() {
                 return unnamed();
@@ -119,8 +134,18 @@ impl Kkt {
             let norm = vector.iter().fold(0.0_f64, |norm, value| norm.max(value.abs()));
             vector.iter_mut().for_each(|value| *value /= norm);
         }
-        let most = vector.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-        most.map_or_else(unnamed, |(index, _)| system.describe_unknown(index))
+        let scaled = vector.iter().enumerate().map(|(index, value)| (index, (value / self.solver.scale(index)).abs()));
+        scaled.max_by(|a, b| a.1.total_cmp(&b.1)).map_or_else(unnamed, |(index, _)| advice(system, index))
+    }
+}
+
+/// What a null vector that is largest in unknown `index` means.
+fn advice(system: &System, index: usize) -> String {
+    let place = system.describe_unknown(index);
+    if index < system.coordinates() {
+        format!("{place} can move freely; hold it by a joint")
+    } else {
+        format!("{place} holds what is held already; remove it, or take one that leaves more free")
     }
 }
 

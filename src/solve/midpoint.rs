@@ -11,8 +11,9 @@ use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::beam::frame::NodeFrame;
 use crate::mechanics::joint::JointGradient;
+use crate::mechanics::load::Excitation;
 use crate::mechanics::state::State;
-use crate::mechanics::system::{Excitation, System};
+use crate::mechanics::system::System;
 
 /// Largest turn of a tangent in a step, rad: beyond it Newton may find a wrong root (MECHANICS 7.4).
 const LARGEST_TURN: f64 = 0.5;
@@ -36,6 +37,8 @@ pub struct Midpoint {
     kkt: Kkt,
     right: Vec<f64>,
     scratch: Scratch,
+    /// The state at the end of the step in the making.
+    next: Option<State>,
 }
 
 /// What a step computes on the way.
@@ -48,6 +51,7 @@ struct Scratch {
     forces: Vec<f64>,
     mass_increment: Vec<f64>,
     conditions: Vec<f64>,
+    excitation: Excitation,
     frames_start: Vec<NodeFrame>,
     frames_middle: Vec<NodeFrame>,
     frames_end: Vec<NodeFrame>,
@@ -73,7 +77,7 @@ impl Midpoint {
             ..Scratch::default()
         };
         let kkt = Kkt::for_steps(system)?;
-        Ok(Self { rule, tolerance, kkt, right: vec![0.0; coordinates + conditions], scratch })
+        Ok(Self { rule, tolerance, kkt, right: vec![0.0; coordinates + conditions], scratch, next: None })
     }
 
     /// Velocities that belong to `state.momentum` and that the constraints allow: `[M Gᵀ; G 0][v; ν] = [P; 0]`.
@@ -94,6 +98,14 @@ impl Midpoint {
         state.velocity.copy_from_slice(&self.right[..state.q.len()]);
         Ok(())
     }
+
+    /// Checks that the constraints are not redundant, after [`Self::set_velocity`].
+    ///
+    /// # Errors
+    /// They are; the error names a joint.
+    pub fn check_unique(&mut self, system: &System, time: f64) -> Result<(), Error> {
+        self.kkt.check_unique(system, time)
+    }
 }
 
 impl Integrator for Midpoint {
@@ -110,13 +122,20 @@ impl Integrator for Midpoint {
             end,
             &mut iterations,
         );
-        let scratch = &mut self.scratch;
-        scratch
-            .check_end(system, state, end, solved.map(|_| ()))
-            .inspect_err(|_| state.statistics.iterations = iterations)?;
         state.statistics.iterations = iterations;
-        scratch.finish(system, state, self.rule, step, end);
-        self.set_velocity(system, state)
+        solved?;
+        self.scratch.place(system, state);
+        self.scratch.check(system, state, end)?;
+        // All that is left may still fail at the velocities: the state changes at the very end.
+        let mut next = self.next.take().unwrap_or_else(|| state.clone());
+        next.clone_from(state);
+        self.scratch.finish(system, &mut next, self.rule, step, end);
+        let outcome = self.set_velocity(system, &mut next);
+        if outcome.is_ok() {
+            std::mem::swap(state, &mut next);
+        }
+        self.next = Some(next);
+        outcome
     }
 }
 
@@ -127,6 +146,7 @@ impl Scratch {
             *increment = step * velocity;
         }
         self.impulses.fill(0.0);
+        system.excite(state.time + 0.5 * step, &mut self.excitation);
         system.frames(&state.q, &state.triads, &mut self.frames_start);
         let configuration = system.configuration(&state.q, &self.frames_start, &state.holonomy);
         system.constraint_gradients(&configuration, &mut self.gradients_start);
@@ -144,9 +164,7 @@ impl Scratch {
     }
 
     /// Refuses what the elements cannot bear (MECHANICS 7.4).
-    fn check_end(&mut self, system: &System, state: &State, end: f64, solved: Result<(), Error>) -> Result<(), Error> {
-        solved?;
-        self.place(system, state);
+    fn check(&self, system: &System, state: &State, end: f64) -> Result<(), Error> {
         let configuration = system.configuration(&self.q_end, &self.frames_end, &state.holonomy);
         system.check(&configuration, &state.triads, LARGEST_TURN, end)
     }
@@ -155,7 +173,7 @@ impl Scratch {
     fn finish(&mut self, system: &System, state: &mut State, rule: AxialRule, step: f64, end: f64) {
         let over = over_step(rule, &self.increment);
         let middle = system.configuration(&self.q_middle, &self.frames_middle, &state.holonomy);
-        system.forces(&middle, over, excitation(end - 0.5 * step), &mut self.forces);
+        system.forces(&middle, over, &self.excitation, &mut self.forces);
         // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it.
         for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
             *momentum = 2.0 * mass_increment / step - *momentum;
@@ -170,13 +188,8 @@ impl Scratch {
         state.q.copy_from_slice(&self.q_end);
         system.carry_references(state, &self.frames_end);
         state.time = end;
-        state.previous_step = step;
         state.statistics.steps += 1;
     }
-}
-
-fn excitation(time: f64) -> Excitation {
-    Excitation { time, share: 1.0 }
 }
 
 /// The one term in which the two integrators differ.
@@ -205,8 +218,14 @@ impl Problem for Step<'_> {
 
         let middle = system.configuration(&scratch.q_middle, &scratch.frames_middle, &state.holonomy);
         let over = over_step(self.rule, &scratch.increment);
-        let time = excitation(state.time + 0.5 * h);
-        system.forces_and_tangent(&middle, over, time, 0.25 * h * h, &mut scratch.forces, &mut kkt.blocks);
+        system.forces_and_tangent(
+            &middle,
+            over,
+            &scratch.excitation,
+            0.25 * h * h,
+            &mut scratch.forces,
+            &mut kkt.blocks,
+        );
         system.add_mass(1.0, &mut kkt.blocks);
 
         let end = system.configuration(&scratch.q_end, &scratch.frames_end, &state.holonomy);
@@ -225,7 +244,7 @@ impl Problem for Step<'_> {
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;
         }
-        time.time
+        state.time + 0.5 * h
     }
 
     fn correct(&mut self, correction: &[f64]) {

@@ -1,4 +1,7 @@
-//! Equilibria: `dU/dq − F + Gᵀ λ = 0`, `g = 0`, one after the other along a ramp of loads or along time.
+//! Equilibria: `dU/dq − F + Gᵀ λ = 0`, `g = 0`, each found from the one before.
+//!
+//! Where Newton does not get there in one go, loads and gravity are ramped from those of the last equilibrium (at first: from
+//! nothing) to the new ones. That finds the first equilibrium, and bridges jumps of loads later.
 
 use super::kkt::Kkt;
 use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
@@ -6,12 +9,13 @@ use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::beam::frame::NodeFrame;
 use crate::mechanics::joint::JointGradient;
+use crate::mechanics::load::Excitation;
 use crate::mechanics::state::State;
-use crate::mechanics::system::{Excitation, System};
+use crate::mechanics::system::System;
 
 /// Largest turn of a tangent in an increment, rad: `1 + t_r·t < 0.1` (MECHANICS 2.6).
 const LARGEST_TURN: f64 = 2.69;
-/// The ramp gives up when its increment falls below this share of the loads.
+/// The ramp gives up when its increment falls below this share.
 const SMALLEST_SHARE: f64 = 1.0 / 4096.0;
 /// An increment that took at most this many iterations may grow.
 const EASY: usize = 6;
@@ -22,7 +26,11 @@ pub struct Statics {
     tolerance: f64,
     kkt: Kkt,
     right: Vec<f64>,
+    /// What acts at the end of the ramp, and at the point of it that is solved for.
+    target: Excitation,
+    current: Excitation,
     scratch: Scratch,
+    next: Option<State>,
     /// How the last solve went.
     pub convergence: Option<Convergence>,
 }
@@ -51,77 +59,98 @@ impl Statics {
             conditions: vec![0.0; conditions],
             ..Scratch::default()
         };
-        let kkt = Kkt::for_equilibrium(system)?;
-        Ok(Self { tolerance, kkt, right: vec![0.0; coordinates + conditions], scratch, convergence: None })
+        Ok(Self {
+            tolerance,
+            kkt: Kkt::for_equilibrium(system)?,
+            right: vec![0.0; coordinates + conditions],
+            target: Excitation::default(),
+            current: Excitation::default(),
+            scratch,
+            next: None,
+            convergence: None,
+        })
     }
 
-    /// Finds the equilibrium under all loads of `state.time`, from the state as given, by a ramp of the loads.
+    /// Finds the equilibrium of `time` (s) from `state` and writes it there, by a ramp where need be.
     ///
     /// # Errors
-    /// The ramp got stuck; `state` is then to be discarded.
-    pub fn ramp(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
+    /// The ramp got stuck, or a part of the machine can move freely; `state` is as it was but for the counts of iterations and rejections.
+    pub fn find(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
+        let mut next = self.next.take().unwrap_or_else(|| state.clone());
+        next.clone_from(state);
+        let outcome = self.ramp(system, &mut next, time);
+        let outcome = outcome.and_then(|()| self.kkt.check_unique(system, time));
+        if outcome.is_ok() {
+            next.time = time;
+            next.statistics.steps += 1;
+            std::mem::swap(state, &mut next);
+        } else {
+            state.statistics = next.statistics;
+        }
+        self.next = Some(next);
+        outcome
+    }
+
+    fn ramp(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
+        system.excite(time, &mut self.target);
         let (mut share, mut increment) = (0.0, 1.0);
         while share < 1.0 {
             let next = f64::min(share + increment, 1.0);
-            match self.equilibrium(system, state, Excitation { time: state.time, share: next }) {
+            self.current.set_between(&state.excitation, &self.target, next);
+            match self.solve(system, state, time) {
                 Ok(()) => {
                     share = next;
                     if self.convergence.is_some_and(|convergence| convergence.iterations <= EASY) {
                         increment *= 2.0;
                     }
                 }
+                // Smaller increments do not help against these.
+                Err(reason @ Error::NotFinite { .. }) => return Err(reason),
                 Err(reason) => {
                     state.statistics.rejected += 1;
                     increment = 0.5 * f64::min(increment, 1.0 - share);
                     if increment < SMALLEST_SHARE {
-                        return Err(Error::RampStuck { time: state.time, share, reason: Box::new(reason) });
+                        // Not even under a trace of the loads: it is no matter of them.
+                        if share == 0.0 && matches!(reason, Error::Singular { .. }) {
+                            return Err(reason);
+                        }
+                        return Err(Error::RampStuck { time, share, reason: Box::new(reason) });
                     }
                 }
             }
         }
+        state.excitation.copy_from(&self.target);
         Ok(())
     }
 
-    /// Finds the equilibrium under `excitation` near `state` and writes it there.
-    ///
-    /// # Errors
-    /// Newton fails or the increment is too large; `state` is as it was but for the count of iterations.
-    pub fn equilibrium(&mut self, system: &System, state: &mut State, excitation: Excitation) -> Result<(), Error> {
+    /// Solves for the equilibrium under the current excitation from `state` and writes it there, references carried on.
+    fn solve(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         self.scratch.q.copy_from_slice(&state.q);
         self.scratch.multipliers.copy_from_slice(&state.multipliers);
-        let mut problem = Equilibrium { system, state, excitation, scratch: &mut self.scratch };
+        let excitation = &self.current;
+        let mut problem = Equilibrium { system, state, time, excitation, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
         let control = (self.tolerance, MOST_ITERATIONS);
-        let solved = newton::solve(
-            system,
-            &mut problem,
-            &mut self.kkt,
-            &mut self.right,
-            control,
-            excitation.time,
-            &mut iterations,
-        );
+        let solved =
+            newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, time, &mut iterations);
         state.statistics.iterations = iterations;
         self.convergence = Some(solved?);
         let scratch = &mut self.scratch;
+        system.check_twist_change(state, &scratch.q, &mut scratch.frames, time)?;
         system.frames(&scratch.q, &state.triads, &mut scratch.frames);
         let configuration = system.configuration(&scratch.q, &scratch.frames, &state.holonomy);
-        system.check(&configuration, &state.triads, LARGEST_TURN, excitation.time)?;
+        system.check(&configuration, &state.triads, LARGEST_TURN, time)?;
         state.q.copy_from_slice(&scratch.q);
         state.multipliers.copy_from_slice(&scratch.multipliers);
         system.carry_references(state, &scratch.frames);
-        state.time = excitation.time;
-        state.statistics.steps += 1;
         Ok(())
     }
 }
 
 impl Integrator for Statics {
     /// The equilibrium of `end`.
-    fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
-        self.equilibrium(system, state, Excitation { time: end, share: 1.0 })?;
-        state.previous_step = step;
-        Ok(())
+    fn step(&mut self, system: &System, state: &mut State, _step: f64, end: f64) -> Result<(), Error> {
+        self.find(system, state, end)
     }
 }
 
@@ -129,7 +158,8 @@ impl Integrator for Statics {
 struct Equilibrium<'a> {
     system: &'a System,
     state: &'a State,
-    excitation: Excitation,
+    time: f64,
+    excitation: &'a Excitation,
     scratch: &'a mut Scratch,
 }
 
@@ -159,7 +189,7 @@ impl Problem for Equilibrium<'_> {
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;
         }
-        self.excitation.time
+        self.time
     }
 
     fn correct(&mut self, correction: &[f64]) {

@@ -4,8 +4,9 @@ use crate::machines::design;
 use ancf14::math::Vec3;
 use ancf14::math::blocks::Blocks;
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::load::Excitation;
 use ancf14::mechanics::sensor::Snapshot;
-use ancf14::mechanics::system::{Excitation, System};
+use ancf14::mechanics::system::System;
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::f64::consts::PI;
 
@@ -31,8 +32,7 @@ fn frequencies(beam: &BeamDesign) -> Vec<f64> {
     let mut blocks = Blocks::default();
     system.push_tangent_blocks(&mut blocks);
     let mut forces = vec![0.0; system.coordinates()];
-    let excitation = Excitation { time: 0.0, share: 1.0 };
-    system.forces_and_tangent(&configuration, None, excitation, 1.0, &mut forces, &mut blocks);
+    system.forces_and_tangent(&configuration, None, &Excitation::default(), 1.0, &mut forces, &mut blocks);
     let stiffness = dense(&system, &blocks);
     blocks.clear();
     system.add_mass(1.0, &mut blocks);

@@ -15,6 +15,7 @@ use ancf14::mechanics::system::System;
 use ancf14::solve::midpoint::{AxialRule, Midpoint};
 use ancf14::solve::start;
 use ancf14::solve::stepping::Integrator;
+use std::sync::Arc;
 
 /// A steel-like beam of 1 m along x.
 pub fn design(name: &str, elements: usize) -> BeamDesign {
@@ -59,15 +60,15 @@ pub fn clamp(assembly: &mut Assembly, beam: usize) {
     hold(assembly, "root", beam, 0.0, &Mat3::identity(), weld::PRIMITIVES);
 }
 
-/// A dead force and moment on the section of `beam` at `fraction`.
+/// A dead force and moment on the section of `beam` at `fraction`; they grow in proportion to time and are there in full at 1 s.
 pub fn load(assembly: &mut Assembly, beam: usize, fraction: f64, force: Vec3, moment: Vec3) {
     let marker = assembly.section_at(beam, fraction);
-    let constant = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
+    let growing = |v: Vec3| [0, 1, 2].map(|i| Signal::Function(Arc::new(move |time| v[i] * time)));
     assembly.add_load(Load {
         name: "load".into(),
         points: vec![(marker, 1.0)],
-        force: constant(force),
-        moment: constant(moment),
+        force: growing(force),
+        moment: growing(moment),
         direction: Direction::Global,
     });
 }

@@ -219,7 +219,7 @@ fn load_derivatives() {
         };
         let c = pair.configuration();
         let range = marker.coordinates(&pair.elements);
-        let (own, own_q) = (load.force(&c, 0, 0.0), load.force_q(&c, 0, 0.0));
+        let (own, own_q) = (load.force(&c, 0, &load.at(0.0)), load.force_q(&c, 0, &load.at(0.0)));
         for (i, j) in range.clone().enumerate() {
             assert!(
                 (own[i] - generalized_force(&parts, &wrench, j, None)).abs() < ROUNDING,

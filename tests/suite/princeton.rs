@@ -9,7 +9,7 @@ use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
-use ancf14::mechanics::system::{Excitation, System};
+use ancf14::mechanics::system::System;
 use ancf14::solve::statics::Statics;
 
 const LENGTH: f64 = 0.508;
@@ -53,7 +53,7 @@ fn machine(elements: usize, strain: Strain, case: &Case) -> (System, State) {
 /// Tip displacement, twist and rotation about x.
 fn tip(elements: usize, strain: Strain, case: &Case) -> (Vec3, f64, f64) {
     let (system, mut state) = machine(elements, strain, case);
-    Statics::new(&system, 1e-8).unwrap().ramp(&system, &mut state).unwrap();
+    Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).unwrap();
     let mut snapshot = Snapshot::default();
     let configuration = snapshot.of(&system, &state);
     let sensor = &system.sensors[0];
@@ -115,8 +115,8 @@ fn newton_converges_quadratically() {
     let corrections = [2e-3, 1e-3].map(|more| {
         let (system, mut state) = machine(8, Strain::Small, case);
         let mut statics = Statics::new(&system, 1e-13).unwrap();
-        statics.ramp(&system, &mut state).unwrap();
-        statics.equilibrium(&system, &mut state, Excitation { time: 0.0, share: 1.0 + more }).unwrap();
+        statics.find(&system, &mut state, 1.0).unwrap();
+        statics.find(&system, &mut state, 1.0 + more).unwrap();
         let convergence = statics.convergence.unwrap();
         println!("corrections after {more} more load: {:?}", &convergence.corrections[..convergence.iterations]);
         convergence

@@ -73,6 +73,23 @@ fn snapshots_outlive_a_reset() {
     assert_eq!(bits(&simulation), expected);
 }
 
+/// A state goes into another instance of the same model too, whatever that one was doing.
+#[test]
+fn snapshots_fit_other_instances() {
+    let mut first = start(MODELS[1].1);
+    let step = first.about().output_step;
+    first.advance(step).unwrap();
+    let snapshot = first.snapshot();
+    first.advance(2.0 * step).unwrap();
+    let mut second = Simulation::load("model.toml", MODELS[1].1, &[]).unwrap();
+    let elements = reference(&second, "arm.elements");
+    second.set_value(elements, Value::Integer(5)).unwrap();
+    second.initialize(0.0).unwrap();
+    second.restore(&snapshot);
+    second.advance(2.0 * step).unwrap();
+    assert_eq!(bits(&second), bits(&first));
+}
+
 /// A step that fails leaves everything as it was, and what follows is as if it had not been tried.
 #[test]
 fn failed_steps_leave_no_trace() {

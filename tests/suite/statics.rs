@@ -1,13 +1,14 @@
 //! Equilibria with closed forms: elastica, roll-up to a circle, bar in tension.
 
-use crate::machines::{clamp, design, load};
-use ancf14::math::Vec3;
+use crate::machines::{clamp, design, hold, load};
+use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
 use ancf14::mechanics::beam::coordinates::vec3;
+use ancf14::mechanics::joint::{revolute, spherical};
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::state::State;
-use ancf14::mechanics::system::{Excitation, System};
+use ancf14::mechanics::system::System;
 use ancf14::solve::statics::Statics;
 
 /// A beam of 1 m so thin (height 1/1000 of the length) that it does not stretch.
@@ -42,7 +43,7 @@ fn elastica() {
         let beam = thin(8);
         let force = numbers[0] * beam.material.young * beam.section.second_moment_y;
         let (system, mut state) = cantilever(&beam, Vec3::z() * force, Vec3::zeros());
-        Statics::new(&system, 1e-8).unwrap().ramp(&system, &mut state).unwrap();
+        Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).unwrap();
         let place = tip(&state);
         let error = f64::max((place[2] - numbers[1]).abs(), (1.0 - place[0] - numbers[2]).abs());
         largest = largest.max(error);
@@ -62,8 +63,7 @@ fn roll_up_to_a_circle() {
         let (system, mut state) = cantilever(&beam, Vec3::zeros(), Vec3::y() * -moment);
         let mut statics = Statics::new(&system, 1e-8).unwrap();
         for step in 1..=20 {
-            let excitation = Excitation { time: 0.0, share: f64::from(step) / 20.0 };
-            statics.equilibrium(&system, &mut state, excitation).unwrap();
+            statics.find(&system, &mut state, f64::from(step) / 20.0).unwrap();
         }
         tip(&state).norm()
     };
@@ -83,7 +83,60 @@ fn bar_in_tension_is_exact() {
     let stiffness = beam.material.young * beam.section.area;
     let force = 1e-3 * stiffness;
     let (system, mut state) = cantilever(&beam, Vec3::x() * force, Vec3::zeros());
-    Statics::new(&system, 1e-8).unwrap().ramp(&system, &mut state).unwrap();
+    Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).unwrap();
     // Rounding of a length of 1 m.
     assert!((tip(&state)[0] - 1.001).abs() < 1e-14, "{}", tip(&state)[0] - 1.001);
+}
+
+/// Statics without a unique answer is an error that names the place, also where Newton finds an answer by chance: without loads
+/// nothing moves, and a load that does no work in the free direction does not stir it.
+#[test]
+fn free_motions_and_double_holds_are_named() {
+    let message = |prepare: &dyn Fn(&mut Assembly, usize)| {
+        let mut assembly = Assembly::default();
+        let number = assembly.add_beam(&design("arm", 8));
+        prepare(&mut assembly, number);
+        let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+        Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).map_err(|error| error.to_string())
+    };
+    let floating = message(&|_, _| {}).unwrap_err();
+    assert!(floating.contains("arm.") && floating.contains("can move freely"), "{floating}");
+    let hinged = message(&|assembly, beam| {
+        hold(assembly, "hinge", beam, 0.0, &Mat3::identity(), revolute::PRIMITIVES);
+        load(assembly, beam, 1.0, Vec3::x(), Vec3::zeros());
+    })
+    .unwrap_err();
+    assert!(hinged.contains("turning about the beam") && hinged.contains("can move freely"), "{hinged}");
+    let twice = message(&|assembly, beam| {
+        clamp(assembly, beam);
+        hold(assembly, "again", beam, 0.0, &Mat3::identity(), spherical::PRIMITIVES);
+        load(assembly, beam, 1.0, Vec3::z(), Vec3::zeros());
+    })
+    .unwrap_err();
+    assert!(twice.contains("joint ") && twice.contains("held already"), "{twice}");
+    // A soft machine is no free one.
+    let mut assembly = Assembly::default();
+    let number = assembly.add_beam(&thin(1000));
+    clamp(&mut assembly, number);
+    let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+    Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).unwrap();
+}
+
+/// A load that jumps by far more than Newton bears in one go is ramped: the equilibrium is that of slow loading.
+#[test]
+fn jumps_of_loads_are_bridged() {
+    let beam = thin(8);
+    let moment = Vec3::y() * (-5.0 * beam.material.young * beam.section.second_moment_y);
+    let (system, mut at_once) = cantilever(&beam, Vec3::zeros(), moment);
+    let mut slowly = at_once.clone();
+    let mut statics = Statics::new(&system, 1e-8).unwrap();
+    statics.find(&system, &mut at_once, 0.01).unwrap();
+    statics.find(&system, &mut at_once, 1.0).unwrap();
+    assert!(at_once.statistics.rejected > 0, "no jump for Newton");
+    for step in 1..=50 {
+        statics.find(&system, &mut slowly, f64::from(step) / 50.0).unwrap();
+    }
+    assert_eq!(slowly.statistics.rejected, 0);
+    // Newton's tolerance, and the round-off of an axial stiffness of 1e11 times the bending stiffness over the length cubed.
+    assert!((tip(&at_once) - tip(&slowly)).norm() < 1e-9, "{:e}", (tip(&at_once) - tip(&slowly)).norm());
 }

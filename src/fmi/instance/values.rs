@@ -211,9 +211,9 @@ fn wrong_type(variable: &Variable, reference: u32, asked: &'static str) -> Error
     Error::WrongType { name: variable.name.clone(), reference, actual: variable.type_name(), asked }
 }
 
-/// Whether the value follows from others, so that it needs the initial state.
+/// Whether the value needs the initial state. Calculated parameters follow from others at once.
 fn is_result(variable: &Variable) -> bool {
-    matches!(variable.causality, Causality::Output | Causality::CalculatedParameter)
+    variable.causality == Causality::Output
 }
 
 /// Parameters and inputs up to the end of the initialization, afterwards inputs and tunable parameters.

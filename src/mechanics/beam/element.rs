@@ -131,11 +131,6 @@ impl Element {
         element
     }
 
-    /// `N_a(ξ)`.
-    pub fn shape(&self, xi: f64) -> [f64; 4] {
-        hermite::shape(xi, self.length)
-    }
-
     /// Generalized weight in the gravity field `gravity` (m/s²), 14×1.
     pub fn weight(&self, gravity: &Vec3) -> ElementVector {
         inertia::weight(self.line_density, self.length, gravity)
@@ -341,13 +336,8 @@ impl<'a> Evaluation<'a> {
                 &point.shape_xx,
             );
         }
-        let [h_00, h_01, h_11] = self.kinematics.holonomy.hessian(self.frames[0], self.frames[1]);
-        for (row, column, block) in
-            [(P, P, h_00), (P, NODE + P, h_01), (NODE + P, P, h_01.transpose()), (NODE + P, NODE + P, h_11)]
-        {
-            let mut view = sum.fixed_view_mut::<3, 3>(row, column);
-            view += block * first.twist_factor;
-        }
+        let [start, end] = self.frames;
+        self.kinematics.holonomy.add_hessian(&mut sum, start, end, first.twist_factor);
         sum
     }
 

@@ -3,7 +3,7 @@
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, NODE, P, SHAPE_PLACES, THETA, interpolate};
 use super::element::Element;
 use super::frame::NodeFrame;
-use crate::math::rotation::{half_turn, half_turn_by_first, half_turn_by_second};
+use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second};
 use crate::math::{Mat3, Vec3};
 use nalgebra::SMatrix;
 
@@ -21,7 +21,7 @@ impl Holonomy {
     /// Between the frames of an element's nodes; `previous` is the angle of the last accepted state, rad.
     pub fn new(first: &NodeFrame, second: &NodeFrame, previous: f64) -> Self {
         let k = half_turn(&first.t, &second.t);
-        let u_c = first.u - (first.t + second.t) * (second.t.dot(&first.u) / (1.0 + first.t.dot(&second.t)));
+        let u_c = carry(&first.t, &second.t, &first.u);
         let (s, c) = (second.u.dot(&second.t.cross(&u_c)), second.u.dot(&u_c));
         let (sin, cos) = previous.sin_cos();
         Self {
@@ -37,14 +37,19 @@ impl Holonomy {
         ((self.k + first.k) / first.stretch, (self.k - second.k) / second.stretch)
     }
 
-    /// The blocks `H_00, H_01, H_11` of `∂²β/∂p²`, rad (2.9).
-    pub fn hessian(&self, first: &NodeFrame, second: &NodeFrame) -> [Mat3; 3] {
+    /// Adds `factor ∂²β/∂q²` to `sum`, 14×14: the blocks `H_00, H_01, H_11` of (2.9).
+    pub fn add_hessian(&self, sum: &mut ElementMatrix, first: &NodeFrame, second: &NodeFrame, factor: f64) {
         let (l0, l1) = (first.stretch, second.stretch);
-        [
-            (self.by_t0 + first.k_t) * first.t_p() / l0 - (self.k + first.k) * first.t.transpose() / (l0 * l0),
-            self.by_t1 * second.t_p() / l0,
-            (self.by_t1 - second.k_t) * second.t_p() / l1 - (self.k - second.k) * second.t.transpose() / (l1 * l1),
-        ]
+        let h_00 = (self.by_t0 + first.k_t) * first.t_p() / l0 - (self.k + first.k) * first.t.transpose() / (l0 * l0);
+        let h_01 = self.by_t1 * second.t_p() / l0;
+        let h_11 =
+            (self.by_t1 - second.k_t) * second.t_p() / l1 - (self.k - second.k) * second.t.transpose() / (l1 * l1);
+        for (row, column, block) in
+            [(P, P, h_00), (P, NODE + P, h_01), (NODE + P, P, h_01.transpose()), (NODE + P, NODE + P, h_11)]
+        {
+            let mut view = sum.fixed_view_mut::<3, 3>(row, column);
+            view += block * factor;
+        }
     }
 }
 

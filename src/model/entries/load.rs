@@ -55,6 +55,15 @@ impl Load {
         let moment = reader.vector_or(moment, [0.0; 3]);
         let follower = reader.boolean("follower", false);
         let input = reader.boolean("input", false);
+        for (what, verb, numbers) in [("Force", "along", force), ("Moment", "about", moment)] {
+            for (number, axis) in numbers.into_iter().zip(["x", "y", "z"]) {
+                let per_length = if along { " per length" } else { "" };
+                let frame = if follower { "the section's" } else { "global" };
+                let held = if input { ", held during a communication step" } else { "" };
+                reader.context.numbers.slots[number.0].meta.description =
+                    format!("{what}{per_length} of load {name} {verb} {frame} {axis}{held}");
+            }
+        }
         if input {
             for number in force.into_iter().chain(moment) {
                 make_input(&mut reader, number);
