@@ -1,13 +1,14 @@
-//! From the typed file to the machine: the mistakes that only geometry shows are found here.
+//! From the typed file to the machine: geometry.rs has checked it, or does so here after a change of parameters.
 
-use super::diagnostic::{Diagnostic, Place};
+use super::diagnostic::Diagnostics;
 use super::document::Document;
-use super::entries::anchor::{Along, Anchor, Spot};
+use super::entries::anchor::{Anchor, Spot};
 use super::entries::beam::Beam;
 use super::entries::joint::{Joint, JointKind};
 use super::entries::load::{Load, Target};
 use super::entries::material::Lateral;
 use super::entries::section::{self, Shape};
+use super::geometry;
 use super::number::Number;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::assembly::{Assembly, BeamDesign, Torsion};
@@ -20,9 +21,6 @@ use crate::mechanics::section::Section;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use std::sync::Arc;
-
-/// Sine of the smallest angle between a beam and its `y_axis`: one degree.
-const SMALLEST_SINE: f64 = 0.017_452_4;
 
 /// The machine as drawn.
 #[derive(Clone, Debug)]
@@ -37,31 +35,27 @@ pub struct Built {
 ///
 /// # Errors
 /// Every mistake that the geometry shows, in file order.
-pub fn build(document: &Document, start: f64) -> Result<Built, Vec<Diagnostic>> {
-    let mut builder = Builder { document, assembly: Assembly::default(), mistakes: Vec::new() };
+pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
+    let mistakes = geometry::mistakes(document);
+    if !mistakes.is_empty() {
+        return Err(Diagnostics(mistakes));
+    }
+    let mut builder = Builder { document, assembly: Assembly::default() };
     for beam in &document.beams {
         builder.add_beam(beam);
     }
-    // Points cannot be found on beams that are wrong themselves.
-    if builder.mistakes.is_empty() {
-        for joint in &document.joints {
-            builder.add_joint(joint);
-        }
-        for load in &document.loads {
-            builder.add_load(load);
-        }
-        for output in &document.outputs {
-            if let Some((beam, fraction)) = builder.point(&output.at) {
-                builder.assembly.add_sensor(beam, fraction);
-            }
+    for joint in &document.joints {
+        builder.add_joint(joint);
+    }
+    for load in &document.loads {
+        builder.add_load(load);
+    }
+    for output in &document.outputs {
+        if let Some((beam, fraction)) = builder.point(&output.at) {
+            builder.assembly.add_sensor(beam, fraction);
         }
     }
-    let Builder { assembly, mut mistakes, .. } = builder;
-    if !mistakes.is_empty() {
-        mistakes.sort_by_key(|mistake| mistake.place);
-        return Err(mistakes);
-    }
-    let (system, state) = assembly.finish(vector(document, document.model.gravity), start);
+    let (system, state) = builder.assembly.finish(vector(document, document.model.gravity), start);
     Ok(Built { system, state })
 }
 
@@ -86,36 +80,15 @@ fn signal(document: &Document, number: Number) -> Signal {
     Signal::Function(Arc::new(move |time| function.value(time)))
 }
 
+/// Builds what [`geometry::mistakes`] has found sound.
 struct Builder<'a> {
     document: &'a Document,
     assembly: Assembly,
-    mistakes: Vec<Diagnostic>,
 }
 
 impl Builder<'_> {
-    fn mistake(&mut self, place: Place, message: &str, label: &str, help: &str) {
-        self.mistakes.push(self.document.diagnostic(place, message, label, help));
-    }
-
     fn add_beam(&mut self, beam: &Beam) {
         let document = self.document;
-        let (from, to) = (vector(document, beam.from), vector(document, beam.to));
-        let y_axis = vector(document, beam.y_axis);
-        let span = to - from;
-        if span.norm() == 0.0 || !span.norm().is_finite() {
-            let message = format!("beam {} has the length {}", beam.name, span.norm());
-            self.mistake(document.place(beam.to[0]), &message, "`to` must differ from `from`", "");
-            return;
-        }
-        let sine = span.cross(&y_axis).norm() / (span.norm() * y_axis.norm());
-        // A y_axis of length 0 gives NaN, which is a mistake too.
-        if sine.is_nan() || sine < SMALLEST_SINE {
-            let message = format!("the y_axis of beam {} is along the beam", beam.name);
-            let place = document.place(beam.y_axis[0]);
-            let help = format!("give {} a y_axis that is more than 1 degree off its direction", beam.name);
-            self.mistake(place, &message, "the section's y must be across the beam", &help);
-            return;
-        }
         let material = &document.materials[beam.material];
         let young = document.value(material.young);
         let shear = match material.lateral {
@@ -124,9 +97,9 @@ impl Builder<'_> {
         };
         self.assembly.add_beam(&BeamDesign {
             name: beam.name.clone(),
-            from,
-            to,
-            y_axis,
+            from: vector(document, beam.from),
+            to: vector(document, beam.to),
+            y_axis: vector(document, beam.y_axis),
             pretwist: document.value(beam.pretwist),
             elements: document.value(beam.elements) as usize,
             material: Material { young, shear, density: document.value(material.density) },
@@ -169,83 +142,25 @@ impl Builder<'_> {
         }
     }
 
-    /// Beam and fraction of its length; none for the ground, or after a mistake.
-    fn point(&mut self, anchor: &Anchor) -> Option<(usize, f64)> {
+    /// Beam and fraction of its length; none for the ground.
+    fn point(&self, anchor: &Anchor) -> Option<(usize, f64)> {
         let Spot::Beam { beam, along } = anchor.spot else { return None };
-        let document = self.document;
-        let elements = document.value(document.beams[beam].elements);
-        let fraction = match along {
-            Along::Start => 0.0,
-            Along::End => 1.0,
-            Along::Fraction(number) => document.value(number),
-            Along::Node(node) => {
-                if node as f64 > elements {
-                    let name = &document.beams[beam].name;
-                    let message = format!("beam {name} has no node {node}");
-                    let label = format!("{elements} elements have the nodes 0 to {elements}");
-                    self.mistake(anchor.place, &message, &label, "");
-                    return None;
-                }
-                node as f64 / elements
-            }
-        };
-        Some((beam, fraction))
+        let elements = self.document.value(self.document.beams[beam].elements);
+        Some((beam, along.fraction(self.document, elements)))
     }
 
-    /// The node that an anchor names; none for the ground, or after a mistake.
-    fn node(&mut self, anchor: &Anchor) -> Option<usize> {
-        let (beam, fraction) = self.point(anchor)?;
-        let node = self.assembly.node_at(beam, fraction);
-        if node.is_none() {
-            let beam = &self.document.beams[beam];
-            let elements = self.document.value(beam.elements);
-            let below = (fraction * elements).floor();
-            let message = format!("there is no node of beam {} at the fraction {fraction}", beam.name);
-            let label = format!("the nearest nodes are at {} and {}", below / elements, (below + 1.0) / elements);
-            let fits: Vec<String> = (1..=100)
-                .filter(|count| {
-                    let place = fraction * f64::from(*count);
-                    (place - place.round()).abs() <= 1e-9
-                })
-                .take(5)
-                .map(|count| count.to_string())
-                .collect();
-            let help = match fits.is_empty() {
-                true => String::from("joints hold on to nodes: no count up to 100 has one there"),
-                false => format!("joints hold on to nodes; with elements = {} there is one there", fits.join(", ")),
-            };
-            self.mistake(anchor.place, &message, &label, &help);
-        }
-        node
+    /// The node that an anchor names; none for the ground.
+    fn node(&self, anchor: &Anchor) -> Option<usize> {
+        self.point(anchor).and_then(|(beam, fraction)| self.assembly.node_at(beam, fraction))
     }
 
     fn add_joint(&mut self, written: &Joint) {
         let document = self.document;
-        let before = self.mistakes.len();
         let (node_a, node_b) = (self.node(&written.a), self.node(&written.b));
-        if self.mistakes.len() > before {
-            return;
-        }
-        if node_a.is_some() && node_a == node_b {
-            let message = format!("joint {} joins a point to itself", written.name);
-            self.mistake(written.b.place, &message, "another point was expected", "");
-            return;
-        }
         let Some(own) = node_b.or(node_a) else { return };
         let at_node = Marker::Node { node: own, offset: Vec3::zeros(), axes: Mat3::identity() };
         let place = written.at.map_or_else(|| self.assembly.drawn(&at_node).place, |at| vector(document, at));
-        let axes = match written.axis {
-            None => Mat3::identity(),
-            Some(numbers) => {
-                let axis = vector(document, numbers);
-                if axis.norm() == 0.0 || !axis.norm().is_finite() {
-                    let message = format!("the axis of joint {} has no direction", written.name);
-                    self.mistake(document.place(numbers[0]), &message, "a vector other than zero was expected", "");
-                    return;
-                }
-                triad_along(&axis)
-            }
-        };
+        let axes = written.axis.map_or_else(Mat3::identity, |axis| triad_along(&vector(document, axis)));
         let side = |node: Option<usize>| {
             node.map_or(Marker::Ground(Pose { place, axes }), |node| self.assembly.marker_on_node(node, &place, &axes))
         };

@@ -221,6 +221,11 @@ impl<'a> Report<'a> {
         self.list.push(Diagnostic::new(self.source, place, message, label, help));
     }
 
+    /// More mistakes.
+    pub fn extend(&mut self, mistakes: Vec<Diagnostic>) {
+        self.list.extend(mistakes);
+    }
+
     /// Whether there is no mistake so far.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()

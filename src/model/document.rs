@@ -11,6 +11,7 @@ use super::entries::parameters;
 use super::entries::section::Section;
 use super::entries::simulation::Simulation;
 use super::function::Function;
+use super::geometry;
 use super::names::{Kind, Named, Names, SECTIONS, is_legal, is_reserved, suggestion};
 use super::number::{Number, Numbers, Written};
 use super::overrides;
@@ -77,27 +78,23 @@ impl Document {
         numbers.resolve();
         numbers.spread_tunable();
         report_objections(&numbers, &sections, &mut report);
-        match (model, simulation) {
-            (Some(model), Some(simulation)) if report.is_empty() => {
-                let parameters = Parameter::table(&numbers);
-                let source = source.clone();
-                let document = Self {
-                    source,
-                    numbers,
-                    parameters,
-                    model,
-                    materials,
-                    sections,
-                    beams,
-                    joints,
-                    loads,
-                    outputs,
-                    simulation,
-                };
-                Ok(document)
-            }
-            _ => Err(report.finish()),
-        }
+        let (Some(model), Some(simulation)) = (model, simulation) else { return Err(report.finish()) };
+        let parameters = Parameter::table(&numbers);
+        let document = Self {
+            source: source.clone(),
+            numbers,
+            parameters,
+            model,
+            materials,
+            sections,
+            beams,
+            joints,
+            loads,
+            outputs,
+            simulation,
+        };
+        report.extend(geometry::mistakes(&document));
+        if report.is_empty() { Ok(document) } else { Err(report.finish()) }
     }
 
     /// The value of a number, parameters resolved; of one that changes in time the value at 0.

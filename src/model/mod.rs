@@ -10,6 +10,7 @@ pub mod drawing;
 pub mod entries;
 pub mod expression;
 pub mod function;
+pub mod geometry;
 pub mod names;
 pub mod number;
 mod overrides;

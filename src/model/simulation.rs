@@ -85,7 +85,7 @@ impl Simulation {
     pub fn load(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Failure> {
         let wrong = |message: String| Failure { message, category: LogCategory::StatusError };
         let document = Document::parse(file_name, text, overrides).map_err(|mistakes| wrong(mistakes.to_string()))?;
-        let built = build::build(&document, 0.0).map_err(|mistakes| wrong(join(&mistakes)))?;
+        let built = build::build(&document, 0.0).map_err(|mistakes| wrong(mistakes.to_string()))?;
         let table = Table::new(&document);
         let about = About {
             name: document.model.name.clone(),
@@ -190,7 +190,7 @@ impl Model for Simulation {
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
         let wrong = |message| Failure { message, category: LogCategory::StatusError };
         self.document.check().map_err(wrong)?;
-        let built = build::build(&self.document, start).map_err(|mistakes| wrong(join(&mistakes)))?;
+        let built = build::build(&self.document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;
         let mut machine = Machine::new(built, &self.document, start);
         let warning = machine.find_initial_state(&self.document).map_err(|error| failure(&error))?;
         self.warnings.extend(warning);
@@ -366,10 +366,6 @@ impl Solver {
             }
         })
     }
-}
-
-fn join(mistakes: &[super::diagnostic::Diagnostic]) -> String {
-    mistakes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 fn failure(error: &Error) -> Failure {

@@ -132,3 +132,32 @@ fn header_and_unit_are_written() {
     assert!(std::fs::read_to_string(directory.path().join("c.h")).expect("header").contains("tip"));
     assert!(std::fs::read(directory.path().join("c.fmu")).expect("unit").starts_with(b"PK"));
 }
+
+/// Nothing that a command writes may be the model file itself.
+#[test]
+fn the_model_file_is_spared() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let file = directory.path().join("m.toml");
+    std::fs::copy(model("cantilever"), &file).expect("a copy");
+    let before = std::fs::read(&file).expect("the model");
+    for command in ["pack", "header"] {
+        let output = ancf14(directory.path(), &[command, "m.toml", "-o", "./m.toml"]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains("is the model file"), "{}", text(&output.stderr));
+        assert_eq!(std::fs::read(&file).expect("the model"), before);
+    }
+}
+
+/// A model named like a word of C or C++ still gets an identifier that both take.
+#[test]
+fn names_that_are_keywords_pack() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let named = std::fs::read_to_string(model("cantilever"))
+        .expect("the model")
+        .replace("name = \"Cantilever\"", "name = \"class\"");
+    assert!(named.contains("\"class\""));
+    std::fs::write(directory.path().join("m.toml"), named).expect("a file");
+    let output = ancf14(directory.path(), &["header", "m.toml", "-o", "m.h"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(std::fs::read_to_string(directory.path().join("m.h")).expect("a header").contains("class_"));
+}

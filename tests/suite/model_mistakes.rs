@@ -74,6 +74,21 @@ fn an_override_is_given_once() {
     let text = include_str!("../../models/princeton_beam.toml");
     let message = Document::parse("m.toml", text, &[pair("1"), pair("2")]).expect_err("twice").to_string();
     assert!(message.contains("`P` is set twice"), "{message}");
+    // A component and its list overlap too, and an index is written in one way only.
+    let text = include_str!("../../models/cantilever.toml");
+    for (keys, expected) in [
+        (["gravity[3]", "gravity"], "`gravity` is set twice"),
+        (["gravity[3]", "gravity[3]"], "`gravity[3]` is set twice"),
+        (["gravity[1]", "gravity[03]"], "`gravity[03]` has no such component"),
+        (["gravity[1]", "gravity[+3]"], "`gravity[+3]` has no such component"),
+    ] {
+        let value = |key: &str| if key == "gravity" { "[0, 0, 1]" } else { "1" };
+        let overrides = keys.map(|key| (key.to_owned(), value(key).to_owned()));
+        let message = Document::parse("m.toml", text, &overrides).expect_err("twice").to_string();
+        assert!(message.contains(expected), "{message}");
+    }
+    let apart = ["gravity[1]", "gravity[3]"].map(|key| (key.to_owned(), "1".to_owned()));
+    assert!(Document::parse("m.toml", text, &apart).is_ok());
 }
 
 fn mutated(text: &str, changes: &[(u8, usize, usize)]) -> String {

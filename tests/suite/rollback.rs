@@ -102,3 +102,27 @@ fn failed_steps_leave_no_trace() {
     assert_eq!(bits(&simulation), before);
     assert_eq!(simulation.time(), 0.02);
 }
+
+/// What follows from a tunable parameter is checked when it is set between two steps, and the old value comes back.
+#[test]
+fn tunable_parameters_keep_their_bounds() {
+    let text = "[parameters]\nP = 1.0\nQ = { value = \"2*P\", max = 6.0 }\n[load.push]\nat = \"arm.end\"\nforce = [0, 0, \"-Q\"]\n";
+    let mut simulation = start(&format!("{}\n{text}", MODELS[1].1));
+    let p = reference(&simulation, "P");
+    simulation.advance(0.01).unwrap();
+    simulation.set_value(p, Value::Real(2.5)).unwrap();
+    let refused = simulation.set_value(p, Value::Real(5.0)).unwrap_err();
+    assert!(refused.message.contains("`Q` must be at most 6, this is 10"), "{}", refused.message);
+    assert_eq!(simulation.value(p), Value::Real(2.5));
+    simulation.advance(0.02).unwrap();
+}
+
+/// A step too small to get anywhere is refused with its number, instead of hanging the host.
+#[test]
+fn absurdly_small_steps_are_refused() {
+    let overrides = [("simulation.step".to_owned(), "1e-300".to_owned())];
+    let mut simulation = Simulation::load("model.toml", MODELS[1].1, &overrides).unwrap();
+    simulation.initialize(0.0).unwrap();
+    let failure = simulation.advance(0.005).unwrap_err();
+    assert!(failure.message.contains("internal steps of 1e-300 s"), "{}", failure.message);
+}

@@ -52,12 +52,13 @@ impl Beam {
         let curved = reader.has("curve");
         reader.unavailable("curve", "available: straight beams, by `from` and `to`");
         reader.unavailable("spacing", "it belongs to curved beams, which are not available");
-        let end = |reader: &mut Reader<'_, '_>, rule| match curved {
-            true => reader.vector_or(rule, [0.0; 3]),
+        // A curve is reported already: stand-ins keep its missing ends from being reported too.
+        let end = |reader: &mut Reader<'_, '_>, rule, stand_in| match curved {
+            true => reader.vector_or(rule, stand_in),
             false => reader.vector(rule),
         };
-        let from = end(&mut reader, &schema::FROM);
-        let to = end(&mut reader, &schema::TO);
+        let from = end(&mut reader, &schema::FROM, [0.0; 3]);
+        let to = end(&mut reader, &schema::TO, [1.0, 0.0, 0.0]);
         let y_axis = reader.vector_or(&schema::Y_AXIS, [0.0, 1.0, 0.0]);
         let elements = reader.number(&schema::ELEMENTS);
         reader.word("element", &[("ancf14", ())], &["ancf24"], Some(()));
