@@ -23,4 +23,5 @@ mod random;
 mod released_cantilever;
 mod rollback;
 mod statics;
+mod strain_outputs;
 mod turned_models;

@@ -140,3 +140,20 @@ fn jumps_of_loads_are_bridged() {
     // Newton's tolerance, and the round-off of an axial stiffness of 1e11 times the bending stiffness over the length cubed.
     assert!((tip(&at_once) - tip(&slowly)).norm() < 1e-9, "{:e}", (tip(&at_once) - tip(&slowly)).norm());
 }
+
+/// A reversal is ramped from the loads that act, not from nothing: the beam unrolls and rolls up the other way, a mirror image.
+#[test]
+fn reversals_start_from_the_loads_that_act() {
+    let beam = thin(8);
+    let moment = Vec3::y() * (-5.0 * beam.material.young * beam.section.second_moment_y);
+    let (system, mut state) = cantilever(&beam, Vec3::zeros(), moment);
+    let mut statics = Statics::new(&system, 1e-8).unwrap();
+    for step in 1..=20 {
+        statics.find(&system, &mut state, f64::from(step) / 20.0).unwrap();
+    }
+    let rolled = tip(&state);
+    statics.find(&system, &mut state, -1.0).unwrap();
+    let mirrored = tip(&state);
+    assert!(rolled[2] > 0.1);
+    assert!((mirrored - Vec3::new(rolled[0], rolled[1], -rolled[2])).norm() < 1e-9, "{rolled} {mirrored}");
+}
