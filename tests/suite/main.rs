@@ -13,6 +13,7 @@ mod frequencies;
 mod golden;
 mod invariance;
 mod joints_in_motion;
+mod loads;
 mod machines;
 mod marker_derivatives;
 mod model_file;

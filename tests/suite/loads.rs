@@ -1,0 +1,130 @@
+//! Loads at any fraction of a beam and along a beam, against the closed forms of the linear cantilever: the cubic element is exact at
+//! its nodes for them, so that only the squares of the small strains are left.
+
+use crate::machines::{clamp, design};
+use ancf14::math::Vec3;
+use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
+use ancf14::mechanics::beam::coordinates::{THETA, vec3};
+use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::marker::Marker;
+use ancf14::mechanics::sensor::Snapshot;
+use ancf14::solve::statics::Statics;
+
+const DEAD: Direction = Direction::Global;
+
+/// Tip displacement and twist angle at the tip of a cantilever of 1 m along x under one load.
+fn tip(
+    beam: &BeamDesign,
+    points: impl Fn(&Assembly, usize) -> Vec<(Marker, f64)>,
+    force: Vec3,
+    moment: Vec3,
+    direction: Direction,
+) -> (Vec3, f64) {
+    let mut assembly = Assembly::default();
+    let number = assembly.add_beam(beam);
+    clamp(&mut assembly, number);
+    let constant = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
+    let points = points(&assembly, number);
+    assembly.add_load(Load {
+        name: "load".into(),
+        points,
+        force: constant(force),
+        moment: constant(moment),
+        direction,
+    });
+    let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+    Statics::new(&system, 1e-10).unwrap().find(&system, &mut state, 0.0).unwrap();
+    let last = state.q.len() - 7;
+    (vec3(&state.q, last) - Vec3::x(), state.q[last + THETA])
+}
+
+fn at(fraction: f64) -> impl Fn(&Assembly, usize) -> Vec<(Marker, f64)> {
+    move |assembly, beam| vec![(assembly.section_at(beam, fraction), 1.0)]
+}
+
+fn everywhere(assembly: &Assembly, beam: usize) -> Vec<(Marker, f64)> {
+    assembly.sections_of(beam)
+}
+
+#[test]
+fn closed_forms_of_the_cantilever() {
+    let beam = design("beam", 4);
+    let bending = beam.material.young * beam.section.second_moment_y;
+    let torsion = beam.material.shear * beam.section.torsion_constant;
+    let size = 1e-2;
+    // Inside an element, at a node, near the root.
+    for a in [0.6, 0.75, 0.1] {
+        let (moved, _) = tip(&beam, at(a), Vec3::z() * size, Vec3::zeros(), DEAD);
+        let expected = size * a * a * (3.0 - a) / (6.0 * bending);
+        assert!((moved[2] / expected - 1.0).abs() < 1e-6, "force at {a}: {:e}", moved[2] / expected - 1.0);
+        // A moment about +y bends the beam downwards.
+        let (moved, _) = tip(&beam, at(a), Vec3::zeros(), Vec3::y() * size, DEAD);
+        let expected = -size * a * (2.0 - a) / (2.0 * bending);
+        assert!((moved[2] / expected - 1.0).abs() < 1e-6, "moment at {a}: {:e}", moved[2] / expected - 1.0);
+        // Twist is linear in the element: a torque inside is shared by the nodes, which is exact at the tip.
+        let (_, turned) = tip(&beam, at(a), Vec3::zeros(), Vec3::x() * size, DEAD);
+        let expected = size * a / torsion;
+        assert!((turned / expected - 1.0).abs() < 1e-6, "torque at {a}: {:e}", turned / expected - 1.0);
+    }
+    let (moved, _) = tip(&beam, everywhere, Vec3::z() * size, Vec3::zeros(), DEAD);
+    assert!((moved[2] / (size / (8.0 * bending)) - 1.0).abs() < 1e-6);
+    let (_, turned) = tip(&beam, everywhere, Vec3::zeros(), Vec3::x() * size, DEAD);
+    assert!((turned / (0.5 * size / torsion) - 1.0).abs() < 1e-6);
+}
+
+/// A follower force stays across the beam: bent by 60 degrees it pushes the tip back towards the root more than a dead one does.
+/// A dead moment and a follower moment in one plane are the same.
+#[test]
+fn followers_turn_with_the_section() {
+    let beam = design("beam", 8);
+    let bending = beam.material.young * beam.section.second_moment_y;
+    let (dead, _) = tip(&beam, at(1.0), Vec3::z() * (2.0 * bending), Vec3::zeros(), DEAD);
+    let (follower, _) = tip(&beam, at(1.0), Vec3::z() * (2.0 * bending), Vec3::zeros(), Direction::Follower);
+    assert!(follower[0] < dead[0] - 0.05, "{dead} {follower}");
+    let moment = Vec3::y() * -bending;
+    let (dead, _) = tip(&beam, at(1.0), Vec3::zeros(), moment, DEAD);
+    let (follower, _) = tip(&beam, at(1.0), Vec3::zeros(), moment, Direction::Follower);
+    assert!(dead[2] > 0.3 && (dead - follower).norm() < 1e-9, "{dead} {follower}");
+}
+
+/// Without torsion the section follows the Bishop frame: ten thousand times stiffer, MECHANICS 3.6.
+#[test]
+fn suppressed_torsion_does_not_twist() {
+    let free = design("beam", 4);
+    let stiff = BeamDesign { torsion: Torsion::Suppressed, ..free.clone() };
+    let torque = Vec3::x() * 1e-2;
+    let (_, turned) = tip(&free, at(1.0), Vec3::zeros(), torque, DEAD);
+    let (_, held) = tip(&stiff, at(1.0), Vec3::zeros(), torque, DEAD);
+    assert!((turned / held / 1e4 - 1.0).abs() < 1e-6);
+}
+
+/// The truncated energy has no lower bound above tau_c: beyond half of it the beam is named once asked, beyond all of it the step
+/// is refused (MECHANICS 3.7). tau_c is 153 rad/m for the Princeton beam.
+#[test]
+fn truncated_strain_has_its_limit() {
+    let beam = BeamDesign { strain: Strain::LargeTruncated, ..crate::princeton::beam(4, Strain::LargeTruncated) };
+    let check = |rate: f64| {
+        let mut assembly = Assembly::default();
+        assembly.add_beam(&beam);
+        let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+        let limit = system.beams[0].twist_limit;
+        let length = beam.to[0] / 4.0;
+        for (node, q) in state.q.chunks_exact_mut(7).enumerate() {
+            q[THETA] = rate * limit * length * node as f64;
+        }
+        let mut snapshot = Snapshot::default();
+        let warned = system.twist_near_limit(&state, &mut snapshot).map(|(name, ..)| name.to_owned());
+        let outcome =
+            system.check(&snapshot.of(&system, &state), &state.triads, 1.0, 0.0).map_err(|error| error.to_string());
+        (limit, warned, outcome)
+    };
+    let (limit, warned, outcome) = check(0.4);
+    assert!((limit - 153.0).abs() < 1.0, "{limit}");
+    assert_eq!((warned, outcome), (None, Ok(())));
+    let (_, warned, outcome) = check(0.6);
+    assert_eq!((warned.as_deref(), outcome), (Some("beam"), Ok(())));
+    let (_, warned, outcome) = check(-1.1);
+    assert_eq!(warned.as_deref(), Some("beam"));
+    assert!(outcome.unwrap_err().contains("element 0 of beam is twisted by -168"));
+}
