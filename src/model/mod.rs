@@ -22,3 +22,4 @@ pub mod simulation;
 mod tree;
 pub mod unit;
 pub mod variables;
+pub mod watch;

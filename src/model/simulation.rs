@@ -4,6 +4,7 @@ use super::build::{self, Built};
 use super::document::Document;
 use super::entries::simulation::{Analysis, Integrator as Choice};
 use super::variables::{Source, Table};
+use super::watch::Watch;
 use crate::error::Error;
 use crate::fmi::variable::Variable;
 use crate::fmi::{About, Failure, LogCategory, Model, Value};
@@ -33,8 +34,7 @@ pub struct Simulation {
     results: Vec<f64>,
     frames: Frames,
     warnings: Vec<String>,
-    /// Whether the twist of a beam with truncated strain has been warned of.
-    twist_warned: bool,
+    watch: Watch,
 }
 
 /// The machine as built, the state it has reached, and the means to go on.
@@ -73,7 +73,7 @@ pub struct Snapshot {
     step: f64,
     initialization: Arc<()>,
     initialized: bool,
-    twist_warned: bool,
+    watch: Watch,
     results: Vec<f64>,
 }
 
@@ -103,7 +103,7 @@ impl Simulation {
             results: Vec::new(),
             frames: Frames::default(),
             warnings: Vec::new(),
-            twist_warned: false,
+            watch: Watch::default(),
         };
         simulation.measure();
         Ok(simulation)
@@ -127,21 +127,9 @@ impl Simulation {
     fn measure(&mut self) {
         let machine = &self.machine;
         self.table.measure(&machine.system, &machine.state, &mut self.frames, &mut self.results);
-    }
-
-    /// Warns once when a beam with `strain = "large_truncated"` is twisted beyond half of what that energy bears (MECHANICS 3.7).
-    fn watch_twist(&mut self) {
-        if self.twist_warned {
-            return;
-        }
-        if let Some((beam, rate, limit)) = self.machine.system.twist_near_limit(&self.machine.state, &mut self.frames) {
-            self.twist_warned = true;
-            self.warnings.push(format!(
-                "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: strain = \"large_truncated\" softens and fails above \
-                 {limit:.3} rad/m; use strain = \"large\"",
-                self.machine.state.time
-            ));
-        }
+        let energies = self.table.energies(&self.results);
+        let odd = self.watch.look(&machine.system, &machine.state, energies, &mut self.frames);
+        self.warnings.extend(odd);
     }
 }
 
@@ -195,9 +183,8 @@ impl Model for Simulation {
         let warning = machine.find_initial_state(&self.document).map_err(|error| failure(&error))?;
         self.warnings.extend(warning);
         self.machine = machine;
-        self.twist_warned = false;
+        self.watch = Watch::default();
         self.measure();
-        self.watch_twist();
         Ok(())
     }
 
@@ -208,7 +195,6 @@ impl Model for Simulation {
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
         self.machine.advance(end).map_err(|error| failure(&error))?;
         self.measure();
-        self.watch_twist();
         Ok(())
     }
 
@@ -236,7 +222,7 @@ impl Model for Simulation {
             step: machine.step,
             initialization: Arc::clone(&machine.initialization),
             initialized: machine.is_initialized(),
-            twist_warned: self.twist_warned,
+            watch: self.watch,
             results: self.results.clone(),
         }
     }
@@ -248,7 +234,7 @@ impl Model for Simulation {
         machine.state.clone_from(&snapshot.state);
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
         self.results.clone_from(&snapshot.results);
-        self.twist_warned = snapshot.twist_warned;
+        self.watch = snapshot.watch;
         // The solver has the shape and the tolerance of its initialization, which may be another one, or another instance's.
         if !Arc::ptr_eq(&machine.initialization, &snapshot.initialization) {
             machine.initialization = Arc::clone(&snapshot.initialization);

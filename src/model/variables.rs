@@ -42,12 +42,14 @@ pub struct Table {
     pub sources: Vec<Source>,
     /// What the results are made of.
     pub measures: Vec<Measure>,
+    /// Number of the first energy among the results.
+    energy: usize,
 }
 
 impl Table {
     /// Of a model file.
     pub fn new(document: &Document) -> Self {
-        let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new() };
+        let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new(), energy: 0 };
         for (index, parameter) in document.parameters().iter().enumerate() {
             table.push(parameter.variable.clone(), Source::Parameter(index));
         }
@@ -60,6 +62,7 @@ impl Table {
                 table.measures.push(Measure::Point(sensor, *quantity));
             }
         }
+        table.energy = table.results();
         for (name, meaning) in [
             ("energy.kinetic", "Kinetic energy"),
             ("energy.elastic", "Strain energy of all beams"),
@@ -88,11 +91,16 @@ impl Table {
         self.sources.push(source);
     }
 
+    /// Number of results so far.
+    fn results(&self) -> usize {
+        self.sources.iter().filter(|source| matches!(source, Source::Result(_))).count()
+    }
+
     /// Rows of one quantity: `name`, or `name[1]` and so on.
     fn push_result(&mut self, name: &str, components: usize, unit: &str, meaning: &str) {
         let start = if name.starts_with("statistics.") { Value::Integer(0) } else { Value::Real(0.0) };
         for component in 1..=components {
-            let number = self.sources.iter().filter(|source| matches!(source, Source::Result(_))).count();
+            let number = self.results();
             let variable = match components {
                 1 => result(name, unit, meaning.to_owned(), start),
                 _ => {
@@ -102,6 +110,11 @@ impl Table {
             };
             self.push(variable, Source::Result(number));
         }
+    }
+
+    /// Kinetic, elastic, gravity and total energy among the results, J.
+    pub fn energies(&self, results: &[f64]) -> [f64; 4] {
+        std::array::from_fn(|part| results[self.energy + part])
     }
 
     /// Writes all results of `state` into `values`.

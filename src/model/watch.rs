@@ -1,0 +1,62 @@
+//! What a run is watched for: signs that its numbers should not be trusted. Each is warned of once.
+
+use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+
+/// Share of the largest kinetic and strain energy by which the total energy of a machine without loads may change. The midpoint
+/// rules keep it within some thousandths where the step resolves the motion.
+const ENERGY_BAND: f64 = 0.02;
+
+/// What has been seen and warned of.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Watch {
+    twist_warned: bool,
+    energy_warned: bool,
+    /// Total energy at the start, J.
+    start: Option<f64>,
+    /// Largest kinetic and strain energy so far, J.
+    largest: f64,
+}
+
+impl Watch {
+    /// Looks at a new state with its kinetic, elastic, gravity and total `energies`, J, and says what is odd.
+    pub fn look(&mut self, system: &System, state: &State, energies: [f64; 4], frames: &mut Snapshot) -> Vec<String> {
+        let twist = self.twist(system, state, frames);
+        twist.into_iter().chain(self.energy(system, state, energies)).collect()
+    }
+
+    /// A beam with `strain = "large_truncated"` twisted beyond half of what that energy bears (MECHANICS 3.7).
+    fn twist(&mut self, system: &System, state: &State, frames: &mut Snapshot) -> Option<String> {
+        if self.twist_warned {
+            return None;
+        }
+        let (beam, rate, limit) = system.twist_near_limit(state, frames)?;
+        self.twist_warned = true;
+        Some(format!(
+            "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: strain = \"large_truncated\" softens and fails above \
+             {limit:.3} rad/m; use strain = \"large\"",
+            state.time
+        ))
+    }
+
+    /// A machine that nothing drives and whose energy changes all the same (MECHANICS 7.4: accuracy is the step's).
+    fn energy(&mut self, system: &System, state: &State, [kinetic, elastic, _, total]: [f64; 4]) -> Option<String> {
+        let start = *self.start.get_or_insert(total);
+        self.largest = self.largest.max(kinetic + elastic);
+        // A machine at equilibrium, or driven by loads, has no reason to keep its energy.
+        if self.energy_warned || kinetic == 0.0 || !system.loads.is_empty() {
+            return None;
+        }
+        let change = total - start;
+        if change.abs() <= ENERGY_BAND * self.largest {
+            return None;
+        }
+        self.energy_warned = true;
+        Some(format!(
+            "the total energy has changed from {start:.4e} J to {total:.4e} J by t = {} s, though no load acts: the steps are \
+             too large for this motion; take a smaller simulation.step",
+            state.time
+        ))
+    }
+}
