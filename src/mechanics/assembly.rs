@@ -91,6 +91,13 @@ impl BeamDesign {
     }
 }
 
+/// The node at the fraction `fraction` of a beam of `elements` equal elements, from 0; none where there is no node.
+pub fn node_at(fraction: f64, elements: usize) -> Option<usize> {
+    let place = fraction * elements as f64;
+    let nearest = place.round();
+    ((place - nearest).abs() <= AT_NODE).then(|| nearest.clamp(0.0, elements as f64) as usize)
+}
+
 /// A machine in the making.
 #[derive(Clone, Debug, Default)]
 pub struct Assembly {
@@ -147,10 +154,7 @@ impl Assembly {
     /// The node of beam `beam` at the fraction `fraction` of its length, if there is one.
     pub fn node_at(&self, beam: usize, fraction: f64) -> Option<usize> {
         let beam = &self.beams[beam];
-        let place = fraction * beam.elements as f64;
-        let nearest = place.round();
-        ((place - nearest).abs() <= AT_NODE)
-            .then(|| beam.first_node + nearest.clamp(0.0, beam.elements as f64) as usize)
+        node_at(fraction, beam.elements).map(|node| beam.first_node + node)
     }
 
     /// The section of beam `beam` at the fraction `fraction` (0 to 1) of its length: at a node or inside an element.

@@ -91,9 +91,4 @@ impl Function {
         let descent = self.limits.windows(2).find(|pair| pair[0] >= pair[1])?;
         Some(format!("must have ascending limits, but {} comes after {}", descent[1], descent[0]))
     }
-
-    /// The limits between the pieces, ascending.
-    pub fn limits(&self) -> &[f64] {
-        &self.limits
-    }
 }

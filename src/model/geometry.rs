@@ -10,11 +10,10 @@ use super::entries::joint::Joint;
 use super::entries::load::Target;
 use super::number::Number;
 use crate::math::Vec3;
+use crate::mechanics::assembly::node_at;
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
 const SMALLEST_SINE: f64 = 0.017_452_4;
-/// How near to a node a fraction must be to be that node, in elements.
-const AT_NODE: f64 = 1e-9;
 
 /// All mistakes of the geometry with the parameters of now, in file order.
 pub fn mistakes(document: &Document) -> Vec<Diagnostic> {
@@ -97,27 +96,24 @@ impl Checker<'_> {
     }
 
     /// Beam and node that an anchor names; none for the ground, or after a mistake.
-    fn node(&mut self, anchor: &Anchor) -> Option<(usize, f64)> {
+    fn node(&mut self, anchor: &Anchor) -> Option<(usize, usize)> {
         let (beam, elements, fraction) = self.fraction(anchor)?;
-        let place = fraction * elements;
-        if (place - place.round()).abs() > AT_NODE {
+        let node = node_at(fraction, elements as usize);
+        if node.is_none() {
+            let place = fraction * elements;
             let message =
                 format!("there is no node of beam {} at the fraction {fraction}", self.document.beams[beam].name);
             let label =
                 format!("the nearest nodes are at {} and {}", place.floor() / elements, place.ceil() / elements);
-            let fits = |count: &i32| {
-                let place = fraction * f64::from(*count);
-                (place - place.round()).abs() <= AT_NODE
-            };
+            let fits = |count: &usize| node_at(fraction, *count).is_some();
             let counts: Vec<String> = (1..=100).filter(fits).take(5).map(|count| count.to_string()).collect();
             let help = match counts.is_empty() {
                 true => String::from("joints hold on to nodes: no count up to 100 has one there"),
                 false => format!("joints hold on to nodes; with elements = {} there is one there", counts.join(", ")),
             };
             self.mistake(anchor.place, &message, &label, &help);
-            return None;
         }
-        Some((beam, place.round()))
+        node.map(|node| (beam, node))
     }
 
     fn check_joint(&mut self, joint: &Joint) {
