@@ -116,7 +116,7 @@ fn free_motions_and_double_holds_are_named() {
     assert!(twice.contains("joint ") && twice.contains("held already"), "{twice}");
     // A soft machine is no free one.
     let mut assembly = Assembly::default();
-    let number = assembly.add_beam(&thin(1000));
+    let number = assembly.add_beam(&thin(3000));
     clamp(&mut assembly, number);
     let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
     Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).unwrap();
