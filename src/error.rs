@@ -30,14 +30,14 @@ pub enum Error {
         /// What moves freely, or is held twice, and what to do about it.
         what: String,
     },
-    /// A tangent turned too far in one step.
+    /// A tangent, a body, a frame or a joint turned too far in one step.
     #[error(
-        "the tangent at {place} turned by {angle:.2} rad in the step to t = {time} s (at most {limit:.2} rad); try a smaller step"
+        "{place} turned by {angle:.2} rad in the step to t = {time} s (at most {limit:.2} rad); try a smaller step"
     )]
     Turned {
         /// Time of the step's end, s.
         time: f64,
-        /// The node.
+        /// What turned.
         place: String,
         /// Its turn, rad.
         angle: f64,
@@ -84,6 +84,41 @@ pub enum Error {
         rate: f64,
         /// Its bound, rad/m.
         limit: f64,
+    },
+    /// A joint has come to stand the other way round: another root of its conditions (MECHANICS 6).
+    #[error(
+        "{joint} stands the wrong way round at t = {time} s: its parts turned by more than a quarter turn in a step; try a smaller step"
+    )]
+    Flipped {
+        /// Time of the step's end, s.
+        time: f64,
+        /// The joint.
+        joint: String,
+    },
+    /// A drive has missed a turn.
+    #[error(
+        "drive {drive} is at {reading:.3} rad instead of {prescribed:.3} rad at t = {time} s: it moves too far in a step; try a smaller step"
+    )]
+    DriveMissed {
+        /// Time of the step's end, s.
+        time: f64,
+        /// The drive.
+        drive: String,
+        /// What it prescribes.
+        prescribed: f64,
+        /// Where its joint is.
+        reading: f64,
+    },
+    /// A drive does not begin where the machine is drawn.
+    #[error(
+        "the drive {drive} begins at {value}, but the coordinates of joints are 0 as drawn; let it begin at 0, draw the machine \
+         there, or take initial = \"equilibrium\", which assembles it there"
+    )]
+    DriveNotAtZero {
+        /// The drive.
+        drive: String,
+        /// Its value at the start, rad or m.
+        value: f64,
     },
     /// A number is not finite: a load's expression at this time, or an overflow.
     #[error("{what} is not a finite number at t = {time} s")]
@@ -136,7 +171,7 @@ pub enum Error {
         to: f64,
     },
     /// The drawn machine does not satisfy its joints.
-    #[error("the joint {joint} does not hold as drawn: its sides are {gap:.3e} apart; draw the machine closed")]
+    #[error("{joint} does not hold as drawn: its sides are {gap:.3e} apart; draw the machine closed")]
     NotAssembled {
         /// The joint.
         joint: String,

@@ -1,7 +1,9 @@
-//! Numbers without beams: quadrature rules, Hermite shape functions, rotations.
+//! Numbers without beams: quadrature rules, Hermite shape functions, rotations, numbers with their derivatives.
 
 pub mod blocks;
 pub mod hermite;
+pub mod integral;
+pub mod jet;
 pub mod quadrature;
 pub mod rotation;
 

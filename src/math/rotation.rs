@@ -1,5 +1,6 @@
 //! Minimal rotations between unit vectors (MECHANICS 2.2, 2.5, 2.9), rotation vectors and quaternions.
 
+use super::jet::Jet;
 use super::{Mat3, Vec3};
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion};
 
@@ -32,6 +33,60 @@ pub fn normal_projector(t: &Vec3) -> Mat3 {
 pub fn rotation_matrix(vector: &Vec3) -> Mat3 {
     Rotation3::from_scaled_axis(*vector).into_inner()
 }
+
+/// The rotation matrix of a rotation vector that changes in time, rad, with its first two derivatives:
+/// `I + A(x) [v]× + B(x) [v]×²`, `x = v·v`, `A = sin √x/√x`, `B = (1 − cos √x)/x`.
+pub fn rotation_matrix_jet(vector: &[Jet; 3]) -> [Mat3; 3] {
+    let square = |a: Jet| a * a;
+    let x = square(vector[0]) + square(vector[1]) + square(vector[2]);
+    let ([a, a_x, a_xx], [b, b_x, b_xx]) = rotation_coefficients(x.value);
+    let (a, b) = (x.chain(a, a_x, a_xx), x.chain(b, b_x, b_xx));
+    let mut matrices = [Mat3::zeros(); 3];
+    for row in 0..3 {
+        for column in 0..3 {
+            let entry = if row == column {
+                Jet::constant(1.0) - b * (x - square(vector[row]))
+            } else {
+                let other = 3 - row - column;
+                let sine = a * vector[other];
+                let product = b * vector[row] * vector[column];
+                if (row + 1) % 3 == column { product - sine } else { product + sine }
+            };
+            for (matrix, part) in matrices.iter_mut().zip([entry.value, entry.first, entry.second]) {
+                matrix[(row, column)] = part;
+            }
+        }
+    }
+    matrices
+}
+
+/// `A(x) = sin √x/√x` and `B(x) = (1 − cos √x)/x`, each with its first two derivatives.
+fn rotation_coefficients(x: f64) -> ([f64; 3], [f64; 3]) {
+    if x < 1.0 {
+        // Σ (−x)ⁿ/(2n+1)! and Σ (−x)ⁿ/(2n+2)!: the closed forms lose digits here.
+        let series = |first: f64| {
+            let (mut sums, mut term) = ([0.0; 3], 1.0 / first);
+            for n in 0..SERIES {
+                let order = n as f64;
+                sums[0] += term * x.powi(n);
+                sums[1] += if n > 0 { order * term * x.powi(n - 1) } else { 0.0 };
+                sums[2] += if n > 1 { order * (order - 1.0) * term * x.powi(n - 2) } else { 0.0 };
+                term /= -(2.0 * order + first + 1.0) * (2.0 * order + first + 2.0);
+            }
+            sums
+        };
+        return (series(1.0), series(2.0));
+    }
+    let (sin, cos) = x.sqrt().sin_cos();
+    let a = sin / x.sqrt();
+    let a_x = (cos - a) / (2.0 * x);
+    let b = (1.0 - cos) / x;
+    let b_x = (0.5 * a - b) / x;
+    ([a, a_x, -(0.5 * a + 3.0 * a_x) / (2.0 * x)], [b, b_x, (0.5 * a_x - 2.0 * b_x) / x])
+}
+
+/// Terms of the series of [`rotation_coefficients`]: the next one is below 1e-19 at `x = 1`, its second derivative below 1e-16.
+const SERIES: i32 = 11;
 
 /// The rotation vector (rad) of the rotation matrix `turn` that lies nearest to `previous`: it goes on continuously over any number of turns.
 pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
@@ -68,6 +123,33 @@ pub fn quaternion_of_triad(triad: &Mat3) -> Quaternion<f64> {
 mod tests {
     use super::*;
     use std::f64::consts::PI;
+
+    /// The motion of a frame must be the derivative of its pose: against the rule for products, and the group property.
+    #[test]
+    fn rotation_matrix_jet_is_a_rotation_and_its_derivatives() {
+        for scale in [0.0, 1e-9, 1e-3, 0.3, 0.999, 1.001, 3.0, 20.0] {
+            let vector = [(0.5, 2.0, -1.0), (-0.3, 0.7, 3.0), (0.81, -1.5, 0.4)].map(|(value, first, second)| Jet {
+                value: value * scale,
+                first,
+                second,
+            });
+            let [turn, first, second] = rotation_matrix_jet(&vector);
+            let plain = rotation_matrix(&Vec3::new(vector[0].value, vector[1].value, vector[2].value));
+            assert!((turn - plain).norm() < 1e-14, "at {scale}");
+            // R Rᵀ = I, differentiated twice.
+            let once = first * turn.transpose();
+            assert!((once + once.transpose()).norm() < 1e-12, "at {scale}");
+            let twice = second * turn.transpose() + first * first.transpose();
+            assert!((twice + twice.transpose()).norm() < 1e-11, "at {scale}");
+        }
+        // About a fixed axis: the rate is the rate of the angle.
+        let angle = Jet { value: 7.3, first: 2.0, second: -3.0 };
+        let axis = Vec3::new(2.0, -1.0, 0.5).normalize();
+        let [turn, first, second] = rotation_matrix_jet(&[0, 1, 2].map(|i| angle * Jet::constant(axis[i])));
+        let skew = axis.cross_matrix();
+        assert!((first - skew * turn * 2.0).norm() < 1e-13);
+        assert!((second - (skew * skew * 4.0 - skew * 3.0) * turn).norm() < 1e-12);
+    }
 
     /// A wheel that turns on must show an angle that goes on past half a turn and past whole turns, not one that jumps back.
     #[test]

@@ -4,14 +4,22 @@ use super::beam::coordinates::{NODE, P, THETA, set_vec3};
 use super::beam::element::Element;
 use super::beam::frame::{NodeFrame, Triad};
 use super::beam::strain::{Stiffness, Strain};
+use super::configuration::Configuration;
+use super::gauge::{Gauge, Measure};
 use super::joint::Joint;
+use super::joint::driven::Driven;
 use super::load::{Excitation, Load};
-use super::marker::{Marker, Pose};
+use super::marker::Marker;
 use super::material::Material;
+use super::pose::Pose;
+use super::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed, Targets};
+use super::rigid_body::{BodyDesign, RigidBody};
 use super::section::Section;
 use super::sensor::Sensor;
+use super::spring::Spring;
 use super::state::{State, Statistics};
 use super::system::{Beam, System};
+use crate::math::jet::Jet;
 use crate::math::{Mat3, Vec3};
 
 /// Saint-Venant stiffness is multiplied by this where torsion is suppressed (MECHANICS 3.6).
@@ -99,19 +107,27 @@ pub fn node_at(fraction: f64, elements: usize) -> Option<usize> {
 }
 
 /// A machine in the making.
+///
+/// Beams come first, then bodies: coordinates are in this order. Drives come after all joints.
 #[derive(Clone, Debug, Default)]
 pub struct Assembly {
-    beams: Vec<Beam>,
-    elements: Vec<Element>,
+    /// Its parts so far; joints without those of bodies and drives.
+    system: System,
+    start: f64,
     q: Vec<f64>,
     velocity: Vec<f64>,
     triads: Vec<Triad>,
-    joints: Vec<Joint>,
-    loads: Vec<Load>,
-    sensors: Vec<Sensor>,
+    drive_joints: Vec<Joint>,
+    prescribed: Prescribed,
+    targets: Targets,
 }
 
 impl Assembly {
+    /// That is drawn as it is at the time `start`, s.
+    pub fn new(start: f64) -> Self {
+        Self { start, targets: Targets { end: start, ..Targets::default() }, ..Self::default() }
+    }
+
     /// Adds a beam and returns its number. The design is sound: positive length, section and material, `y_axis` not along the beam.
     pub fn add_beam(&mut self, design: &BeamDesign) -> usize {
         let span = design.to - design.from;
@@ -135,7 +151,7 @@ impl Assembly {
             self.velocity.extend(velocity);
             self.triads.push(triad);
         }
-        let first_element = self.elements.len();
+        let first_element = self.system.elements.len();
         let density =
             [design.material.density * design.section.area, design.material.density * design.section.polar_moment];
         for number in 0..count {
@@ -144,16 +160,22 @@ impl Assembly {
             let frames = [NodeFrame::new(&reference[..NODE], &triad), NodeFrame::new(&reference[NODE..], &triad)];
             let element =
                 Element::new(node, length, design.stiffness(), density, reference, [&frames[0], &frames[1]], 0.0);
-            self.elements.push(element);
+            self.system.elements.push(element);
         }
         let twist_limit = design.twist_limit();
-        self.beams.push(Beam { name: design.name.clone(), first_node, first_element, elements: count, twist_limit });
-        self.beams.len() - 1
+        self.system.beams.push(Beam {
+            name: design.name.clone(),
+            first_node,
+            first_element,
+            elements: count,
+            twist_limit,
+        });
+        self.system.beams.len() - 1
     }
 
     /// The node of beam `beam` at the fraction `fraction` of its length, if there is one.
     pub fn node_at(&self, beam: usize, fraction: f64) -> Option<usize> {
-        let beam = &self.beams[beam];
+        let beam = &self.system.beams[beam];
         node_at(fraction, beam.elements).map(|node| beam.first_node + node)
     }
 
@@ -162,7 +184,7 @@ impl Assembly {
         if let Some(node) = self.node_at(beam, fraction) {
             return Marker::Node { node, offset: Vec3::zeros(), axes: Mat3::identity() };
         }
-        let beam = &self.beams[beam];
+        let beam = &self.system.beams[beam];
         let place = fraction * beam.elements as f64;
         let element = (place.floor() as usize).min(beam.elements - 1);
         Marker::Section { element: beam.first_element + element, xi: place - element as f64 }
@@ -170,77 +192,156 @@ impl Assembly {
 
     /// The quadrature points of a whole beam with their weights, m: where a load per length acts.
     pub fn sections_of(&self, beam: usize) -> Vec<(Marker, f64)> {
-        let beam = &self.beams[beam];
+        let beam = &self.system.beams[beam];
         let elements = beam.first_element..beam.first_element + beam.elements;
         elements
             .flat_map(|number| {
-                let points = self.elements[number].bending.iter();
+                let points = self.system.elements[number].bending.iter();
                 points.map(move |point| (Marker::Section { element: number, xi: point.xi }, point.weight))
             })
             .collect()
     }
 
-    /// A marker at `place` with the axes `axes`, both in space as drawn, tied to node `node`.
-    pub fn marker_on_node(&self, node: usize, place: &Vec3, axes: &Mat3) -> Marker {
-        let q = &self.q[NODE * node..NODE * (node + 1)];
-        let section = NodeFrame::new(q, &self.triads[node]).section;
-        let arm = place - super::beam::coordinates::vec3(q, 0);
-        Marker::Node { node, offset: section.tr_mul(&arm), axes: section.tr_mul(axes) }
+    /// Adds a rigid body and returns its number. The design is sound: positive mass, a possible inertia, orthonormal axes.
+    pub fn add_body(&mut self, design: &BodyDesign) -> usize {
+        let (body, q, velocity) = RigidBody::new(design, self.q.len());
+        self.q.extend(q);
+        self.velocity.extend(velocity);
+        self.system.bodies.push(body);
+        self.system.bodies.len() - 1
     }
 
-    /// Place and section axes of a marker as drawn.
+    /// Adds a moving frame and returns its number; `target` is its pose at the start, where a host gives it.
+    pub fn add_frame(&mut self, name: &str, guide: FrameGuide, target: Pose) -> usize {
+        let frame = MovingFrame { name: name.into(), guide };
+        self.prescribed.frames.push(frame.start(self.start, &target));
+        self.targets.frames.push(target);
+        self.system.moving_frames.push(frame);
+        self.system.moving_frames.len() - 1
+    }
+
+    /// The marker at a node, with the section's axes.
+    pub fn node(&self, node: usize) -> Marker {
+        Marker::Node { node, offset: Vec3::zeros(), axes: Mat3::identity() }
+    }
+
+    /// The marker at the centre of mass of body `body`, with the body's axes.
+    pub fn body(&self, body: usize) -> Marker {
+        self.system.bodies[body].marker()
+    }
+
+    /// The marker at the origin of frame `frame`, with its axes.
+    pub fn frame(&self, frame: usize) -> Marker {
+        Marker::Frame { frame, offset: Vec3::zeros(), axes: Mat3::identity() }
+    }
+
+    /// The marker at `pose`, in space as drawn, that is tied to whatever `anchor` is tied to: a node, a body, a frame, the ground.
+    pub fn tied(&self, anchor: &Marker, pose: &Pose) -> Marker {
+        let own = self.drawn(&anchor.bare());
+        let (offset, axes) = own.relative(pose);
+        match anchor.bare() {
+            Marker::Node { node, .. } => Marker::Node { node, offset, axes },
+            Marker::Body { start, .. } => Marker::Body { start, offset, axes },
+            Marker::Frame { frame, .. } => Marker::Frame { frame, offset, axes },
+            Marker::Ground(_) | Marker::Section { .. } => Marker::Ground(*pose),
+        }
+    }
+
+    /// Place and axes of a marker as drawn.
     pub fn drawn(&self, marker: &Marker) -> Pose {
-        let mut frames = Vec::new();
-        frames.extend(self.q.chunks_exact(NODE).zip(&self.triads).map(|(q, triad)| NodeFrame::new(q, triad)));
-        let holonomy = vec![0.0; self.elements.len()];
-        marker.pose(&super::marker::Configuration {
+        let frames: Vec<NodeFrame> =
+            self.q.chunks_exact(NODE).zip(&self.triads).map(|(q, triad)| NodeFrame::new(q, triad)).collect();
+        let holonomy = vec![0.0; self.system.elements.len()];
+        marker.pose(&Configuration {
             q: &self.q,
             frames: &frames,
             holonomy: &holonomy,
-            elements: &self.elements,
+            readings: &[],
+            prescribed: &self.prescribed,
+            elements: &self.system.elements,
         })
     }
 
-    /// Adds a joint.
-    pub fn add_joint(&mut self, joint: Joint) {
-        self.joints.push(joint);
+    /// Adds a joint and returns its number.
+    pub fn add_joint(&mut self, joint: Joint) -> usize {
+        self.system.joints.push(joint);
+        self.system.joints.len() - 1
+    }
+
+    /// Adds a gauge and returns its number.
+    pub fn add_gauge(&mut self, a: Marker, b: Marker, measure: Measure) -> usize {
+        self.system.gauges.push(Gauge { a, b, measure });
+        self.system.gauges.len() - 1
+    }
+
+    /// Adds a drive of b against a along or about their first axis and returns its number; `target` is its value or rate at the
+    /// start, where a host gives it.
+    pub fn add_drive(&mut self, name: &str, [a, b]: [Marker; 2], driven: Driven, guide: Guide, target: f64) -> usize {
+        let number = self.system.drives.len();
+        let gauge = self.add_gauge(a, b, driven.measure());
+        let primitives = driven.primitives();
+        self.drive_joints.push(Joint { name: format!("drive {name}"), a, b, primitives, drive: Some(number) });
+        self.system.drives.push(Drive { name: name.into(), gauge, guide });
+        self.targets.drives.push(target);
+        number
+    }
+
+    /// Adds a spring and returns its number.
+    pub fn add_spring(&mut self, spring: Spring) -> usize {
+        self.system.springs.push(spring);
+        self.system.springs.len() - 1
     }
 
     /// Adds a load.
     pub fn add_load(&mut self, load: Load) {
-        self.loads.push(load);
+        self.system.loads.push(load);
     }
 
     /// Adds a sensor on the section of beam `beam` at `fraction` and returns its number.
     pub fn add_sensor(&mut self, beam: usize, fraction: f64) -> usize {
-        let marker = self.section_at(beam, fraction);
-        let drawn = self.drawn(&marker);
-        self.sensors.push(Sensor { marker, drawn, beam, fraction });
-        self.sensors.len() - 1
+        self.watch(self.section_at(beam, fraction), Some((beam, fraction)))
     }
 
-    /// The machine and its state as drawn at the time `start`, s: velocities as given, momenta and multipliers still zero.
-    pub fn finish(self, gravity: Vec3, start: f64) -> (System, State) {
+    /// Adds a sensor on `marker` and returns its number; `on_beam` is the beam and the fraction of its length where it is a point of one.
+    pub fn watch(&mut self, marker: Marker, on_beam: Option<(usize, f64)>) -> usize {
+        let drawn = self.drawn(&marker);
+        self.system.sensors.push(Sensor { marker, drawn, on_beam });
+        self.system.sensors.len() - 1
+    }
+
+    /// The machine and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
+    pub fn finish(self, gravity: Vec3) -> (System, State) {
+        let Self { mut system, start, q, velocity, triads, drive_joints, mut prescribed, targets } = self;
         let (mut low, mut high) = (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY));
-        for q in self.q.chunks_exact(NODE) {
-            let place = super::beam::coordinates::vec3(q, 0);
+        let nodes = NODE * triads.len();
+        let places = q[..nodes].chunks_exact(NODE).map(|q| super::beam::coordinates::vec3(q, 0));
+        let bodies = system.bodies.iter().map(|body| super::beam::coordinates::vec3(&q, body.start));
+        for place in places.chain(bodies) {
             low = low.inf(&place);
             high = high.sup(&place);
         }
-        let size = if self.q.is_empty() { 1.0 } else { (high - low).norm() };
-        let holonomy = vec![0.0; self.elements.len()];
-        let rotations = vec![Vec3::zeros(); self.sensors.len()];
-        let system = System::new(self.beams, self.elements, self.joints, self.loads, self.sensors, gravity, size);
+        let size = (high - low).norm();
+        // A single body has no extent; nothing at all has a negative one.
+        system.size = if size.is_finite() && size > 0.0 { size } else { 1.0 };
+        system.gravity = gravity;
+        let rigidity: Vec<Joint> = system.bodies.iter().map(RigidBody::rigidity).collect();
+        system.joints.splice(0..0, rigidity);
+        system.joints.extend(drive_joints);
+        // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
+        prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
         let state = State {
             time: start,
-            momentum: vec![0.0; self.q.len()],
-            q: self.q,
-            velocity: self.velocity,
+            momentum: vec![0.0; q.len()],
             multipliers: vec![0.0; system.constraints()],
-            triads: self.triads,
-            holonomy,
+            holonomy: vec![0.0; system.elements.len()],
+            readings: vec![0.0; system.gauges.len()],
+            rotations: vec![Vec3::zeros(); system.sensors.len()],
+            q,
+            velocity,
+            triads,
+            prescribed,
+            targets,
             excitation: Excitation::default(),
-            rotations,
             halving: 0,
             good_steps: 0,
             statistics: Statistics::default(),

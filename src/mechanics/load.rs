@@ -1,7 +1,10 @@
 //! Forces and moments on markers: at one point, or spread over a beam; in global directions or turning with the section.
 
-use super::marker::{Configuration, Marker, MarkerMatrix};
+use super::configuration::Configuration;
+use super::marker::{ByCoordinates, Marker, MarkerMatrix};
+use super::pose::axis_place;
 use crate::math::Vec3;
+use crate::math::jet::Jet;
 use nalgebra::SVector;
 use std::fmt;
 use std::sync::Arc;
@@ -11,8 +14,8 @@ use std::sync::Arc;
 pub enum Signal {
     /// Always the same.
     Constant(f64),
-    /// A function of time, s.
-    Function(Arc<dyn Fn(f64) -> f64 + Send + Sync>),
+    /// A function of time, s, with its first two derivatives.
+    Function(Arc<dyn Fn(f64) -> Jet + Send + Sync>),
 }
 
 impl Signal {
@@ -20,6 +23,14 @@ impl Signal {
     pub fn at(&self, time: f64) -> f64 {
         match self {
             Self::Constant(value) => *value,
+            Self::Function(function) => function(time).value,
+        }
+    }
+
+    /// Its value and first two derivatives at `time`, s.
+    pub fn jet(&self, time: f64) -> Jet {
+        match self {
+            Self::Constant(value) => Jet::constant(*value),
             Self::Function(function) => function(time),
         }
     }
@@ -137,9 +148,13 @@ impl Load {
         match self.direction {
             Direction::Global => sum,
             Direction::Follower => {
-                let motion = marker.motion(c);
-                sum - motion.place_q.tr_mul(&(force.cross_matrix() * motion.turn_q))
-                    - motion.turn_q.tr_mul(&(moment.cross_matrix() * motion.turn_q))
+                let (motion, pose_q) = (marker.motion(c), marker.pose_q(c));
+                let turned = |local: &Vec3| -> ByCoordinates {
+                    (0..3).map(|i| pose_q.fixed_rows::<3>(axis_place(i)) * local[i]).sum()
+                };
+                let share = self.points[number].1;
+                sum + motion.place_q.tr_mul(&turned(&(wrench.force * share)))
+                    + motion.turn_q.tr_mul(&turned(&(wrench.moment * share)))
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Sections, the ANCF14 element, joints and loads: no FMI, no files, no clock, no solver.
+//! Sections, the ANCF14 element, bodies, joints, drives, springs and loads: no FMI, no files, no clock, no solver.
 //!
 //! Numbers behind "MECHANICS" and in parentheses refer to docs/mechanics.md. NOTATION of the code, SI throughout:
 //!
@@ -17,11 +17,18 @@
 
 pub mod assembly;
 pub mod beam;
+pub mod configuration;
+pub mod gauge;
 pub mod joint;
 pub mod load;
 pub mod marker;
 pub mod material;
+pub mod pose;
+pub mod prescribed;
+pub mod rigid_body;
 pub mod section;
+pub mod section_point;
 pub mod sensor;
+pub mod spring;
 pub mod state;
 pub mod system;

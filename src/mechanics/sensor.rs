@@ -1,6 +1,8 @@
-//! What can be measured at a point of a beam: kinematics of its section, and strains with the signs of the model file.
+//! What can be measured at a point: its motion, and at a point of a beam the section's strains with the signs of the model file.
 
-use super::marker::{Configuration, Marker, Pose};
+use super::configuration::Configuration;
+use super::marker::Marker;
+use super::pose::{Pose, angular_velocity};
 use super::state::State;
 use super::system::{System, evaluation};
 use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
@@ -9,17 +11,15 @@ use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::coordinates::interpolate;
 use crate::mechanics::beam::kinematics::CurvePoint;
 
-/// A point of a beam that is watched.
+/// A point that is watched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
-    /// Its section.
+    /// The point: a section, a body, a moving frame.
     pub marker: Marker,
     /// Place and axes as drawn.
     pub drawn: Pose,
-    /// Number of its beam.
-    pub beam: usize,
-    /// Fraction of the beam's length, 0 to 1.
-    pub fraction: f64,
+    /// Of a point of a beam: the beam's number, and the fraction of its length, 0 to 1.
+    pub on_beam: Option<(usize, f64)>,
 }
 
 /// Strains of a section, undeformed values taken off.
@@ -38,7 +38,9 @@ impl Sensor {
     pub fn motion(&self, c: &Configuration, velocity: &[f64]) -> (Vec3, Vec3) {
         let range = self.marker.coordinates(c.elements);
         let motion = self.marker.motion(c);
-        let (mut linear, mut angular) = (Vec3::zeros(), Vec3::zeros());
+        // A moving frame has no coordinates; what has coordinates does not move without them.
+        let [explicit, _] = self.marker.pose_t(c);
+        let (mut linear, mut angular) = (explicit.place, angular_velocity(&self.marker.pose(c), &explicit));
         for (local, index) in range.enumerate() {
             linear += motion.place_q.column(local) * velocity[index];
             angular += motion.turn_q.column(local) * velocity[index];
@@ -58,9 +60,10 @@ impl Sensor {
         [turned.w, turned.i, turned.j, turned.k]
     }
 
-    /// The elements that the point belongs to, each with the place in it: two at an inner node.
+    /// The elements that the point belongs to, each with the place in it: two at an inner node, none off the beams.
     fn places(&self, system: &System) -> ([(usize, f64); 2], usize) {
-        let beam = &system.beams[self.beam];
+        let Some((beam, _)) = self.on_beam else { return ([(0, 0.0); 2], 0) };
+        let beam = &system.beams[beam];
         match self.marker {
             Marker::Section { element, xi } => ([(element, xi); 2], 1),
             Marker::Node { node, .. } => {
@@ -74,13 +77,14 @@ impl Sensor {
                     ([(after - 1, 1.0), (after, 0.0)], 2)
                 }
             }
-            Marker::Ground(_) => ([(0, 0.0); 2], 0),
+            Marker::Ground(_) | Marker::Frame { .. } | Marker::Body { .. } => ([(0, 0.0); 2], 0),
         }
     }
 
-    /// Material twist from the beam's start to here, undeformed value taken off, rad: the sum of `l tau` (MECHANICS, trap 16).
+    /// Material twist from the beam's start to here (off the beams 0), undeformed value taken off, rad: the sum of `l tau` (MECHANICS, trap 16).
     pub fn twist(&self, system: &System, c: &Configuration) -> f64 {
-        let beam = &system.beams[self.beam];
+        let Some((beam, _)) = self.on_beam else { return 0.0 };
+        let beam = &system.beams[beam];
         let (places, _) = self.places(system);
         let (last, xi) = places[0];
         let twist = |number: usize| c.kinematics(number).twist - c.elements[number].reference_twist;
@@ -137,6 +141,6 @@ impl Snapshot {
     /// Computes the frames of `state` and returns its configuration.
     pub fn of<'a>(&'a mut self, system: &'a System, state: &'a State) -> Configuration<'a> {
         system.frames(&state.q, &state.triads, &mut self.frames);
-        system.configuration(&state.q, &self.frames, &state.holonomy)
+        system.configuration(&state.q, &self.frames, state, &state.prescribed)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::beam::frame::Triad;
 use super::load::Excitation;
+use super::prescribed::{Prescribed, Targets};
 use crate::math::Vec3;
 
 /// Everything that persists from one step to the next.
@@ -21,6 +22,12 @@ pub struct State {
     pub triads: Vec<Triad>,
     /// Holonomy angles of the elements, rad: the branch that the next one continues.
     pub holonomy: Vec<f64>,
+    /// Readings of the gauges: the turns that the next ones continue, m or rad.
+    pub readings: Vec<f64>,
+    /// What drives and moving frames prescribe at `time`.
+    pub prescribed: Prescribed,
+    /// What a host wants drives and frames to reach.
+    pub targets: Targets,
     /// What acted from outside at the last equilibrium: where a jump of loads starts from. Nothing yet: empty.
     pub excitation: Excitation,
     /// Rotation vectors of the sensors from the orientation as drawn, rad, continued over turns.
@@ -42,6 +49,9 @@ impl Clone for State {
             multipliers: self.multipliers.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
+            readings: self.readings.clone(),
+            prescribed: self.prescribed.clone(),
+            targets: self.targets.clone(),
             excitation: self.excitation.clone(),
             rotations: self.rotations.clone(),
             ..*self
@@ -50,7 +60,7 @@ impl Clone for State {
 
     /// Keeps the memory that is there: a step that makes a backup must not allocate.
     fn clone_from(&mut self, source: &Self) {
-        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, excitation, rotations, .. } = self;
+        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, readings, rotations, .. } = self;
         *time = source.time;
         q.clone_from(&source.q);
         velocity.clone_from(&source.velocity);
@@ -58,8 +68,11 @@ impl Clone for State {
         multipliers.clone_from(&source.multipliers);
         triads.clone_from(&source.triads);
         holonomy.clone_from(&source.holonomy);
-        excitation.copy_from(&source.excitation);
+        readings.clone_from(&source.readings);
         rotations.clone_from(&source.rotations);
+        self.prescribed.copy_from(&source.prescribed);
+        self.targets.copy_from(&source.targets);
+        self.excitation.copy_from(&source.excitation);
         self.halving = source.halving;
         self.good_steps = source.good_steps;
         self.statistics = source.statistics;

@@ -15,8 +15,9 @@ use crate::mechanics::assembly::{Assembly, BeamDesign, Torsion};
 use crate::mechanics::joint::primitive::Primitive;
 use crate::mechanics::joint::{self, revolute, spherical, weld};
 use crate::mechanics::load::{self, Direction, Signal};
-use crate::mechanics::marker::{Marker, Pose};
+use crate::mechanics::marker::Marker;
 use crate::mechanics::material::Material;
+use crate::mechanics::pose::Pose;
 use crate::mechanics::section::Section;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -40,7 +41,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     if !mistakes.is_empty() {
         return Err(Diagnostics(mistakes));
     }
-    let mut builder = Builder { document, assembly: Assembly::default() };
+    let mut builder = Builder { document, assembly: Assembly::new(start) };
     for beam in &document.beams {
         builder.add_beam(beam);
     }
@@ -55,7 +56,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
             builder.assembly.add_sensor(beam, fraction);
         }
     }
-    let (system, state) = builder.assembly.finish(vector(document, document.model.gravity), start);
+    let (system, state) = builder.assembly.finish(vector(document, document.model.gravity));
     Ok(Built { system, state })
 }
 
@@ -77,7 +78,7 @@ fn signal(document: &Document, number: Number) -> Signal {
     if function.is_constant() {
         return Signal::Constant(function.value(0.0));
     }
-    Signal::Function(Arc::new(move |time| function.value(time)))
+    Signal::Function(Arc::new(move |time| function.jet(time)))
 }
 
 /// Builds what [`geometry::mistakes`] has found sound.
@@ -161,15 +162,22 @@ impl Builder<'_> {
         let at_node = Marker::Node { node: own, offset: Vec3::zeros(), axes: Mat3::identity() };
         let place = written.at.map_or_else(|| self.assembly.drawn(&at_node).place, |at| vector(document, at));
         let axes = written.axis.map_or_else(Mat3::identity, |axis| triad_along(&vector(document, axis)));
+        let pose = Pose { place, axes };
         let side = |node: Option<usize>| {
-            node.map_or(Marker::Ground(Pose { place, axes }), |node| self.assembly.marker_on_node(node, &place, &axes))
+            node.map_or(Marker::Ground(pose), |node| self.assembly.tied(&self.assembly.node(node), &pose))
         };
         let primitives: &'static [Primitive] = match written.kind {
             JointKind::Weld => weld::PRIMITIVES,
             JointKind::Spherical => spherical::PRIMITIVES,
             JointKind::Revolute => revolute::PRIMITIVES,
         };
-        let joint = joint::Joint { name: written.name.clone(), a: side(node_a), b: side(node_b), primitives };
+        let joint = joint::Joint {
+            name: format!("joint {}", written.name),
+            a: side(node_a),
+            b: side(node_b),
+            primitives,
+            drive: None,
+        };
         self.assembly.add_joint(joint);
     }
 

@@ -6,8 +6,9 @@
 
 use crate::math::blocks::Blocks;
 use crate::math::rotation::{half_turn, half_turn_by_second};
-use crate::mechanics::beam::coordinates::{ELEMENT, NODE, P, THETA, add_vec3};
+use crate::mechanics::beam::coordinates::{ELEMENT, NODE, P, THETA, add_vec3, vec3};
 use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
 /// `target += factor C`, `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node (7.3), N.
@@ -80,5 +81,22 @@ pub fn change_charts(frames: &[NodeFrame], momentum: &mut [f64]) {
     for (frame, momentum) in frames.iter().zip(momentum.chunks_exact_mut(NODE)) {
         let spin = momentum[THETA];
         add_vec3(momentum, P, &(frame.k * (spin / frame.stretch)));
+    }
+}
+
+/// Adds the gyroscopic force of an instant, `m_n (p' × p)/|p|³` with the spin momentum `m_n = (M v)_theta`, to the left-hand
+/// side of the equations of `p` (MECHANICS 7.2); the charts are centred.
+pub fn add_rate_forces(system: &System, state: &State, forces: &mut [f64]) {
+    for element in &system.elements {
+        let start = NODE * element.node;
+        for local in [0, NODE] {
+            // What this element adds to the node's spin momentum: of the angles only.
+            let spin: f64 = [THETA, NODE + THETA]
+                .into_iter()
+                .map(|column| element.mass[(local + THETA, column)] * state.velocity[start + column])
+                .sum();
+            let (p, p_t) = (vec3(&state.q, start + local + P), vec3(&state.velocity, start + local + P));
+            add_vec3(forces, start + local + P, &(p_t.cross(&p) * (spin / p.norm().powi(3))));
+        }
     }
 }

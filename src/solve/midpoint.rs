@@ -10,13 +10,17 @@ use super::newton::{self, Problem};
 use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::configuration::{Configuration, Passage, Rates};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
+use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
 /// Largest turn of a tangent in a step, rad: beyond it Newton may find a wrong root (MECHANICS 7.4).
 const LARGEST_TURN: f64 = 0.5;
+/// Largest turn of a moving frame in a step, rad: beyond it a joint may find another root (MECHANICS 6).
+const LARGEST_FRAME_TURN: f64 = 1.0;
 /// Iterations of a step: more than this ended in wrong states (MECHANICS 7.4).
 const ITERATIONS: usize = 10;
 
@@ -52,6 +56,8 @@ struct Scratch {
     mass_increment: Vec<f64>,
     conditions: Vec<f64>,
     excitation: Excitation,
+    prescribed_middle: Prescribed,
+    prescribed_end: Prescribed,
     frames_start: Vec<NodeFrame>,
     frames_middle: Vec<NodeFrame>,
     frames_end: Vec<NodeFrame>,
@@ -80,20 +86,22 @@ impl Midpoint {
         Ok(Self { rule, tolerance, kkt, right: vec![0.0; coordinates + conditions], scratch, next: None })
     }
 
-    /// Velocities that belong to `state.momentum` and that the constraints allow: `[M Gᵀ; G 0][v; ν] = [P; 0]`.
+    /// Velocities that belong to `state.momentum` and that the constraints allow: `[M Gᵀ; G 0][v; ν] = [P; −∂g/∂t]`.
     ///
     /// # Errors
     /// The constraints are redundant.
     pub fn set_velocity(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
         let scratch = &mut self.scratch;
         system.frames(&state.q, &state.triads, &mut scratch.frames_start);
-        let configuration = system.configuration(&state.q, &scratch.frames_start, &state.holonomy);
+        let configuration = system.configuration(&state.q, &scratch.frames_start, state, &state.prescribed);
         system.constraint_gradients(&configuration, &mut scratch.gradients_start);
+        let (momentum, rates) = self.right.split_at_mut(state.q.len());
+        momentum.copy_from_slice(&state.momentum);
+        system.constraint_rates(&configuration, rates);
+        rates.iter_mut().for_each(|rate| *rate = -*rate);
         self.kkt.blocks.clear();
         system.add_mass(1.0, &mut self.kkt.blocks);
         self.kkt.set_constraints(system, &scratch.gradients_start, &scratch.gradients_start, 1.0);
-        self.right.fill(0.0);
-        self.right[..state.q.len()].copy_from_slice(&state.momentum);
         self.kkt.solve(system, &mut self.right, state.time)?;
         state.velocity.copy_from_slice(&self.right[..state.q.len()]);
         Ok(())
@@ -110,7 +118,8 @@ impl Midpoint {
 
 impl Integrator for Midpoint {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
-        self.scratch.predict(system, state, step);
+        self.scratch.predict(system, state, step, end);
+        self.scratch.check_frames(system, state, step, end)?;
         let mut problem = Step { system, state, rule: self.rule, step, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
         let solved = newton::solve(
@@ -141,15 +150,29 @@ impl Integrator for Midpoint {
 
 impl Scratch {
     /// Start of the iteration: `Dq = h v_k`, `Λ = 0`.
-    fn predict(&mut self, system: &System, state: &State, step: f64) {
+    fn predict(&mut self, system: &System, state: &State, step: f64, end: f64) {
         for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
             *increment = step * velocity;
         }
         self.impulses.fill(0.0);
-        system.excite(state.time + 0.5 * step, &mut self.excitation);
+        let middle = state.time + 0.5 * step;
+        system.excite(middle, &mut self.excitation);
+        system.prescribe(state, middle, &mut self.prescribed_middle);
+        system.prescribe(state, end, &mut self.prescribed_end);
         system.frames(&state.q, &state.triads, &mut self.frames_start);
-        let configuration = system.configuration(&state.q, &self.frames_start, &state.holonomy);
+        let configuration = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
         system.constraint_gradients(&configuration, &mut self.gradients_start);
+    }
+
+    /// Refuses moving frames that turn too far: what hangs on them may find another root.
+    fn check_frames(&self, system: &System, state: &State, step: f64, end: f64) -> Result<(), Error> {
+        match self.prescribed_end.largest_turn(&state.prescribed, step) {
+            Some((frame, angle)) if angle > LARGEST_FRAME_TURN => {
+                let place = format!("frame {}", system.moving_frames[frame].name);
+                Err(Error::Turned { time: end, place, angle, limit: LARGEST_FRAME_TURN })
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Positions and frames in the middle and at the end, for the current increment.
@@ -165,15 +188,22 @@ impl Scratch {
 
     /// Refuses what the elements cannot bear (MECHANICS 7.4).
     fn check(&self, system: &System, state: &State, end: f64) -> Result<(), Error> {
-        let configuration = system.configuration(&self.q_end, &self.frames_end, &state.holonomy);
-        system.check(&configuration, &state.triads, LARGEST_TURN, end)
+        let configuration = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
+        system.check(&configuration, state, LARGEST_TURN, end)
     }
 
     /// Writes the end of the converged step into `state`: momentum (7.4), change of charts (7.5), references (2.6).
     fn finish(&mut self, system: &System, state: &mut State, rule: AxialRule, step: f64, end: f64) {
-        let over = over_step(rule, &self.increment);
-        let middle = system.configuration(&self.q_middle, &self.frames_middle, &state.holonomy);
-        system.forces(&middle, over, &self.excitation, &mut self.forces);
+        let [start, middle, finish] = configurations(
+            system,
+            state,
+            [&self.q_middle, &self.q_end],
+            [&self.frames_start, &self.frames_middle, &self.frames_end],
+            [&self.prescribed_middle, &self.prescribed_end],
+        );
+        let rates = Rates::Step { start: &start, end: &finish, duration: step };
+        let passage = Passage { increment: over_step(rule, &self.increment), rates };
+        system.forces(&middle, &passage, &self.excitation, &mut self.forces);
         // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it.
         for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
             *momentum = 2.0 * mass_increment / step - *momentum;
@@ -186,10 +216,26 @@ impl Scratch {
             *multiplier = impulse / step;
         }
         state.q.copy_from_slice(&self.q_end);
+        state.prescribed.copy_from(&self.prescribed_end);
         system.carry_references(state, &self.frames_end);
         state.time = end;
         state.statistics.steps += 1;
     }
+}
+
+/// The start, the middle and the end of a step from `state`.
+fn configurations<'a>(
+    system: &'a System,
+    state: &'a State,
+    [q_middle, q_end]: [&'a [f64]; 2],
+    [frames_start, frames_middle, frames_end]: [&'a [NodeFrame]; 3],
+    [prescribed_middle, prescribed_end]: [&'a Prescribed; 2],
+) -> [Configuration<'a>; 3] {
+    [
+        system.configuration(&state.q, frames_start, state, &state.prescribed),
+        system.configuration(q_middle, frames_middle, state, prescribed_middle),
+        system.configuration(q_end, frames_end, state, prescribed_end),
+    ]
 }
 
 /// The one term in which the two integrators differ.
@@ -216,11 +262,18 @@ impl Problem for Step<'_> {
         scratch.place(system, state);
         kkt.blocks.clear();
 
-        let middle = system.configuration(&scratch.q_middle, &scratch.frames_middle, &state.holonomy);
-        let over = over_step(self.rule, &scratch.increment);
+        let [start, middle, end] = configurations(
+            system,
+            state,
+            [&scratch.q_middle, &scratch.q_end],
+            [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
+            [&scratch.prescribed_middle, &scratch.prescribed_end],
+        );
+        let rates = Rates::Step { start: &start, end: &end, duration: h };
+        let passage = Passage { increment: over_step(self.rule, &scratch.increment), rates };
         system.forces_and_tangent(
             &middle,
-            over,
+            &passage,
             &scratch.excitation,
             0.25 * h * h,
             &mut scratch.forces,
@@ -228,7 +281,6 @@ impl Problem for Step<'_> {
         );
         system.add_mass(1.0, &mut kkt.blocks);
 
-        let end = system.configuration(&scratch.q_end, &scratch.frames_end, &state.holonomy);
         system.constraint_gradients(&end, &mut scratch.gradients_end);
         system.constraint_conditions(&end, &mut scratch.conditions);
         kkt.set_constraints(system, &scratch.gradients_start, &scratch.gradients_end, h);

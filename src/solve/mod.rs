@@ -5,6 +5,7 @@ pub mod kkt;
 pub mod linear;
 pub mod midpoint;
 pub mod newton;
+pub mod response;
 pub mod start;
 pub mod statics;
 pub mod stepping;

@@ -8,7 +8,7 @@ use crate::mechanics::system::System;
 
 /// Largest gap of a joint as drawn, in m per m of the machine's size (at least 1 m) or as the cosine of an angle: rounding of the file's numbers.
 const DRAWN_GAP: f64 = 1e-9;
-/// Velocities that lose less than this share of their kinetic energy are taken as given.
+/// Velocities whose change has less than this share of their kinetic energy are taken as given.
 const CHANGED: f64 = 1e-12;
 
 /// Checks that the joints hold as drawn.
@@ -30,18 +30,34 @@ pub fn check_assembled(system: &System, state: &State) -> Result<(), Error> {
     Ok(())
 }
 
-/// Sets momenta and velocities at the start: the velocities nearest to the given ones, in the metric of the kinetic energy,
-/// that the constraints allow (MECHANICS 6). Returns the share of the given kinetic energy that this took; 0 when nothing changed.
+/// Checks that the drives begin where the machine is drawn: at zero.
+///
+/// # Errors
+/// One does not.
+pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
+    let motion = system.prescribe_start(state.time, &state.targets);
+    for (drive, jet) in system.drives.iter().zip(&motion.drives) {
+        if jet.value.is_nan() || jet.value.abs() > DRAWN_GAP {
+            return Err(Error::DriveNotAtZero { drive: drive.name.clone(), value: jet.value });
+        }
+    }
+    Ok(())
+}
+
+/// Sets momenta and velocities at the start: the velocities nearest to the given ones, in the metric of the kinetic energy, that
+/// the constraints, drives and moving frames allow (MECHANICS 6). Returns the kinetic energy of the change as a share of the
+/// given one; 0 when nothing was given or changed.
 ///
 /// # Errors
 /// The constraints are redundant: the error names a joint.
 pub fn set_motion(system: &System, midpoint: &mut Midpoint, state: &mut State) -> Result<f64, Error> {
-    let given = system.kinetic_energy(&state.velocity);
+    state.prescribed = system.prescribe_start(state.time, &state.targets);
+    let given = state.velocity.clone();
     system.mass_times(&state.velocity, &mut state.momentum);
     midpoint.set_velocity(system, state)?;
     midpoint.check_unique(system, state.time)?;
     system.mass_times(&state.velocity, &mut state.momentum);
-    // The nearest velocities are a projection: what is lost is the energy of the difference.
-    let lost = given - system.kinetic_energy(&state.velocity);
-    Ok(if lost > CHANGED * given { lost / given } else { 0.0 })
+    let change: Vec<f64> = state.velocity.iter().zip(&given).map(|(now, given)| now - given).collect();
+    let (changed, given) = (system.kinetic_energy(&change), system.kinetic_energy(&given));
+    Ok(if given > 0.0 && changed > CHANGED * given { changed / given } else { 0.0 })
 }

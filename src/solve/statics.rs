@@ -1,6 +1,6 @@
 //! Equilibria: `dU/dq − F + Gᵀ λ = 0`, `g = 0`, each found from the one before.
 //!
-//! Where Newton does not get there in one go, loads and gravity are ramped from those of the last equilibrium (at first: from
+//! Where Newton does not get there in one go, loads, gravity, drives and moving frames are ramped from those of the last equilibrium (at first: from
 //! nothing) to the new ones. That finds the first equilibrium, and bridges jumps of loads later.
 
 use super::kkt::Kkt;
@@ -8,8 +8,10 @@ use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
 use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::configuration::Passage;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
+use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
@@ -29,6 +31,8 @@ pub struct Statics {
     /// What acts at the end of the ramp, and at the point of it that is solved for.
     target: Excitation,
     current: Excitation,
+    target_motion: Prescribed,
+    current_motion: Prescribed,
     scratch: Scratch,
     next: Option<State>,
     /// How the last solve went.
@@ -65,6 +69,8 @@ impl Statics {
             right: vec![0.0; coordinates + conditions],
             target: Excitation::default(),
             current: Excitation::default(),
+            target_motion: Prescribed::default(),
+            current_motion: Prescribed::default(),
             scratch,
             next: None,
             convergence: None,
@@ -93,10 +99,12 @@ impl Statics {
 
     fn ramp(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         system.excite(time, &mut self.target);
+        system.prescribe(state, time, &mut self.target_motion);
         let (mut share, mut increment) = (0.0, 1.0);
         while share < 1.0 {
             let next = f64::min(share + increment, 1.0);
             self.current.set_between(&state.excitation, &self.target, next);
+            self.current_motion.set_between(&state.prescribed, &self.target_motion, next);
             match self.solve(system, state, time) {
                 Ok(()) => {
                     share = next;
@@ -120,6 +128,9 @@ impl Statics {
             }
         }
         state.excitation.copy_from(&self.target);
+        // Frames stand still in an equilibrium; the rates of drives are where a host's next rates start from.
+        state.prescribed.copy_from(&self.current_motion);
+        state.prescribed.drives.clone_from(&self.target_motion.drives);
         Ok(())
     }
 
@@ -127,8 +138,8 @@ impl Statics {
     fn solve(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         self.scratch.q.copy_from_slice(&state.q);
         self.scratch.multipliers.copy_from_slice(&state.multipliers);
-        let excitation = &self.current;
-        let mut problem = Equilibrium { system, state, time, excitation, scratch: &mut self.scratch };
+        let (excitation, motion) = (&self.current, &self.current_motion);
+        let mut problem = Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
         let control = (self.tolerance, MOST_ITERATIONS);
         let solved =
@@ -138,8 +149,8 @@ impl Statics {
         let scratch = &mut self.scratch;
         system.check_twist_change(state, &scratch.q, &mut scratch.frames, time)?;
         system.frames(&scratch.q, &state.triads, &mut scratch.frames);
-        let configuration = system.configuration(&scratch.q, &scratch.frames, &state.holonomy);
-        system.check(&configuration, &state.triads, LARGEST_TURN, time)?;
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, &self.current_motion);
+        system.check(&configuration, state, LARGEST_TURN, time)?;
         state.q.copy_from_slice(&scratch.q);
         state.multipliers.copy_from_slice(&scratch.multipliers);
         system.carry_references(state, &scratch.frames);
@@ -160,6 +171,7 @@ struct Equilibrium<'a> {
     state: &'a State,
     time: f64,
     excitation: &'a Excitation,
+    motion: &'a Prescribed,
     scratch: &'a mut Scratch,
 }
 
@@ -168,9 +180,10 @@ impl Problem for Equilibrium<'_> {
         let (system, state) = (self.system, self.state);
         let scratch = &mut *self.scratch;
         system.frames(&scratch.q, &state.triads, &mut scratch.frames);
-        let configuration = system.configuration(&scratch.q, &scratch.frames, &state.holonomy);
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, self.motion);
         kkt.blocks.clear();
-        system.forces_and_tangent(&configuration, None, self.excitation, 1.0, &mut scratch.forces, &mut kkt.blocks);
+        let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
+        system.forces_and_tangent(&configuration, &Passage::REST, self.excitation, 1.0, forces, tangent);
         system.constraint_gradients(&configuration, &mut scratch.gradients);
         system.constraint_conditions(&configuration, &mut scratch.conditions);
         kkt.set_constraints(system, &scratch.gradients, &scratch.gradients, 1.0);

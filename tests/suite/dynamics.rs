@@ -25,7 +25,7 @@ fn spinning() -> (System, State) {
     };
     let mut assembly = Assembly::default();
     assembly.add_beam(&design);
-    assembly.finish(Vec3::zeros(), 0.0)
+    assembly.finish(Vec3::zeros())
 }
 
 /// A free beam keeps its momenta; by the exact rotational invariance of the element the integrators do so to round-off, but only
@@ -68,7 +68,7 @@ fn spinning_beam_shows_no_false_extension() {
         };
         let number = assembly.add_beam(&beam);
         hold(&mut assembly, "hub", number, 0.0, &Mat3::identity(), spherical::PRIMITIVES);
-        let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+        let (system, mut state) = assembly.finish(Vec3::zeros());
         let (mut sum, mut number) = (0.0, 0.0);
         integrate(&system, &mut state, AxialRule::Conserving, (step, count), |state| {
             sum += Vec3::from_column_slice(&state.q[28..31]).norm() - length;
@@ -93,7 +93,7 @@ fn tumbling_beam_keeps_its_energy() {
         let beam = BeamDesign { section, material, angular_velocity: Vec3::new(0.0, 20.0, 56.0), ..design("beam", 4) };
         let mut assembly = Assembly::default();
         assembly.add_beam(&beam);
-        let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+        let (system, mut state) = assembly.finish(Vec3::zeros());
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         let mut reached = 0.0;
         let result = integrate(&system, &mut state, rule, (2e-3, 500), |state| {
@@ -125,7 +125,7 @@ fn taut_string_stays_bounded() {
     for (name, fraction) in [("left", 0.0), ("right", 1.0)] {
         hold(&mut assembly, name, number, fraction, &Mat3::identity(), weld::PRIMITIVES);
     }
-    let (mut system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+    let (mut system, mut state) = assembly.finish(Vec3::zeros());
     // Stretch: the right end's ground point and all nodes move out in proportion.
     for node in state.q.chunks_exact_mut(7) {
         node[0] *= 1.0 + stretch;

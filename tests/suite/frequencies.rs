@@ -4,6 +4,7 @@ use crate::machines::design;
 use ancf14::math::Vec3;
 use ancf14::math::blocks::Blocks;
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::configuration::Passage;
 use ancf14::mechanics::load::Excitation;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::system::System;
@@ -26,13 +27,13 @@ fn dense(system: &System, blocks: &Blocks) -> DMatrix<f64> {
 fn frequencies(beam: &BeamDesign) -> Vec<f64> {
     let mut assembly = Assembly::default();
     assembly.add_beam(beam);
-    let (system, state) = assembly.finish(Vec3::zeros(), 0.0);
+    let (system, state) = assembly.finish(Vec3::zeros());
     let mut snapshot = Snapshot::default();
     let configuration = snapshot.of(&system, &state);
     let mut blocks = Blocks::default();
     system.push_tangent_blocks(&mut blocks);
     let mut forces = vec![0.0; system.coordinates()];
-    system.forces_and_tangent(&configuration, None, &Excitation::default(), 1.0, &mut forces, &mut blocks);
+    system.forces_and_tangent(&configuration, &Passage::REST, &Excitation::default(), 1.0, &mut forces, &mut blocks);
     let stiffness = dense(&system, &blocks);
     blocks.clear();
     system.add_mass(1.0, &mut blocks);

@@ -6,8 +6,9 @@ use crate::random::Random;
 use ancf14::math::Vec3;
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, revolute, spherical, weld};
-use ancf14::mechanics::marker::{Marker, Pose};
+use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::material::Material;
+use ancf14::mechanics::pose::Pose;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
@@ -34,24 +35,26 @@ fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System, St
         Joint {
             name: "hook".into(),
             a: Marker::Ground(Pose { place: hook, axes }),
-            b: assembly.marker_on_node(node(first, 0.0), &hook, &axes),
+            b: assembly.tied(&assembly.node(node(first, 0.0)), &Pose { place: hook, axes }),
             primitives: spherical::PRIMITIVES,
+            drive: None,
         },
         {
             // A rigid arm on both sides: the joint sits somewhere between the beams.
             let place = random.vector();
             Joint {
                 name: "elbow".into(),
-                a: assembly.marker_on_node(node(first, 1.0), &place, &axes),
-                b: assembly.marker_on_node(node(second, 0.0), &place, &axes),
+                a: assembly.tied(&assembly.node(node(first, 1.0)), &Pose { place, axes }),
+                b: assembly.tied(&assembly.node(node(second, 0.0)), &Pose { place, axes }),
                 primitives,
+                drive: None,
             }
         },
     ];
     for joint in joints {
         assembly.add_joint(joint);
     }
-    assembly.finish(Vec3::new(1.0, -2.0, -9.0), 0.0)
+    assembly.finish(Vec3::new(1.0, -2.0, -9.0))
 }
 
 /// Rows of the joint's gradient that are independent.

@@ -33,7 +33,7 @@ fn tip(
         moment: constant(moment),
         direction,
     });
-    let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+    let (system, mut state) = assembly.finish(Vec3::zeros());
     Statics::new(&system, 1e-10).unwrap().find(&system, &mut state, 0.0).unwrap();
     let last = state.q.len() - 7;
     (vec3(&state.q, last) - Vec3::x(), state.q[last + THETA])
@@ -107,7 +107,7 @@ fn truncated_strain_has_its_limit() {
     let check = |rate: f64| {
         let mut assembly = Assembly::default();
         assembly.add_beam(&beam);
-        let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+        let (system, mut state) = assembly.finish(Vec3::zeros());
         let limit = system.beams[0].twist_limit;
         let length = beam.to[0] / 4.0;
         for (node, q) in state.q.chunks_exact_mut(7).enumerate() {
@@ -115,8 +115,7 @@ fn truncated_strain_has_its_limit() {
         }
         let mut snapshot = Snapshot::default();
         let warned = system.twist_near_limit(&state, &mut snapshot).map(|(name, ..)| name.to_owned());
-        let outcome =
-            system.check(&snapshot.of(&system, &state), &state.triads, 1.0, 0.0).map_err(|error| error.to_string());
+        let outcome = system.check(&snapshot.of(&system, &state), &state, 1.0, 0.0).map_err(|error| error.to_string());
         (limit, warned, outcome)
     };
     let (limit, warned, outcome) = check(0.4);

@@ -1,13 +1,15 @@
 //! Small machines that several tests use, built without a model file.
 
 use ancf14::error::Error;
+use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
 use ancf14::mechanics::beam::strain::Strain;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, weld};
 use ancf14::mechanics::load::{Direction, Load, Signal};
-use ancf14::mechanics::marker::{Marker, Pose};
+use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::material::Material;
+use ancf14::mechanics::pose::Pose;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
@@ -47,10 +49,11 @@ pub fn hold(
     let node = assembly.node_at(beam, fraction).unwrap();
     let place = assembly.drawn(&assembly.section_at(beam, fraction)).place;
     let joint = Joint {
-        name: name.into(),
+        name: format!("joint {name}"),
         a: Marker::Ground(Pose { place, axes: *axes }),
-        b: assembly.marker_on_node(node, &place, axes),
+        b: assembly.tied(&assembly.node(node), &Pose { place, axes: *axes }),
         primitives,
+        drive: None,
     };
     assembly.add_joint(joint);
 }
@@ -63,7 +66,9 @@ pub fn clamp(assembly: &mut Assembly, beam: usize) {
 /// A dead force and moment on the section of `beam` at `fraction`; they grow in proportion to time and are there in full at 1 s.
 pub fn load(assembly: &mut Assembly, beam: usize, fraction: f64, force: Vec3, moment: Vec3) {
     let marker = assembly.section_at(beam, fraction);
-    let growing = |v: Vec3| [0, 1, 2].map(|i| Signal::Function(Arc::new(move |time| v[i] * time)));
+    let growing = |v: Vec3| {
+        [0, 1, 2].map(|i| Signal::Function(Arc::new(move |time| Jet { value: v[i] * time, first: v[i], second: 0.0 })))
+    };
     assembly.add_load(Load {
         name: "load".into(),
         points: vec![(marker, 1.0)],

@@ -47,7 +47,7 @@ fn machine(elements: usize, strain: Strain, case: &Case) -> (System, State) {
     let force = Vec3::new(0.0, case.angle.sin(), case.angle.cos()) * case.load;
     load(&mut assembly, number, 1.0, force, Vec3::zeros());
     assembly.add_sensor(number, 1.0);
-    assembly.finish(Vec3::zeros(), 0.0)
+    assembly.finish(Vec3::zeros())
 }
 
 /// Tip displacement, twist and rotation about x.

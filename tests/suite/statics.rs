@@ -22,7 +22,7 @@ fn cantilever(beam: &BeamDesign, force: Vec3, moment: Vec3) -> (System, State) {
     let number = assembly.add_beam(beam);
     clamp(&mut assembly, number);
     load(&mut assembly, number, 1.0, force, moment);
-    assembly.finish(Vec3::zeros(), 0.0)
+    assembly.finish(Vec3::zeros())
 }
 
 fn tip(state: &State) -> Vec3 {
@@ -96,7 +96,7 @@ fn free_motions_and_double_holds_are_named() {
         let mut assembly = Assembly::default();
         let number = assembly.add_beam(&design("arm", 8));
         prepare(&mut assembly, number);
-        let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+        let (system, mut state) = assembly.finish(Vec3::zeros());
         Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).map_err(|error| error.to_string())
     };
     let floating = message(&|_, _| {}).unwrap_err();
@@ -118,7 +118,7 @@ fn free_motions_and_double_holds_are_named() {
     let mut assembly = Assembly::default();
     let number = assembly.add_beam(&thin(3000));
     clamp(&mut assembly, number);
-    let (system, mut state) = assembly.finish(Vec3::zeros(), 0.0);
+    let (system, mut state) = assembly.finish(Vec3::zeros());
     Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).unwrap();
 }
 

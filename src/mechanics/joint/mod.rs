@@ -1,13 +1,25 @@
 //! Joints: lists of primitive conditions `phi = 0` between two markers (MECHANICS 6). A kind of joint is a file with its list.
+//!
+//! The rigidity of bodies and the drives are lists of conditions too: whatever holds the machine together is a [`Joint`].
 
+pub mod cylindrical;
+pub mod driven;
+pub mod inline;
+pub mod inplane;
 pub mod primitive;
+pub mod prismatic;
 pub mod revolute;
 pub mod spherical;
+pub mod universal;
 pub mod weld;
 
-use super::marker::{Configuration, MARKER, Marker, MarkerMatrix};
+use super::configuration::Configuration;
+use super::marker::{MARKER, Marker, MarkerMatrix};
+use super::pose::{POSE, PairMatrix, PairVector, Pose, PoseVector, moment};
+use crate::math::Vec3;
+use crate::math::jet::Jet;
 use nalgebra::SMatrix;
-use primitive::{MOST_ROWS, Primitive, RelativeStiffness, Wrenches};
+use primitive::{MOST_ROWS, Primitive};
 
 /// Most conditions a joint has.
 pub const MOST_CONDITIONS: usize = 6;
@@ -15,7 +27,7 @@ pub const MOST_CONDITIONS: usize = 6;
 /// A joint between two markers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// Name in the model file.
+    /// What it is, and its name in the model file: `joint hinge`.
     pub name: String,
     /// One side.
     pub a: Marker,
@@ -23,6 +35,8 @@ pub struct Joint {
     pub b: Marker,
     /// The conditions.
     pub primitives: &'static [Primitive],
+    /// The drive that prescribes the measure of its only primitive, if one does.
+    pub drive: Option<usize>,
 }
 
 /// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×14 each; unused rows are zero.
@@ -40,69 +54,144 @@ impl Joint {
         self.primitives.iter().map(|primitive| primitive.rows()).sum()
     }
 
+    /// What its drive prescribes, with its rate and acceleration; nothing: 0.
+    fn prescribed(&self, c: &Configuration) -> Jet {
+        self.drive.map_or(Jet::constant(0.0), |drive| c.prescribed.drives[drive])
+    }
+
     /// The conditions, zero when they hold; m or 1.
     pub fn phi(&self, c: &Configuration, phi: &mut [f64]) {
         let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let prescribed = self.prescribed(c).value;
         let mut row = 0;
         for primitive in self.primitives {
-            primitive.phi(&a, &b, &mut phi[row..row + primitive.rows()]);
+            primitive.phi(&a, &b, prescribed, &mut phi[row..row + primitive.rows()]);
             row += primitive.rows();
         }
+    }
+
+    /// Gradients of all rows by the numbers of both poses, in order.
+    fn rows_x(&self, a: &Pose, b: &Pose) -> ([PairVector; MOST_CONDITIONS], usize) {
+        let mut gradients = [PairVector::zeros(); MOST_CONDITIONS];
+        let mut row = 0;
+        for primitive in self.primitives {
+            for local in 0..primitive.rows() {
+                gradients[row] = primitive.phi_x(a, b, local);
+                row += 1;
+            }
+        }
+        (gradients, row)
     }
 
     /// `∂phi/∂q` of both sides.
     pub fn phi_q(&self, c: &Configuration) -> JointGradient {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
-        let (motion_a, motion_b) = (self.a.motion(c), self.b.motion(c));
+        let (gradients, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
+        let (a_q, b_q) = (self.a.pose_q(c), self.b.pose_q(c));
         let mut gradient = JointGradient { a: SMatrix::zeros(), b: SMatrix::zeros() };
-        let mut row = 0;
-        for primitive in self.primitives {
-            for local in 0..primitive.rows() {
-                let wrench = primitive.phi_motion(&a, &b, local);
-                let by_a = motion_a.place_q.tr_mul(&wrench.fixed_rows::<3>(0))
-                    + motion_a.turn_q.tr_mul(&wrench.fixed_rows::<3>(3));
-                let by_b = motion_b.place_q.tr_mul(&wrench.fixed_rows::<3>(6))
-                    + motion_b.turn_q.tr_mul(&wrench.fixed_rows::<3>(9));
-                gradient.a.set_row(row, &by_a.transpose());
-                gradient.b.set_row(row, &by_b.transpose());
-                row += 1;
-            }
+        for (row, phi_x) in gradients[..rows].iter().enumerate() {
+            gradient.a.set_row(row, &a_q.tr_mul(&phi_x.fixed_rows::<POSE>(0)).transpose());
+            gradient.b.set_row(row, &b_q.tr_mul(&phi_x.fixed_rows::<POSE>(POSE)).transpose());
         }
         gradient
     }
 
-    /// `∂²(lambda·phi)/∂q²` as the blocks `aa, ab, ba, bb`, 14×14 each.
-    pub fn phi_qq(&self, c: &Configuration, lambda: &[f64]) -> [MarkerMatrix; 4] {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
-        let (motion_a, motion_b) = (self.a.motion(c), self.b.motion(c));
-        let mut wrench = Wrenches::zeros();
-        let mut stiffness = RelativeStiffness::zeros();
+    /// Gradient and second derivative of `lambda·phi` by the numbers of both poses.
+    fn weighted(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> (PairVector, PairMatrix) {
+        let mut hessian = PairMatrix::zeros();
         let mut row = 0;
         for primitive in self.primitives {
             debug_assert!(primitive.rows() <= MOST_ROWS);
-            let own = &lambda[row..row + primitive.rows()];
-            for (local, factor) in own.iter().enumerate() {
-                wrench += primitive.phi_motion(&a, &b, local) * *factor;
-            }
-            primitive.add_stiffness(&a, &b, own, &mut stiffness);
+            primitive.add_phi_xx(a, b, &lambda[row..row + primitive.rows()], &mut hessian);
             row += primitive.rows();
         }
-        let part = |start: usize| wrench.fixed_rows::<3>(start).into_owned();
-        let own_a = self.a.wrench_stiffness(c, &part(0), &part(3));
-        let own_b = self.b.wrench_stiffness(c, &part(6), &part(9));
-        let stack = |motion: &super::marker::Motion| {
-            let mut stacked = SMatrix::<f64, 6, MARKER>::zeros();
-            stacked.fixed_rows_mut::<3>(0).copy_from(&motion.place_q);
-            stacked.fixed_rows_mut::<3>(3).copy_from(&motion.turn_q);
-            stacked
-        };
-        let (moves_a, moves_b) = (stack(&motion_a), stack(&motion_b));
-        let block = |row: usize, column: usize| stiffness.fixed_view::<6, 6>(row, column).into_owned();
-        [
-            moves_a.tr_mul(&(block(0, 0) * moves_a)) + own_a,
-            moves_a.tr_mul(&(block(0, 6) * moves_b)),
-            moves_b.tr_mul(&(block(6, 0) * moves_a)),
-            moves_b.tr_mul(&(block(6, 6) * moves_b)) + own_b,
-        ]
+        (self.force_x(a, b, lambda), hessian)
     }
+
+    fn force_x(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> PairVector {
+        let (gradients, rows) = self.rows_x(a, b);
+        gradients[..rows].iter().zip(lambda).map(|(gradient, lambda)| gradient * *lambda).sum()
+    }
+
+    /// `∂²(lambda·phi)/∂q²` as the blocks `aa, ab, ba, bb`, 14×14 each.
+    pub fn phi_qq(&self, c: &Configuration, lambda: &[f64]) -> [MarkerMatrix; 4] {
+        let (gradient, hessian) = self.weighted(&self.a.pose(c), &self.b.pose(c), lambda);
+        pull_back(c, [&self.a, &self.b], &gradient, &hessian)
+    }
+
+    /// `phi''` at an instant without the part of the accelerations, `v·phi_qq·v + 2 phi_qt·v + phi_tt`, row after row.
+    pub fn phi_tt(&self, c: &Configuration, velocity: &[f64], phi_tt: &mut [f64]) {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let moves = [&self.a, &self.b].map(|marker| {
+            let own = own_velocity(c, marker, velocity);
+            let [explicit, acceleration] = marker.pose_t(c);
+            (own, marker.pose_q(c) * own + explicit.numbers(), acceleration.numbers())
+        });
+        let mut rate = PairVector::zeros();
+        let mut acceleration = PairVector::zeros();
+        for (side, (_, first, second)) in moves.iter().enumerate() {
+            rate.fixed_rows_mut::<POSE>(POSE * side).copy_from(first);
+            acceleration.fixed_rows_mut::<POSE>(POSE * side).copy_from(second);
+        }
+        let rows = self.rows();
+        for (row, phi_tt) in phi_tt.iter_mut().enumerate() {
+            let mut unit = [0.0; MOST_CONDITIONS];
+            unit[row] = 1.0;
+            let (gradient, hessian) = self.weighted(&a, &b, &unit[..rows]);
+            *phi_tt = rate.dot(&(hessian * rate)) + gradient.dot(&acceleration) - self.prescribed(c).second;
+            for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
+                let own = &moves[side].0;
+                let force: PoseVector = gradient.fixed_rows::<POSE>(POSE * side).into_owned();
+                *phi_tt += own.dot(&(marker.pose_qq(c, &force) * own));
+            }
+        }
+    }
+
+    /// `∂phi/∂t` at fixed coordinates, row after row.
+    pub fn phi_t(&self, c: &Configuration, phi_t: &mut [f64]) {
+        let moving = [&self.a, &self.b].map(|marker| marker.pose_t(c)[0].numbers());
+        let (gradients, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
+        for (phi_t, gradient) in phi_t.iter_mut().zip(&gradients[..rows]) {
+            let by_frames: f64 = (0..2).map(|side| gradient.fixed_rows::<POSE>(POSE * side).dot(&moving[side])).sum();
+            *phi_t = by_frames - self.prescribed(c).first;
+        }
+    }
+
+    /// Force (N) and moment (N m) that b receives at its place, in global axes: `−lambda·phi` by b's motion.
+    pub fn reaction(&self, c: &Configuration, lambda: &[f64]) -> (Vec3, Vec3) {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let force: PoseVector = -self.force_x(&a, &b, lambda).fixed_rows::<POSE>(POSE).into_owned();
+        (force.fixed_rows::<3>(0).into_owned(), moment(&b, &force))
+    }
+
+    /// Whether the sides are as meant, not half-turn relatives of it (MECHANICS 6).
+    pub fn is_upright(&self, c: &Configuration) -> bool {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        self.primitives.iter().all(|primitive| primitive.is_upright(&a, &b))
+    }
+}
+
+/// The velocities of a marker's own coordinates, padded with zeros.
+pub fn own_velocity(c: &Configuration, marker: &Marker, velocity: &[f64]) -> nalgebra::SVector<f64, MARKER> {
+    let range = marker.coordinates(c.elements);
+    let mut own = nalgebra::SVector::<f64, MARKER>::zeros();
+    own.as_mut_slice()[..range.len()].copy_from_slice(&velocity[range]);
+    own
+}
+
+/// The second derivative by the coordinates of both sides, blocks `aa, ab, ba, bb`, of what has these derivatives by the poses' numbers.
+pub fn pull_back(
+    c: &Configuration,
+    [a, b]: [&Marker; 2],
+    gradient: &PairVector,
+    hessian: &PairMatrix,
+) -> [MarkerMatrix; 4] {
+    let (a_q, b_q) = (a.pose_q(c), b.pose_q(c));
+    let part = |side: usize| gradient.fixed_rows::<POSE>(POSE * side).into_owned();
+    let block = |row: usize, column: usize| hessian.fixed_view::<POSE, POSE>(POSE * row, POSE * column).into_owned();
+    [
+        a_q.tr_mul(&(block(0, 0) * a_q)) + a.pose_qq(c, &part(0)),
+        a_q.tr_mul(&(block(0, 1) * b_q)),
+        b_q.tr_mul(&(block(1, 0) * a_q)),
+        b_q.tr_mul(&(block(1, 1) * b_q)) + b.pose_qq(c, &part(1)),
+    ]
 }

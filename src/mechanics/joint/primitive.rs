@@ -1,83 +1,132 @@
-//! What joints are made of: scalar conditions between two markers, with their derivatives by the markers' motion.
+//! What joints are made of: scalar conditions between two poses, with their derivatives by the poses' numbers.
 //!
-//! A condition's gradient is a wrench on each side; its second derivative is a stiffness in `(x_a, φ_a, x_b, φ_b)`.
+//! All but angles are bilinear in the two poses. Conditions by products of axes hold at half-turn relatives of what is meant
+//! too; `is_upright` tells them apart (MECHANICS 6).
 
-use crate::math::{Mat3, Vec3};
-use crate::mechanics::marker::Pose;
-use nalgebra::{SMatrix, SVector};
+use crate::math::Vec3;
+use crate::mechanics::gauge::{Measure, add_symmetric, near};
+use crate::mechanics::pose::{POSE, PairMatrix, PairVector, Pose, axis_place};
 
 /// Most rows a primitive has.
-pub const MOST_ROWS: usize = 3;
+pub const MOST_ROWS: usize = 6;
 
-/// Gradient by the motion of both sides: `[x_a, φ_a, x_b, φ_b]`.
-pub type Wrenches = SVector<f64, 12>;
-/// Second derivative by the motion of both sides, 12×12.
-pub type RelativeStiffness = SMatrix<f64, 12, 12>;
-
-/// A condition between the frames of a joint's two sides.
+/// A condition between the poses of a joint's two sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Primitive {
     /// The places are one: `x_a − x_b = 0`, 3 rows, m.
     Coincident,
-    /// Axis `0` of a and axis `1` of b are perpendicular: `T_a[0]·T_b[1] = 0`, 1 row.
+    /// Axis `i` of a and axis `i` of b are one: `T_a[i]·T_b[j] = T_a[i]·T_b[k] = 0`, 2 rows.
+    Parallel(usize),
+    /// b is not turned about axis `i` against a: `T_a[j]·T_b[k] = 0`, 1 row; the axes `i` are parallel otherwise.
+    Unturned(usize),
+    /// Axis `i` of a and axis `j` of b are perpendicular: `T_a[i]·T_b[j] = 0`, 1 row.
     Perpendicular(usize, usize),
+    /// A measure has the value that a drive prescribes, 0 without a drive: 1 row, m or rad.
+    Measured(Measure),
+    /// The axes of b are orthonormal: `(|T_b[i]|² − 1)/2 = 0`, `T_b[i]·T_b[j] = 0`, 6 rows.
+    Orthonormal,
 }
+
+/// Axes of the rows of [`Primitive::Orthonormal`].
+const AXES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl Primitive {
     /// Number of rows.
     pub fn rows(self) -> usize {
         match self {
             Self::Coincident => 3,
-            Self::Perpendicular(..) => 1,
+            Self::Parallel(_) => 2,
+            Self::Unturned(_) | Self::Perpendicular(..) | Self::Measured(_) => 1,
+            Self::Orthonormal => MOST_ROWS,
         }
     }
 
-    /// The conditions, zero when they hold.
-    pub fn phi(self, a: &Pose, b: &Pose, phi: &mut [f64]) {
+    /// The axes of a and b whose product row `row` is, where it is one.
+    fn product(self, row: usize) -> Option<(usize, usize)> {
+        match self {
+            Self::Parallel(i) => Some((i, (i + 1 + row) % 3)),
+            Self::Unturned(i) => Some(((i + 1) % 3, (i + 2) % 3)),
+            Self::Perpendicular(i, j) => Some((i, j)),
+            Self::Coincident | Self::Measured(_) | Self::Orthonormal => None,
+        }
+    }
+
+    /// The conditions, zero when they hold; `prescribed` is what a drive prescribes.
+    pub fn phi(self, a: &Pose, b: &Pose, prescribed: f64, phi: &mut [f64]) {
         match self {
             Self::Coincident => phi.copy_from_slice((a.place - b.place).as_slice()),
-            Self::Perpendicular(i, j) => phi[0] = a.axes.column(i).dot(&b.axes.column(j)),
+            Self::Measured(measure @ Measure::Angle(_)) => {
+                // The difference within half a turn: the turns are the step's to follow.
+                phi[0] = near(measure.value(a, b, 0.0) - prescribed, 0.0);
+            }
+            Self::Measured(measure) => phi[0] = measure.value(a, b, 0.0) - prescribed,
+            Self::Orthonormal => {
+                for (phi, (i, j)) in phi.iter_mut().zip(AXES) {
+                    let product = b.axis(i).dot(&b.axis(j));
+                    *phi = if i == j { 0.5 * (product - 1.0) } else { product };
+                }
+            }
+            _ => {
+                for (row, phi) in phi.iter_mut().enumerate() {
+                    *phi = self.product(row).map_or(0.0, |(i, j)| a.axis(i).dot(&b.axis(j)));
+                }
+            }
         }
     }
 
-    /// Gradient of row `row` by the motion of both sides.
-    pub fn phi_motion(self, a: &Pose, b: &Pose, row: usize) -> Wrenches {
-        let mut sum = Wrenches::zeros();
+    /// Gradient of row `row` by the numbers of both poses, 24×1.
+    pub fn phi_x(self, a: &Pose, b: &Pose, row: usize) -> PairVector {
+        let mut sum = PairVector::zeros();
+        let mut put = |place: usize, value: Vec3| sum.fixed_rows_mut::<3>(place).copy_from(&value);
         match self {
             Self::Coincident => {
                 sum[row] = 1.0;
-                sum[6 + row] = -1.0;
+                sum[POSE + row] = -1.0;
             }
-            Self::Perpendicular(i, j) => {
-                let turn = axis(a, i).cross(&axis(b, j));
-                sum.fixed_rows_mut::<3>(3).copy_from(&turn);
-                sum.fixed_rows_mut::<3>(9).copy_from(&-turn);
+            Self::Measured(measure) => sum = measure.gradient(a, b),
+            Self::Orthonormal => {
+                let (i, j) = AXES[row];
+                put(POSE + axis_place(i), b.axis(j));
+                put(POSE + axis_place(j), b.axis(i));
+            }
+            _ => {
+                if let Some((i, j)) = self.product(row) {
+                    put(axis_place(i), b.axis(j));
+                    put(POSE + axis_place(j), a.axis(i));
+                }
             }
         }
         sum
     }
 
-    /// Adds the derivative of the gradient of `Σ lambda·phi` by the motion of both sides, wrenches seen in space.
-    pub fn add_stiffness(self, a: &Pose, b: &Pose, lambda: &[f64], sum: &mut RelativeStiffness) {
+    /// Adds the second derivative of `Σ lambda·phi` by the numbers of both poses, 24×24.
+    pub fn add_phi_xx(self, a: &Pose, b: &Pose, lambda: &[f64], sum: &mut PairMatrix) {
         match self {
             Self::Coincident => {}
-            Self::Perpendicular(i, j) => {
-                let (axis_a, axis_b) = (axis(a, i), axis(b, j));
-                let cosine = Mat3::identity() * axis_a.dot(&axis_b);
-                // d(a × b) = (a bᵀ − a·b) dφ_a + (a·b − b aᵀ) dφ_b.
-                let by_a = (axis_a * axis_b.transpose() - cosine) * lambda[0];
-                let by_b = (cosine - axis_b * axis_a.transpose()) * lambda[0];
-                for (row, sign) in [(3, 1.0), (9, -1.0)] {
-                    let mut view = sum.fixed_view_mut::<3, 3>(row, 3);
-                    view += by_a * sign;
-                    let mut view = sum.fixed_view_mut::<3, 3>(row, 9);
-                    view += by_b * sign;
+            Self::Measured(measure) => *sum += measure.hessian(a, b) * lambda[0],
+            Self::Orthonormal => {
+                for (lambda, (i, j)) in lambda.iter().zip(AXES) {
+                    let (row, column) = (POSE + axis_place(i), POSE + axis_place(j));
+                    add_symmetric(sum, row, column, if i == j { 0.5 * lambda } else { *lambda });
+                }
+            }
+            _ => {
+                for (row, lambda) in lambda.iter().enumerate() {
+                    if let Some((i, j)) = self.product(row) {
+                        add_symmetric(sum, axis_place(i), POSE + axis_place(j), *lambda);
+                    }
                 }
             }
         }
     }
-}
 
-fn axis(pose: &Pose, number: usize) -> Vec3 {
-    pose.axes.column(number).into_owned()
+    /// Whether this is what is meant, not a relative of it by half a turn.
+    pub fn is_upright(self, a: &Pose, b: &Pose) -> bool {
+        let along = |i: usize| a.axis(i).dot(&b.axis(i)) > 0.0;
+        match self {
+            Self::Parallel(i) => along(i),
+            Self::Unturned(i) => along((i + 1) % 3),
+            Self::Coincident | Self::Perpendicular(..) | Self::Measured(_) | Self::Orthonormal => true,
+        }
+    }
 }

@@ -3,5 +3,4 @@
 use super::primitive::Primitive;
 
 /// Conditions of a revolute joint about the first axis.
-pub const PRIMITIVES: &[Primitive] =
-    &[Primitive::Coincident, Primitive::Perpendicular(0, 1), Primitive::Perpendicular(0, 2)];
+pub const PRIMITIVES: &[Primitive] = &[Primitive::Coincident, Primitive::Parallel(0)];

@@ -3,9 +3,4 @@
 use super::primitive::Primitive;
 
 /// Conditions of a weld.
-pub const PRIMITIVES: &[Primitive] = &[
-    Primitive::Coincident,
-    Primitive::Perpendicular(0, 1),
-    Primitive::Perpendicular(0, 2),
-    Primitive::Perpendicular(1, 2),
-];
+pub const PRIMITIVES: &[Primitive] = &[Primitive::Coincident, Primitive::Parallel(0), Primitive::Unturned(0)];

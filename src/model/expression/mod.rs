@@ -4,13 +4,12 @@
 //! `s` where the place allows it. `^` binds tightest and from the right, above the unary minus, as in mathematics:
 //! `-2^2 = -4`, `2^3^2 = 512`.
 
-pub mod jet;
 mod parser;
 pub mod program;
 #[cfg(test)]
 mod tests;
 
-pub use jet::Jet;
+pub use crate::math::jet::Jet;
 pub use parser::{ExpressionError, compile};
 pub use program::Program;
 

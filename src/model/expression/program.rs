@@ -1,6 +1,6 @@
 //! A compiled expression: a flat list of operations on a stack of jets, evaluated without allocation.
 
-use super::jet::Jet;
+use crate::math::jet::Jet;
 
 /// Height of the evaluation stack: the parser refuses expressions that need more.
 pub const STACK: usize = 64;

@@ -27,6 +27,11 @@ impl Jet {
         Self { value, first: 1.0, second: 0.0 }
     }
 
+    /// Whether value and first derivative are finite: a kink of the second one does no harm.
+    pub fn is_finite(self) -> bool {
+        self.value.is_finite() && self.first.is_finite()
+    }
+
     fn is_constant(self) -> bool {
         self.first == 0.0 && self.second == 0.0
     }

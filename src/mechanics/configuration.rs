@@ -1,0 +1,75 @@
+//! The machine at one instant, and how it passes through it: what every part computes from.
+
+use super::beam::coordinates::NODE;
+use super::beam::element::Element;
+use super::beam::frame::NodeFrame;
+use super::beam::kinematics::Kinematics;
+use super::prescribed::Prescribed;
+
+/// The machine at one instant: what every part computes from.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// All coordinates.
+    pub q: &'a [f64],
+    /// Frames of all nodes at `q`.
+    pub frames: &'a [NodeFrame],
+    /// Holonomy angles of all elements at the last accepted state, rad.
+    pub holonomy: &'a [f64],
+    /// Readings of all gauges at the last accepted state: angles go on from there.
+    pub readings: &'a [f64],
+    /// What drives and moving frames prescribe.
+    pub prescribed: &'a Prescribed,
+    /// All elements.
+    pub elements: &'a [Element],
+}
+
+impl<'a> Configuration<'a> {
+    /// Coordinates (14) of an element.
+    pub fn element_q(&self, element: &Element) -> &'a [f64] {
+        &self.q[NODE * element.node..NODE * (element.node + 2)]
+    }
+
+    /// Frames of an element's two nodes.
+    pub fn element_frames(&self, element: &Element) -> [&'a NodeFrame; 2] {
+        [&self.frames[element.node], &self.frames[element.node + 1]]
+    }
+
+    /// In-element kinematics of element `number`.
+    pub fn kinematics(&self, number: usize) -> Kinematics {
+        let element = &self.elements[number];
+        let [first, second] = self.element_frames(element);
+        Kinematics::new(element, self.element_q(element), first, second, self.holonomy[number])
+    }
+}
+
+/// How fast the machine passes through the configuration in which its forces are taken: what dampers ask.
+#[derive(Clone, Copy, Debug)]
+pub enum Rates<'a> {
+    /// Not at all: an equilibrium.
+    Rest,
+    /// Over a step, in whose middle forces are taken: rates are differences of the ends' strains and readings.
+    Step {
+        /// Start of the step.
+        start: &'a Configuration<'a>,
+        /// End of the step.
+        end: &'a Configuration<'a>,
+        /// Length of the step, s.
+        duration: f64,
+    },
+    /// With these velocities of the coordinates, 1/s each.
+    Instant(&'a [f64]),
+}
+
+/// How the forces of a configuration are taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Passage<'a> {
+    /// The change of `q` over a step, where the axial strain is the mean of its two ends' (MECHANICS 7.6).
+    pub increment: Option<&'a [f64]>,
+    /// Rates of strains and gauges.
+    pub rates: Rates<'a>,
+}
+
+impl Passage<'_> {
+    /// Nothing moves.
+    pub const REST: Self = Self { increment: None, rates: Rates::Rest };
+}

@@ -1,0 +1,88 @@
+//! Where something is and how it is turned, as twelve numbers: a place and three axes (MECHANICS 6).
+//!
+//! Joints are polynomials of the poses of their two sides. In these numbers a rigid body moves linearly, so that nothing but
+//! a node's own geometry has second derivatives.
+
+use super::marker::MARKER;
+use crate::math::{Mat3, Vec3};
+use nalgebra::{SMatrix, SVector};
+
+/// Numbers of a pose: place, then the three axes.
+pub const POSE: usize = 12;
+
+/// One number for each number of a pose: place, first, second and third axis.
+pub type PoseVector = SVector<f64, POSE>;
+/// The numbers of a pose by a marker's coordinates, 12×14; columns past the marker's own count are zero.
+pub type PoseGradient = SMatrix<f64, POSE, MARKER>;
+/// One number for each number of two poses: side a, then side b.
+pub type PairVector = SVector<f64, 24>;
+/// Second derivatives by the numbers of two poses.
+pub type PairMatrix = SMatrix<f64, 24, 24>;
+
+/// Place and axes, or their derivatives by time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Position, m.
+    pub place: Vec3,
+    /// Axes as columns.
+    pub axes: Mat3,
+}
+
+impl Default for Pose {
+    /// At the origin, along the global axes.
+    fn default() -> Self {
+        Self { place: Vec3::zeros(), axes: Mat3::identity() }
+    }
+}
+
+impl Pose {
+    /// Nowhere, no axes: the derivatives of what does not move.
+    pub fn zero() -> Self {
+        Self { place: Vec3::zeros(), axes: Mat3::zeros() }
+    }
+
+    /// The pose of a point rigidly tied to this one: `offset` (m) and `axes` are relative to this one's axes.
+    pub fn carried(&self, offset: &Vec3, axes: &Mat3) -> Self {
+        Self { place: self.place + self.axes * offset, axes: self.axes * axes }
+    }
+
+    /// `offset` and `axes` of `other` relative to this pose: what [`Self::carried`] takes.
+    pub fn relative(&self, other: &Self) -> (Vec3, Mat3) {
+        (self.axes.tr_mul(&(other.place - self.place)), self.axes.tr_mul(&other.axes))
+    }
+
+    /// As twelve numbers.
+    pub fn numbers(&self) -> PoseVector {
+        let mut numbers = PoseVector::zeros();
+        numbers.fixed_rows_mut::<3>(0).copy_from(&self.place);
+        for axis in 0..3 {
+            numbers.fixed_rows_mut::<3>(3 + 3 * axis).copy_from(&self.axes.column(axis));
+        }
+        numbers
+    }
+
+    /// Axis `number`.
+    pub fn axis(&self, number: usize) -> Vec3 {
+        self.axes.column(number).into_owned()
+    }
+
+    /// Whether all numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        self.place.iter().chain(self.axes.iter()).all(|value| value.is_finite())
+    }
+}
+
+/// Where axis `number` starts among the numbers of a pose.
+pub const fn axis_place(number: usize) -> usize {
+    3 + 3 * number
+}
+
+/// The moment of forces on the numbers of a pose, N m: `Σ axis × force`.
+pub fn moment(pose: &Pose, force: &PoseVector) -> Vec3 {
+    (0..3).map(|axis| pose.axis(axis).cross(&force.fixed_rows::<3>(axis_place(axis)).into_owned())).sum()
+}
+
+/// The turning of a pose from its derivative by time: angular velocity, rad/s, `½ Σ axis × axis'`.
+pub fn angular_velocity(pose: &Pose, derivative: &Pose) -> Vec3 {
+    (0..3).map(|axis| pose.axis(axis).cross(&derivative.axis(axis))).sum::<Vec3>() * 0.5
+}

@@ -1,0 +1,241 @@
+//! Motion that is prescribed: drives and moving frames, by functions of time or by a host (FMI.md: kinematic inputs).
+//!
+//! What a host gives is reached at the end of its communication step, linearly from the value last reached; rotations take
+//! the shortest arc. A rate that a function gives is integrated to round-off, one that a host gives exactly.
+
+use super::load::Signal;
+use super::pose::Pose;
+use crate::math::integral::integral;
+use crate::math::jet::Jet;
+use crate::math::rotation::{rotation_matrix, rotation_matrix_jet, rotation_vector_near};
+use crate::math::{Mat3, Vec3};
+
+/// What is prescribed at one instant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Prescribed {
+    /// Values of the drives with their rates and accelerations, rad or m.
+    pub drives: Vec<Jet>,
+    /// Motion of the frames.
+    pub frames: Vec<MovingPose>,
+}
+
+/// A pose with its first two derivatives by time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MovingPose {
+    /// Place and axes.
+    pub pose: Pose,
+    /// First derivative.
+    pub velocity: Pose,
+    /// Second derivative.
+    pub acceleration: Pose,
+}
+
+/// What a host wants to be reached, and when.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Targets {
+    /// End of the communication step, s.
+    pub end: f64,
+    /// Values or rates of the drives; those of functions are not used.
+    pub drives: Vec<f64>,
+    /// Poses of the frames; those of functions are not used.
+    pub frames: Vec<Pose>,
+}
+
+/// Where a drive has its motion from.
+#[derive(Clone, Debug)]
+pub enum Guide {
+    /// Its value is a function of time.
+    Value(Signal),
+    /// Its rate is a function of time; the value begins at 0.
+    Rate(Signal),
+    /// A host gives the value.
+    HostValue,
+    /// A host gives the rate; the value begins at 0.
+    HostRate,
+}
+
+/// A drive: prescribes the reading of a gauge.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    /// Name in the model file.
+    pub name: String,
+    /// What it prescribes, by the number of the gauge.
+    pub gauge: usize,
+    /// Where its motion comes from.
+    pub guide: Guide,
+}
+
+/// Where a frame has its motion from.
+#[derive(Clone, Debug)]
+pub enum FrameGuide {
+    /// Place (m) and rotation vector (rad) are functions of time.
+    Signals {
+        /// Place in global axes, m.
+        place: [Signal; 3],
+        /// Rotation vector from the global axes, rad.
+        rotation: [Signal; 3],
+    },
+    /// A host gives the pose.
+    Host,
+}
+
+/// A frame whose motion is prescribed.
+#[derive(Clone, Debug)]
+pub struct MovingFrame {
+    /// Name in the model file.
+    pub name: String,
+    /// Where its motion comes from.
+    pub guide: FrameGuide,
+}
+
+impl Prescribed {
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.drives.clone_from(&other.drives);
+        self.frames.clone_from(&other.frames);
+    }
+
+    /// Sets this to the pose between `start` and `end`, at `share` (0 to 1) of the way, at rest.
+    pub fn set_between(&mut self, start: &Self, end: &Self, share: f64) {
+        self.copy_from(end);
+        for (drive, from) in self.drives.iter_mut().zip(&start.drives) {
+            *drive = Jet::constant(from.value + share * (drive.value - from.value));
+        }
+        for (frame, from) in self.frames.iter_mut().zip(&start.frames) {
+            let place = from.pose.place + (frame.pose.place - from.pose.place) * share;
+            let turn = shortest_turn(&from.pose.axes, &frame.pose.axes);
+            // Whole: the very axes of the end, without the rounding of a rotation.
+            let axes = if share == 1.0 { frame.pose.axes } else { rotation_matrix(&(turn * share)) * from.pose.axes };
+            *frame = MovingPose::at_rest(Pose { place, axes });
+        }
+    }
+
+    /// The largest turn of a frame from `start` to here, judged by its angular velocity at both ends, over `duration` s; with the number of the frame.
+    pub fn largest_turn(&self, start: &Self, duration: f64) -> Option<(usize, f64)> {
+        let speed = |frame: &MovingPose| super::pose::angular_velocity(&frame.pose, &frame.velocity).norm();
+        let turns = self.frames.iter().zip(&start.frames).map(|(end, start)| duration * speed(end).max(speed(start)));
+        turns.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
+
+impl MovingPose {
+    /// That does not move.
+    pub fn at_rest(pose: Pose) -> Self {
+        Self { pose, velocity: Pose::zero(), acceleration: Pose::zero() }
+    }
+
+    /// Whether pose and velocity are finite: a kink of the acceleration does no harm.
+    pub fn is_finite(&self) -> bool {
+        self.pose.is_finite() && self.velocity.is_finite()
+    }
+}
+
+impl Targets {
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.end = other.end;
+        self.drives.clone_from(&other.drives);
+        self.frames.clone_from(&other.frames);
+    }
+
+    /// How much of the way from `time` to the end of the communication step lies before `next`, and the length of that way, s.
+    fn progress(&self, time: f64, next: f64) -> (f64, f64) {
+        let way = self.end - time;
+        if next >= self.end || way <= 0.0 { (1.0, way.max(0.0)) } else { ((next - time) / way, way) }
+    }
+}
+
+impl Drive {
+    /// Its value and rate at the start, `time` s.
+    pub fn start(&self, time: f64, target: f64) -> Jet {
+        match &self.guide {
+            Guide::Value(signal) => signal.jet(time),
+            Guide::Rate(signal) => rated(0.0, signal.jet(time)),
+            Guide::HostValue => Jet::constant(target),
+            Guide::HostRate => Jet { value: 0.0, first: target, second: 0.0 },
+        }
+    }
+
+    /// Its value and rate at `next` s, from those at `time` s.
+    pub fn advanced(&self, from: Jet, (time, next): (f64, f64), targets: &Targets, target: f64) -> Jet {
+        match &self.guide {
+            Guide::Value(signal) => signal.jet(next),
+            Guide::Rate(signal) => rated(from.value + integral(&|time| signal.at(time), time, next), signal.jet(next)),
+            Guide::HostValue => {
+                let (share, way) = targets.progress(time, next);
+                let change = target - from.value;
+                let first = if way > 0.0 { change / way } else { 0.0 };
+                let value = if share == 1.0 { target } else { from.value + share * change };
+                Jet { value, first, second: 0.0 }
+            }
+            Guide::HostRate => {
+                let (share, way) = targets.progress(time, next);
+                let change = target - from.first;
+                let first = if share == 1.0 { target } else { from.first + share * change };
+                let second = if way > 0.0 { change / way } else { 0.0 };
+                // The rate is linear up to the end of the communication step, constant from there.
+                let moving = f64::min(next - time, way);
+                let value = from.value + 0.5 * (from.first + first) * moving + first * (next - time - moving);
+                Jet { value, first, second }
+            }
+        }
+    }
+}
+
+/// A value with the rate and acceleration of a signal that is a rate.
+fn rated(value: f64, rate: Jet) -> Jet {
+    Jet { value, first: rate.value, second: rate.first }
+}
+
+impl MovingFrame {
+    /// Its motion at the start, `time` s.
+    pub fn start(&self, time: f64, target: &Pose) -> MovingPose {
+        match &self.guide {
+            FrameGuide::Signals { place, rotation } => of_signals(place, rotation, time),
+            FrameGuide::Host => MovingPose::at_rest(*target),
+        }
+    }
+
+    /// Its motion at `next` s, from that at `time` s.
+    pub fn advanced(&self, from: &Pose, (time, next): (f64, f64), targets: &Targets, target: &Pose) -> MovingPose {
+        match &self.guide {
+            FrameGuide::Signals { place, rotation } => of_signals(place, rotation, next),
+            FrameGuide::Host => {
+                let (share, way) = targets.progress(time, next);
+                let change = target.place - from.place;
+                let turn = shortest_turn(&from.axes, &target.axes);
+                let pose = if share == 1.0 {
+                    *target
+                } else {
+                    Pose { place: from.place + change * share, axes: rotation_matrix(&(turn * share)) * from.axes }
+                };
+                if way == 0.0 {
+                    return MovingPose::at_rest(pose);
+                }
+                let spin = (turn / way).cross_matrix();
+                MovingPose {
+                    pose,
+                    velocity: Pose { place: change / way, axes: spin * pose.axes },
+                    acceleration: Pose { place: Vec3::zeros(), axes: spin * spin * pose.axes },
+                }
+            }
+        }
+    }
+}
+
+fn of_signals(place: &[Signal; 3], rotation: &[Signal; 3], time: f64) -> MovingPose {
+    let jets = |signals: &[Signal; 3]| [0, 1, 2].map(|i| signals[i].jet(time));
+    let place = jets(place);
+    let [axes, axes_t, axes_tt] = rotation_matrix_jet(&jets(rotation));
+    let part = |select: fn(&Jet) -> f64| Vec3::from_fn(|i, _| select(&place[i]));
+    MovingPose {
+        pose: Pose { place: part(|jet| jet.value), axes },
+        velocity: Pose { place: part(|jet| jet.first), axes: axes_t },
+        acceleration: Pose { place: part(|jet| jet.second), axes: axes_tt },
+    }
+}
+
+/// The rotation vector of the shortest turn from `from` to `to`, rad.
+fn shortest_turn(from: &Mat3, to: &Mat3) -> Vec3 {
+    rotation_vector_near(&(to * from.transpose()), &Vec3::zeros())
+}

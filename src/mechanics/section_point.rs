@@ -1,0 +1,138 @@
+//! A section inside an element, as a point to hold on to (MECHANICS 2.13, 2.17).
+
+use super::beam::coordinates::{P, SHAPE_PLACES, THETA, interpolate};
+use super::beam::kinematics::Kinematics;
+use super::configuration::Configuration;
+use super::marker::{ByCoordinates, MARKER, MarkerMatrix, Motion};
+use super::pose::Pose;
+use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second, normal_projector};
+use crate::math::{Mat3, Vec3, hermite, quadrature};
+
+/// A section inside an element.
+pub struct SectionPoint {
+    element: usize,
+    xi: f64,
+    kinematics: Kinematics,
+    shape: [f64; 4],
+    shape_x: [f64; 4],
+    /// `l A_h(ξ)`, m.
+    collocation: [f64; 3],
+    stretch: f64,
+    t: Vec3,
+    /// `kb(t_0, t)`.
+    k: Vec3,
+}
+
+impl SectionPoint {
+    /// At the place `xi` (0 to 1) of element `number`.
+    pub fn new(c: &Configuration, number: usize, xi: f64) -> Self {
+        let element = &c.elements[number];
+        let shape_x = hermite::shape_x(xi, element.length);
+        let p = interpolate(&shape_x, c.element_q(element));
+        let stretch = p.norm();
+        let t = p / stretch;
+        Self {
+            element: number,
+            xi,
+            kinematics: c.kinematics(number),
+            shape: hermite::shape(xi, element.length),
+            shape_x,
+            collocation: quadrature::collocation(xi).map(|a| a * element.length),
+            stretch,
+            t,
+            k: half_turn(&c.frames[element.node].t, &t),
+        }
+    }
+
+    /// Place and section axes.
+    pub fn pose(&self, c: &Configuration) -> Pose {
+        let element = &c.elements[self.element];
+        let q = c.element_q(element);
+        let first = &c.frames[element.node];
+        let u = carry(&first.t, &self.t, &first.u);
+        let v = self.t.cross(&u);
+        let (sin, cos) = self.kinematics.alpha_at(q, self.xi, &self.collocation).sin_cos();
+        let axes = Mat3::from_columns(&[self.t, u * cos + v * sin, v * cos - u * sin]);
+        Pose { place: interpolate(&self.shape, q), axes }
+    }
+
+    /// Spin about the tangent by the coordinates, 1×14 as a column: `dα + s_0·dt_0 − kb(t_0, t)·(dt_0 + dt)` (2.17).
+    fn spin_q(&self, c: &Configuration) -> nalgebra::SVector<f64, MARKER> {
+        let element = &c.elements[self.element];
+        let [first, second] = c.element_frames(element);
+        let points = self.kinematics.point_gradients(element);
+        let mut spin = self.kinematics.twist_gradient(element, first, second, &points) * self.xi
+            - self.kinematics.rate_gradient(&self.collocation, &points);
+        spin[THETA] += 1.0;
+        let mut slope = spin.fixed_rows_mut::<3>(P);
+        slope -= (first.k + self.k) / first.stretch;
+        for (weight, place) in self.shape_x.iter().zip(SHAPE_PLACES) {
+            let mut rows = spin.fixed_rows_mut::<3>(place);
+            rows -= self.k * (weight / self.stretch);
+        }
+        spin
+    }
+
+    /// Derivatives of place and turn by the coordinates of the element.
+    pub fn motion(&self, c: &Configuration) -> Motion {
+        let mut place_q = ByCoordinates::zeros();
+        let mut turn_q = self.t * self.spin_q(c).transpose();
+        let tilt = self.t.cross_matrix() / self.stretch;
+        for (a, place) in SHAPE_PLACES.into_iter().enumerate() {
+            place_q.fixed_columns_mut::<3>(place).copy_from(&(Mat3::identity() * self.shape[a]));
+            let mut columns = turn_q.fixed_columns_mut::<3>(place);
+            columns += tilt * self.shape_x[a];
+        }
+        Motion { place_q, turn_q }
+    }
+
+    /// `∂(turn_qᵀ m)/∂q`, 14×14, of a moment frozen in space; a force at an interior point has none: places are linear in q.
+    pub fn moment_stiffness(&self, c: &Configuration, moment: &Vec3) -> MarkerMatrix {
+        let element = &c.elements[self.element];
+        let [first, second] = c.element_frames(element);
+        let along = moment.dot(&self.t);
+        let t_p = normal_projector(&self.t) / self.stretch;
+        let tilt = moment.cross(&self.t) / self.stretch;
+        let tilt_p = (moment.cross_matrix() * t_p - tilt * self.t.transpose()) / self.stretch;
+        let mut sum = MarkerMatrix::zeros();
+        // Second derivatives of the spin's exact part, α.
+        for (g, point) in element.bending.iter().enumerate() {
+            let rate = along * (self.xi * element.rate_weights[g] - self.collocation[g]);
+            self.kinematics.base.add_hessian(
+                &mut sum,
+                first,
+                &self.kinematics.points[g],
+                &[0.0, 0.0, rate],
+                &point.shape_x,
+                &point.shape_xx,
+            );
+        }
+        self.kinematics.holonomy.add_hessian(&mut sum, first, second, along * self.xi);
+        // Its inexact part, −(k_0 + kb)·dp_0/|p_0| − kb·dp/|p|.
+        let k_t0 = half_turn_by_first(&first.t, &self.t, &self.k);
+        let k_t = half_turn_by_second(&first.t, &self.t, &self.k);
+        let (l0, l) = (first.stretch, self.stretch);
+        let mut base = sum.fixed_view_mut::<3, 3>(P, P);
+        base -= ((first.k_t + k_t0) * first.t_p() / l0 - (first.k + self.k) * first.t.transpose() / (l0 * l0)) * along;
+        let base_by_p = k_t * t_p * (along / l0);
+        let p_by_base = k_t0 * first.t_p() * (along / l);
+        let p_by_p = tilt_p - (k_t * t_p / l - self.k * self.t.transpose() / (l * l)) * along;
+        for (a, row) in SHAPE_PLACES.into_iter().enumerate() {
+            let mut view = sum.fixed_view_mut::<3, 3>(P, row);
+            view -= base_by_p * self.shape_x[a];
+            let mut view = sum.fixed_view_mut::<3, 3>(row, P);
+            view -= p_by_base * self.shape_x[a];
+            for (b, column) in SHAPE_PLACES.into_iter().enumerate() {
+                let mut view = sum.fixed_view_mut::<3, 3>(row, column);
+                view += p_by_p * (self.shape_x[a] * self.shape_x[b]);
+            }
+        }
+        let spin = self.spin_q(c);
+        let across = t_p * moment;
+        for (weight, place) in self.shape_x.iter().zip(SHAPE_PLACES) {
+            let mut columns = sum.fixed_columns_mut::<3>(place);
+            columns += spin * across.transpose() * *weight;
+        }
+        sum
+    }
+}

@@ -1,0 +1,136 @@
+//! Springs and dampers: `stiffness (x − rest) + damping x'` against the reading `x` of a gauge, N or N m.
+//!
+//! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind.
+
+use super::configuration::{Configuration, Passage, Rates};
+use super::gauge::Gauge;
+use super::joint::{own_velocity, pull_back};
+use super::marker::{MARKER, MarkerMatrix};
+use super::pose::{POSE, PairVector};
+use crate::math::Vec3;
+use nalgebra::SVector;
+
+/// A spring with a damper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// Name in the model file, of the spring or of its joint.
+    pub name: String,
+    /// What it acts on, by the number of the gauge.
+    pub gauge: usize,
+    /// Stiffness, N/m or N m/rad.
+    pub stiffness: f64,
+    /// Damping, N s/m or N m s/rad.
+    pub damping: f64,
+    /// Reading at which it is free of force, m or rad.
+    pub rest: f64,
+}
+
+impl Spring {
+    /// Its elastic energy, J.
+    pub fn energy(&self, gauge: &Gauge, c: &Configuration) -> f64 {
+        let stretch = self.reading(gauge, c) - self.rest;
+        0.5 * self.stiffness * stretch * stretch
+    }
+
+    fn reading(&self, gauge: &Gauge, c: &Configuration) -> f64 {
+        gauge.reading(c, c.readings[self.gauge])
+    }
+
+    /// Its force against the growing of the reading, N or N m.
+    pub fn tension(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> f64 {
+        self.stiffness * (self.reading(gauge, c) - self.rest) + self.damping * self.rate(gauge, c, passage)
+    }
+
+    /// Rate of the reading, m/s or rad/s.
+    fn rate(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> f64 {
+        if self.damping == 0.0 {
+            return 0.0;
+        }
+        match &passage.rates {
+            Rates::Rest => 0.0,
+            Rates::Step { start, end, duration } => (self.reading(gauge, end) - self.reading(gauge, start)) / duration,
+            Rates::Instant(velocity) => reading_rate(gauge, c, velocity),
+        }
+    }
+
+    /// Generalized forces against the motion of both sides, 14×1 each: the gradient of the energy, and the damper's part.
+    pub fn gradient(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> [SVector<f64, MARKER>; 2] {
+        let tension = self.tension(gauge, c, passage);
+        reading_q(gauge, c).map(|by_side| by_side * tension)
+    }
+
+    /// Derivative of [`Self::gradient`] by the coordinates of both sides, blocks `aa, ab, ba, bb`; over a step twice that by
+    /// the coordinates at its end. At an instant the velocities are fixed.
+    pub fn hessian(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> [MarkerMatrix; 4] {
+        let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
+        let tension = self.tension(gauge, c, passage);
+        let by_poses = gauge.measure.gradient(&a, &b);
+        let hessian = gauge.measure.hessian(&a, &b);
+        let mut blocks = pull_back(
+            c,
+            [&gauge.a, &gauge.b],
+            &(by_poses * tension),
+            &(by_poses * by_poses.transpose() * self.stiffness + hessian * tension),
+        );
+        if self.damping != 0.0 {
+            let here = reading_q(gauge, c);
+            let rate_q = match &passage.rates {
+                Rates::Rest => return blocks,
+                Rates::Step { end, duration, .. } => reading_q(gauge, end).map(|by_side| by_side * (2.0 / duration)),
+                Rates::Instant(velocity) => reading_rate_q(gauge, c, velocity),
+            };
+            for (number, block) in blocks.iter_mut().enumerate() {
+                *block += here[number / 2] * rate_q[number % 2].transpose() * self.damping;
+            }
+        }
+        blocks
+    }
+
+    /// Derivative of [`Self::gradient`] by the velocities of both sides, blocks `aa, ab, ba, bb`.
+    pub fn damping_matrix(&self, gauge: &Gauge, c: &Configuration) -> [MarkerMatrix; 4] {
+        let here = reading_q(gauge, c);
+        [0, 1, 2, 3].map(|number: usize| here[number / 2] * here[number % 2].transpose() * self.damping)
+    }
+
+    /// Force (N) and moment (N m) that b receives at its place, in global axes.
+    pub fn reaction(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> (Vec3, Vec3) {
+        let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
+        let by_poses = gauge.measure.gradient(&a, &b) * -self.tension(gauge, c, passage);
+        let force = by_poses.fixed_rows::<POSE>(POSE).into_owned();
+        (force.fixed_rows::<3>(0).into_owned(), super::pose::moment(&b, &force))
+    }
+}
+
+/// Reading of a gauge by the coordinates of both its sides, 14×1 each.
+pub fn reading_q(gauge: &Gauge, c: &Configuration) -> [SVector<f64, MARKER>; 2] {
+    let by_poses = gauge.measure.gradient(&gauge.a.pose(c), &gauge.b.pose(c));
+    let side = |side: usize| by_poses.fixed_rows::<POSE>(POSE * side).into_owned();
+    [gauge.a.pose_q(c).tr_mul(&side(0)), gauge.b.pose_q(c).tr_mul(&side(1))]
+}
+
+/// How fast the poses of both sides change, 24×1.
+fn pose_rates(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> PairVector {
+    let mut rates = PairVector::zeros();
+    for (side, marker) in [&gauge.a, &gauge.b].into_iter().enumerate() {
+        let rate = marker.pose_q(c) * own_velocity(c, marker, velocity) + marker.pose_t(c)[0].numbers();
+        rates.fixed_rows_mut::<POSE>(POSE * side).copy_from(&rate);
+    }
+    rates
+}
+
+/// Rate of the reading of a gauge, m/s or rad/s.
+pub fn reading_rate(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> f64 {
+    gauge.measure.gradient(&gauge.a.pose(c), &gauge.b.pose(c)).dot(&pose_rates(gauge, c, velocity))
+}
+
+/// Derivative of the rate of the reading by the coordinates of both sides at fixed velocities, 14×1 each.
+fn reading_rate_q(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> [SVector<f64, MARKER>; 2] {
+    let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
+    let by_poses = gauge.measure.gradient(&a, &b);
+    let turned = gauge.measure.hessian(&a, &b) * pose_rates(gauge, c, velocity);
+    let side = |vector: &PairVector, side: usize| vector.fixed_rows::<POSE>(POSE * side).into_owned();
+    [(0, &gauge.a), (1, &gauge.b)].map(|(number, marker)| {
+        let own = own_velocity(c, marker, velocity);
+        marker.pose_q(c).tr_mul(&side(&turned, number)) + marker.pose_qq(c, &side(&by_poses, number)).tr_mul(&own)
+    })
+}

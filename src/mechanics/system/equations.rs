@@ -1,0 +1,222 @@
+//! The equations of a machine: forces, tangent, mass and constraints, summed over its parts in file order.
+
+use crate::math::blocks::{Block, Blocks};
+use crate::mechanics::beam::coordinates::{ELEMENT, NODE};
+use crate::mechanics::configuration::{Configuration, Passage};
+use crate::mechanics::joint::JointGradient;
+use crate::mechanics::load::Excitation;
+use crate::mechanics::marker::{MARKER, Marker};
+use crate::mechanics::rigid_body::BODY;
+use crate::mechanics::system::{System, evaluation};
+
+impl System {
+    /// Appends the blocks of the tangent: one an element, one a body, one a load point, four a spring.
+    pub fn push_tangent_blocks(&self, blocks: &mut Blocks) {
+        let mut push = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
+            blocks.push(Block { row: rows.start, column: columns.start, rows: rows.len(), columns: columns.len() });
+        };
+        for element in &self.elements {
+            let range = NODE * element.node..NODE * element.node + ELEMENT;
+            push(range.clone(), range);
+        }
+        for body in &self.bodies {
+            let range = body.start..body.start + BODY;
+            push(range.clone(), range);
+        }
+        for (marker, _) in self.loads.iter().flat_map(|load| &load.points) {
+            let range = marker.coordinates(&self.elements);
+            push(range.clone(), range);
+        }
+        for spring in &self.springs {
+            let sides = self.sides(spring.gauge);
+            for number in 0..4 {
+                push(sides[number / 2].coordinates(&self.elements), sides[number % 2].coordinates(&self.elements));
+            }
+        }
+    }
+
+    /// The two sides of a gauge.
+    fn sides(&self, gauge: usize) -> [&Marker; 2] {
+        [&self.gauges[gauge].a, &self.gauges[gauge].b]
+    }
+
+    /// `∂U/∂q − F`: internal minus external forces, as `passage` says.
+    pub fn forces(&self, c: &Configuration, passage: &Passage, excitation: &Excitation, forces: &mut [f64]) {
+        self.add_external(c, excitation, forces);
+        for (number, element) in self.elements.iter().enumerate() {
+            let gradient = evaluation(c, number, passage.increment).gradient();
+            add(forces, NODE * element.node, gradient.as_slice());
+        }
+        self.add_springs(c, passage, forces);
+    }
+
+    /// [`Self::forces`], and `scale` times their derivative by `q` into the first blocks of `tangent`
+    /// (over a step: twice the derivative by the coordinates at its end).
+    pub fn forces_and_tangent(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        excitation: &Excitation,
+        scale: f64,
+        forces: &mut [f64],
+        tangent: &mut Blocks,
+    ) {
+        self.add_external(c, excitation, forces);
+        for (number, element) in self.elements.iter().enumerate() {
+            let (gradient, hessian) = evaluation(c, number, passage.increment).gradient_and_hessian();
+            add(forces, NODE * element.node, gradient.as_slice());
+            for (target, value) in tangent.block_mut(number).iter_mut().zip(hessian.as_slice()) {
+                *target = scale * value;
+            }
+        }
+        let mut block = self.elements.len() + self.bodies.len();
+        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
+            for (number, (marker, _)) in load.points.iter().enumerate() {
+                let count = marker.coordinates(&self.elements).len();
+                let force_q = load.force_q(c, number, wrench) * -scale;
+                copy_corner(tangent.block_mut(block), count, count, |row, column| force_q[(row, column)]);
+                block += 1;
+            }
+        }
+        self.add_springs(c, passage, forces);
+        for spring in &self.springs {
+            let counts = self.sides(spring.gauge).map(|marker| marker.coordinates(&self.elements).len());
+            let parts = spring.hessian(&self.gauges[spring.gauge], c, passage);
+            for (number, part) in parts.iter().enumerate() {
+                let (rows, columns) = (counts[number / 2], counts[number % 2]);
+                copy_corner(tangent.block_mut(block), rows, columns, |row, column| scale * part[(row, column)]);
+                block += 1;
+            }
+        }
+    }
+
+    fn add_springs(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+        for spring in &self.springs {
+            let parts = spring.gradient(&self.gauges[spring.gauge], c, passage);
+            for (marker, part) in self.sides(spring.gauge).into_iter().zip(&parts) {
+                let range = marker.coordinates(&self.elements);
+                add(forces, range.start, &part.as_slice()[..range.len()]);
+            }
+        }
+    }
+
+    /// Sets `forces` to minus the external forces.
+    fn add_external(&self, c: &Configuration, excitation: &Excitation, forces: &mut [f64]) {
+        forces.fill(0.0);
+        for element in &self.elements {
+            add(forces, NODE * element.node, (-element.weight(&excitation.gravity)).as_slice());
+        }
+        for body in &self.bodies {
+            add(forces, body.start, (excitation.gravity * -body.mass).as_slice());
+        }
+        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
+            for (number, (marker, _)) in load.points.iter().enumerate() {
+                let range = marker.coordinates(&self.elements);
+                let force = -load.force(c, number, wrench);
+                add(forces, range.start, &force.as_slice()[..range.len()]);
+            }
+        }
+    }
+
+    /// Adds `factor` times the mass matrix to the blocks of elements and bodies in `tangent`.
+    pub fn add_mass(&self, factor: f64, tangent: &mut Blocks) {
+        for (number, element) in self.elements.iter().enumerate() {
+            for (target, mass) in tangent.block_mut(number).iter_mut().zip(element.mass.as_slice()) {
+                *target += factor * mass;
+            }
+        }
+        for (number, body) in self.bodies.iter().enumerate() {
+            let block = tangent.block_mut(self.elements.len() + number);
+            for local in 0..BODY {
+                block[local * BODY + local] += factor * body.inertia(local);
+            }
+        }
+    }
+
+    /// `product = M vector`.
+    pub fn mass_times(&self, vector: &[f64], product: &mut [f64]) {
+        product.fill(0.0);
+        for element in &self.elements {
+            let start = NODE * element.node;
+            let own = nalgebra::SVector::<f64, ELEMENT>::from_column_slice(&vector[start..start + ELEMENT]);
+            add(product, start, (element.mass * own).as_slice());
+        }
+        for body in &self.bodies {
+            for local in 0..BODY {
+                product[body.start + local] = body.inertia(local) * vector[body.start + local];
+            }
+        }
+    }
+
+    /// Constraint conditions `g(q)`, zero when the joints hold; m or 1.
+    pub fn constraint_conditions(&self, c: &Configuration, g: &mut [f64]) {
+        let mut row = 0;
+        for joint in &self.joints {
+            joint.phi(c, &mut g[row..row + joint.rows()]);
+            row += joint.rows();
+        }
+    }
+
+    /// `∂g/∂t` at fixed coordinates, of drives and moving frames; m/s or 1/s.
+    pub fn constraint_rates(&self, c: &Configuration, g_t: &mut [f64]) {
+        let mut row = 0;
+        for joint in &self.joints {
+            joint.phi_t(c, &mut g_t[row..row + joint.rows()]);
+            row += joint.rows();
+        }
+    }
+
+    /// `g''` without the part of the accelerations; m/s² or 1/s².
+    pub fn constraint_accelerations(&self, c: &Configuration, velocity: &[f64], g_tt: &mut [f64]) {
+        let mut row = 0;
+        for joint in &self.joints {
+            joint.phi_tt(c, velocity, &mut g_tt[row..row + joint.rows()]);
+            row += joint.rows();
+        }
+    }
+
+    /// `∂g/∂q`, a pair of blocks a joint.
+    pub fn constraint_gradients(&self, c: &Configuration, gradients: &mut Vec<JointGradient>) {
+        gradients.clear();
+        gradients.extend(self.joints.iter().map(|joint| joint.phi_q(c)));
+    }
+
+    /// `forces += factor · (∂g/∂q)ᵀ multipliers`.
+    pub fn add_constraint_forces(
+        &self,
+        gradients: &[JointGradient],
+        multipliers: &[f64],
+        factor: f64,
+        forces: &mut [f64],
+    ) {
+        let mut row = 0;
+        for (joint, gradient) in self.joints.iter().zip(gradients) {
+            for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
+                let range = marker.coordinates(&self.elements);
+                for (local, coordinate) in range.enumerate() {
+                    for condition in 0..joint.rows() {
+                        forces[coordinate] += factor * block[(condition, local)] * multipliers[row + condition];
+                    }
+                }
+            }
+            row += joint.rows();
+        }
+    }
+}
+
+/// `target[start..] += values`.
+fn add(target: &mut [f64], start: usize, values: &[f64]) {
+    for (target, value) in target[start..start + values.len()].iter_mut().zip(values) {
+        *target += value;
+    }
+}
+
+/// Fills a column-major `rows × columns` block.
+pub fn copy_corner(block: &mut [f64], rows: usize, columns: usize, value: impl Fn(usize, usize) -> f64) {
+    debug_assert!(rows <= MARKER && columns <= MARKER);
+    for column in 0..columns {
+        for row in 0..rows {
+            block[column * rows + row] = value(row, column);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! What elements, bodies and joints can bear in a step (MECHANICS 2.6, 6, 7.4).
+
+use crate::error::Error;
+use crate::mechanics::beam::coordinates::NODE;
+use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::beam::kinematics::{Holonomy, Kinematics};
+use crate::mechanics::configuration::Configuration;
+use crate::mechanics::gauge::Measure;
+use crate::mechanics::rigid_body;
+use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::state::State;
+use crate::mechanics::system::{System, evaluation};
+
+/// Slopes `|r'|` in which the element means something: outside it is stretched or squeezed beyond any beam theory (MECHANICS 7.4).
+const STRETCHES: std::ops::RangeInclusive<f64> = 0.3..=3.0;
+/// Smallest `1 + t_0·t_1` of an element's ends: 143 degrees between them, near the singularity of the minimal rotation (MECHANICS 2.6).
+const SMALLEST_COSINE: f64 = 0.2;
+/// Largest change of the holonomy angle or of the twist of an element in a step, rad: the branch is safe below pi (MECHANICS 2.6).
+const LARGEST_TWIST_CHANGE: f64 = 2.0;
+/// Largest change of a joint's angle in a step, rad: beyond pi its turns could not be counted.
+const LARGEST_ANGLE_CHANGE: f64 = 2.0;
+/// Largest difference between a joint's angle and what its drive prescribes, rad: a turn missed is far beyond, round-off far below.
+const DRIVE_GAP: f64 = 0.1;
+
+impl System {
+    /// The first beam with truncated strain that is twisted beyond half of what that energy bears: its name, twist rate and bound, rad/m.
+    pub fn twist_near_limit<'a>(&'a self, state: &'a State, snapshot: &mut Snapshot) -> Option<(&'a str, f64, f64)> {
+        let mut limited = self.beams.iter().filter(|beam| beam.twist_limit.is_finite()).peekable();
+        limited.peek()?;
+        let configuration = snapshot.of(self, state);
+        limited.find_map(|beam| {
+            let rates = (beam.first_element..beam.first_element + beam.elements)
+                .map(|number| evaluation(&configuration, number, None).largest_torsion().abs());
+            let largest = rates.fold(0.0, f64::max);
+            (largest > 0.5 * beam.twist_limit).then_some((beam.name.as_str(), largest, beam.twist_limit))
+        })
+    }
+
+    /// Checks that no element twists further than the branch is safe for, from `state` to the coordinates `q`; `frames` is scratch memory.
+    ///
+    /// # Errors
+    /// An element twists too far: an increment that large may end on another branch of equilibria.
+    pub fn check_twist_change(
+        &self,
+        state: &State,
+        q: &[f64],
+        frames: &mut Vec<NodeFrame>,
+        time: f64,
+    ) -> Result<(), Error> {
+        for (number, element) in self.elements.iter().enumerate() {
+            let mut twist = |q: &[f64]| {
+                let nodes = element.node..element.node + 2;
+                self.frames(&q[NODE * nodes.start..NODE * nodes.end], &state.triads[nodes.clone()], frames);
+                let own = &q[NODE * nodes.start..NODE * nodes.end];
+                Kinematics::new(element, own, &frames[0], &frames[1], state.holonomy[number]).twist
+            };
+            if (twist(q) - twist(&state.q)).abs() > LARGEST_TWIST_CHANGE {
+                let (beam, place) = self.beam_of(number);
+                return Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what: "twisted" });
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks what elements, bodies and joints can bear at the end `c` of a step or increment from `state`; `turn` is the
+    /// largest turn of a tangent or a body, rad.
+    ///
+    /// # Errors
+    /// A tangent, a body or an angle turned too far, an element is bent or twisted too far, a slope is out of range, a joint
+    /// stands the wrong way round.
+    pub fn check(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
+        self.check_nodes(c, state, turn, time)?;
+        self.check_elements(c, time)?;
+        self.check_bodies(c, state, turn, time)?;
+        self.check_joints(c, state, time)
+    }
+
+    fn check_nodes(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
+        for (node, (frame, triad)) in c.frames.iter().zip(&state.triads).enumerate() {
+            let place = || self.describe_node(node);
+            if !frame.stretch.is_finite() || !STRETCHES.contains(&frame.stretch) {
+                return Err(Error::Stretched { time, place: place(), stretch: frame.stretch });
+            }
+            let angle = frame.t.cross(&triad.t).norm().atan2(frame.t.dot(&triad.t));
+            if angle > turn {
+                return Err(Error::Turned { time, place: format!("the tangent at {}", place()), angle, limit: turn });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_elements(&self, c: &Configuration, time: f64) -> Result<(), Error> {
+        for (number, element) in self.elements.iter().enumerate() {
+            let [first, second] = c.element_frames(element);
+            let distorted = |what| {
+                let (beam, place) = self.beam_of(number);
+                Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what })
+            };
+            if 1.0 + first.t.dot(&second.t) < SMALLEST_COSINE {
+                return distorted("bent");
+            }
+            let holonomy = Holonomy::new(first, second, c.holonomy[number]);
+            if (holonomy.angle - c.holonomy[number]).abs() > LARGEST_TWIST_CHANGE {
+                return distorted("twisted");
+            }
+            let (beam, place) = self.beam_of(number);
+            if beam.twist_limit.is_finite() {
+                let rate = evaluation(c, number, None).largest_torsion();
+                if rate.abs() > beam.twist_limit {
+                    let limit = beam.twist_limit;
+                    return Err(Error::TwistBeyondTruncation {
+                        time,
+                        beam: beam.name.clone(),
+                        element: place,
+                        rate,
+                        limit,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_bodies(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
+        for body in &self.bodies {
+            let (start, end) = (rigid_body::pose(&state.q, body.start), rigid_body::pose(c.q, body.start));
+            let cosine = 0.5 * (start.axes.tr_mul(&end.axes).trace() - 1.0);
+            let angle = cosine.clamp(-1.0, 1.0).acos();
+            // Not-a-number must fail: `>` alone would let it pass.
+            if angle > turn || cosine.is_nan() {
+                return Err(Error::Turned { time, place: format!("body {}", body.name), angle, limit: turn });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_joints(&self, c: &Configuration, state: &State, time: f64) -> Result<(), Error> {
+        if let Some(joint) = self.joints.iter().find(|joint| !joint.is_upright(c)) {
+            return Err(Error::Flipped { time, joint: joint.name.clone() });
+        }
+        for (gauge, previous) in self.gauges.iter().zip(&state.readings) {
+            if !matches!(gauge.measure, Measure::Angle(_)) {
+                continue;
+            }
+            let angle = (gauge.reading(c, *previous) - previous).abs();
+            if angle > LARGEST_ANGLE_CHANGE {
+                let place = self.describe_gauge(gauge);
+                return Err(Error::Turned { time, place, angle, limit: LARGEST_ANGLE_CHANGE });
+            }
+        }
+        for (drive, prescribed) in self.drives.iter().zip(&c.prescribed.drives) {
+            let reading = self.gauges[drive.gauge].reading(c, state.readings[drive.gauge]);
+            if (reading - prescribed.value).abs() > DRIVE_GAP {
+                let prescribed = prescribed.value;
+                return Err(Error::DriveMissed { time, drive: drive.name.clone(), prescribed, reading });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,69 @@
+//! What the unknowns of a machine are, in words: for messages.
+
+use crate::mechanics::beam::coordinates::{NODE, THETA};
+use crate::mechanics::rigid_body::BODY;
+use crate::mechanics::system::{Beam, System};
+
+impl System {
+    /// What unknown `index` of the linear system is, in words: coordinates first, then constraint conditions.
+    pub fn describe_unknown(&self, index: usize) -> String {
+        let axis = |place: usize| ["x", "y", "z"][place];
+        if index < self.node_coordinates() {
+            let node = self.describe_node(index / NODE);
+            return match index % NODE {
+                place @ 0..3 => format!("{node} (along {})", axis(place)),
+                THETA => format!("{node} (turning about the beam)"),
+                _ => format!("{node} (its slope)"),
+            };
+        }
+        if index < self.coordinates() {
+            let local = index - self.node_coordinates();
+            let body = &self.bodies[local / BODY].name;
+            return match local % BODY {
+                place @ 0..3 => format!("{body} (along {})", axis(place)),
+                _ => format!("{body} (turning)"),
+            };
+        }
+        let mut row = self.coordinates();
+        for joint in &self.joints {
+            row += joint.rows();
+            if index < row {
+                return joint.name.clone();
+            }
+        }
+        String::from("an unknown")
+    }
+
+    /// A node's name: `arm.start`, `arm.node[3]`, `arm.end`.
+    pub fn describe_node(&self, node: usize) -> String {
+        for beam in &self.beams {
+            if (beam.first_node..=beam.first_node + beam.elements).contains(&node) {
+                let place = node - beam.first_node;
+                return match place {
+                    0 => format!("{}.start", beam.name),
+                    _ if place == beam.elements => format!("{}.end", beam.name),
+                    _ => format!("{}.node[{place}]", beam.name),
+                };
+            }
+        }
+        format!("node {node}")
+    }
+
+    /// The beam of element `number` and the element's number in it.
+    pub fn beam_of(&self, number: usize) -> (&Beam, usize) {
+        let after = self.beams.partition_point(|beam| beam.first_element <= number);
+        let beam = &self.beams[after.saturating_sub(1)];
+        (beam, number - beam.first_element)
+    }
+
+    /// What is not finite in the equations of `time` (s), in words.
+    pub fn describe_not_finite(&self, time: f64) -> String {
+        if let Some(load) = self.loads.iter().find(|load| !load.at(time).is_finite()) {
+            return format!("the force or moment of load {}", load.name);
+        }
+        if let Some(name) = self.undefined_motion(time) {
+            return format!("the motion of {name}");
+        }
+        String::from("a number in the equations")
+    }
+}

@@ -1,0 +1,87 @@
+//! Accelerations and multipliers at an instant (MECHANICS 7.5): `[M Gᵀ; G 0][a; λ] = [F − dU/dq − gyro; −(dG/dt) v − g_tt]`.
+//!
+//! They belong to the very time of the state, unlike what a step computes with. Only outputs ask for them.
+
+use super::gyroscopic;
+use super::kkt::Kkt;
+use crate::error::Error;
+use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::configuration::{Passage, Rates};
+use crate::mechanics::joint::JointGradient;
+use crate::mechanics::load::Excitation;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+
+/// How a machine responds at an instant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Response {
+    /// Second derivatives of the coordinates, 1/s² each.
+    pub acceleration: Vec<f64>,
+    /// Multipliers of the conditions, N or N m.
+    pub multipliers: Vec<f64>,
+}
+
+impl Response {
+    /// Of an equilibrium: nothing moves, the multipliers are the state's.
+    pub fn set_at_rest(&mut self, state: &State) {
+        self.acceleration.clear();
+        self.acceleration.resize(state.q.len(), 0.0);
+        self.multipliers.clone_from(&state.multipliers);
+    }
+}
+
+/// Computes responses; scratch memory.
+#[derive(Debug)]
+pub struct Responder {
+    kkt: Kkt,
+    right: Vec<f64>,
+    excitation: Excitation,
+    frames: Vec<NodeFrame>,
+    gradients: Vec<JointGradient>,
+}
+
+impl Responder {
+    /// For `system`.
+    ///
+    /// # Errors
+    /// The linear system cannot be set up.
+    pub fn new(system: &System) -> Result<Self, Error> {
+        let size = system.coordinates() + system.constraints();
+        Ok(Self {
+            kkt: Kkt::for_steps(system)?,
+            right: vec![0.0; size],
+            excitation: Excitation::default(),
+            frames: Vec::new(),
+            gradients: Vec::new(),
+        })
+    }
+
+    /// Sets `response` to that of `state`, whose velocities the constraints allow.
+    ///
+    /// # Errors
+    /// The constraints are redundant.
+    pub fn respond(&mut self, system: &System, state: &State, response: &mut Response) -> Result<(), Error> {
+        system.frames(&state.q, &state.triads, &mut self.frames);
+        let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
+        system.excite(state.time, &mut self.excitation);
+        let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
+
+        let (forces, conditions) = self.right.split_at_mut(state.q.len());
+        system.forces(&configuration, &passage, &self.excitation, forces);
+        gyroscopic::add_rate_forces(system, state, forces);
+        system.constraint_accelerations(&configuration, &state.velocity, conditions);
+        self.right.iter_mut().for_each(|value| *value = -*value);
+
+        system.constraint_gradients(&configuration, &mut self.gradients);
+        self.kkt.blocks.clear();
+        system.add_mass(1.0, &mut self.kkt.blocks);
+        self.kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
+        self.kkt.solve(system, &mut self.right, state.time)?;
+        let (acceleration, multipliers) = self.right.split_at(state.q.len());
+        response.acceleration.clear();
+        response.acceleration.extend_from_slice(acceleration);
+        response.multipliers.clear();
+        response.multipliers.extend_from_slice(multipliers);
+        Ok(())
+    }
+}

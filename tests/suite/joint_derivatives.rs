@@ -1,0 +1,127 @@
+//! Joints, rigid bodies and drives: conditions with their derivatives by coordinates and time against automatic differentiation of the
+//! definitions, at random pose, offset and axes, between everything that can be joined.
+
+use crate::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};
+use crate::oracle::{self, Scalar};
+use crate::random::Random;
+use ancf14::mechanics::gauge::Measure;
+use ancf14::mechanics::joint::driven::Driven;
+use ancf14::mechanics::joint::primitive::Primitive;
+use ancf14::mechanics::joint::{Joint, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld};
+use ancf14::mechanics::rigid_body;
+use nalgebra::SVector;
+
+/// lambda · phi of a joint over any dual number.
+fn weighted_conditions<D: Scalar>(machine: &Machine, joint: &Joint, lambda: &[f64], q: &[D]) -> D {
+    let (a, b) = (machine.pose(&joint.a, q), machine.pose(&joint.b, q));
+    let mut rows = Vec::new();
+    for primitive in joint.primitives {
+        match *primitive {
+            Primitive::Coincident => rows.extend((0..3).map(|axis| a[0][axis] - b[0][axis])),
+            Primitive::Parallel(i) => {
+                rows.extend([1, 2].map(|next| oracle::dot(&a[1 + i], &b[1 + (i + next) % 3])));
+            }
+            Primitive::Unturned(i) => rows.push(oracle::dot(&a[1 + (i + 1) % 3], &b[1 + (i + 2) % 3])),
+            Primitive::Perpendicular(i, j) => rows.push(oracle::dot(&a[1 + i], &b[1 + j])),
+            Primitive::Measured(kind) => {
+                let prescribed = if joint.drive.is_some() { machine.driven(q) } else { D::from(0.0) };
+                let value = measure(kind, &a, &b) - prescribed;
+                // Angles are compared within half a turn.
+                let turns =
+                    if matches!(kind, Measure::Angle(_)) { (value.re() / std::f64::consts::TAU).round() } else { 0.0 };
+                rows.push(value - std::f64::consts::TAU * turns);
+            }
+            Primitive::Orthonormal => {
+                rows.extend((1..4).map(|i| (oracle::dot(&b[i], &b[i]) - 1.0) * 0.5));
+                rows.extend([(1, 2), (1, 3), (2, 3)].map(|(i, j)| oracle::dot(&b[i], &b[j])));
+            }
+        }
+    }
+    assert_eq!(rows.len(), lambda.len());
+    rows.into_iter().zip(lambda).fold(D::from(0.0), |sum, (row, lambda)| sum + row * *lambda)
+}
+
+fn check_joint(machine: &Machine, joint: &Joint, random: &mut Random) {
+    let rows = joint.rows();
+    let lambda: Vec<f64> = (0..rows).map(|_| random.signed()).collect();
+    let conditions = |q: All<Dual>| weighted_conditions(machine, joint, &lambda, q.as_slice());
+    let (value, gradient, hessian) = num_dual::hessian(conditions, &machine.all());
+    let c = machine.configuration();
+    let weighted = |rows: &[f64]| rows.iter().zip(&lambda).map(|(row, lambda)| row * lambda).sum::<f64>();
+    let mut phi = vec![0.0; rows];
+    joint.phi(&c, &mut phi);
+    assert!((weighted(&phi) - value).abs() < ROUNDING);
+
+    let own = joint.phi_q(&c);
+    let mut closed = SVector::<f64, COUNT>::zeros();
+    for (marker, block) in [(&joint.a, own.a), (&joint.b, own.b)] {
+        for (local, index) in marker.coordinates(&machine.elements).enumerate() {
+            closed[index] += (0..rows).map(|row| lambda[row] * block[(row, local)]).sum::<f64>();
+        }
+    }
+    assert!((closed - gradient.fixed_rows::<COUNT>(0)).amax() < ROUNDING * gradient.amax().max(1.0));
+
+    let closed = spread(machine, [&joint.a, &joint.b], &joint.phi_qq(&c, &lambda));
+    let error = (closed - hessian.fixed_view::<COUNT, COUNT>(0, 0)).amax() / hessian.amax().max(1.0);
+    assert!(error < ROUNDING, "{error:e}");
+
+    let mut phi_t = vec![0.0; rows];
+    joint.phi_t(&c, &mut phi_t);
+    assert!((weighted(&phi_t) - gradient[COUNT]).abs() < ROUNDING);
+
+    // Along q + v t, as frames and drives move: the second derivative by t.
+    let mut along = All::<f64>::zeros();
+    along.fixed_rows_mut::<COUNT>(0).copy_from(&machine.velocity);
+    along[COUNT] = 1.0;
+    let mut phi_tt = vec![0.0; rows];
+    joint.phi_tt(&c, machine.velocity.as_slice(), &mut phi_tt);
+    let expected = along.dot(&(hessian * along));
+    assert!((weighted(&phi_tt) - expected).abs() < ROUNDING * hessian.amax().max(1.0) * 100.0, "{phi_tt:?} {expected}");
+}
+
+#[test]
+fn joint_derivatives() {
+    deep(check_joint_derivatives);
+}
+
+fn check_joint_derivatives() {
+    let kinds: [(&'static [Primitive], usize); 9] = [
+        (weld::PRIMITIVES, 6),
+        (spherical::PRIMITIVES, 3),
+        (revolute::PRIMITIVES, 5),
+        (cylindrical::PRIMITIVES, 4),
+        (prismatic::PRIMITIVES, 5),
+        (universal::PRIMITIVES, 4),
+        (inline::PRIMITIVES, 2),
+        (inplane::PRIMITIVES, 1),
+        (rigid_body::PRIMITIVES, 6),
+    ];
+    let mut random = Random(7);
+    for (primitives, rows) in kinds {
+        for sides in SIDES {
+            let machine = Machine::new(&mut random);
+            let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
+            let joint = Joint { name: "joint".into(), a, b, primitives, drive: None };
+            assert_eq!(joint.rows(), rows);
+            check_joint(&machine, &joint, &mut random);
+        }
+    }
+}
+
+/// Drives: the condition of an angle or a distance that is prescribed in time.
+#[test]
+fn drive_derivatives() {
+    deep(check_drive_derivatives);
+}
+
+fn check_drive_derivatives() {
+    let mut random = Random(17);
+    for driven in [Driven::Angle, Driven::Distance] {
+        for sides in SIDES {
+            let machine = Machine::new(&mut random);
+            let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
+            let joint = Joint { name: "drive".into(), a, b, primitives: driven.primitives(), drive: Some(0) };
+            check_joint(&machine, &joint, &mut random);
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! A machine in a random state, and its markers and measures written a second time over any dual number: the oracle for the
+//! derivatives of joints, drives, springs and loads. A dropped term shows at 1e-2 or more; the bound is rounding.
+
+use crate::element_derivatives::{random_element_state, stiffness, straight};
+use crate::oracle::{self, Scalar};
+use crate::random::Random;
+use ancf14::math::jet::Jet;
+use ancf14::math::{Mat3, Vec3};
+use ancf14::mechanics::beam::coordinates::NODE;
+use ancf14::mechanics::beam::element::Element;
+use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
+use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::configuration::Configuration;
+use ancf14::mechanics::gauge::Measure;
+use ancf14::mechanics::marker::{Marker, MarkerMatrix};
+use ancf14::mechanics::pose::Pose;
+use ancf14::mechanics::prescribed::{MovingPose, Prescribed};
+use nalgebra::{SMatrix, SVector};
+use num_dual::Dual2SVec64;
+
+pub const ROUNDING: f64 = 1e-9;
+/// Coordinates: two elements and a body.
+pub const COUNT: usize = 40;
+/// Where the body's start.
+pub const BODY: usize = 28;
+/// Coordinates, and time as the last one.
+pub const ALL: usize = COUNT + 1;
+pub type All<D> = SVector<D, ALL>;
+pub type Dual = Dual2SVec64<ALL>;
+
+/// Two elements of two beams (nodes 0, 1 and 2, 3), a body whose directors are not orthonormal, a moving frame and a drive, in a random state.
+pub struct Machine {
+    pub elements: [Element; 2],
+    pub q: SVector<f64, COUNT>,
+    pub velocity: SVector<f64, COUNT>,
+    pub triads: [Triad; 4],
+    pub holonomy: [f64; 2],
+    pub frames: [NodeFrame; 4],
+    pub prescribed: Prescribed,
+}
+
+impl Machine {
+    pub fn new(random: &mut Random) -> Self {
+        let mut q = SVector::<f64, COUNT>::zeros();
+        let mut triads = [Triad { t: Vec3::x(), u: Vec3::y() }; 4];
+        let mut holonomy = [0.0; 2];
+        for beam in 0..2 {
+            let (own, own_triads, previous) = random_element_state(random, 0.7, 0.8, 1.0);
+            q.fixed_rows_mut::<14>(14 * beam).copy_from(&own);
+            triads[2 * beam..2 * beam + 2].copy_from_slice(&own_triads);
+            holonomy[beam] = previous;
+        }
+        let directors = random.rotation() + Mat3::from_fn(|_, _| 0.1 * random.signed());
+        q.fixed_rows_mut::<3>(BODY).copy_from(&random.vector());
+        q.fixed_rows_mut::<9>(BODY + 3).copy_from_slice(directors.as_slice());
+        let frames =
+            std::array::from_fn(|node| NodeFrame::new(&q.as_slice()[NODE * node..NODE * (node + 1)], &triads[node]));
+        let first = straight(0.7, stiffness(Strain::Small));
+        let second = Element { node: 2, ..first.clone() };
+        let mut any = || Pose { place: random.vector(), axes: Mat3::from_fn(|_, _| random.signed()) };
+        let (velocity, acceleration) = (any(), any());
+        let pose = Pose { place: random.vector(), axes: random.rotation() };
+        let frame = MovingPose { pose, velocity, acceleration };
+        let drive = Jet { value: random.signed(), first: random.signed(), second: random.signed() };
+        let prescribed = Prescribed { drives: vec![drive], frames: vec![frame] };
+        let velocity = SVector::from_fn(|_, _| random.signed());
+        Self { elements: [first, second], q, velocity, triads, holonomy, frames, prescribed }
+    }
+
+    pub fn configuration(&self) -> Configuration<'_> {
+        Configuration {
+            q: self.q.as_slice(),
+            frames: &self.frames,
+            holonomy: &self.holonomy,
+            readings: &[0.0],
+            prescribed: &self.prescribed,
+            elements: &self.elements,
+        }
+    }
+
+    /// Coordinates, and time 0.
+    pub fn all(&self) -> All<f64> {
+        All::from_fn(|index, _| if index < COUNT { self.q[index] } else { 0.0 })
+    }
+
+    /// What the drive prescribes at the time `q[COUNT]`.
+    pub fn driven<D: Scalar>(&self, q: &[D]) -> D {
+        let (jet, t) = (&self.prescribed.drives[0], q[COUNT]);
+        t * t * (0.5 * jet.second) + t * jet.first + jet.value
+    }
+
+    /// Place and the three axes of a marker, over any dual number.
+    pub fn pose<D: Scalar>(&self, marker: &Marker, q: &[D]) -> [[D; 3]; 4] {
+        let combine = |columns: &[[D; 3]; 3], local: &Vec3| {
+            let mut sum = [D::from(0.0); 3];
+            for (column, factor) in columns.iter().zip(local) {
+                sum = oracle::sum(&sum, &oracle::scale(column, D::from(*factor)));
+            }
+            sum
+        };
+        let tied = |place: [D; 3], columns: [[D; 3]; 3], offset: &Vec3, axes: &Mat3| {
+            let axis = |i: usize| combine(&columns, &axes.column(i).into_owned());
+            [oracle::sum(&place, &combine(&columns, offset)), axis(0), axis(1), axis(2)]
+        };
+        match marker {
+            Marker::Ground(pose) => {
+                let axis = |i: usize| oracle::constant(&pose.axes.column(i).into_owned());
+                [oracle::constant(&pose.place), axis(0), axis(1), axis(2)]
+            }
+            Marker::Frame { frame, offset, axes } => {
+                let motion = &self.prescribed.frames[*frame];
+                let t = q[COUNT];
+                let at = |select: &dyn Fn(&Pose) -> Vec3| {
+                    let [value, first, second] = [&motion.pose, &motion.velocity, &motion.acceleration]
+                        .map(|pose| oracle::constant(&select(pose)));
+                    let linear = oracle::sum(&value, &oracle::scale(&first, t));
+                    oracle::sum(&linear, &oracle::scale(&second, t * t * 0.5))
+                };
+                let columns = [0, 1, 2].map(|i| at(&|pose: &Pose| pose.axis(i)));
+                tied(at(&|pose: &Pose| pose.place), columns, offset, axes)
+            }
+            Marker::Body { start, offset, axes } => {
+                let part = |place: usize| std::array::from_fn(|i| q[start + place + i]);
+                tied(part(0), [part(3), part(6), part(9)], offset, axes)
+            }
+            Marker::Node { node, offset, axes } => {
+                let own = &q[NODE * node..NODE * (node + 1)];
+                let frame = oracle::node(own, &self.triads[*node]);
+                tied([own[0], own[1], own[2]], [frame.t, frame.y, frame.z], offset, axes)
+            }
+            Marker::Section { element, xi } => {
+                let part = &self.elements[*element];
+                let own = &q[NODE * part.node..NODE * (part.node + 2)];
+                let triads = [self.triads[part.node], self.triads[part.node + 1]];
+                let (t, y, _) = oracle::inside(part, own, &triads, self.holonomy[*element], *xi);
+                let shape = ancf14::math::hermite::shape(*xi, part.length);
+                let place = std::array::from_fn(|i| {
+                    own[i] * shape[0] + own[3 + i] * shape[1] + own[7 + i] * shape[2] + own[10 + i] * shape[3]
+                });
+                [place, t, y, oracle::cross(&t, &y)]
+            }
+        }
+    }
+}
+
+/// Runs a test with room for arrays of dual numbers on its stack: one with its Hessian takes 14 kB.
+pub fn deep(test: fn()) {
+    std::thread::Builder::new().stack_size(1 << 28).spawn(test).unwrap().join().unwrap();
+}
+
+/// Everything a joint may hold on to, by number.
+pub fn any_marker(random: &mut Random, kind: usize) -> Marker {
+    let (offset, axes) = (random.vector(), random.rotation());
+    match kind {
+        0 => Marker::Ground(Pose { place: offset, axes }),
+        1 => Marker::Node { node: 1, offset, axes },
+        2 => Marker::Node { node: 2, offset, axes },
+        3 => Marker::Body { start: BODY, offset, axes },
+        _ => Marker::Frame { frame: 0, offset, axes },
+    }
+}
+
+/// Pairs of kinds that may be joined.
+pub const SIDES: [[usize; 2]; 9] = [[0, 2], [1, 2], [3, 2], [4, 2], [0, 3], [1, 3], [4, 3], [2, 4], [3, 0]];
+
+/// A measure over any dual number, straight from its definition.
+pub fn measure<D: Scalar>(kind: Measure, a: &[[D; 3]; 4], b: &[[D; 3]; 4]) -> D {
+    let apart = oracle::sum(&b[0], &oracle::scale(&a[0], D::from(-1.0)));
+    match kind {
+        Measure::Distance(axis) => oracle::dot(&a[1 + axis], &apart),
+        Measure::Length => oracle::dot(&apart, &apart).sqrt(),
+        Measure::Angle(axis) => {
+            // The mean direction of both normals of b in the plane of a: the angle of the nearest rotation.
+            let [j, k] = [1 + (axis + 1) % 3, 1 + (axis + 2) % 3];
+            let sine = oracle::dot(&a[k], &b[j]) - oracle::dot(&a[j], &b[k]);
+            sine.atan2(oracle::dot(&a[j], &b[j]) + oracle::dot(&a[k], &b[k]))
+        }
+        Measure::Rotation(component) => {
+            let [j, k] = [1 + (component + 1) % 3, 1 + (component + 2) % 3];
+            let trace = oracle::dot(&a[1], &b[1]) + oracle::dot(&a[2], &b[2]) + oracle::dot(&a[3], &b[3]);
+            let cosine = (trace - 1.0) * 0.5;
+            let part = (oracle::dot(&a[k], &b[j]) - oracle::dot(&a[j], &b[k])) * 0.5;
+            part * cosine.acos() / (-(cosine * cosine) + 1.0).sqrt()
+        }
+    }
+}
+
+/// Blocks `aa, ab, ba, bb` in their places.
+pub fn spread(machine: &Machine, sides: [&Marker; 2], blocks: &[MarkerMatrix; 4]) -> SMatrix<f64, COUNT, COUNT> {
+    let ranges = sides.map(|marker| marker.coordinates(&machine.elements));
+    let mut sum = SMatrix::zeros();
+    for (place, block) in blocks.iter().enumerate() {
+        for (i, row) in ranges[place / 2].clone().enumerate() {
+            for (j, column) in ranges[place % 2].clone().enumerate() {
+                sum[(row, column)] += block[(i, j)];
+            }
+        }
+    }
+    sum
+}
