@@ -4,6 +4,7 @@
 //! turns keeps its length. At an increment of zero that is the plain energy of the configuration.
 
 use super::strain::Stiffness;
+use crate::math::rotation::normal_projector;
 use crate::math::{Mat3, Vec3};
 
 /// The slope at one axial point, and what it changes by over the step.
@@ -33,6 +34,27 @@ impl Slope {
     pub fn engineering_strain(&self) -> f64 {
         let (start, end) = self.stretches();
         0.5 * (start + end) / self.reference_stretch - 1.0
+    }
+
+    /// Derivative of the Green strain by the slope at the middle of the step, 1.
+    pub fn green_strain_p(&self) -> Vec3 {
+        self.middle / self.reference_stretch.powi(2)
+    }
+
+    /// Second derivative of the Green strain by the slope at the middle of the step, 1.
+    pub fn green_strain_pp(&self) -> Mat3 {
+        Mat3::identity() / self.reference_stretch.powi(2)
+    }
+
+    /// Derivative of the engineering strain `|r'|/J0 − 1` of the middle of the step by the slope there, 1.
+    pub fn engineering_strain_p(&self) -> Vec3 {
+        self.middle / (self.middle.norm() * self.reference_stretch)
+    }
+
+    /// Second derivative of the engineering strain of the middle of the step by the slope there, 1.
+    pub fn engineering_strain_pp(&self) -> Mat3 {
+        let stretch = self.middle.norm();
+        normal_projector(&(self.middle / stretch)) / (stretch * self.reference_stretch)
     }
 }
 

@@ -8,5 +8,6 @@ pub mod fourth_moments;
 pub mod frame;
 pub mod inertia;
 pub mod kinematics;
+pub mod pullback;
 pub mod strain;
 pub mod torsion;
