@@ -5,6 +5,7 @@
 mod allocations;
 mod architecture;
 mod command_line;
+mod damping;
 mod descriptions;
 mod dynamics;
 mod element_derivatives;

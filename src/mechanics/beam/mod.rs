@@ -3,6 +3,7 @@
 pub mod axial;
 pub mod bending;
 pub mod coordinates;
+pub mod damping;
 pub mod element;
 pub mod fourth_moments;
 pub mod frame;
