@@ -17,7 +17,7 @@ use crate::mechanics::joint::{self, revolute, spherical, weld};
 use crate::mechanics::load::{self, Direction, Signal};
 use crate::mechanics::marker::{Marker, Pose};
 use crate::mechanics::material::Material;
-use crate::mechanics::section::Section;
+use crate::mechanics::section::{Outline, Section};
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use std::sync::Arc;
@@ -126,6 +126,7 @@ impl Builder<'_> {
                 torsion_constant: 0.0,
                 polar_moment: 0.0,
                 fourth_moments: [0.0; 3],
+                outline: Outline::General,
             },
         };
         let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
@@ -139,6 +140,7 @@ impl Builder<'_> {
             fourth_moments: written
                 .fourth_moments
                 .map_or(shape.fourth_moments, |numbers| self.document.vector(numbers)),
+            outline: shape.outline,
         }
     }
 
