@@ -21,6 +21,7 @@ pub mod joint;
 pub mod load;
 pub mod marker;
 pub mod material;
+pub mod resultants;
 pub mod section;
 pub mod sensor;
 pub mod state;

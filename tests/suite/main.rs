@@ -24,6 +24,7 @@ mod princeton;
 mod random;
 mod released_cantilever;
 mod rollback;
+mod section_forces;
 mod statics;
 mod strain_outputs;
 mod turned_models;

@@ -67,11 +67,16 @@ pub mod small {
         0.5 * stiffness.axial * slope.engineering_strain().powi(2)
     }
 
+    /// Derivative of the energy density by the strain `strain`, N.
+    pub fn force(stiffness: &Stiffness, strain: f64) -> f64 {
+        stiffness.axial * strain
+    }
+
     /// `EA/J0 eps n`, N, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: work by the increment is the increment of the energy.
     pub fn gradient(stiffness: &Stiffness, slope: &Slope) -> Vec3 {
         let (start, end) = slope.stretches();
         let direction = slope.middle * (2.0 / (start + end));
-        direction * (stiffness.axial * slope.engineering_strain() / slope.reference_stretch)
+        direction * (force(stiffness, slope.engineering_strain()) / slope.reference_stretch)
     }
 
     /// Twice the derivative of the gradient by the slope at the end of the step, N: at an increment of zero the Hessian.
@@ -82,7 +87,7 @@ pub mod small {
         let n_t = n * tangent.transpose();
         let j0 = slope.reference_stretch;
         n_t * (stiffness.axial / (j0 * j0))
-            + (Mat3::identity() - n_t) * (2.0 * stiffness.axial * slope.engineering_strain() / (j0 * (start + end)))
+            + (Mat3::identity() - n_t) * (2.0 * force(stiffness, slope.engineering_strain()) / (j0 * (start + end)))
     }
 }
 
