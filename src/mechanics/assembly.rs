@@ -84,6 +84,7 @@ impl BeamDesign {
                 Strain::Large => section.fourth_moments.map(|moment| material.young * moment),
                 _ => [0.0; 3],
             },
+            damping: material.damping,
         }
     }
 

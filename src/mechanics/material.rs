@@ -9,6 +9,8 @@ pub struct Material {
     pub shear: f64,
     /// Density ρ, kg/m³.
     pub density: f64,
+    /// Kelvin-Voigt damping, s: `stress = E (strain + damping · rate)`.
+    pub damping: f64,
 }
 
 impl Material {

@@ -25,6 +25,7 @@ pub mod marker;
 pub mod material;
 pub mod pose;
 pub mod prescribed;
+pub mod resultants;
 pub mod rigid_body;
 pub mod section;
 pub mod section_point;

@@ -4,7 +4,55 @@
 
 use std::f64::consts::PI;
 
-/// The integrals of a section that the element needs.
+/// The outline of a section, m: where its stress is looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outline {
+    /// `width` along y, `height` along z.
+    Rectangle {
+        /// Along y.
+        width: f64,
+        /// Along z.
+        height: f64,
+    },
+    /// Solid circle.
+    Circle {
+        /// Its radius.
+        radius: f64,
+    },
+    /// Circular tube.
+    Tube {
+        /// Radius of the hole.
+        inner: f64,
+        /// Radius outside.
+        outer: f64,
+    },
+    /// Not known: the section is given by its integrals alone.
+    General,
+}
+
+impl Outline {
+    /// Largest size of `z curvature_y − y curvature_z` over the outline, 1, with the curvatures about y and z in 1/m; none if it is not known.
+    pub fn bending_strain(&self, curvature: &[f64; 2]) -> Option<f64> {
+        let [about_y, about_z] = curvature;
+        match self {
+            Self::Rectangle { width, height } => Some(0.5 * (height * about_y.abs() + width * about_z.abs())),
+            Self::Circle { radius } | Self::Tube { outer: radius, .. } => Some(radius * about_y.hypot(*about_z)),
+            Self::General => None,
+        }
+    }
+
+    /// Torque over the largest Saint-Venant shear stress that it makes, m³; none if the outline is not known.
+    pub fn torsion_modulus(&self) -> Option<f64> {
+        match self {
+            Self::Rectangle { width, height } => Some(rectangle_torsion_modulus(*width, *height)),
+            Self::Circle { radius } => Some(Section::circle(*radius).torsion_constant / radius),
+            Self::Tube { inner, outer } => Some(Section::tube(*inner, *outer).torsion_constant / outer),
+            Self::General => None,
+        }
+    }
+}
+
+/// The integrals of a section that the element needs, and its outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section {
     /// Area A, m².
@@ -19,6 +67,8 @@ pub struct Section {
     pub polar_moment: f64,
     /// `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]`, m⁶.
     pub fourth_moments: [f64; 3],
+    /// Its outline; the integrals may be given differently.
+    pub outline: Outline,
 }
 
 impl Section {
@@ -37,6 +87,7 @@ impl Section {
                 width.powi(3) * height.powi(3) / 144.0,
                 width * height.powi(5) / 80.0,
             ],
+            outline: Outline::Rectangle { width, height },
         }
     }
 
@@ -51,6 +102,7 @@ impl Section {
             torsion_constant: 2.0 * second_moment,
             polar_moment: 2.0 * second_moment,
             fourth_moments: [3.0 * fourth, fourth, 3.0 * fourth],
+            outline: Outline::Circle { radius },
         }
     }
 
@@ -64,6 +116,7 @@ impl Section {
             torsion_constant: disk.torsion_constant - hole.torsion_constant,
             polar_moment: disk.polar_moment - hole.polar_moment,
             fourth_moments: std::array::from_fn(|i| disk.fourth_moments[i] - hole.fourth_moments[i]),
+            outline: Outline::Tube { inner, outer },
         }
     }
 }
@@ -77,6 +130,18 @@ fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
     long * short.powi(3) / 3.0 * (1.0 - 192.0 * short / (PI.powi(5) * long) * series)
 }
 
+/// `Jt / (b (1 − 8/π² Σ_{n odd} 1/(n² cosh(nπa/2b))))`, m³, a ≥ b: the shear is largest in the middle of the long sides (Timoshenko).
+fn rectangle_torsion_modulus(width: f64, height: f64) -> f64 {
+    let (long, short) = (width.max(height), width.min(height));
+    // The terms fall with exp(−nπ/2) at least: 12 of them leave less than 1e-17.
+    let series: f64 = (0..12)
+        .rev()
+        .map(|k| f64::from(2 * k + 1))
+        .map(|n| 1.0 / (n * n * (n * PI * long / (2.0 * short)).cosh()))
+        .sum();
+    rectangle_torsion_constant(width, height) / (short * (1.0 - 8.0 / (PI * PI) * series))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -88,6 +153,19 @@ mod tests {
         let strip = Section::rectangle(1e-3, 1.0).torsion_constant;
         assert!((strip / (1e-9 / 3.0) - 1.0).abs() < 1e-3);
         assert_eq!(Section::rectangle(2.0, 3.0).torsion_constant, Section::rectangle(3.0, 2.0).torsion_constant);
+    }
+
+    /// Largest shear of a rectangle a × b is T/(k a b²); k to three digits as in Timoshenko's table, a b²/3 for a thin strip.
+    #[test]
+    fn torsional_shear_of_rectangles() {
+        for (ratio, k) in [(1.0, 0.208), (1.5, 0.231), (2.0, 0.246), (3.0, 0.267), (4.0, 0.282), (10.0, 0.312)] {
+            for (width, height) in [(ratio * 0.01, 0.01), (0.01, ratio * 0.01)] {
+                let modulus = Outline::Rectangle { width, height }.torsion_modulus().unwrap();
+                assert!((modulus / (ratio * 1e-6) - k).abs() < 5.1e-4, "{ratio}: {}", modulus / (ratio * 1e-6));
+            }
+        }
+        let strip = Outline::Rectangle { width: 1e-3, height: 1.0 }.torsion_modulus().unwrap();
+        assert!((strip * 3e6 - 1.0).abs() < 1e-3);
     }
 
     /// A midpoint rule over the area must find the same moments; its error with 400 × 400 cells is below 1e-4 relative.

@@ -1,5 +1,6 @@
 //! The whole machine. Never changes in a run but for gravity, the size of loads, and springs: what is tunable.
 
+mod dampers;
 mod energy;
 mod equations;
 mod limits;

@@ -18,7 +18,7 @@ use crate::mechanics::load::{self, Direction, Signal};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::material::Material;
 use crate::mechanics::pose::Pose;
-use crate::mechanics::section::Section;
+use crate::mechanics::section::{Outline, Section};
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use std::sync::Arc;
@@ -103,7 +103,7 @@ impl Builder<'_> {
             y_axis: vector(document, beam.y_axis),
             pretwist: document.value(beam.pretwist),
             elements: document.value(beam.elements) as usize,
-            material: Material { young, shear, density: document.value(material.density) },
+            material: Material { young, shear, density: document.value(material.density), damping: 0.0 },
             section: self.section(&document.sections[beam.section]),
             strain: beam.strain,
             torsion: if beam.torsion { Torsion::Free } else { Torsion::Suppressed },
@@ -127,6 +127,7 @@ impl Builder<'_> {
                 torsion_constant: 0.0,
                 polar_moment: 0.0,
                 fourth_moments: [0.0; 3],
+                outline: Outline::General,
             },
         };
         let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
@@ -140,6 +141,7 @@ impl Builder<'_> {
             fourth_moments: written
                 .fourth_moments
                 .map_or(shape.fourth_moments, |numbers| self.document.vector(numbers)),
+            outline: shape.outline,
         }
     }
 

@@ -18,7 +18,7 @@ fn spinning() -> (System, State) {
     let design = BeamDesign {
         to: Vec3::new(1.2, 0.3, -0.4),
         section,
-        material: Material { young: 2e8, shear: 8e7, density: 1000.0 },
+        material: Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 0.0 },
         velocity: Vec3::new(0.3, -0.2, 0.1),
         angular_velocity: Vec3::new(9.0, 4.0, 3.0),
         ..design("beam", 4)
@@ -89,7 +89,7 @@ fn spinning_beam_shows_no_false_extension() {
 fn tumbling_beam_keeps_its_energy() {
     let run = |rule| {
         let section = Section::rectangle(0.01, 0.01);
-        let material = Material { young: 1e11, shear: 4e10, density: 5000.0 };
+        let material = Material { young: 1e11, shear: 4e10, density: 5000.0, damping: 0.0 };
         let beam = BeamDesign { section, material, angular_velocity: Vec3::new(0.0, 20.0, 56.0), ..design("beam", 4) };
         let mut assembly = Assembly::default();
         assembly.add_beam(&beam);
@@ -118,7 +118,7 @@ fn tumbling_beam_keeps_its_energy() {
 #[test]
 fn taut_string_stays_bounded() {
     let section = Section::circle(1e-3);
-    let material = Material { young: 1e9, shear: 4e8, density: 1000.0 };
+    let material = Material { young: 1e9, shear: 4e8, density: 1000.0, damping: 0.0 };
     let stretch = 1e-2;
     let mut assembly = Assembly::default();
     let number = assembly.add_beam(&BeamDesign { section, material, to: Vec3::x() * 2.0, ..design("string", 4) });

@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-9;
 pub fn stiffness(strain: Strain) -> Stiffness {
     let fourth = if strain == Strain::Large { [0.03, 0.02, 0.05] } else { [0.0; 3] };
     let wagner = if strain == Strain::Small { 0.0 } else { 1.3 };
-    Stiffness { strain, axial: 40.0, bending_y: 1.7, bending_z: 0.6, torsion: 0.9, wagner, fourth }
+    Stiffness { strain, axial: 40.0, bending_y: 1.7, bending_z: 0.6, torsion: 0.9, wagner, fourth, damping: 0.02 }
 }
 
 /// Coordinates of an element of length `length` with the given bend and twist scale, and reference triads near its tangents.
@@ -56,7 +56,7 @@ pub fn straight(length: f64, stiffness: Stiffness) -> Element {
 }
 
 /// An element whose undeformed shape is bent and twisted at random.
-fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element {
+pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element {
     let (q, triads, previous) = random_element_state(random, length, 0.3, 0.5);
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];
     Element::new(0, length, stiffness, [1.0, 0.1], q.as_slice(), [&frames[0], &frames[1]], previous)

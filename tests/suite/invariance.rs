@@ -70,6 +70,7 @@ fn large_energy_is_the_section_integral() {
         torsion: shear * section.polar_moment,
         wagner: young * section.polar_moment,
         fourth: section.fourth_moments.map(|moment| young * moment),
+        damping: 0.0,
     };
     let gauss = {
         let (a, b) =

@@ -28,7 +28,7 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
         y_axis: Vec3::y(),
         pretwist: 0.0,
         elements,
-        material: Material { young: 2e11, shear: 8e10, density: 7800.0 },
+        material: Material { young: 2e11, shear: 8e10, density: 7800.0, damping: 0.0 },
         section: Section::rectangle(0.01, 0.02),
         strain: Strain::Small,
         torsion: Torsion::Free,

@@ -5,6 +5,7 @@
 mod allocations;
 mod architecture;
 mod command_line;
+mod damping;
 mod descriptions;
 mod dynamics;
 mod element_derivatives;
@@ -25,6 +26,7 @@ mod princeton;
 mod random;
 mod released_cantilever;
 mod rollback;
+mod section_forces;
 mod spring_derivatives;
 mod statics;
 mod strain_outputs;

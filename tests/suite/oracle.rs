@@ -96,44 +96,51 @@ pub fn inside<D: Scalar>(
     (t, y, twist)
 }
 
-/// Strain energy, J (MECHANICS 2.16, 3.1, 3.2, 3.2b).
-pub fn energy<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previous: f64) -> D {
-    let k = &element.stiffness;
-    let square = |x: D| x * x;
-    let mut total = D::from(0.0);
-    let twist = inside(element, q, triads, previous, 0.5).2;
-    let mut green = [D::from(0.0); 3];
+/// Strains, undeformed values taken off (MECHANICS 2.16): three axial points, then g1, g2, tau of each bending point.
+pub fn strains<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previous: f64) -> [D; 12] {
+    let mut all = [D::from(0.0); 12];
     for (m, point) in element.axial.iter().enumerate() {
-        let j0 = point.reference_stretch;
         let p = interpolate(&point.shape_x, q);
-        let length = dot(&p, &p).sqrt() / j0;
-        green[m] = (length * length - 1.0) * 0.5;
-        let torsion = twist / (element.length * j0) - point.reference_torsion;
-        total += match k.strain {
-            Strain::Small => square(length - 1.0) * (0.5 * k.axial),
-            _ => {
-                square(length * length - 1.0) * (k.axial / 8.0)
-                    + square(torsion) * (length * length - 1.0) * (k.wagner / 4.0)
-            }
-        } * point.weight;
+        let square = dot(&p, &p) / (point.reference_stretch * point.reference_stretch);
+        all[m] = match element.stiffness.strain {
+            Strain::Small => square.sqrt() - 1.0,
+            _ => (square - 1.0) * 0.5,
+        };
     }
-    for point in &element.bending {
+    for (g, point) in element.bending.iter().enumerate() {
         let j0 = point.reference_stretch;
         let (t, y, twist) = inside(element, q, triads, previous, point.xi);
         let z = cross(&t, &y);
         let p = interpolate(&point.shape_x, q);
         let w = interpolate(&point.shape_xx, q);
         let length = dot(&p, &p).sqrt();
-        let g1 = dot(&y, &w) / length / j0 - point.reference[0];
-        let g2 = dot(&z, &w) / length / j0 - point.reference[1];
-        let tau = twist / (element.length * j0) - point.reference[2];
-        let e = green[0] * point.from_axial[0] + green[1] * point.from_axial[1] + green[2] * point.from_axial[2];
+        all[3 + 3 * g] = dot(&y, &w) / length / j0 - point.reference[0];
+        all[4 + 3 * g] = dot(&z, &w) / length / j0 - point.reference[1];
+        all[5 + 3 * g] = twist / (element.length * j0) - point.reference[2];
+    }
+    all
+}
+
+/// Strain energy, J (MECHANICS 3.1, 3.2, 3.2b).
+pub fn energy<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previous: f64) -> D {
+    let k = &element.stiffness;
+    let square = |x: D| x * x;
+    let mut total = D::from(0.0);
+    let strains = strains(element, q, triads, previous);
+    let twist = inside(element, q, triads, previous, 0.5).2;
+    for (m, point) in element.axial.iter().enumerate() {
+        let torsion = twist / (element.length * point.reference_stretch) - point.reference_torsion;
+        total +=
+            (square(strains[m]) * (0.5 * k.axial) + square(torsion) * strains[m] * (0.5 * k.wagner)) * point.weight;
+    }
+    for (g, point) in element.bending.iter().enumerate() {
+        let e = strains[0] * point.from_axial[0] + strains[1] * point.from_axial[1] + strains[2] * point.from_axial[2];
         let factor = match k.strain {
             Strain::Small => D::from(1.0),
             _ => e * 3.0 + 1.0,
         };
         let [yyyy, yyzz, zzzz] = k.fourth;
-        let (g1, g2, tau) = (square(g1), square(g2), square(tau));
+        let [g1, g2, tau] = [3, 4, 5].map(|i| square(strains[3 * g + i]));
         let fourth = square(tau) * (yyyy + 2.0 * yyzz + zzzz)
             + tau * (g1 * (yyyy + yyzz) + g2 * (zzzz + yyzz)) * 2.0
             + square(g1) * yyyy

@@ -36,7 +36,7 @@ fn cases() -> Vec<Case> {
 pub fn beam(elements: usize, strain: Strain) -> BeamDesign {
     let young = 71.7e9;
     let section = Section { torsion_constant: 113.3872e-12, ..Section::rectangle(3.2024e-3, 12.377e-3) };
-    let material = Material { young, shear: Material::shear_from_poisson(young, 0.31), density: 2700.0 };
+    let material = Material { young, shear: Material::shear_from_poisson(young, 0.31), density: 2700.0, damping: 0.0 };
     BeamDesign { to: Vec3::x() * LENGTH, section, material, strain, ..design("beam", elements) }
 }
 

@@ -13,7 +13,7 @@ use ancf14::solve::statics::Statics;
 
 /// A beam of 1 m so thin (height 1/1000 of the length) that it does not stretch.
 fn thin(elements: usize) -> BeamDesign {
-    let material = Material { young: 1e11, shear: 4e10, density: 1000.0 };
+    let material = Material { young: 1e11, shear: 4e10, density: 1000.0, damping: 0.0 };
     BeamDesign { section: Section::rectangle(1e-3, 1e-3), material, ..design("beam", elements) }
 }
 

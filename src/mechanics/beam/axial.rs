@@ -4,6 +4,7 @@
 //! turns keeps its length. At an increment of zero that is the plain energy of the configuration.
 
 use super::strain::Stiffness;
+use crate::math::rotation::normal_projector;
 use crate::math::{Mat3, Vec3};
 
 /// The slope at one axial point, and what it changes by over the step.
@@ -34,6 +35,27 @@ impl Slope {
         let (start, end) = self.stretches();
         0.5 * (start + end) / self.reference_stretch - 1.0
     }
+
+    /// Derivative of the Green strain by the slope at the middle of the step, 1.
+    pub fn green_strain_p(&self) -> Vec3 {
+        self.middle / self.reference_stretch.powi(2)
+    }
+
+    /// Second derivative of the Green strain by the slope at the middle of the step, 1.
+    pub fn green_strain_pp(&self) -> Mat3 {
+        Mat3::identity() / self.reference_stretch.powi(2)
+    }
+
+    /// Derivative of the engineering strain `|r'|/J0 − 1` of the middle of the step by the slope there, 1.
+    pub fn engineering_strain_p(&self) -> Vec3 {
+        self.middle / (self.middle.norm() * self.reference_stretch)
+    }
+
+    /// Second derivative of the engineering strain of the middle of the step by the slope there, 1.
+    pub fn engineering_strain_pp(&self) -> Mat3 {
+        let stretch = self.middle.norm();
+        normal_projector(&(self.middle / stretch)) / (stretch * self.reference_stretch)
+    }
 }
 
 /// The small-strain energy `EA/2 eps²`, a function of the slope alone.
@@ -45,11 +67,16 @@ pub mod small {
         0.5 * stiffness.axial * slope.engineering_strain().powi(2)
     }
 
+    /// Derivative of the energy density by the strain `strain`, N.
+    pub fn force(stiffness: &Stiffness, strain: f64) -> f64 {
+        stiffness.axial * strain
+    }
+
     /// `EA/J0 eps n`, N, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: work by the increment is the increment of the energy.
     pub fn gradient(stiffness: &Stiffness, slope: &Slope) -> Vec3 {
         let (start, end) = slope.stretches();
         let direction = slope.middle * (2.0 / (start + end));
-        direction * (stiffness.axial * slope.engineering_strain() / slope.reference_stretch)
+        direction * (force(stiffness, slope.engineering_strain()) / slope.reference_stretch)
     }
 
     /// Twice the derivative of the gradient by the slope at the end of the step, N: at an increment of zero the Hessian.
@@ -60,7 +87,7 @@ pub mod small {
         let n_t = n * tangent.transpose();
         let j0 = slope.reference_stretch;
         n_t * (stiffness.axial / (j0 * j0))
-            + (Mat3::identity() - n_t) * (2.0 * stiffness.axial * slope.engineering_strain() / (j0 * (start + end)))
+            + (Mat3::identity() - n_t) * (2.0 * force(stiffness, slope.engineering_strain()) / (j0 * (start + end)))
     }
 }
 

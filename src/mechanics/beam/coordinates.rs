@@ -1,6 +1,6 @@
 //! Order of the coordinates (MECHANICS 3.3): a node is `r` (3), `p = r'` (3), `theta` (1); an element is its two nodes.
 
-use crate::math::Vec3;
+use crate::math::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
 
 /// Coordinates of a node.
@@ -55,4 +55,14 @@ pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
         sum.fixed_rows_mut::<3>(place).copy_from(&(v * *weight));
     }
     sum
+}
+
+/// Adds `weightsᵀ block weights`, 14×14, to `sum`: the stiffness of a force that changes by `block` with `Σ_a weight_a X_a`.
+pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementMatrix) {
+    for (a, row) in SHAPE_PLACES.into_iter().enumerate() {
+        for (b, column) in SHAPE_PLACES.into_iter().enumerate() {
+            let mut view = sum.fixed_view_mut::<3, 3>(row, column);
+            view += block * (weights[a] * weights[b]);
+        }
+    }
 }

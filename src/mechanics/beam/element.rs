@@ -1,16 +1,17 @@
-//! One ANCF14 element: its quadrature points, and the pull-back of the energy densities to the 14 coordinates (MECHANICS 3, 8).
+//! One ANCF14 element: its quadrature points, its strains, and the energy by the 14 coordinates (MECHANICS 3, 8).
 //!
-//! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs; here their derivatives by strains become
-//! derivatives by coordinates. Where the paper and this differ, MECHANICS 1 and 3 say why.
+//! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
+//! coordinates in pullback.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, NODE, P, THETA, interpolate, spread};
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, interpolate, spread};
 use super::frame::NodeFrame;
 use super::kinematics::Kinematics;
+use super::pullback::{Factors, Gradients};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 use super::{axial, bending, fourth_moments, inertia, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 
 /// A Lobatto point: stretching is taken here.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,30 +141,25 @@ impl Element {
 /// An element at one configuration, or over one step: strains first, then energy, gradient and Hessian as asked.
 #[derive(Clone, Debug)]
 pub struct Evaluation<'a> {
-    element: &'a Element,
-    frames: [&'a NodeFrame; 2],
+    pub(super) element: &'a Element,
+    pub(super) frames: [&'a NodeFrame; 2],
     /// Curvatures and twist rates of the carried frame.
     pub kinematics: Kinematics,
-    slopes: [axial::Slope; 3],
+    pub(super) slopes: [axial::Slope; 3],
     green: [f64; 3],
     mean_torsion: [f64; 3],
     /// `gammahat` at the bending points, 1/m (2.16).
-    gammahat: [[f64; 2]; 3],
+    pub(super) gammahat: [[f64; 2]; 3],
     /// Strains at the bending points, undeformed values taken off.
     pub strains: [Strains; 3],
 }
 
 /// First derivatives, shared by gradient and Hessian.
 struct FirstOrder {
-    points: SMatrix<f64, ELEMENT, 9>,
-    twist: ElementVector,
+    gradients: Gradients,
+    /// Derivatives of the energy by the strains of the bending points, quadrature weights included.
     resultants: [Resultants; 3],
-    /// Factors of κ1, κ2, ω of each bending point in the gradient: `c1, c2, c3` of MECHANICS 8.
-    factors: [[f64; 3]; 3],
-    /// `λ_T`, N m.
-    twist_factor: f64,
-    /// `Σ_g λ_alpha_g`, N m.
-    alpha_factor: f64,
+    factors: Factors,
 }
 
 impl<'a> Evaluation<'a> {
@@ -232,7 +228,7 @@ impl<'a> Evaluation<'a> {
     /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
     pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
         let first = self.first_order();
-        let mut hessian = self.frame_hessian(&first);
+        let mut hessian = first.factors.frame_hessian(self);
         self.add_section_hessian(&first, &mut hessian);
         (self.gradient_from(&first), hessian)
     }
@@ -254,51 +250,23 @@ impl<'a> Evaluation<'a> {
 
     fn first_order(&self) -> FirstOrder {
         let (element, stiffness) = (self.element, &self.element.stiffness);
-        let points = self.kinematics.point_gradients(element);
-        let twist = self.kinematics.twist_gradient(element, self.frames[0], self.frames[1], &points);
-        let resultants: [Resultants; 3] = self.strains.each_ref().map(|strains| {
-            bending::gradient(stiffness, strains)
+        let resultants: [Resultants; 3] = std::array::from_fn(|g| {
+            let strains = &self.strains[g];
+            let density = bending::gradient(stiffness, strains)
                 + torsion::gradient(stiffness, strains)
-                + fourth_moments::gradient(stiffness, strains)
+                + fourth_moments::gradient(stiffness, strains);
+            density * element.bending[g].weight
         });
-        let mut by_alpha = [0.0; 3];
-        let mut twist_factor = 0.0;
-        for (g, point) in element.bending.iter().enumerate() {
-            by_alpha[g] =
-                point.weight * (resultants[g][0] * self.gammahat[g][1] - resultants[g][1] * self.gammahat[g][0]);
-            twist_factor +=
-                point.weight * resultants[g][2] / (element.length * point.reference_stretch) + by_alpha[g] * point.xi;
-        }
-        if stiffness.strain != Strain::Small {
-            for (m, point) in element.axial.iter().enumerate() {
-                let by_torsion = axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1];
-                twist_factor += point.weight * by_torsion / (element.length * point.reference_stretch);
-            }
-        }
-        let factors = std::array::from_fn(|g| {
-            let point = &element.bending[g];
-            let (sin, cos) = self.kinematics.alpha[g].sin_cos();
-            let per_length = point.weight / point.reference_stretch;
-            let by_rate: f64 = (0..3).map(|h| by_alpha[h] * element.bending[h].collocation[g]).sum();
-            [
-                per_length * (resultants[g][0] * cos - resultants[g][1] * sin),
-                per_length * (resultants[g][0] * sin + resultants[g][1] * cos),
-                element.rate_weights[g] * twist_factor - by_rate,
-            ]
+        let torques = std::array::from_fn(|m| match stiffness.strain {
+            Strain::Small => 0.0,
+            _ => element.axial[m].weight * axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1],
         });
-        FirstOrder { points, twist, resultants, factors, twist_factor, alpha_factor: by_alpha.iter().sum() }
+        let factors = Factors::new(self, &resultants, &torques);
+        FirstOrder { gradients: Gradients::new(self), resultants, factors }
     }
 
     fn gradient_from(&self, first: &FirstOrder) -> ElementVector {
-        let mut sum = first.points * SVector::<f64, 9>::from_iterator(first.factors.iter().flatten().copied());
-        // λ_T multiplies the whole gradient of T; its share through ω stands in the factors already.
-        let (by_p0, by_p1) = self.kinematics.holonomy.gradient(self.frames[0], self.frames[1]);
-        let mut slope = sum.fixed_rows_mut::<3>(P);
-        slope += by_p0 * first.twist_factor;
-        let mut slope = sum.fixed_rows_mut::<3>(NODE + P);
-        slope += by_p1 * first.twist_factor;
-        sum[THETA] += first.alpha_factor - first.twist_factor;
-        sum[NODE + THETA] += first.twist_factor;
+        let mut sum = first.factors.gradient(self, &first.gradients);
         for m in 0..3 {
             sum += spread(&self.element.axial[m].shape_x, &self.axial_force(m, &first.resultants));
         }
@@ -310,7 +278,7 @@ impl<'a> Evaluation<'a> {
         let (stiffness, point) = (&self.element.stiffness, &self.element.axial[m]);
         match stiffness.strain {
             Strain::Small => axial::small::gradient(stiffness, &self.slopes[m]) * point.weight,
-            _ => self.slopes[m].middle * (self.green_force(m, resultants) / point.reference_stretch.powi(2)),
+            _ => self.slopes[m].green_strain_p() * self.green_force(m, resultants),
         }
     }
 
@@ -318,36 +286,15 @@ impl<'a> Evaluation<'a> {
     fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
         let (element, point) = (self.element, &self.element.axial[m]);
         let here = axial::large::gradient(&element.stiffness, self.green[m], self.mean_torsion[m])[0];
-        let bending: f64 =
-            (0..3).map(|g| element.bending[g].from_axial[m] * element.bending[g].weight * resultants[g][3]).sum();
+        let bending: f64 = (0..3).map(|g| element.bending[g].from_axial[m] * resultants[g][3]).sum();
         point.weight * here + bending
-    }
-
-    /// Second derivatives of κ1, κ2, ω and β at frozen factors.
-    fn frame_hessian(&self, first: &FirstOrder) -> ElementMatrix {
-        let mut sum = ElementMatrix::zeros();
-        for (g, point) in self.element.bending.iter().enumerate() {
-            self.kinematics.base.add_hessian(
-                &mut sum,
-                self.frames[0],
-                &self.kinematics.points[g],
-                &first.factors[g],
-                &point.shape_x,
-                &point.shape_xx,
-            );
-        }
-        let [start, end] = self.frames;
-        self.kinematics.holonomy.add_hessian(&mut sum, start, end, first.twist_factor);
-        sum
     }
 
     /// Second derivatives of the densities by the strains, and of the strains by the angle of the section.
     fn add_section_hessian(&self, first: &FirstOrder, sum: &mut ElementMatrix) {
         let (element, stiffness) = (self.element, &self.element.stiffness);
-        let green_gradients: [ElementVector; 3] = std::array::from_fn(|m| {
-            let point = &element.axial[m];
-            spread(&point.shape_x, &(self.slopes[m].middle / point.reference_stretch.powi(2)))
-        });
+        let green_gradients: [ElementVector; 3] =
+            std::array::from_fn(|m| spread(&element.axial[m].shape_x, &self.slopes[m].green_strain_p()));
         // By the Green strain of each axial point: of the gradient at fixed slopes, 14×3.
         let mut by_green = SMatrix::<f64, ELEMENT, 3>::zeros();
         for (g, point) in element.bending.iter().enumerate() {
@@ -355,54 +302,32 @@ impl<'a> Evaluation<'a> {
             let rigidities: Rigidities = bending::hessian(stiffness, strains)
                 + torsion::hessian(stiffness, strains)
                 + fourth_moments::hessian(stiffness, strains);
-            let (sin, cos) = self.kinematics.alpha[g].sin_cos();
-            let j0 = point.reference_stretch;
-            let mut alpha_q = first.twist * point.xi - self.kinematics.rate_gradient(&point.collocation, &first.points);
-            alpha_q[THETA] += 1.0;
-            let (kappa1_q, kappa2_q) = (first.points.column(3 * g), first.points.column(3 * g + 1));
-            let j1 = (kappa1_q * cos + kappa2_q * sin) / j0;
-            let j2 = (kappa2_q * cos - kappa1_q * sin) / j0;
-            let [gamma1, gamma2] = self.gammahat[g];
-            let mut strains_q = SMatrix::<f64, ELEMENT, 4>::zeros();
-            strains_q.set_column(0, &(j1 + alpha_q * gamma2));
-            strains_q.set_column(1, &(j2 - alpha_q * gamma1));
-            strains_q.set_column(2, &(first.twist / (element.length * j0)));
+            let mut section = first.gradients.section(self, g);
             if stiffness.strain != Strain::Small {
                 let mut green_q = ElementVector::zeros();
                 for (weight, gradient) in point.from_axial.iter().zip(&green_gradients) {
                     green_q += gradient * *weight;
                 }
-                strains_q.set_column(3, &green_q);
+                section.strains.set_column(3, &green_q);
             }
-            let weighted = strains_q * rigidities * point.weight;
-            *sum += weighted * strains_q.transpose();
+            let weighted = section.strains * rigidities * point.weight;
+            *sum += weighted * section.strains.transpose();
             for m in 0..3 {
                 let mut column = by_green.column_mut(m);
                 column += weighted.column(3) * point.from_axial[m];
             }
-            let [n1, n2] = [first.resultants[g][0] * point.weight, first.resultants[g][1] * point.weight];
-            let turned = (j2 * n1 - j1 * n2) - alpha_q * (0.5 * (n1 * gamma1 + n2 * gamma2));
-            let product = turned * alpha_q.transpose();
-            *sum += product + product.transpose();
+            section.add_turn_hessian(&self.gammahat[g], &first.resultants[g], sum);
         }
         for (m, point) in element.axial.iter().enumerate() {
             let slope = &self.slopes[m];
             let square = point.reference_stretch.powi(2);
-            let mut add_slopes = |block: &crate::math::Mat3| {
-                for (a, row) in super::coordinates::SHAPE_PLACES.into_iter().enumerate() {
-                    for (b, column) in super::coordinates::SHAPE_PLACES.into_iter().enumerate() {
-                        let mut view = sum.fixed_view_mut::<3, 3>(row, column);
-                        view += block * (point.shape_x[a] * point.shape_x[b]);
-                    }
-                }
-            };
             if stiffness.strain == Strain::Small {
-                add_slopes(&(axial::small::hessian(stiffness, slope) * point.weight));
+                add_spread(&point.shape_x, &(axial::small::hessian(stiffness, slope) * point.weight), sum);
                 continue;
             }
-            add_slopes(&(crate::math::Mat3::identity() * (self.green_force(m, &first.resultants) / square)));
+            add_spread(&point.shape_x, &(slope.green_strain_pp() * self.green_force(m, &first.resultants)), sum);
             let second = axial::large::hessian(stiffness, self.green[m], self.mean_torsion[m]) * point.weight;
-            let torsion_q = first.twist / (element.length * point.reference_stretch);
+            let torsion_q = first.gradients.twist / (element.length * point.reference_stretch);
             let own = green_gradients[m] * second[(0, 0)] + torsion_q * second[(0, 1)];
             *sum += own * green_gradients[m].transpose()
                 + (green_gradients[m] * second[(1, 0)] + torsion_q * second[(1, 1)]) * torsion_q.transpose();

@@ -3,10 +3,12 @@
 pub mod axial;
 pub mod bending;
 pub mod coordinates;
+pub mod damping;
 pub mod element;
 pub mod fourth_moments;
 pub mod frame;
 pub mod inertia;
 pub mod kinematics;
+pub mod pullback;
 pub mod strain;
 pub mod torsion;

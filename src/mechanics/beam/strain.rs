@@ -38,4 +38,6 @@ pub struct Stiffness {
     pub wagner: f64,
     /// `E [∫y⁴, ∫y²z², ∫z⁴] dA`, N m⁴; 0 unless the strain is large.
     pub fourth: [f64; 3],
+    /// Kelvin-Voigt damping: what multiplies the strain rate, s; 0: none.
+    pub damping: f64,
 }

@@ -36,7 +36,7 @@ impl System {
     }
 
     /// The two sides of a gauge.
-    fn sides(&self, gauge: usize) -> [&Marker; 2] {
+    pub(super) fn sides(&self, gauge: usize) -> [&Marker; 2] {
         [&self.gauges[gauge].a, &self.gauges[gauge].b]
     }
 
@@ -47,6 +47,7 @@ impl System {
             let gradient = evaluation(c, number, passage.increment).gradient();
             add(forces, NODE * element.node, gradient.as_slice());
         }
+        self.add_material_damping(c, passage, forces);
         self.add_springs(c, passage, forces);
     }
 
@@ -69,6 +70,7 @@ impl System {
                 *target = scale * value;
             }
         }
+        self.add_material_damping_and_tangent(c, passage, scale, forces, tangent);
         let mut block = self.elements.len() + self.bodies.len();
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for (number, (marker, _)) in load.points.iter().enumerate() {
@@ -205,9 +207,18 @@ impl System {
 }
 
 /// `target[start..] += values`.
-fn add(target: &mut [f64], start: usize, values: &[f64]) {
+pub(super) fn add(target: &mut [f64], start: usize, values: &[f64]) {
     for (target, value) in target[start..start + values.len()].iter_mut().zip(values) {
         *target += value;
+    }
+}
+
+/// Adds to a column-major `rows × columns` block.
+pub(super) fn add_corner(block: &mut [f64], rows: usize, columns: usize, value: impl Fn(usize, usize) -> f64) {
+    for column in 0..columns {
+        for row in 0..rows {
+            block[column * rows + row] += value(row, column);
+        }
     }
 }
 

@@ -1,0 +1,156 @@
+//! Kelvin-Voigt damping: `stress = E (strain + c rate)` with `c` in s, as the dissipation `c/2 Σ W D rate²`, W, over the strains of the
+//! energy at its own quadrature points (MECHANICS 3.8): `D = EA` for the axial strain of the axial points, `E Iz`, `E Iy`, `G Jt` for `g1`, `g2`,
+//! `tau` of the bending points. The axial strain is the one of the energy: `|r'|/J0 − 1` for small strain, Green's otherwise.
+//!
+//! The rigidities are constant: products of strains and rates, which the full integral of Green's strain over the section
+//! has, are left out; they are of the order of the strain beside what is kept. Where torsion is suppressed, the Saint-Venant
+//! rigidity is the one that suppresses it.
+//!
+//! Over a step the rate is the change of the strains over its length: a rigid motion, however fast, is not damped at all.
+
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, spread};
+use super::element::{Element, Evaluation};
+use super::pullback::{Factors, Gradients};
+use super::strain::{Resultants, Strain};
+use nalgebra::{SMatrix, SVector};
+
+/// Strains of an element: three axial points, then `g1`, `g2`, `tau` of each bending point.
+pub const STRAINS: usize = 12;
+/// One number per strain of an element.
+pub type StrainVector = SVector<f64, STRAINS>;
+
+/// Viscous force over a step of length `h` that begins with the strains `start`, 14×1: `J(middle)ᵀ c W D (strains(end) − start)/h`.
+///
+/// `end` is no evaluation over a step; for `middle` it makes no difference.
+pub fn force_over_step(start: &StrainVector, middle: &Evaluation, end: &Evaluation, h: f64) -> ElementVector {
+    strains_q(middle) * resultants_over_step(start, end, h)
+}
+
+/// The force over a step and twice its derivative by the coordinates at the end of the step, 14×14 (unsymmetric):
+/// `Hess(middle) · resultants + 2 J(middle)ᵀ c W D J(end)/h`.
+pub fn force_and_tangent_over_step(
+    start: &StrainVector,
+    middle: &Evaluation,
+    end: &Evaluation,
+    h: f64,
+) -> (ElementVector, ElementMatrix) {
+    let resultants = resultants_over_step(start, end, h);
+    let middle_q = strains_q(middle);
+    let by_rate = weighted(&middle_q, &viscosities(end.element)) * strains_q(end).transpose() * (2.0 / h);
+    (middle_q * resultants, stress_hessian(middle, &resultants) + by_rate)
+}
+
+/// Viscous force at the velocities `velocity` of the coordinates, 14×1: `Jᵀ c W D J v`.
+pub fn force(evaluation: &Evaluation, velocity: &ElementVector) -> ElementVector {
+    let strains_q = strains_q(evaluation);
+    strains_q * resultants(evaluation, &strains_q, velocity)
+}
+
+/// Derivative of [`force`] by the coordinates, 14×14: `Hess · resultants + Jᵀ c W D ∂(J v)/∂q`, a row of the last `vᵀ Hess(strain)`.
+pub fn force_q(evaluation: &Evaluation, velocity: &ElementVector) -> ElementMatrix {
+    let strains_q = strains_q(evaluation);
+    let mut rates_q = SMatrix::<f64, ELEMENT, STRAINS>::zeros();
+    for i in 0..STRAINS {
+        rates_q.set_column(i, &(stress_hessian(evaluation, &StrainVector::ith(i, 1.0)) * velocity));
+    }
+    stress_hessian(evaluation, &resultants(evaluation, &strains_q, velocity))
+        + weighted(&strains_q, &viscosities(evaluation.element)) * rates_q.transpose()
+}
+
+/// Derivative of [`force`] by the velocities, 14×14: `Jᵀ c W D J`.
+pub fn force_v(evaluation: &Evaluation) -> ElementMatrix {
+    let strains_q = strains_q(evaluation);
+    weighted(&strains_q, &viscosities(evaluation.element)) * strains_q.transpose()
+}
+
+/// Strains of an element, undeformed values taken off, 1, 1/m, rad/m.
+pub fn strains(evaluation: &Evaluation) -> StrainVector {
+    let mut all = StrainVector::zeros();
+    for (m, strain) in evaluation.axial_strains().into_iter().enumerate() {
+        all[m] = strain;
+    }
+    for (g, strains) in evaluation.strains.iter().enumerate() {
+        all.fixed_rows_mut::<3>(first_strain(g)).copy_from(&strains.fixed_rows::<3>(0));
+    }
+    all
+}
+
+/// `∂strains/∂q`, 14×12: a column a strain, `Jᵀ`.
+pub fn strains_q(evaluation: &Evaluation) -> SMatrix<f64, ELEMENT, STRAINS> {
+    let mut columns = SMatrix::<f64, ELEMENT, STRAINS>::zeros();
+    for (m, slope) in evaluation.slopes.iter().enumerate() {
+        let strain_p = match evaluation.element.stiffness.strain {
+            Strain::Small => slope.engineering_strain_p(),
+            Strain::Large | Strain::LargeTruncated => slope.green_strain_p(),
+        };
+        columns.set_column(m, &spread(&evaluation.element.axial[m].shape_x, &strain_p));
+    }
+    let gradients = Gradients::new(evaluation);
+    for g in 0..3 {
+        let section = gradients.section(evaluation, g);
+        columns.fixed_columns_mut::<3>(first_strain(g)).copy_from(&section.strains.fixed_columns::<3>(0));
+    }
+    columns
+}
+
+/// `Σ_i resultants_i ∂²strain_i/∂q²`, 14×14.
+pub fn stress_hessian(evaluation: &Evaluation, resultants: &StrainVector) -> ElementMatrix {
+    let of_sections: [Resultants; 3] = std::array::from_fn(|g| resultants.fixed_rows::<3>(first_strain(g)).push(0.0));
+    let gradients = Gradients::new(evaluation);
+    let mut sum = Factors::new(evaluation, &of_sections, &[0.0; 3]).frame_hessian(evaluation);
+    for (g, of_section) in of_sections.iter().enumerate() {
+        gradients.section(evaluation, g).add_turn_hessian(&evaluation.gammahat[g], of_section, &mut sum);
+    }
+    for (m, slope) in evaluation.slopes.iter().enumerate() {
+        let strain_pp = match evaluation.element.stiffness.strain {
+            Strain::Small => slope.engineering_strain_pp(),
+            Strain::Large | Strain::LargeTruncated => slope.green_strain_pp(),
+        };
+        add_spread(&evaluation.element.axial[m].shape_x, &(strain_pp * resultants[m]), &mut sum);
+    }
+    sum
+}
+
+/// Where the strains of bending point `g` start.
+fn first_strain(g: usize) -> usize {
+    3 + 3 * g
+}
+
+/// `c W D` of each strain: viscous resultant, quadrature weight included, over the rate of its strain.
+fn viscosities(element: &Element) -> StrainVector {
+    let stiffness = &element.stiffness;
+    let mut all = StrainVector::zeros();
+    for (m, point) in element.axial.iter().enumerate() {
+        all[m] = point.weight * stiffness.axial;
+    }
+    for (g, point) in element.bending.iter().enumerate() {
+        let rigidities = [stiffness.bending_z, stiffness.bending_y, stiffness.torsion];
+        for (i, rigidity) in rigidities.into_iter().enumerate() {
+            all[first_strain(g) + i] = point.weight * rigidity;
+        }
+    }
+    all * stiffness.damping
+}
+
+/// Viscous resultants over a step of length `h` that begins with the strains `start`.
+fn resultants_over_step(start: &StrainVector, end: &Evaluation, h: f64) -> StrainVector {
+    viscosities(end.element).component_mul(&(strains(end) - start)) / h
+}
+
+/// Viscous resultants at the velocities `velocity`.
+fn resultants(
+    evaluation: &Evaluation,
+    strains_q: &SMatrix<f64, ELEMENT, STRAINS>,
+    velocity: &ElementVector,
+) -> StrainVector {
+    viscosities(evaluation.element).component_mul(&strains_q.tr_mul(velocity))
+}
+
+/// `columns · diag(factors)`.
+fn weighted(columns: &SMatrix<f64, ELEMENT, STRAINS>, factors: &StrainVector) -> SMatrix<f64, ELEMENT, STRAINS> {
+    let mut scaled = *columns;
+    for (mut column, factor) in scaled.column_iter_mut().zip(factors) {
+        column *= *factor;
+    }
+    scaled
+}
