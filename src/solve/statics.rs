@@ -112,8 +112,8 @@ impl Statics {
                         increment *= 2.0;
                     }
                 }
-                // Smaller increments do not help against these.
-                Err(reason @ Error::NotFinite { .. }) => return Err(reason),
+                // Smaller increments do not help against these; an iteration that runs away is another matter.
+                Err(reason @ Error::NotFinite { .. }) if system.undefined(time).is_some() => return Err(reason),
                 Err(reason) => {
                     state.statistics.rejected += 1;
                     increment = 0.5 * f64::min(increment, 1.0 - share);

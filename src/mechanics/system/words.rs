@@ -56,14 +56,15 @@ impl System {
         (beam, number - beam.first_element)
     }
 
+    /// The load, drive or frame that is not defined at `time` (s), in words.
+    pub fn undefined(&self, time: f64) -> Option<String> {
+        let load = self.loads.iter().find(|load| !load.at(time).is_finite());
+        let load = load.map(|load| format!("the force or moment of load {}", load.name));
+        load.or_else(|| self.undefined_motion(time).map(|name| format!("the motion of {name}")))
+    }
+
     /// What is not finite in the equations of `time` (s), in words.
     pub fn describe_not_finite(&self, time: f64) -> String {
-        if let Some(load) = self.loads.iter().find(|load| !load.at(time).is_finite()) {
-            return format!("the force or moment of load {}", load.name);
-        }
-        if let Some(name) = self.undefined_motion(time) {
-            return format!("the motion of {name}");
-        }
-        String::from("a number in the equations")
+        self.undefined(time).unwrap_or_else(|| String::from("a number in the equations"))
     }
 }
