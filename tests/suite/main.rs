@@ -18,6 +18,7 @@ mod machines;
 mod marker_derivatives;
 mod model_file;
 mod model_mistakes;
+mod model_parts;
 mod oracle;
 mod princeton;
 mod random;
