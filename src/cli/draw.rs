@@ -1,6 +1,6 @@
 //! A picture of a mechanism: oblique projection, x to the right, z up, y into the depth.
 
-use ancf14::model::drawing::{Arrow, ArrowKind, Drawing, Mark, MarkKind};
+use ancf14::model::drawing::{Arrow, ArrowKind, Drawing, LineKind, Mark, MarkKind};
 use std::fmt::Write;
 
 /// Size of the picture, and the border that labels need, pixels.
@@ -57,7 +57,10 @@ pub fn svg(drawing: &Drawing, title: &str) -> String {
     page.begin(title);
     for line in &drawing.lines {
         let points: Vec<_> = line.points.iter().map(|point| view.place(*point)).collect();
-        page.beam(&line.name, &points);
+        match line.kind {
+            LineKind::Beam => page.beam(&line.name, &points),
+            LineKind::Spring => page.spring(&line.name, &points),
+        }
     }
     for arrow in &drawing.arrows {
         page.arrow(arrow, view.place(arrow.at));
@@ -134,6 +137,17 @@ impl Page {
         self.name(name, [0, 1].map(|i| 0.5 * (first[i] + last[i])), "#0072b2");
     }
 
+    fn spring(&mut self, name: &str, points: &[[f64; 2]]) {
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
+        self.push(format_args!(
+            "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"#cc79a7\" stroke-width=\"2\" \
+             stroke-dasharray=\"7 4\"/>",
+            first[0], first[1], last[0], last[1]
+        ));
+        self.occupy(*first, *last);
+        self.name(name, [0, 1].map(|i| 0.5 * (first[i] + last[i])), "#cc79a7");
+    }
+
     fn mark(&mut self, mark: &Mark, [x, y]: [f64; 2]) {
         match mark.kind {
             MarkKind::Support => {
@@ -158,6 +172,38 @@ impl Page {
                 ));
                 self.occupy([x - 7.0, y], [x + 7.0, y]);
                 self.name(&mark.name, [x, y], "#323232");
+            }
+            MarkKind::Body => {
+                let (left, right, low, high) = (x - 13.0, x + 13.0, y + 13.0, y - 13.0);
+                self.push(format_args!(
+                    "<path d=\"M{left:.1},{y:.1} H{right:.1} M{x:.1},{high:.1} V{low:.1}\" stroke=\"#0072b2\" stroke-width=\"1.5\"/>"
+                ));
+                self.push(format_args!(
+                    "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"13\" fill=\"#0072b2\" fill-opacity=\"0.25\" stroke=\"#0072b2\" stroke-width=\"2.5\"/>"
+                ));
+                for end in [y - 8.0, y, y + 8.0] {
+                    self.occupy([left, end], [right, end]);
+                }
+                self.name(&mark.name, [x, y], "#0072b2");
+            }
+            MarkKind::Frame => {
+                let (left, top) = (x - 8.0, y - 8.0);
+                self.push(format_args!(
+                    "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"16\" height=\"16\" fill=\"none\" stroke=\"#323232\" stroke-width=\"1.5\" \
+                     stroke-dasharray=\"3 2\"/>"
+                ));
+                self.occupy([left, y], [x + 8.0, y]);
+                self.name(&mark.name, [x, y], "#323232");
+            }
+            MarkKind::Drive => {
+                let (from, to) = (x - 12.0, x + 12.0);
+                self.push(format_args!(
+                    "<path d=\"M{from:.1},{y:.1} A12,12 0 1 1 {x:.1},{:.1}\" fill=\"none\" stroke=\"#d55e00\" stroke-width=\"2\"/>",
+                    y + 12.0
+                ));
+                self.arrow_head([x - 3.0, y + 12.0], [-1.0, 0.0], "#d55e00");
+                self.occupy([from, y], [to, y]);
+                self.name(&mark.name, [x, y], "#d55e00");
             }
             MarkKind::Output => {
                 let (left, right, low, high) = (x - 6.0, x + 6.0, y + 6.0, y - 6.0);
@@ -298,12 +344,16 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ancf14::model::drawing::Line;
+    use ancf14::model::drawing::{Line, LineKind};
 
     /// Every point is on the page, x points right and z up.
     #[test]
     fn the_picture_fits_its_page() {
-        let line = Line { name: "arm".to_owned(), points: vec![[0.0; 3], [3.0, 1.0, 0.5], [1.0, -2.0, 7.0]] };
+        let line = Line {
+            name: "arm".to_owned(),
+            kind: LineKind::Beam,
+            points: vec![[0.0; 3], [3.0, 1.0, 0.5], [1.0, -2.0, 7.0]],
+        };
         let drawing = Drawing { lines: vec![line], ..Drawing::default() };
         let view = View::of(&drawing);
         for point in &drawing.lines[0].points {

@@ -7,6 +7,7 @@ use super::entries::beam::Beam;
 use super::entries::joint::{Joint, JointKind};
 use super::entries::load::{Load, Target};
 use super::entries::material::Lateral;
+use super::entries::output;
 use super::entries::section::{self, Shape};
 use super::geometry;
 use super::number::Number;
@@ -52,7 +53,8 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
         builder.add_load(load);
     }
     for output in &document.outputs {
-        if let Some((beam, fraction)) = builder.point(&output.at) {
+        let output::Target::At(at) = &output.target else { continue };
+        if let Some((beam, fraction)) = builder.point(at) {
             builder.assembly.add_sensor(beam, fraction);
         }
     }
@@ -172,6 +174,7 @@ impl Builder<'_> {
             JointKind::Weld => weld::PRIMITIVES,
             JointKind::Spherical => spherical::PRIMITIVES,
             JointKind::Revolute => revolute::PRIMITIVES,
+            _ => return,
         };
         let joint = joint::Joint {
             name: format!("joint {}", written.name),

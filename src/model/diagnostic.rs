@@ -18,6 +18,12 @@ impl Place {
     pub fn file(range: std::ops::Range<usize>) -> Self {
         Self { source: 0, start: range.start, end: range.end }
     }
+
+    /// From the beginning of this place to the end of `last`, if both are of one text; else this place.
+    pub fn to(self, last: Self) -> Self {
+        let end = if last.source == self.source { last.end.max(self.end) } else { self.end };
+        Self { end, ..self }
+    }
 }
 
 /// The texts that a model is made of: the file and the overrides, as the messages quote them.

@@ -2,14 +2,18 @@
 
 use super::diagnostic::{Diagnostic, Diagnostics, Place, Report, Source};
 use super::entries::beam::Beam;
+use super::entries::body::Body;
+use super::entries::drive::Drive;
+use super::entries::frame::Frame;
 use super::entries::joint::Joint;
 use super::entries::load::Load;
 use super::entries::material::Material;
-use super::entries::output::Output;
+use super::entries::output::{Output, Things};
 use super::entries::overview::Model;
 use super::entries::parameters;
 use super::entries::section::Section;
 use super::entries::simulation::Simulation;
+use super::entries::spring::Spring;
 use super::function::Function;
 use super::geometry;
 use super::names::{Kind, Named, Names, SECTIONS, is_legal, is_reserved, suggestion};
@@ -33,8 +37,16 @@ pub struct Document {
     pub sections: Vec<Section>,
     /// Beams, in file order.
     pub beams: Vec<Beam>,
+    /// Bodies, in file order.
+    pub bodies: Vec<Body>,
+    /// Frames, in file order.
+    pub frames: Vec<Frame>,
     /// Joints, in file order.
     pub joints: Vec<Joint>,
+    /// Drives, in file order.
+    pub drives: Vec<Drive>,
+    /// Springs, in file order.
+    pub springs: Vec<Spring>,
     /// Loads, in file order.
     pub loads: Vec<Load>,
     /// Outputs, in file order.
@@ -68,11 +80,17 @@ impl Document {
         let materials = tree.named(&mut context, "material", Material::read);
         let sections = tree.named(&mut context, "section", Section::read);
         let beams = tree.named(&mut context, "beam", Beam::read);
+        let bodies = tree.named(&mut context, "body", Body::read);
+        let frames = tree.named(&mut context, "frame", Frame::read);
         let joints = tree.named(&mut context, "joint", Joint::read);
+        let drives = tree.named(&mut context, "drive", |name, reader| Drive::read(name, reader, &joints));
+        Drive::report_doubles(&drives, &mut context.report);
+        let springs = tree.named(&mut context, "spring", Spring::read);
         let loads = tree.named(&mut context, "load", Load::read);
-        let outputs = tree.named(&mut context, "output", Output::read);
+        let things = Things { beams: &beams, sections: &sections, joints: &joints, drives: &drives };
+        let outputs = tree.named(&mut context, "output", |name, reader| Output::read(name, reader, things));
         let simulation = tree.single(&mut context, "simulation").map(Simulation::read);
-        tree.finish(&mut context, beams.is_empty());
+        tree.finish(&mut context);
 
         let Context { mut report, mut numbers, .. } = context;
         numbers.resolve();
@@ -88,7 +106,11 @@ impl Document {
             materials,
             sections,
             beams,
+            bodies,
+            frames,
             joints,
+            drives,
+            springs,
             loads,
             outputs,
             simulation,
@@ -197,27 +219,19 @@ impl Top {
         list
     }
 
-    /// What is left over, and what this version does not build.
-    fn finish(self, context: &mut Context<'_>, no_beam: bool) {
-        let known = || SECTIONS.iter().map(|(word, _, _)| *word).chain(["format", "model", "parameters", "simulation"]);
+    /// What is left over, and whether there is anything to move.
+    fn finish(self, context: &mut Context<'_>) {
+        let known = || SECTIONS.iter().map(|(word, _)| *word).chain(["format", "model", "parameters", "simulation"]);
         for entry in &self.0 {
-            if known().any(|word| word == entry.key) {
-                let Node::Table(things) = &entry.item.node else { continue };
-                let available: Vec<_> = SECTIONS.iter().filter(|row| row.2).map(|row| row.0).collect();
-                for thing in things {
-                    let message = format!("[{}.{}]: not available in this version", entry.key, thing.key);
-                    let help = format!("available sections: {}", available.join(", "));
-                    context.report.error(thing.key_place, &message, "", &help);
-                }
-                continue;
-            }
             let message = format!("unknown section or key `{}`", entry.key);
             let help = format!("known here: {}", known().collect::<Vec<_>>().join(", "));
             context.report.error(entry.key_place, &message, &suggestion(&entry.key, known()), &help);
         }
-        if no_beam && context.names.of(Kind::Beam).next().is_none() {
+        let none = |kind: Kind| context.names.of(kind).next().is_none();
+        if none(Kind::Beam) && none(Kind::Body) {
             let end = context.report.source.end();
-            context.report.error(end, "the file has no beam", "a section [beam.NAME] is missing", "");
+            let label = "a section [beam.NAME] or [body.NAME] is missing";
+            context.report.error(end, "the file has no beam and no body", label, "");
         }
     }
 }
@@ -228,8 +242,8 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
     let report = &mut context.report;
     let mut found: Vec<(Kind, usize, &Entry)> = Vec::new();
     for entry in tree {
-        let kind = match SECTIONS.iter().find(|(word, _, _)| *word == entry.key) {
-            Some((_, kind, _)) => *kind,
+        let kind = match SECTIONS.iter().find(|(word, _)| *word == entry.key) {
+            Some((_, kind)) => *kind,
             None if entry.key == "parameters" => Kind::Parameter,
             None => continue,
         };
@@ -239,7 +253,8 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
             report.error(entry.item.place, &message, &format!("a section {title} was expected"), "");
             continue;
         };
-        for (index, thing) in things.iter().enumerate() {
+        let mut index = 0;
+        for thing in things {
             if kind != Kind::Parameter && !matches!(thing.item.node, Node::Table(_)) {
                 let message = format!("`{}` in [{}] is {}", thing.key, entry.key, thing.item.node.describe());
                 let help = format!("each {} has its own section with its own name", entry.key);
@@ -247,6 +262,7 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
                 continue;
             }
             found.push((kind, index, thing));
+            index += 1;
         }
     }
     found.sort_by_key(|(_, _, thing)| thing.key_place);

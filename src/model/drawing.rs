@@ -1,28 +1,41 @@
 //! A mechanism as drawn: lines, points and arrows with names, for pictures.
 
 use super::document::Document;
-use super::entries::anchor::{Along, Anchor, Spot};
-use super::entries::load::Target;
+use super::entries::anchor::{Anchor, Spot};
+use super::entries::joint::Joint;
+use super::entries::{load, output};
+use super::geometry::drawn;
 use super::number::Number;
 
 /// Everything that a picture of a mechanism shows. Global axes, m.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
-    /// Beams.
+    /// Beams and springs.
     pub lines: Vec<Line>,
-    /// Joints and outputs.
+    /// Bodies, frames, joints, drives and outputs.
     pub marks: Vec<Mark>,
     /// Loads, and the axes of joints.
     pub arrows: Vec<Arrow>,
 }
 
-/// A beam: its points are its nodes.
+/// A line with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Name of the beam.
+    /// Name of the beam or spring.
     pub name: String,
-    /// The nodes.
+    /// What it is.
+    pub kind: LineKind,
+    /// The nodes of a beam, the ends of a spring.
     pub points: Vec<[f64; 3]>,
+}
+
+/// What a line stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineKind {
+    /// A beam.
+    Beam,
+    /// A spring.
+    Spring,
 }
 
 /// A point with a name.
@@ -41,8 +54,14 @@ pub struct Mark {
 pub enum MarkKind {
     /// A joint of which one side is the ground.
     Support,
-    /// A joint between two beams.
+    /// A joint between two things that move.
     Joint,
+    /// The centre of mass of a body.
+    Body,
+    /// A frame, as it is at t = 0.
+    Frame,
+    /// A drive, at its joint.
+    Drive,
     /// A place where something is measured.
     Output,
 }
@@ -80,25 +99,39 @@ impl Drawing {
             let elements = document.value(beam.elements) as usize;
             let (from, to) = (document.vector(beam.from), document.vector(beam.to));
             let points = (0..=elements).map(|k| between(from, to, k as f64 / elements as f64)).collect();
-            drawing.lines.push(Line { name: beam.name.clone(), points });
+            drawing.lines.push(Line { name: beam.name.clone(), kind: LineKind::Beam, points });
+        }
+        for spring in &document.springs {
+            // A spring's ground is the origin.
+            let points = [spring.a, spring.b].map(|end| point(document, end).unwrap_or([0.0; 3])).to_vec();
+            drawing.lines.push(Line { name: spring.name.clone(), kind: LineKind::Spring, points });
+        }
+        for body in &document.bodies {
+            let at = document.vector(body.position);
+            drawing.marks.push(Mark { name: body.name.clone(), kind: MarkKind::Body, at });
+        }
+        for frame in &document.frames {
+            let at = document.vector(frame.position);
+            drawing.marks.push(Mark { name: frame.name.clone(), kind: MarkKind::Frame, at });
         }
         for joint in &document.joints {
-            let at = joint.at.map(|at| document.vector(at));
-            let Some(at) = at.or_else(|| point(document, joint.b)).or_else(|| point(document, joint.a)) else {
-                continue;
-            };
+            let Some(at) = place(document, joint) else { continue };
             let grounded = joint.a.spot == Spot::Ground || joint.b.spot == Spot::Ground;
             let kind = if grounded { MarkKind::Support } else { MarkKind::Joint };
             drawing.marks.push(Mark { name: joint.name.clone(), kind, at });
-            if let Some(axis) = joint.axis {
+            for axis in [joint.axis, joint.axis2].into_iter().flatten() {
                 let direction = document.vector(axis);
                 drawing.arrows.push(Arrow { name: joint.name.clone(), kind: ArrowKind::Axis, at, direction });
             }
         }
+        for drive in &document.drives {
+            let at = document.joints.get(drive.joint).and_then(|joint| place(document, joint));
+            drawing.marks.extend(at.map(|at| Mark { name: drive.name.clone(), kind: MarkKind::Drive, at }));
+        }
         for load in &document.loads {
             let places = match load.target {
-                Target::At(anchor) => point(document, anchor).into_iter().collect(),
-                Target::On(beam) => {
+                load::Target::At(anchor) => point(document, anchor).into_iter().collect(),
+                load::Target::On(beam) => {
                     let beam = &document.beams[beam];
                     let (from, to) = (document.vector(beam.from), document.vector(beam.to));
                     LINE_LOAD.map(|fraction| between(from, to, fraction)).to_vec()
@@ -116,7 +149,17 @@ impl Drawing {
             }
         }
         for output in &document.outputs {
-            let at = point(document, output.at);
+            let joint = |joint: usize| document.joints.get(joint).and_then(|joint| place(document, joint));
+            let at = match output.target {
+                output::Target::At(anchor) => point(document, anchor),
+                output::Target::Joint(number) => joint(number),
+                output::Target::Drive(number) => document.drives.get(number).and_then(|drive| joint(drive.joint)),
+                // The whole beam: its name stands at the middle.
+                output::Target::On { beam, .. } => {
+                    let beam = &document.beams[beam];
+                    Some(between(document.vector(beam.from), document.vector(beam.to), 0.5))
+                }
+            };
             drawing.marks.extend(at.map(|at| Mark { name: output.name.clone(), kind: MarkKind::Output, at }));
         }
         drawing
@@ -139,13 +182,11 @@ fn direction(document: &Document, numbers: [Number; 3]) -> [f64; 3] {
 
 /// Where an anchor is; the ground is nowhere.
 fn point(document: &Document, anchor: Anchor) -> Option<[f64; 3]> {
-    let Spot::Beam { beam, along } = anchor.spot else { return None };
-    let beam = &document.beams[beam];
-    let fraction = match along {
-        Along::Start => 0.0,
-        Along::End => 1.0,
-        Along::Fraction(number) => document.value(number),
-        Along::Node(node) => node as f64 / document.value(beam.elements),
-    };
-    Some(between(document.vector(beam.from), document.vector(beam.to), fraction))
+    drawn(document, anchor).map(|at| [at[0], at[1], at[2]])
+}
+
+/// Where a joint is as drawn.
+fn place(document: &Document, joint: &Joint) -> Option<[f64; 3]> {
+    let at = joint.at.map(|at| document.vector(at));
+    at.or_else(|| point(document, joint.b)).or_else(|| point(document, joint.a))
 }

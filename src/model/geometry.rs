@@ -6,14 +6,20 @@ use super::diagnostic::{Diagnostic, Place};
 use super::document::Document;
 use super::entries::anchor::{Along, Anchor, Spot};
 use super::entries::beam::Beam;
+use super::entries::body::{Body, Inertia};
 use super::entries::joint::Joint;
-use super::entries::load::Target;
+use super::entries::spring::Spring;
+use super::entries::{load, output};
 use super::number::Number;
-use crate::math::Vec3;
+use crate::math::{Mat3, Vec3};
 use crate::mechanics::assembly::node_at;
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
 const SMALLEST_SINE: f64 = 0.017_452_4;
+/// How far axes may be from perpendicular (cosine) and from length 1: what is printed with six digits passes.
+const AXES_TOLERANCE: f64 = 1e-6;
+/// How far the largest principal moment of inertia may be above the sum of the others, relative: the round-off of a flat body.
+const INERTIA_TOLERANCE: f64 = 1e-9;
 
 /// All mistakes of the geometry with the parameters of now, in file order.
 pub fn mistakes(document: &Document) -> Vec<Diagnostic> {
@@ -21,19 +27,44 @@ pub fn mistakes(document: &Document) -> Vec<Diagnostic> {
     for beam in &document.beams {
         checker.check_beam(beam);
     }
+    for body in &document.bodies {
+        checker.check_axes(body);
+        checker.check_inertia(body);
+    }
     for joint in &document.joints {
         checker.check_joint(joint);
     }
-    let points = document.loads.iter().filter_map(|load| match &load.target {
-        Target::At(anchor) => Some(anchor),
-        Target::On(_) => None,
+    for spring in &document.springs {
+        checker.check_spring(spring);
+    }
+    let loaded = document.loads.iter().filter_map(|load| match &load.target {
+        load::Target::At(anchor) => Some(anchor),
+        load::Target::On(_) => None,
     });
-    for anchor in points.chain(document.outputs.iter().map(|output| &output.at)) {
+    let watched = document.outputs.iter().filter_map(|output| match &output.target {
+        output::Target::At(anchor) => Some(anchor),
+        output::Target::Joint(_) | output::Target::Drive(_) | output::Target::On { .. } => None,
+    });
+    for anchor in loaded.chain(watched) {
         checker.fraction(anchor);
     }
     let mut mistakes = checker.mistakes;
     mistakes.sort_by_key(|mistake| mistake.place);
     mistakes
+}
+
+/// Place of an anchor as drawn, of a frame that moves at t = 0, global, m; the ground has none.
+pub fn drawn(document: &Document, anchor: Anchor) -> Option<Vec3> {
+    match anchor.spot {
+        Spot::Ground => None,
+        Spot::Beam { beam, along } => {
+            let beam = document.beams.get(beam)?;
+            let (from, to) = (Vec3::from(document.vector(beam.from)), Vec3::from(document.vector(beam.to)));
+            Some(from + along.fraction(document, document.value(beam.elements)) * (to - from))
+        }
+        Spot::Body(body) => Some(Vec3::from(document.vector(document.bodies.get(body)?.position))),
+        Spot::Frame(frame) => Some(Vec3::from(document.vector(document.frames.get(frame)?.position))),
+    }
 }
 
 /// Three numbers; none if one of them is wrong.
@@ -116,20 +147,132 @@ impl Checker<'_> {
         node.map(|node| (beam, node))
     }
 
-    fn check_joint(&mut self, joint: &Joint) {
-        let (a, b) = (self.node(&joint.a), self.node(&joint.b));
-        if a.is_some() && a == b {
-            let message = format!("joint {} joins a point to itself", joint.name);
-            self.mistake(joint.b.place, &message, "another point was expected", "");
-        }
-        if let Some(numbers) = joint.axis
-            && let Some(axis) = vector(self.document, numbers)
-            && (axis.norm() == 0.0 || !axis.norm().is_finite())
+    fn check_axes(&mut self, body: &Body) {
+        let document = self.document;
+        let Some(numbers) = body.axes else { return };
+        let [Some(x), Some(y), Some(z)] = numbers.map(|row| vector(document, row)) else { return };
+        let rows = [x, y, z];
+        let place = document.place(numbers[0][0]).to(document.place(numbers[2][2]));
+        let message = format!("the axes of body {} are not perpendicular unit vectors", body.name);
+        let help = "one row for each body axis, right-handed, to 6 digits: \"sqrt(0.5)\" for 0.707...";
+        if let Some(k) = (0..3).find(|k| (rows[*k].norm() - 1.0).abs() > AXES_TOLERANCE) {
+            self.mistake(place, &message, &format!("row {} has length {}", k + 1, rows[k].norm()), help);
+        } else if let Some((i, j)) =
+            [(0, 1), (0, 2), (1, 2)].into_iter().find(|(i, j)| rows[*i].dot(&rows[*j]).abs() > AXES_TOLERANCE)
         {
-            let message = format!("the axis of joint {} has no direction", joint.name);
-            self.mistake(self.document.place(numbers[0]), &message, "a vector other than zero was expected", "");
+            let angle = rows[i].angle(&rows[j]).to_degrees();
+            let label = format!("rows {} and {} are {angle:.4} degrees apart", i + 1, j + 1);
+            self.mistake(place, &message, &label, help);
+        } else if x.cross(&y).dot(&z) < 0.0 {
+            let message = format!("the axes of body {} are left-handed", body.name);
+            let third = x.cross(&y);
+            let label = format!("row 3 must be row 1 x row 2: [{}, {}, {}]", third[0], third[1], third[2]);
+            self.mistake(place, &message, &label, "");
         }
     }
+
+    /// No body has principal moments of which one is above the sum of the other two.
+    fn check_inertia(&mut self, body: &Body) {
+        let document = self.document;
+        let span = |first, last| document.place(first).to(document.place(last));
+        let (place, mut moments) = match body.inertia {
+            Inertia::Principal(numbers) => (span(numbers[0], numbers[2]), document.vector(numbers)),
+            Inertia::Tensor(numbers) => {
+                let [xx, yy, zz, xy, yz, zx] = numbers.map(|number| document.value(number));
+                let tensor = Mat3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz);
+                if tensor.iter().any(|value| !value.is_finite()) {
+                    return;
+                }
+                // Of a tensor near 1: the iteration for the eigenvalues must not overflow.
+                let size = tensor.amax();
+                let values = (tensor / if size > 0.0 { size } else { 1.0 }).symmetric_eigenvalues() * size;
+                (span(numbers[0], numbers[5]), values.into())
+            }
+        };
+        moments.sort_by(f64::total_cmp);
+        let [small, middle, large] = moments;
+        let is_tensor = matches!(body.inertia, Inertia::Tensor(_));
+        // A principal moment that is not positive is out of the range of its key, which is reported there.
+        if moments.iter().any(|moment| !moment.is_finite()) || (!is_tensor && small <= 0.0) {
+            return;
+        }
+        let label = format!("principal moments {}, {} and {} kg.m2", shown(small), shown(middle), shown(large));
+        let (message, help) = if small <= 0.0 {
+            let help =
+                "all must be positive: xy, yz and zx are tensor components, minus the integral of x y dm and so on";
+            ("is not positive", help)
+        } else if large - (small + middle) > INERTIA_TOLERANCE * large {
+            ("is that of no body", "none can be greater than the sum of the other two: check their order and unit")
+        } else {
+            return;
+        };
+        let message = format!("the inertia of body {} {message}", body.name);
+        self.mistake(place, &message, &label, help);
+    }
+
+    fn check_joint(&mut self, joint: &Joint) {
+        let document = self.document;
+        let (a, b) = (self.node(&joint.a), self.node(&joint.b));
+        let same_body = matches!(joint.a.spot, Spot::Body(_)) && joint.a.spot == joint.b.spot;
+        if (a.is_some() && a == b) || same_body {
+            let what = if same_body { "a body" } else { "a point" };
+            let message = format!("joint {} joins {what} to itself", joint.name);
+            self.mistake(joint.b.place, &message, "another point was expected", "");
+        }
+        let axis = self.axis(joint, joint.axis, "axis");
+        let axis2 = self.axis(joint, joint.axis2, "axis2");
+        if let (Some(axis), Some(axis2), Some(numbers)) = (axis, axis2, joint.axis2)
+            && axis.normalize().dot(&axis2.normalize()).abs() > AXES_TOLERANCE
+        {
+            let message = format!("the axes of joint {} are not perpendicular", joint.name);
+            let label = format!("axis and axis2 are {:.4} degrees apart", axis.angle(&axis2).to_degrees());
+            let place = document.place(numbers[0]).to(document.place(numbers[2]));
+            self.mistake(place, &message, &label, "the cross of a universal joint has a right angle");
+        }
+    }
+
+    /// An axis of a joint; none if the joint has none, or after a mistake.
+    fn axis(&mut self, joint: &Joint, numbers: Option<[Number; 3]>, key: &str) -> Option<Vec3> {
+        let numbers = numbers?;
+        let axis = vector(self.document, numbers)?;
+        if axis.norm() == 0.0 || !axis.norm().is_finite() {
+            let message = format!("the {key} of joint {} has no direction", joint.name);
+            self.mistake(self.document.place(numbers[0]), &message, "a vector other than zero was expected", "");
+            return None;
+        }
+        Some(axis)
+    }
+
+    fn check_spring(&mut self, spring: &Spring) {
+        let document = self.document;
+        for end in [&spring.a, &spring.b] {
+            self.fraction(end);
+        }
+        // Where a moving frame is at the start, which need not be t = 0, the builder sees.
+        let moves = |anchor: &Anchor| match anchor.spot {
+            Spot::Frame(frame) => document
+                .frames
+                .get(frame)
+                .is_none_or(|frame| frame.position.iter().any(|number| !document.function(*number).is_constant())),
+            Spot::Ground | Spot::Beam { .. } | Spot::Body(_) => false,
+        };
+        if moves(&spring.a) || moves(&spring.b) {
+            return;
+        }
+        let [a, b] = [spring.a, spring.b].map(|end| drawn(document, end).unwrap_or_else(Vec3::zeros));
+        if a == b {
+            let message = format!("the ends of spring {} are at the same place", spring.name);
+            let label = "another place was expected: a spring needs a direction";
+            let help = "the ground of a spring is the origin; a [frame.NAME] gives any other fixed point";
+            self.mistake(spring.b.place, &message, label, help);
+        }
+    }
+}
+
+/// A number with as many digits as tell it from its neighbours in a message.
+fn shown(value: f64) -> String {
+    // Through the text of six digits: 2.0325, not 2.0325000000000002.
+    format!("{value:.5e}").parse::<f64>().map_or_else(|_| value.to_string(), |value| value.to_string())
 }
 
 impl Along {

@@ -21,18 +21,18 @@ pub enum Kind {
     Output,
 }
 
-/// The sections of named things: their word in the file, and whether this version builds them.
-pub const SECTIONS: [(&str, Kind, bool); 10] = [
-    ("material", Kind::Material, true),
-    ("section", Kind::Section, true),
-    ("body", Kind::Body, false),
-    ("beam", Kind::Beam, true),
-    ("frame", Kind::Frame, false),
-    ("joint", Kind::Joint, true),
-    ("drive", Kind::Drive, false),
-    ("spring", Kind::Spring, false),
-    ("load", Kind::Load, true),
-    ("output", Kind::Output, true),
+/// The sections of named things: their word in the file.
+pub const SECTIONS: [(&str, Kind); 10] = [
+    ("material", Kind::Material),
+    ("section", Kind::Section),
+    ("body", Kind::Body),
+    ("beam", Kind::Beam),
+    ("frame", Kind::Frame),
+    ("joint", Kind::Joint),
+    ("drive", Kind::Drive),
+    ("spring", Kind::Spring),
+    ("load", Kind::Load),
+    ("output", Kind::Output),
 ];
 
 impl Kind {
@@ -40,7 +40,7 @@ impl Kind {
     pub fn word(self) -> &'static str {
         match self {
             Self::Parameter => "parameter",
-            _ => SECTIONS.iter().find(|(_, kind, _)| *kind == self).map_or("", |(word, _, _)| word),
+            _ => SECTIONS.iter().find(|(_, kind)| *kind == self).map_or("", |(word, _)| word),
         }
     }
 }
@@ -80,6 +80,11 @@ impl Names {
     /// What a name stands for.
     pub fn find(&self, name: &str) -> Option<&Named> {
         self.0.iter().find(|named| named.name == name)
+    }
+
+    /// The name of a thing by its place among its kind.
+    pub fn name(&self, kind: Kind, index: usize) -> Option<&str> {
+        self.0.iter().find(|named| named.kind == kind && named.index == index).map(|named| named.name.as_str())
     }
 
     /// The names of a kind, in file order.

@@ -5,8 +5,12 @@ use super::diagnostic::{OVERRIDE, Place, Report};
 use super::names::{SECTIONS, is_legal, suggestion};
 use super::tree::{Entry, Item, Node, parse_override};
 
-/// Most components that an index may have: every list of numbers that can be overridden is a vector.
-const COMPONENTS: usize = 3;
+/// Components of a list that the file does not write: a vector. The one list that may be longer, an inertia, is always written.
+const VECTOR: usize = 3;
+/// Components that a list of numbers may have.
+const COUNTS: [usize; 2] = [VECTOR, 6];
+/// The key whose value is a table: its rows are no numbers.
+const TABLE: &str = "axes";
 
 /// Puts the overrides into the tree, in their order.
 pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Report<'_>) {
@@ -18,7 +22,7 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
         let (path, index) = match split_index(key) {
             Ok(split) => split,
             Err(message) => {
-                report.error(place, &message, "an index from 1 to 3 was expected", "");
+                report.error(place, &message, "an index from 1 to the length of the list was expected", "");
                 continue;
             }
         };
@@ -40,7 +44,7 @@ fn split_index(key: &str) -> Result<(&str, Option<usize>), String> {
     // The one way to write an index: `[+3]` and `[03]` are mistakes.
     let digits = rest.strip_suffix(']').filter(|digits| !digits.starts_with(['0', '+']));
     match digits.and_then(|digits| digits.parse::<usize>().ok()) {
-        Some(index) if (1..=COMPONENTS).contains(&index) => Ok((path, Some(index))),
+        Some(index) if (1..=COUNTS[1]).contains(&index) => Ok((path, Some(index))),
         _ => Err(format!("`{key}` has no such component")),
     }
 }
@@ -59,7 +63,7 @@ fn find<'t, 'k>(
     let message = match path.split_once('.') {
         Some(("simulation", key)) => return Some((section(tree, "simulation")?, key)),
         Some((name, key)) => {
-            let kind = SECTIONS.iter().map(|(word, _, _)| *word).find(|word| names.contains(&(*word, name.to_owned())));
+            let kind = SECTIONS.iter().map(|(word, _)| *word).find(|word| names.contains(&(*word, name.to_owned())));
             match kind {
                 Some(kind) => return Some((table(section(tree, kind)?, name)?, key)),
                 None => format!("nothing in the file is named `{name}`"),
@@ -79,7 +83,7 @@ fn find<'t, 'k>(
 /// Every name of the tree with the section it stands in.
 fn names(tree: &[Entry]) -> Vec<(&'static str, String)> {
     let mut names = Vec::new();
-    for kind in SECTIONS.iter().map(|(word, _, _)| *word).chain(["parameters"]) {
+    for kind in SECTIONS.iter().map(|(word, _)| *word).chain(["parameters"]) {
         let Some(entry) = tree.iter().find(|entry| entry.key == kind) else { continue };
         if let Node::Table(entries) = &entry.item.node {
             names.extend(entries.iter().filter(|entry| is_legal(&entry.key)).map(|entry| (kind, entry.key.clone())));
@@ -111,8 +115,14 @@ fn store(
     place: Place,
     report: &mut Report<'_>,
 ) {
+    if index.is_some() && key == TABLE {
+        let help = "set it as a whole: a list of 3 rows of 3 numbers";
+        report.error(place, &format!("`{key}` is a table: its components cannot be set one by one"), "", help);
+        return;
+    }
     let at = match entries.iter().position(|entry| entry.key == key) {
         Some(at) => at,
+        None if index.is_some_and(|index| index > VECTOR) => return no_component(VECTOR, place, report),
         None => {
             entries.push(Entry { key: key.to_owned(), key_place: place, item: Item { place, node: Node::Missing } });
             entries.len() - 1
@@ -125,13 +135,21 @@ fn store(
             None => inner.push(Entry { key: "value".to_owned(), key_place: place, item }),
         },
         (None, _) => *old = item,
-        (Some(index), Node::Array(items)) if items.len() == COMPONENTS => items[index - 1] = item,
+        (Some(index), Node::Array(items)) if COUNTS.contains(&items.len()) => match items.get_mut(index - 1) {
+            Some(component) => *component = item,
+            None => no_component(items.len(), place, report),
+        },
         (Some(index), Node::Missing) => {
             let missing = Item { place, node: Node::Missing };
-            let mut items = vec![missing; COMPONENTS];
+            let mut items = vec![missing; VECTOR];
             items[index - 1] = item;
             old.node = Node::Array(items);
         }
         (Some(_), _) => report.error(place, &format!("`{key}` is not a list"), "it has no components", ""),
     }
+}
+
+fn no_component(count: usize, place: Place, report: &mut Report<'_>) {
+    let message = format!("`{}` has no such component", report.source.slice(place));
+    report.error(place, &message, &format!("an index from 1 to {count} was expected"), "");
 }

@@ -1,4 +1,4 @@
-//! What an output can measure: one row a quantity, with its components, unit and meaning.
+//! What an output can measure: one row a quantity, with where it can be measured, its components, unit and meaning.
 
 /// A quantity of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,9 +9,11 @@ pub enum Quantity {
     Displacement,
     /// Velocity in global axes.
     Velocity,
+    /// Acceleration in global axes.
+    Acceleration,
     /// Rotation vector from the orientation as drawn, continuous in time.
     Rotation,
-    /// Orientation of the section, w x y z.
+    /// Orientation of the section, of the body axes or of the frame, w x y z.
     Quaternion,
     /// Angular velocity in global axes.
     AngularVelocity,
@@ -23,6 +25,50 @@ pub enum Quantity {
     Curvature,
     /// Twist rate minus its undeformed value.
     Torsion,
+    /// Axial force.
+    SectionForce,
+    /// Torque and bending moments in section axes.
+    SectionMoment,
+    /// Largest von Mises stress over the outline.
+    Stress,
+    /// Force of a joint on b, or that a frame must supply.
+    ReactionForce,
+    /// Moment of a joint on b, or that a frame must supply.
+    ReactionMoment,
+    /// Angle of a joint.
+    Angle,
+    /// Distance of a joint.
+    Distance,
+    /// Torque or force of a drive.
+    Effort,
+}
+
+/// What an output looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Site {
+    /// A point of a beam; a whole beam is many.
+    Beam,
+    /// A body.
+    Body,
+    /// A frame.
+    Frame,
+    /// A joint.
+    Joint,
+    /// A drive.
+    Drive,
+}
+
+impl Site {
+    /// `a point of a beam`.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Beam => "a point of a beam",
+            Self::Body => "a body",
+            Self::Frame => "a frame",
+            Self::Joint => "a joint",
+            Self::Drive => "a drive",
+        }
+    }
 }
 
 /// A row of the table of quantities.
@@ -32,49 +78,100 @@ pub struct Row {
     pub quantity: Quantity,
     /// Its word in the file and in the names of variables.
     pub word: &'static str,
+    /// Where it can be measured.
+    pub sites: &'static [Site],
     /// Number of components.
     pub components: usize,
-    /// Unit label; empty: dimensionless.
+    /// Unit label; empty: dimensionless. An effort along a distance is in N.
     pub unit: &'static str,
     /// What it is, with axes and sign; the point is named before it.
     pub meaning: &'static str,
 }
 
-const fn row(
-    quantity: Quantity,
-    word: &'static str,
-    components: usize,
-    unit: &'static str,
-    meaning: &'static str,
-) -> Row {
-    Row { quantity, word, components, unit, meaning }
+/// Rows of the same sites.
+struct At(&'static [Site]);
+
+impl At {
+    const fn row(
+        &self,
+        quantity: Quantity,
+        word: &'static str,
+        components: usize,
+        unit: &'static str,
+        meaning: &'static str,
+    ) -> Row {
+        Row { quantity, word, sites: self.0, components, unit, meaning }
+    }
 }
 
-/// The quantities that can be asked for at a point of a beam.
-pub const QUANTITIES: [Row; 10] = [
-    row(Quantity::Position, "position", 3, "m", "position in global axes"),
-    row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
-    row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
-    row(Quantity::Rotation, "rotation", 3, "rad", "rotation vector from the orientation as drawn, in global axes"),
-    row(Quantity::Quaternion, "quaternion", 4, "", "orientation of the section as a quaternion w x y z"),
-    row(Quantity::AngularVelocity, "angular_velocity", 3, "rad/s", "angular velocity in global axes"),
-    row(Quantity::Twist, "twist", 1, "rad", "material twist between the start of the beam and here"),
-    row(Quantity::AxialStrain, "axial_strain", 1, "", "axial strain of the section, extension positive"),
-    row(Quantity::Curvature, "curvature", 2, "1/m", "curvature about the section's y and z, minus the undeformed one"),
-    row(Quantity::Torsion, "torsion", 1, "rad/m", "twist rate of the section, minus the undeformed one"),
-];
+const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame]);
+const BEAM: At = At(&[Site::Beam]);
+const HOLD: At = At(&[Site::Joint, Site::Frame]);
+const FREE: At = At(&[Site::Joint, Site::Drive]);
 
-/// Quantities of the format that this version does not measure.
-pub const LATER: [&str; 9] = [
-    "acceleration",
-    "section_force",
-    "section_moment",
-    "stress",
-    "reaction_force",
-    "reaction_moment",
-    "angle",
-    "distance",
-    "effort",
+/// Everything that can be asked for.
+pub const QUANTITIES: [Row; 19] = [
+    POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
+    POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
+    POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
+    POINT.row(Quantity::Acceleration, "acceleration", 3, "m/s2", "acceleration in global axes"),
+    POINT.row(
+        Quantity::Rotation,
+        "rotation",
+        3,
+        "rad",
+        "rotation vector from the orientation as drawn, in global axes",
+    ),
+    POINT.row(
+        Quantity::Quaternion,
+        "quaternion",
+        4,
+        "",
+        "orientation of the section, body or frame as a quaternion w x y z",
+    ),
+    POINT.row(Quantity::AngularVelocity, "angular_velocity", 3, "rad/s", "angular velocity in global axes"),
+    BEAM.row(Quantity::Twist, "twist", 1, "rad", "material twist between the start of the beam and here"),
+    BEAM.row(Quantity::AxialStrain, "axial_strain", 1, "", "axial strain of the section, extension positive"),
+    BEAM.row(
+        Quantity::Curvature,
+        "curvature",
+        2,
+        "1/m",
+        "curvature about the section's y and z, minus the undeformed one",
+    ),
+    BEAM.row(Quantity::Torsion, "torsion", 1, "rad/m", "twist rate of the section, minus the undeformed one"),
+    BEAM.row(Quantity::SectionForce, "section_force", 1, "N", "axial force, tension positive"),
+    BEAM.row(
+        Quantity::SectionMoment,
+        "section_moment",
+        3,
+        "N.m",
+        "torque and moments about the section's y and z, of the part towards the end on the part towards the start",
+    ),
+    BEAM.row(
+        Quantity::Stress,
+        "stress",
+        1,
+        "Pa",
+        "largest von Mises stress over the section's outline; of a twisted rectangle an upper bound",
+    ),
+    HOLD.row(
+        Quantity::ReactionForce,
+        "reaction_force",
+        3,
+        "N",
+        "force on side b of the joint, or that the frame must supply, in global axes",
+    ),
+    HOLD.row(
+        Quantity::ReactionMoment,
+        "reaction_moment",
+        3,
+        "N.m",
+        "moment on side b of the joint, or that the frame must supply, about its place, in global axes",
+    ),
+    FREE.row(Quantity::Angle, "angle", 1, "rad", "angle of b relative to a about the axis, 0 as drawn, counting turns"),
+    FREE.row(Quantity::Distance, "distance", 1, "m", "distance of b from a along the axis, 0 as drawn"),
+    FREE.row(Quantity::Effort, "effort", 1, "N.m", "torque or force of the drive on side b of the joint"),
 ];
 
 impl Quantity {
@@ -94,6 +191,6 @@ mod tests {
         for row in &QUANTITIES {
             assert_eq!(row.quantity.row(), row);
         }
-        assert_eq!(Quantity::Torsion as usize, QUANTITIES.len() - 1, "the last of the enum is the last of the table");
+        assert_eq!(Quantity::Effort as usize, QUANTITIES.len() - 1, "the last of the enum is the last of the table");
     }
 }

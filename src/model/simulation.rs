@@ -350,6 +350,7 @@ impl Solver {
             (Analysis::Dynamic, Choice::Variational) => {
                 Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Variational, tolerance)?))
             }
+            (Analysis::Dynamic, Choice::GeneralizedAlpha { .. }) => Self::None,
         })
     }
 }

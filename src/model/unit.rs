@@ -4,7 +4,7 @@ use crate::fmi::unit::Unit;
 use crate::fmi::variable::Quantity;
 
 /// Type definition of a unit label.
-const TYPES: [(&str, &str); 16] = [
+const TYPES: [(&str, &str); 21] = [
     ("m", "Position"),
     ("rad", "Angle"),
     ("m/s", "Velocity"),
@@ -16,6 +16,11 @@ const TYPES: [(&str, &str); 16] = [
     ("1/m", "Curvature"),
     ("rad/m", "Torsion"),
     ("Pa", "Stress"),
+    ("N.m/rad", "RotationalStiffness"),
+    ("N.s/m", "Damping"),
+    ("N.m.s/rad", "RotationalDamping"),
+    ("kg", "Mass"),
+    ("kg.m2", "MomentOfInertia"),
     ("kg/m3", "Density"),
     ("m2", "Area"),
     ("m4", "SecondMomentOfArea"),

@@ -2,6 +2,8 @@
 //! One row has the FMI variable and what it is read from.
 
 use super::document::Document;
+use super::entries::anchor::Spot;
+use super::entries::output::{Output, Target};
 use super::quantity::Quantity;
 use super::unit;
 use crate::fmi::Value;
@@ -53,8 +55,12 @@ impl Table {
         for (index, parameter) in document.parameters().iter().enumerate() {
             table.push(parameter.variable.clone(), Source::Parameter(index));
         }
-        for (sensor, output) in document.outputs.iter().enumerate() {
-            for quantity in &output.quantities {
+        let at_points = |output: &&Output| match output.target {
+            Target::At(anchor) => matches!(anchor.spot, Spot::Beam { .. }),
+            Target::Joint(_) | Target::Drive(_) | Target::On { .. } => false,
+        };
+        for (sensor, output) in document.outputs.iter().filter(at_points).enumerate() {
+            for quantity in output.quantities.iter().filter(|quantity| is_measured(**quantity)) {
                 let row = quantity.row();
                 let name = format!("{}.{}", output.name, row.word);
                 let meaning = format!("{}: {}", output.name, row.meaning);
@@ -141,6 +147,7 @@ impl Table {
                         Quantity::AxialStrain => values.push(strains().axial),
                         Quantity::Curvature => values.extend(strains().curvature),
                         Quantity::Torsion => values.push(strains().torsion),
+                        _ => {}
                     }
                 }
                 Measure::Energy => {
@@ -164,6 +171,22 @@ impl Table {
             }
         }
     }
+}
+
+/// Whether the machine can be asked for it.
+fn is_measured(quantity: Quantity) -> bool {
+    !matches!(
+        quantity,
+        Quantity::Acceleration
+            | Quantity::SectionForce
+            | Quantity::SectionMoment
+            | Quantity::Stress
+            | Quantity::ReactionForce
+            | Quantity::ReactionMoment
+            | Quantity::Angle
+            | Quantity::Distance
+            | Quantity::Effort
+    )
 }
 
 fn result(name: &str, unit: &str, description: String, start: Value) -> Variable {

@@ -21,6 +21,7 @@ mod machines;
 mod marker_oracle;
 mod model_file;
 mod model_mistakes;
+mod model_parts;
 mod oracle;
 mod princeton;
 mod random;

@@ -4,7 +4,9 @@
 //!
 //! `ANCF14_BLESS=1 cargo test` writes the messages anew; read the difference before it is committed.
 
+use crate::model_parts::EVERYTHING;
 use ancf14::model::document::Document;
+use ancf14::model::drawing::Drawing;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::fs;
@@ -141,6 +143,21 @@ proptest! {
         let text = exchanged(&exchanged(include_str!("../../models/pendulum.toml"), a, b), c, d);
         match Document::parse("m.toml", &text, &[]) {
             Ok(document) => prop_assert_eq!(document.check(), Ok(())),
+            Err(diagnostics) => prop_assert!(diagnostics.to_string().starts_with("error: ")),
+        }
+    }
+
+    #[test]
+    fn broken_parts_do_not_panic(
+        changes in prop::collection::vec((0_u8..5, any::<usize>(), any::<usize>()), 0..3),
+        tokens in prop::collection::vec((any::<usize>(), any::<usize>()), 0..3),
+    ) {
+        let swapped = tokens.iter().fold(EVERYTHING.to_owned(), |text, (a, b)| exchanged(&text, *a, *b));
+        match Document::parse("m.toml", &mutated(&swapped, &changes), &[]) {
+            Ok(document) => {
+                prop_assert_eq!(document.check(), Ok(()));
+                Drawing::new(&document);
+            }
             Err(diagnostics) => prop_assert!(diagnostics.to_string().starts_with("error: ")),
         }
     }

@@ -1,11 +1,11 @@
-//! What joints, loads and outputs hold on to: `ground`, `arm.start`, `arm.end`, `arm@0.5`, `arm.node[3]`.
+//! What joints, springs, loads and outputs hold on to: `ground`, `arm.start`, `arm.end`, `arm@0.5`, `arm.node[3]`, a body, a frame.
 
 use crate::model::diagnostic::Place;
 use crate::model::expression::Variable;
 use crate::model::function::Formula;
 use crate::model::names::{Kind, suggestion};
 use crate::model::number::{Meta, Number, Slot, Written};
-use crate::model::reader::{Context, Reader};
+use crate::model::reader::{Context, Reader, either};
 use crate::model::schema;
 
 /// A point to hold on to, and where the file says so.
@@ -29,6 +29,10 @@ pub enum Spot {
         /// Where on it.
         along: Along,
     },
+    /// The centre of mass of a body, by its place in the list of bodies.
+    Body(usize),
+    /// A frame, by its place in the list of frames.
+    Frame(usize),
 }
 
 /// A point along a beam.
@@ -44,56 +48,107 @@ pub enum Along {
     Node(usize),
 }
 
-impl Anchor {
-    /// Reads `key`; none if it is missing or wrong, which is reported.
-    pub(in crate::model) fn read(reader: &mut Reader<'_, '_>, key: &'static str) -> Option<Self> {
-        let written = reader.has(key);
-        let Some((text, place)) = reader.text(key) else {
-            if !written {
-                reader.missing(key, "ground, BEAM.start, BEAM.end, BEAM@0.5 or BEAM.node[3]");
-            }
-            return None;
-        };
-        parse(reader.context, &text, place).map(|spot| Self { place, spot })
-    }
+/// What a key may name.
+#[derive(Debug)]
+pub struct Allowed {
+    /// Kinds of things.
+    pub kinds: &'static [Kind],
+    /// Whether the ground makes sense.
+    pub ground: bool,
+    /// What may be written, for messages.
+    pub forms: &'static str,
+}
 
-    /// Reads `key`, where the ground makes no sense.
-    pub(in crate::model) fn read_beam_point(reader: &mut Reader<'_, '_>, key: &'static str) -> Option<Self> {
-        let anchor = Self::read(reader, key)?;
-        if anchor.spot == Spot::Ground {
-            let message = format!("`{key}` of {} is the ground", reader.title);
-            reader.context.report.error(anchor.place, &message, "a point of a beam was expected", "");
-            return None;
-        }
-        Some(anchor)
+/// The sides of joints and springs.
+pub const SIDES: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Frame, Kind::Beam],
+    ground: true,
+    forms: "ground, BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY or FRAME",
+};
+/// What a load can move.
+pub const LOADED: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Beam],
+    ground: false,
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3] or BODY",
+};
+/// What can be looked at, by an anchor or otherwise.
+pub const WATCHED: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Frame, Kind::Joint, Kind::Drive, Kind::Beam],
+    ground: false,
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, JOINT or DRIVE",
+};
+
+impl Allowed {
+    /// `a body, frame or point of a beam was expected`.
+    fn expected(&self) -> String {
+        let word = |kind: &Kind| if *kind == Kind::Beam { "point of a beam" } else { kind.word() };
+        format!("a {} was expected", either(&self.kinds.iter().map(word).collect::<Vec<_>>()))
     }
 }
 
-fn parse(context: &mut Context<'_>, text: &str, place: Place) -> Option<Spot> {
+impl Anchor {
+    /// Reads `key`; none if it is missing or wrong, which is reported.
+    pub(in crate::model) fn read(reader: &mut Reader<'_, '_>, key: &'static str, allowed: &Allowed) -> Option<Self> {
+        let written = reader.has(key);
+        let Some((text, place)) = reader.text(key) else {
+            if !written {
+                reader.missing(key, allowed.forms);
+            }
+            return None;
+        };
+        if text == "ground" && !allowed.ground {
+            let message = format!("`{key}` of {} is the ground", reader.title);
+            reader.context.report.error(place, &message, &allowed.expected(), "");
+            return None;
+        }
+        parse(reader.context, &text, place, allowed).map(|spot| Self { place, spot })
+    }
+
+    /// Reports a joint or spring of which neither side can move.
+    pub(in crate::model) fn expect_motion(reader: &mut Reader<'_, '_>, a: Option<Self>, b: Option<Self>) {
+        let (Some(a), Some(b)) = (a, b) else { return };
+        let moves = |anchor: Self| matches!(anchor.spot, Spot::Beam { .. } | Spot::Body(_));
+        if !moves(a) && !moves(b) {
+            let message = format!("nothing that {} holds can move", reader.title);
+            reader.context.report.error(b.place, &message, "one side must be a beam or a body", "");
+        }
+    }
+}
+
+fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed) -> Option<Spot> {
     if text == "ground" {
         return Some(Spot::Ground);
     }
     let length = text.find(['.', '@']).unwrap_or(text.len());
     let (name, rest) = text.split_at(length);
-    let beam = match context.names.find(name) {
-        Some(named) if named.kind == Kind::Beam => named.index,
-        // The section itself is reported where it stands.
-        Some(named) if matches!(named.kind, Kind::Body | Kind::Frame) => return None,
-        Some(named) => {
-            let word = named.kind.word();
-            let at = context.report.source.inside(place, text, 0..length);
-            let help = "available: ground and points of beams";
-            context.report.error(at, &format!("`{name}` is a {word}"), "a beam was expected", help);
-            return None;
-        }
-        None => {
-            let near = suggestion(name, context.names.of(Kind::Beam).chain(["ground"]));
-            let label = if near.is_empty() { "the name of a beam, or ground, was expected".to_owned() } else { near };
-            let at = context.report.source.inside(place, text, 0..length);
-            context.report.error(at, &format!("unknown beam `{name}`"), &label, "");
-            return None;
-        }
+    let at = context.report.source.inside(place, text, 0..length);
+    let Some(named) = context.names.find(name) else {
+        let known = allowed.kinds.iter().flat_map(|kind| context.names.of(*kind));
+        let near = suggestion(name, known.chain(allowed.ground.then_some("ground")));
+        let label = if near.is_empty() { allowed.expected() } else { near };
+        let help = format!("possible: {}", allowed.forms);
+        context.report.error(at, &format!("nothing in the file is named `{name}`"), &label, &help);
+        return None;
     };
+    let (kind, beam) = (named.kind, named.index);
+    if !allowed.kinds.contains(&kind) {
+        let message = format!("`{name}` is a {}", kind.word());
+        context.report.error(at, &message, &allowed.expected(), &format!("possible: {}", allowed.forms));
+        return None;
+    }
+    if kind != Kind::Beam {
+        if !rest.is_empty() {
+            let at = context.report.source.inside(place, text, length..text.len());
+            let message = format!("a {} has no points", kind.word());
+            context.report.error(at, &message, &format!("`{name}` alone was expected"), "");
+            return None;
+        }
+        return match kind {
+            Kind::Body => Some(Spot::Body(named.index)),
+            Kind::Frame => Some(Spot::Frame(named.index)),
+            _ => None,
+        };
+    }
     let along = if let Some(fraction) = rest.strip_prefix('@') {
         let at = context.report.source.inside(place, text, length + 1..text.len());
         let program = context.program(fraction, at, Variable::None);

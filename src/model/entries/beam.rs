@@ -44,8 +44,9 @@ const STRAINS: [(&str, Strain); 3] =
 
 impl Beam {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
-        let material = reader.reference("material", Kind::Material);
-        let section = reader.reference("section", Kind::Section);
+        // The first ones stand in for what is reported: the beam must keep its place in the list.
+        let material = reader.reference("material", Kind::Material).unwrap_or(0);
+        let section = reader.reference("section", Kind::Section).unwrap_or(0);
         if reader.has("from") || reader.has("to") {
             reader.exclude("curve", "from` and `to");
         }

@@ -1,9 +1,10 @@
-//! `[load.NAME]`: a force and a moment at a point of a beam, or along a beam.
+//! `[load.NAME]`: a force and a moment at a point of a beam or at a body, or along a beam.
 
-use super::anchor::Anchor;
+use super::anchor::{Anchor, LOADED, Spot};
+use super::input::{HELD, make_input};
 use crate::model::diagnostic::Place;
 use crate::model::names::Kind;
-use crate::model::number::{Number, Written};
+use crate::model::number::Number;
 use crate::model::reader::Reader;
 use crate::model::schema;
 
@@ -20,7 +21,7 @@ pub struct Load {
     pub force: [Number; 3],
     /// Moment, N m, or N along a beam; may change in time.
     pub moment: [Number; 3],
-    /// true: it turns with the section.
+    /// true: it turns with the section, or with the body.
     pub follower: bool,
     /// true: the host gives force and moment; the numbers are start values.
     pub input: bool,
@@ -29,7 +30,7 @@ pub struct Load {
 /// What a load acts on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
-    /// A point.
+    /// A point of a beam, or a body.
     At(Anchor),
     /// A whole beam, by its place in the list: force and moment are per length.
     On(usize),
@@ -40,9 +41,9 @@ impl Load {
         let along = reader.has("on");
         let target = if along {
             reader.exclude("at", "on");
-            Some(Target::On(reader.reference("on", Kind::Beam)))
+            reader.reference("on", Kind::Beam).map(Target::On)
         } else {
-            Anchor::read_beam_point(&mut reader, "at").map(Target::At)
+            Anchor::read(&mut reader, "at", &LOADED).map(Target::At)
         };
         let (force, moment) = match along {
             false => (&schema::FORCE, &schema::MOMENT),
@@ -58,31 +59,23 @@ impl Load {
         for (what, verb, numbers) in [("Force", "along", force), ("Moment", "about", moment)] {
             for (number, axis) in numbers.into_iter().zip(["x", "y", "z"]) {
                 let per_length = if along { " per length" } else { "" };
-                let frame = if follower { "the section's" } else { "global" };
-                let held = if input { ", held during a communication step" } else { "" };
+                let frame = match (follower, target) {
+                    (false, _) => "global",
+                    (true, Some(Target::At(Anchor { spot: Spot::Body(_), .. }))) => "the body's",
+                    (true, _) => "the section's",
+                };
+                let held = if input { format!(", {HELD}") } else { String::new() };
                 reader.context.numbers.slots[number.0].meta.description =
                     format!("{what}{per_length} of load {name} {verb} {frame} {axis}{held}");
             }
         }
         if input {
             for number in force.into_iter().chain(moment) {
-                make_input(&mut reader, number);
+                make_input(reader.context, number);
             }
         }
         let place = reader.place;
         reader.finish();
         Some(Self { name: name.to_owned(), place, target: target?, force, moment, follower, input })
     }
-}
-
-/// Makes a component an input of the FMU.
-fn make_input(reader: &mut Reader<'_, '_>, number: Number) {
-    let context = &mut reader.context;
-    let slot = &mut context.numbers.slots[number.0];
-    if let Written::Formula(_) = slot.written {
-        let message = format!("`{}` is an input and an expression", slot.meta.name);
-        context.report.error(slot.place, &message, "a number was expected: the start value of the input", "");
-    }
-    slot.meta.input = true;
-    slot.listed.get_or_insert(usize::MAX);
 }

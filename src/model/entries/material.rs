@@ -18,6 +18,8 @@ pub struct Material {
     pub lateral: Lateral,
     /// Density, kg/m³.
     pub density: Number,
+    /// Kelvin-Voigt damping, s: stress = E (strain + damping * strain rate).
+    pub damping: Number,
 }
 
 /// The second elastic constant.
@@ -46,9 +48,9 @@ impl Material {
             },
         };
         let density = reader.number(&schema::DENSITY);
-        reader.unavailable("damping", "available: damping = 0");
+        let damping = reader.number_or(&schema::MATERIAL_DAMPING, 0.0);
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, young, lateral, density })
+        Some(Self { name: name.to_owned(), place, young, lateral, density, damping })
     }
 }

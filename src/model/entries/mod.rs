@@ -2,6 +2,10 @@
 
 pub mod anchor;
 pub mod beam;
+pub mod body;
+pub mod drive;
+pub mod frame;
+pub mod input;
 pub mod joint;
 pub mod load;
 pub mod material;
@@ -10,3 +14,4 @@ pub mod overview;
 pub mod parameters;
 pub mod section;
 pub mod simulation;
+pub mod spring;

@@ -42,6 +42,11 @@ pub enum Integrator {
     Conserving,
     /// The paper's variational midpoint rule.
     Variational,
+    /// Generalized-alpha, with numerical damping.
+    GeneralizedAlpha {
+        /// Share of the fastest oscillations that a step keeps, 0 to 1.
+        spectral_radius: Number,
+    },
 }
 
 /// Where the state comes from at the start.
@@ -49,25 +54,39 @@ pub enum Integrator {
 pub enum Initial {
     /// As drawn in the file.
     AsDrawn,
+    /// The static equilibrium at the start, at rest.
+    Equilibrium,
 }
 
 const ANALYSES: [(&str, Analysis); 2] = [("dynamic", Analysis::Dynamic), ("static", Analysis::Static)];
-const INTEGRATORS: [(&str, Integrator); 2] =
-    [("conserving", Integrator::Conserving), ("variational", Integrator::Variational)];
-const INITIALS: [(&str, Initial); 1] = [("as_drawn", Initial::AsDrawn)];
+const INTEGRATORS: [(&str, Word); 3] = [
+    ("conserving", Word::Conserving),
+    ("variational", Word::Variational),
+    ("generalized_alpha", Word::GeneralizedAlpha),
+];
+const INITIALS: [(&str, Initial); 2] = [("as_drawn", Initial::AsDrawn), ("equilibrium", Initial::Equilibrium)];
+
+/// A word of `integrator`.
+#[derive(Clone, Copy)]
+enum Word {
+    Conserving,
+    Variational,
+    GeneralizedAlpha,
+}
 
 /// Default of `tolerance`.
 const TOLERANCE: f64 = 1e-8;
+/// Default of `spectral_radius`: the fastest oscillations lose a tenth a step.
+const SPECTRAL_RADIUS: f64 = 0.9;
 
 impl Simulation {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
         let analysis = reader.word("analysis", &ANALYSES, &[], Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
-        let initial = reader.word("initial", &INITIALS, &["equilibrium"], Some(Initial::AsDrawn));
+        let initial = reader.word("initial", &INITIALS, &[], Some(Initial::AsDrawn));
         let stop = reader.number(&schema::STOP);
         let step = reader.number(&schema::STEP);
         let output_step = reader.optional(&schema::OUTPUT_STEP).unwrap_or(step);
-        let integrator = reader.word("integrator", &INTEGRATORS, &["generalized_alpha"], Some(Integrator::Conserving));
-        reader.unavailable("spectral_radius", "it belongs to the integrator generalized_alpha, which is not available");
+        let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&schema::TOLERANCE, TOLERANCE);
         let place = reader.place;
         // The two that a host may always change are parameters also where the file does not write them; the two that only
@@ -81,7 +100,26 @@ impl Simulation {
         }
         reader.finish();
         let initial = initial.unwrap_or(Initial::AsDrawn);
-        let integrator = integrator.unwrap_or(Integrator::Conserving);
         Self { place, analysis, integrator, initial, stop, step, output_step, tolerance }
     }
+}
+
+fn integrator(reader: &mut Reader<'_, '_>) -> Integrator {
+    let default = (!reader.has("integrator")).then_some(Word::Conserving);
+    let integrator = match reader.word("integrator", &INTEGRATORS, &[], default) {
+        Some(Word::Conserving) => Integrator::Conserving,
+        Some(Word::Variational) => Integrator::Variational,
+        Some(Word::GeneralizedAlpha) => {
+            let spectral_radius = reader.number_or(&schema::SPECTRAL_RADIUS, SPECTRAL_RADIUS);
+            return Integrator::GeneralizedAlpha { spectral_radius };
+        }
+        None => {
+            // Whether it belongs to the integrator that was meant is unknown.
+            reader.optional(&schema::SPECTRAL_RADIUS);
+            return Integrator::Conserving;
+        }
+    };
+    let message = "this integrator has no spectral_radius";
+    reader.refuse("spectral_radius", message, "it belongs to integrator = \"generalized_alpha\"");
+    integrator
 }

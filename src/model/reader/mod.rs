@@ -1,12 +1,14 @@
 //! Reads one section: every key that is asked for is known, what is left over at the end is a mistake.
 
-use super::diagnostic::{Place, Report};
-use super::expression::{Program, Variable, compile};
-use super::function::{Formula, Piece};
-use super::names::{Kind, Names, nearest, suggestion};
-use super::number::{Meta, Number, Numbers, Slot, Written};
-use super::schema::Rule;
-use super::tree::{Entry, Item, Node};
+mod lists;
+
+use crate::model::diagnostic::{Place, Report};
+use crate::model::expression::{Program, Variable, compile};
+use crate::model::function::{Formula, Piece};
+use crate::model::names::{Kind, Names, nearest, suggestion};
+use crate::model::number::{Meta, Number, Numbers, Slot, Written};
+use crate::model::schema::Rule;
+use crate::model::tree::{Entry, Item, Node};
 
 /// What all sections are read with.
 #[derive(Debug)]
@@ -27,7 +29,7 @@ impl Context<'_> {
             Ok(program) => Some(program),
             Err(error) => {
                 let near = error.unknown.as_deref().map_or(String::new(), |name| {
-                    let functions = super::expression::program::FUNCTIONS.iter().map(|(name, _)| *name);
+                    let functions = crate::model::expression::program::FUNCTIONS.iter().map(|(name, _)| *name);
                     suggestion(name, self.names.of(Kind::Parameter).chain(functions).chain(["pi"]))
                 });
                 let place = self.report.source.inside(place, text, error.range);
@@ -67,15 +69,20 @@ impl<'c, 'a> Reader<'c, 'a> {
 
     /// Takes a key out of the section.
     pub fn take(&mut self, key: &'static str) -> Option<Entry> {
-        if !self.known.contains(&key) {
-            self.known.push(key);
-        }
+        self.know(key);
         self.entries.iter().position(|entry| entry.key == key).map(|at| self.entries.remove(at))
     }
 
     /// Whether a key is there; it is still to be read.
-    pub fn has(&self, key: &str) -> bool {
+    pub fn has(&mut self, key: &'static str) -> bool {
+        self.know(key);
         self.entries.iter().any(|entry| entry.key == key)
+    }
+
+    fn know(&mut self, key: &'static str) {
+        if !self.known.contains(&key) {
+            self.known.push(key);
+        }
     }
 
     /// A key is missing: reported at the end, unless it is only mistyped.
@@ -114,6 +121,27 @@ impl<'c, 'a> Reader<'c, 'a> {
         self.context.report.error(entry.key_place, &message, "", available);
     }
 
+    /// Reports a key of the format that has no meaning in this very section; `label` stands behind the underlining.
+    pub fn refuse(&mut self, key: &str, message: &str, label: &str) {
+        if let Some(at) = self.entries.iter().position(|entry| entry.key == key) {
+            let entry = self.entries.remove(at);
+            self.context.report.error(entry.key_place, message, label, "");
+        }
+    }
+
+    /// Where the value of a key stands; the section's name where it does not.
+    pub fn place_of(&self, key: &str) -> Place {
+        self.entries.iter().find(|entry| entry.key == key).map_or(self.place, |entry| entry.item.place)
+    }
+
+    /// The text that a key gives; it is still to be read.
+    pub fn text_of(&self, key: &str) -> Option<&str> {
+        self.entries.iter().find(|entry| entry.key == key).and_then(|entry| match &entry.item.node {
+            Node::Text(text) => Some(text.as_str()),
+            _ => None,
+        })
+    }
+
     /// A key that cannot stand together with another one that is there.
     pub fn exclude(&mut self, key: &'static str, other: &str) {
         if let Some(entry) = self.take(key) {
@@ -145,38 +173,20 @@ impl<'c, 'a> Reader<'c, 'a> {
         Some(self.scalar(rule, name, &entry.item, listed(&entry), None))
     }
 
-    /// Three numbers that must be there.
-    pub fn vector(&mut self, rule: &Rule) -> [Number; 3] {
-        self.components(rule, None).unwrap_or_else(|| {
-            self.missing(rule.key, &format!("{}: a list of 3{}", rule.meaning, unit_words(rule)));
-            [1, 2, 3].map(|i| self.default(rule, Some(i), Written::Broken))
-        })
-    }
-
-    /// Three numbers, or their default.
-    pub fn vector_or(&mut self, rule: &Rule, default: [f64; 3]) -> [Number; 3] {
-        self.components(rule, Some(default))
-            .unwrap_or_else(|| [1, 2, 3].map(|i| self.default(rule, Some(i), Written::Plain(default[i - 1]))))
-    }
-
-    /// Three numbers that may be left out.
-    pub fn optional_vector(&mut self, rule: &Rule) -> Option<[Number; 3]> {
-        self.components(rule, None)
-    }
-
-    fn components(&mut self, rule: &Rule, default: Option<[f64; 3]>) -> Option<[Number; 3]> {
-        let entry = self.take(rule.key)?;
+    /// A count that shapes the table of variables: a whole number in the file, no parameter and no expression.
+    pub fn count_or(&mut self, rule: &Rule, default: usize) -> usize {
+        let Some(entry) = self.take(rule.key) else { return default };
         let name = format!("{}{}", self.prefix, rule.key);
-        match &entry.item.node {
-            Node::Array(items) if items.len() == 3 => Some([0, 1, 2].map(|i| {
-                let name = format!("{name}[{}]", i + 1);
-                self.scalar(rule, name, &items[i], listed(&entry), default.map(|default| default[i]))
-            })),
-            _ => {
-                self.context.wrong_type(&name, &entry.item, "a list of 3 numbers");
-                Some([1, 2, 3].map(|i| self.default(rule, Some(i), Written::Broken)))
-            }
+        let Node::Integer(count) = entry.item.node else {
+            self.context.wrong_type(&name, &entry.item, "a whole number");
+            return default;
+        };
+        if let Some(objection) = Meta::of(rule, name.clone()).objection(count as f64) {
+            let message = format!("`{name}` {objection}");
+            self.context.report.error(entry.item.place, &message, &format!("this is {count}"), "");
+            return default;
         }
+        usize::try_from(count).unwrap_or(default)
     }
 
     /// A number that is not written in the file.
@@ -338,17 +348,17 @@ impl<'c, 'a> Reader<'c, 'a> {
         }
     }
 
-    /// The name of another thing of the file: its place among its kind. 0 stands for what is reported.
-    pub fn reference(&mut self, key: &'static str, kind: Kind) -> usize {
+    /// The name of another thing of the file: its place among its kind; none: a mistake, which is reported.
+    pub fn reference(&mut self, key: &'static str, kind: Kind) -> Option<usize> {
         let known = self.has(key);
         let Some((name, place)) = self.text(key) else {
             if !known {
                 self.missing(key, &format!("the name of a {}", kind.word()));
             }
-            return 0;
+            return None;
         };
         let message = match self.context.names.find(&name) {
-            Some(named) if named.kind == kind => return named.index,
+            Some(named) if named.kind == kind => return Some(named.index),
             Some(named) => format!("`{name}` is a {}", named.kind.word()),
             None => format!("unknown {} `{name}`", kind.word()),
         };
@@ -357,7 +367,7 @@ impl<'c, 'a> Reader<'c, 'a> {
         let names: Vec<_> = self.context.names.of(kind).collect();
         let help = if names.is_empty() { String::new() } else { format!("known: {}", names.join(", ")) };
         self.context.report.error(place, &message, &label, &help);
-        0
+        None
     }
 }
 
@@ -382,9 +392,14 @@ fn unit_words(rule: &Rule) -> String {
 /// `"small", "large" or "large_truncated"`.
 pub fn listing<'s>(words: impl Iterator<Item = &'s str>) -> String {
     let quoted: Vec<_> = words.map(|word| format!("\"{word}\"")).collect();
-    match quoted.split_last() {
+    either(&quoted.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+/// `a joint, a drive or a frame`.
+pub fn either(words: &[&str]) -> String {
+    match words.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        Some((last, _)) => last.clone(),
+        Some((last, _)) => (*last).to_owned(),
         None => String::new(),
     }
 }
