@@ -114,6 +114,11 @@ pub fn quaternion_of(vector: &Vec3) -> Quaternion<f64> {
     Quaternion::from_parts((0.5 * angle).cos(), vector * scale)
 }
 
+/// The rotation matrix of a quaternion `[w, x, y, z]` of any length but 0.
+pub fn quaternion_matrix([w, x, y, z]: [f64; 4]) -> Mat3 {
+    *UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).to_rotation_matrix().matrix()
+}
+
 /// The unit quaternion of a triad whose columns are the axes.
 pub fn quaternion_of_triad(triad: &Mat3) -> Quaternion<f64> {
     *UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*triad)).quaternion()

@@ -19,6 +19,7 @@ use super::sensor::Sensor;
 use super::spring::Spring;
 use super::state::{State, Statistics};
 use super::system::{Beam, System};
+use super::transmission::Transmission;
 use crate::math::jet::Jet;
 use crate::math::{Mat3, Vec3};
 
@@ -163,13 +164,14 @@ impl Assembly {
                 Element::new(node, length, design.stiffness(), density, reference, [&frames[0], &frames[1]], 0.0);
             self.system.elements.push(element);
         }
-        let twist_limit = design.twist_limit();
         self.system.beams.push(Beam {
             name: design.name.clone(),
             first_node,
             first_element,
             elements: count,
-            twist_limit,
+            outline: design.section.outline,
+            young: design.material.young,
+            twist_limit: design.twist_limit(),
         });
         self.system.beams.len() - 1
     }
@@ -291,6 +293,16 @@ impl Assembly {
     pub fn add_spring(&mut self, spring: Spring) -> usize {
         self.system.springs.push(spring);
         self.system.springs.len() - 1
+    }
+
+    /// Adds what a joint of the model file consists of.
+    pub fn add_transmission(&mut self, transmission: Transmission) {
+        self.system.transmissions.push(transmission);
+    }
+
+    /// Adds drive `drive` to what joint `joint` of the model file consists of.
+    pub fn add_drive_of(&mut self, joint: usize, drive: usize) {
+        self.system.transmissions[joint].drives.push(drive);
     }
 
     /// Adds a load.

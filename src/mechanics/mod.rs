@@ -33,3 +33,4 @@ pub mod sensor;
 pub mod spring;
 pub mod state;
 pub mod system;
+pub mod transmission;

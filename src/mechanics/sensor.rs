@@ -3,6 +3,7 @@
 use super::configuration::Configuration;
 use super::marker::Marker;
 use super::pose::{Pose, angular_velocity};
+use super::resultants::{self, SectionForces};
 use super::state::State;
 use super::system::{System, evaluation};
 use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
@@ -105,6 +106,42 @@ impl Sensor {
             }
         }
         sum
+    }
+}
+
+impl Sensor {
+    /// Acceleration in global axes, m/s², from the second derivatives `acceleration` of the coordinates.
+    pub fn acceleration(&self, c: &Configuration, acceleration: &[f64]) -> Vec3 {
+        // Places that are watched are linear in the coordinates: on the beam's axis, at the centre of mass.
+        let [_, explicit] = self.marker.pose_t(c);
+        let place_q = self.marker.motion(c).place_q;
+        let own = self.marker.coordinates(c.elements).enumerate();
+        own.fold(explicit.place, |sum, (local, index)| sum + place_q.column(local) * acceleration[index])
+    }
+
+    /// Force and moments of the section; at an inner node the mean of its two elements'.
+    pub fn section_forces(&self, system: &System, c: &Configuration) -> SectionForces {
+        let (places, count) = self.places(system);
+        let mut sum = SectionForces::default();
+        for (number, xi) in &places[..count] {
+            let own = resultants::section_forces(&c.elements[*number].stiffness, &strains_in_element(c, *number, *xi));
+            let share = 1.0 / count as f64;
+            sum.axial += share * own.axial;
+            for (sum, own) in sum.moment.iter_mut().zip(own.moment) {
+                *sum += share * own;
+            }
+        }
+        sum
+    }
+
+    /// Largest von Mises stress over the section's outline, Pa; at an inner node of the mean strains. NaN without an outline.
+    pub fn stress(&self, system: &System, c: &Configuration) -> f64 {
+        let (places, count) = self.places(system);
+        let Some((beam, _)) = self.on_beam.filter(|_| count > 0) else { return f64::NAN };
+        let beam = &system.beams[beam];
+        let stiffness = &c.elements[places[0].0].stiffness;
+        let strains = self.strains(system, c);
+        resultants::largest_stress(&beam.outline, beam.young, stiffness, &strains).unwrap_or(f64::NAN)
     }
 }
 

@@ -7,7 +7,6 @@ use super::gauge::Gauge;
 use super::joint::{own_velocity, pull_back};
 use super::marker::{MARKER, MarkerMatrix};
 use super::pose::{POSE, PairVector};
-use crate::math::Vec3;
 use nalgebra::SVector;
 
 /// A spring with a damper.
@@ -28,6 +27,9 @@ pub struct Spring {
 impl Spring {
     /// Its elastic energy, J.
     pub fn energy(&self, gauge: &Gauge, c: &Configuration) -> f64 {
+        if self.is_idle() {
+            return 0.0;
+        }
         let stretch = self.reading(gauge, c) - self.rest;
         0.5 * self.stiffness * stretch * stretch
     }
@@ -55,6 +57,9 @@ impl Spring {
 
     /// Generalized forces against the motion of both sides, 14×1 each: the gradient of the energy, and the damper's part.
     pub fn gradient(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> [SVector<f64, MARKER>; 2] {
+        if self.is_idle() {
+            return [SVector::zeros(); 2];
+        }
         let tension = self.tension(gauge, c, passage);
         reading_q(gauge, c).map(|by_side| by_side * tension)
     }
@@ -62,6 +67,9 @@ impl Spring {
     /// Derivative of [`Self::gradient`] by the coordinates of both sides, blocks `aa, ab, ba, bb`; over a step twice that by
     /// the coordinates at its end. At an instant the velocities are fixed.
     pub fn hessian(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> [MarkerMatrix; 4] {
+        if self.is_idle() {
+            return [MarkerMatrix::zeros(); 4];
+        }
         let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
         let tension = self.tension(gauge, c, passage);
         let by_poses = gauge.measure.gradient(&a, &b);
@@ -92,12 +100,17 @@ impl Spring {
         [0, 1, 2, 3].map(|number: usize| here[number / 2] * here[number % 2].transpose() * self.damping)
     }
 
-    /// Force (N) and moment (N m) that b receives at its place, in global axes.
-    pub fn reaction(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> (Vec3, Vec3) {
-        let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
-        let by_poses = gauge.measure.gradient(&a, &b) * -self.tension(gauge, c, passage);
-        let force = by_poses.fixed_rows::<POSE>(POSE).into_owned();
-        (force.fixed_rows::<3>(0).into_owned(), super::pose::moment(&b, &force))
+    /// Minus its forces on the numbers of both poses, 24×1.
+    pub fn tension_x(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> PairVector {
+        if self.is_idle() {
+            return PairVector::zeros();
+        }
+        gauge.measure.gradient(&gauge.a.pose(c), &gauge.b.pose(c)) * self.tension(gauge, c, passage)
+    }
+
+    /// Whether it does nothing now. Its measure may have no meaning then: the rotation vector of parts that turn freely.
+    pub fn is_idle(&self) -> bool {
+        self.stiffness == 0.0 && self.damping == 0.0
     }
 }
 

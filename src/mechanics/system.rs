@@ -19,9 +19,11 @@ use super::load::{Excitation, Load};
 use super::pose::axis_place;
 use super::prescribed::{Drive, MovingFrame, Prescribed, Targets};
 use super::rigid_body::{BODY, RigidBody};
+use super::section::Outline;
 use super::sensor::Sensor;
 use super::spring::Spring;
 use super::state::State;
+use super::transmission::Transmission;
 use crate::math::Vec3;
 
 /// A beam: a run of nodes and elements.
@@ -35,6 +37,10 @@ pub struct Beam {
     pub first_element: usize,
     /// Number of elements; it has one node more.
     pub elements: usize,
+    /// Outline of its section: where stress is largest.
+    pub outline: Outline,
+    /// Young's modulus, Pa.
+    pub young: f64,
     /// Largest twist rate that `strain = "large_truncated"` bears, rad/m (MECHANICS, trap 9); infinite for the other strains.
     pub twist_limit: f64,
 }
@@ -58,6 +64,8 @@ pub struct System {
     pub drives: Vec<Drive>,
     /// Springs in file order, then those of joints.
     pub springs: Vec<Spring>,
+    /// What the joints of the model file consist of, in file order.
+    pub transmissions: Vec<Transmission>,
     /// Loads in file order.
     pub loads: Vec<Load>,
     /// Watched points in the order of their adding.
@@ -110,6 +118,14 @@ impl System {
         let frame = self.moving_frames.iter().zip(&motion.frames).find(|(_, frame)| !frame.is_finite());
         let drive = drive.map(|(drive, _)| format!("drive {}", drive.name));
         drive.or_else(|| frame.map(|(frame, _)| format!("frame {}", frame.name)))
+    }
+
+    /// Whether nothing acts from outside but gravity, nothing is driven and nothing damps: the energy is kept.
+    pub fn is_conservative(&self) -> bool {
+        let outside = self.loads.is_empty() && self.drives.is_empty() && self.moving_frames.is_empty();
+        outside
+            && self.springs.iter().all(|spring| spring.damping == 0.0)
+            && self.elements.iter().all(|element| element.stiffness.damping == 0.0)
     }
 
     /// Number of nodes.

@@ -68,7 +68,8 @@ pub const YOUNG: Rule = rule("young", "Young's modulus", "Pa").above(0.0);
 pub const POISSON: Rule = rule("poisson", "Poisson's ratio", "").above(-1.0).below(0.5);
 pub const SHEAR: Rule = rule("shear", "shear modulus", "Pa").above(0.0);
 pub const DENSITY: Rule = rule("density", "density", "kg/m3").above(0.0);
-pub const MATERIAL_DAMPING: Rule = rule("damping", "viscous stress per strain rate, over the modulus", "s").from(0.0);
+pub const MATERIAL_DAMPING: Rule =
+    rule("damping", "viscous stress per strain rate, over the modulus", "s").from(0.0).tunable();
 
 pub const WIDTH: Rule = rule("width", "width of the section along its y", "m").above(0.0);
 pub const HEIGHT: Rule = rule("height", "height of the section along its z", "m").above(0.0);

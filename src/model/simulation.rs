@@ -2,8 +2,8 @@
 
 use super::build::{self, Built};
 use super::document::Document;
-use super::entries::simulation::{Analysis, Integrator as Choice};
-use super::variables::{Source, Table};
+use super::entries::simulation::{Analysis, Initial, Integrator as Choice};
+use super::variables::{Moment, Source, Table};
 use super::watch::Watch;
 use crate::error::Error;
 use crate::fmi::variable::Variable;
@@ -12,6 +12,7 @@ use crate::mechanics::sensor::Snapshot as Frames;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::solve::midpoint::{AxialRule, Midpoint};
+use crate::solve::response::{Responder, Response};
 use crate::solve::start;
 use crate::solve::statics::Statics;
 use crate::solve::stepping::grid_step;
@@ -52,6 +53,9 @@ struct Machine {
     /// solver is scratch memory only.
     initialization: Arc<()>,
     solver: Solver,
+    /// Computes accelerations and multipliers, where results ask for them.
+    responder: Option<Box<Responder>>,
+    response: Response,
 }
 
 /// What takes a step.
@@ -105,7 +109,7 @@ impl Simulation {
             warnings: Vec::new(),
             watch: Watch::default(),
         };
-        simulation.measure();
+        simulation.measure().map_err(|error| failure(&error))?;
         Ok(simulation)
     }
 
@@ -124,12 +128,16 @@ impl Simulation {
         &self.machine.state
     }
 
-    fn measure(&mut self) {
-        let machine = &self.machine;
-        self.table.measure(&machine.system, &machine.state, &mut self.frames, &mut self.results);
+    /// Reads all results off the state that the machine has reached.
+    fn measure(&mut self) -> Result<(), Error> {
+        let machine = &mut self.machine;
+        machine.respond()?;
+        let moment = Moment { system: &machine.system, state: &machine.state, response: &machine.response };
+        self.table.measure(&moment, &mut self.frames, &mut self.results);
         let energies = self.table.energies(&self.results);
         let odd = self.watch.look(&machine.system, &machine.state, energies, &mut self.frames);
         self.warnings.extend(odd);
+        Ok(())
     }
 }
 
@@ -180,11 +188,16 @@ impl Model for Simulation {
         self.document.check().map_err(wrong)?;
         let built = build::build(&self.document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;
         let mut machine = Machine::new(built, &self.document, start);
-        let warning = machine.find_initial_state(&self.document).map_err(|error| failure(&error))?;
-        self.warnings.extend(warning);
-        self.machine = machine;
-        self.watch = Watch::default();
-        self.measure();
+        let document = &self.document;
+        build::aim(document, |number| document.value(number), start, &mut machine.state.targets).map_err(wrong)?;
+        let warning = machine.find_initial_state(document, self.table.needs_response());
+        self.warnings.extend(warning.map_err(|error| failure(&error))?);
+        let before = std::mem::replace(&mut self.machine, machine);
+        self.watch = Watch::new(&self.document);
+        if let Err(error) = self.measure() {
+            self.machine = before;
+            return Err(failure(&error));
+        }
         Ok(())
     }
 
@@ -193,9 +206,14 @@ impl Model for Simulation {
     }
 
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
-        self.machine.advance(end).map_err(|error| failure(&error))?;
-        self.measure();
-        Ok(())
+        let wrong = |message| Failure { message, category: LogCategory::StatusError };
+        let (machine, document) = (&mut self.machine, &self.document);
+        machine.keep();
+        build::aim(document, |number| document.value(number), end, &mut machine.state.targets).map_err(wrong)?;
+        machine.advance(end).and_then(|()| self.measure()).map_err(|error| {
+            self.machine.go_back();
+            failure(&error)
+        })
     }
 
     fn take_warnings(&mut self) -> Vec<String> {
@@ -209,7 +227,8 @@ impl Model for Simulation {
             self.machine = Machine::new(built, &self.document, 0.0);
         }
         self.warnings.clear();
-        self.measure();
+        // Nothing is solved for before the initialization, so that nothing can fail.
+        let _ = self.measure();
     }
 
     fn snapshot(&self) -> Snapshot {
@@ -243,6 +262,11 @@ impl Model for Simulation {
                 // It could be set up for this very system before; if memory is short, the next step says that there is none.
                 true => Solver::new(&self.document, &machine.system).unwrap_or(Solver::None),
             };
+            // The response is of the state, and only results ask for it: a snapshot has them.
+            machine.responder = match snapshot.initialized && self.table.needs_response() {
+                false => None,
+                true => Responder::new(&machine.system).ok().map(Box::new),
+            };
         }
     }
 }
@@ -258,6 +282,8 @@ impl Machine {
             step: document.value(document.simulation.step),
             initialization: Arc::new(()),
             solver: Solver::None,
+            responder: None,
+            response: Response::default(),
         }
     }
 
@@ -266,18 +292,35 @@ impl Machine {
     }
 
     /// Sets up the solver and finds the state at the start; returns a warning if the given velocities had to change.
-    fn find_initial_state(&mut self, document: &Document) -> Result<Option<String>, Error> {
+    fn find_initial_state(&mut self, document: &Document, responds: bool) -> Result<Option<String>, Error> {
         start::check_assembled(&self.system, &self.state)?;
         self.solver = Solver::new(document, &self.system)?;
+        if responds {
+            self.responder = Some(Box::new(Responder::new(&self.system)?));
+        }
         let moving = self.state.velocity.iter().any(|value| *value != 0.0);
+        if document.simulation.analysis == Analysis::Dynamic {
+            match document.simulation.initial {
+                Initial::AsDrawn => start::check_drives(&self.system, &self.state)?,
+                Initial::Equilibrium => {
+                    let tolerance = document.value(document.simulation.tolerance);
+                    start::find_equilibrium(&self.system, &mut self.state, tolerance)?;
+                }
+            }
+        }
         match &mut self.solver {
             Solver::None => Ok(None),
             Solver::Midpoint(midpoint) => {
                 let lost = start::set_motion(&self.system, midpoint, &mut self.state)?;
+                if moving && document.simulation.initial == Initial::Equilibrium {
+                    return Ok(Some(String::from(
+                        "the given initial velocities are not used: the motion begins at an equilibrium",
+                    )));
+                }
                 Ok((lost > 0.0).then(|| {
                     format!(
                         "the given initial velocities do not fit the joints: they were changed to the nearest that do, \
-                         which takes {:.3} % of their kinetic energy",
+                         a change of {:.3} % of their kinetic energy",
                         100.0 * lost
                     )
                 }))
@@ -290,22 +333,36 @@ impl Machine {
         }
     }
 
-    /// Advances to `end`, on the grid `start + k step` where both ends are on it, else in equal steps; all or nothing.
-    fn advance(&mut self, end: f64) -> Result<(), Error> {
-        self.backup.clone_from(&self.state);
-        let result = self.advance_over_grid(end);
-        if result.is_err() {
-            self.state.clone_from(&self.backup);
+    /// Computes the response of the state that is reached, if results ask for it.
+    fn respond(&mut self) -> Result<(), Error> {
+        let moving = matches!(self.solver, Solver::Midpoint(_));
+        match &mut self.responder {
+            Some(responder) if moving => responder.respond(&self.system, &self.state, &mut self.response),
+            _ => {
+                self.response.set_at_rest(&self.state);
+                Ok(())
+            }
         }
-        result
     }
 
-    fn advance_over_grid(&mut self, end: f64) -> Result<(), Error> {
+    /// Keeps the state, for [`Self::go_back`].
+    fn keep(&mut self) {
+        self.backup.clone_from(&self.state);
+    }
+
+    /// Goes back to the state that was kept.
+    fn go_back(&mut self) {
+        self.state.clone_from(&self.backup);
+    }
+
+    /// Advances to `end`, on the grid `start + k step` where both ends are on it, else in equal steps.
+    fn advance(&mut self, end: f64) -> Result<(), Error> {
         let grid = |number: f64| self.start + number * self.step;
         let nearest = |time: f64| ((time - self.start) / self.step).round();
         let last = nearest(end);
         let on_grid = (end - grid(last)).abs() <= ON_GRID * self.step;
         let end = if on_grid { grid(last) } else { end };
+        self.state.targets.end = end;
         let first = nearest(self.state.time);
         let needed = (end - self.state.time) / self.step;
         if needed > MOST_STEPS {

@@ -2,16 +2,20 @@
 //! One row has the FMI variable and what it is read from.
 
 use super::document::Document;
-use super::entries::anchor::Spot;
+use super::entries::anchor::{Anchor, Spot};
 use super::entries::output::{Output, Target};
 use super::quantity::Quantity;
 use super::unit;
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
+use crate::mechanics::configuration::{Configuration, Passage, Rates};
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::transmission::Action;
+use crate::solve::response::Response;
+use std::ops::Range;
 
 /// What a row is read from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,14 +29,31 @@ pub enum Source {
 /// What the results are made of, in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Measure {
-    /// A quantity of the point of an output, by the number of its sensor.
-    Point(usize, Quantity),
+    /// A quantity at sensors: one of a point, several of a whole beam.
+    Sensors(Range<usize>, Quantity),
+    /// What a moving frame must supply, by its number.
+    Frame(usize, Quantity),
+    /// A quantity of a joint, by its place in the file.
+    Joint(usize, Quantity),
+    /// A quantity of a drive, by its place in the file.
+    Drive(usize, Quantity),
     /// Kinetic, elastic, gravity and total energy.
     Energy,
     /// Linear and angular momentum.
     Momentum,
     /// Steps, iterations, rejected steps.
     Statistics,
+}
+
+/// A state with all that results are read from.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment<'a> {
+    /// The machine.
+    pub system: &'a System,
+    /// Its state.
+    pub state: &'a State,
+    /// Accelerations and multipliers at the time of the state; needed where [`Table::needs_response`].
+    pub response: &'a Response,
 }
 
 /// The variable table, and where each row's value comes from.
@@ -55,23 +76,22 @@ impl Table {
         for (index, parameter) in document.parameters().iter().enumerate() {
             table.push(parameter.variable.clone(), Source::Parameter(index));
         }
-        let at_points = |output: &&Output| match output.target {
-            Target::At(anchor) => matches!(anchor.spot, Spot::Beam { .. }),
-            Target::Joint(_) | Target::Drive(_) | Target::On { .. } => false,
-        };
-        for (sensor, output) in document.outputs.iter().filter(at_points).enumerate() {
-            for quantity in output.quantities.iter().filter(|quantity| is_measured(**quantity)) {
-                let row = quantity.row();
-                let name = format!("{}.{}", output.name, row.word);
-                let meaning = format!("{}: {}", output.name, row.meaning);
-                table.push_result(&name, row.components, row.unit, &meaning);
-                table.measures.push(Measure::Point(sensor, *quantity));
+        let mut sensor = 0;
+        for output in &document.outputs {
+            let sensors = match &output.target {
+                Target::At(_) => 1,
+                Target::On { stations, .. } => *stations,
+                Target::Joint(_) | Target::Drive(_) => 0,
+            };
+            for quantity in &output.quantities {
+                table.push_quantity(document, output, *quantity, sensor..sensor + sensors);
             }
+            sensor += sensors;
         }
         table.energy = table.results();
         for (name, meaning) in [
             ("energy.kinetic", "Kinetic energy"),
-            ("energy.elastic", "Strain energy of all beams"),
+            ("energy.elastic", "Strain energy of beams and energy of springs"),
             ("energy.gravity", "Potential energy of gravity, zero at the origin"),
             ("energy.total", "Sum of kinetic, elastic and gravity energy"),
         ] {
@@ -95,6 +115,49 @@ impl Table {
     fn push(&mut self, variable: Variable, source: Source) {
         self.variables.push(variable);
         self.sources.push(source);
+    }
+
+    /// Rows of a quantity of an output whose sensors are `sensors`.
+    fn push_quantity(&mut self, document: &Document, output: &Output, quantity: Quantity, sensors: Range<usize>) {
+        let row = quantity.row();
+        let unit = output.unit(quantity, &document.drives);
+        let name = format!("{}.{}", output.name, row.word);
+        let meaning = format!("{}: {}", output.name, row.meaning);
+        let is_reaction = matches!(quantity, Quantity::ReactionForce | Quantity::ReactionMoment);
+        let measure = match output.target {
+            Target::At(Anchor { spot: Spot::Frame(frame), .. }) if is_reaction => Measure::Frame(frame, quantity),
+            Target::At(_) => Measure::Sensors(sensors, quantity),
+            Target::Joint(joint) => Measure::Joint(joint, quantity),
+            Target::Drive(drive) => Measure::Drive(drive, quantity),
+            Target::On { stations, .. } => {
+                for station in 1..=stations {
+                    for component in 1..=row.components {
+                        let (index, part) = match row.components {
+                            1 => (format!("[{station}]"), String::new()),
+                            _ => (format!("[{station},{component}]"), format!(", component {component}")),
+                        };
+                        let meaning = format!("{meaning}, station {station} of {stations} from start to end{part}");
+                        self.push_result(&format!("{name}{index}"), 1, unit, &meaning);
+                    }
+                }
+                self.measures.push(Measure::Sensors(sensors, quantity));
+                return;
+            }
+        };
+        self.push_result(&name, row.components, unit, &meaning);
+        self.measures.push(measure);
+    }
+
+    /// Whether accelerations or multipliers are among what results are read from.
+    pub fn needs_response(&self) -> bool {
+        self.measures.iter().any(|measure| match measure {
+            Measure::Sensors(_, quantity) => *quantity == Quantity::Acceleration,
+            Measure::Frame(..) => true,
+            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
+                matches!(quantity, Quantity::ReactionForce | Quantity::ReactionMoment | Quantity::Effort)
+            }
+            Measure::Energy | Measure::Momentum | Measure::Statistics => false,
+        })
     }
 
     /// Number of results so far.
@@ -123,33 +186,39 @@ impl Table {
         std::array::from_fn(|part| results[self.energy + part])
     }
 
-    /// Writes all results of `state` into `values`.
-    pub fn measure(&self, system: &System, state: &State, snapshot: &mut Snapshot, values: &mut Vec<f64>) {
+    /// Writes all results of a moment into `values`.
+    pub fn measure(&self, moment: &Moment, snapshot: &mut Snapshot, values: &mut Vec<f64>) {
+        let Moment { system, state, response } = *moment;
         let configuration = snapshot.of(system, state);
+        let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
+        let action = Action { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
         values.clear();
         for measure in &self.measures {
             match measure {
-                Measure::Point(number, quantity) => {
-                    let sensor = &system.sensors[*number];
-                    let rotation = &state.rotations[*number];
-                    let vector = |v: Vec3| [v[0], v[1], v[2]];
-                    let place = || sensor.marker.pose(&configuration).place;
-                    let motion = || sensor.motion(&configuration, &state.velocity);
-                    let strains = || sensor.strains(system, &configuration);
-                    match quantity {
-                        Quantity::Position => values.extend(vector(place())),
-                        Quantity::Displacement => values.extend(vector(place() - sensor.drawn.place)),
-                        Quantity::Velocity => values.extend(vector(motion().0)),
-                        Quantity::Rotation => values.extend(vector(*rotation)),
-                        Quantity::Quaternion => values.extend(sensor.quaternion(rotation)),
-                        Quantity::AngularVelocity => values.extend(vector(motion().1)),
-                        Quantity::Twist => values.push(sensor.twist(system, &configuration)),
-                        Quantity::AxialStrain => values.push(strains().axial),
-                        Quantity::Curvature => values.extend(strains().curvature),
-                        Quantity::Torsion => values.push(strains().torsion),
-                        _ => {}
+                Measure::Sensors(sensors, quantity) => {
+                    for sensor in sensors.clone() {
+                        push_point(values, moment, &configuration, sensor, *quantity);
                     }
                 }
+                Measure::Frame(frame, quantity) => push_wrench(values, action.supply(*frame), *quantity),
+                Measure::Joint(number, quantity) => {
+                    let transmission = &system.transmissions[*number];
+                    match quantity {
+                        Quantity::ReactionForce | Quantity::ReactionMoment => {
+                            push_wrench(values, action.reaction(transmission), *quantity);
+                        }
+                        Quantity::Effort => values.push(transmission.drives.iter().map(|d| action.effort(*d)).sum()),
+                        _ => {
+                            let is_angle = *quantity == Quantity::Angle;
+                            let gauge = if is_angle { transmission.angle } else { transmission.distance };
+                            values.push(gauge.map_or(f64::NAN, |gauge| state.readings[gauge]));
+                        }
+                    }
+                }
+                Measure::Drive(number, quantity) => match quantity {
+                    Quantity::Effort => values.push(action.effort(*number)),
+                    _ => values.push(state.readings[system.drives[*number].gauge]),
+                },
                 Measure::Energy => {
                     let parts = [
                         system.kinetic_energy(&state.velocity),
@@ -173,20 +242,36 @@ impl Table {
     }
 }
 
-/// Whether the machine can be asked for it.
-fn is_measured(quantity: Quantity) -> bool {
-    !matches!(
-        quantity,
-        Quantity::Acceleration
-            | Quantity::SectionForce
-            | Quantity::SectionMoment
-            | Quantity::Stress
-            | Quantity::ReactionForce
-            | Quantity::ReactionMoment
-            | Quantity::Angle
-            | Quantity::Distance
-            | Quantity::Effort
-    )
+fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
+    let Moment { system, state, response } = *moment;
+    let sensor = &system.sensors[number];
+    let rotation = &state.rotations[number];
+    let mut push = |v: Vec3| values.extend(v.iter());
+    match quantity {
+        Quantity::Position => push(sensor.marker.pose(c).place),
+        Quantity::Displacement => push(sensor.marker.pose(c).place - sensor.drawn.place),
+        Quantity::Velocity => push(sensor.motion(c, &state.velocity).0),
+        Quantity::Acceleration => push(sensor.acceleration(c, &response.acceleration)),
+        Quantity::Rotation => push(*rotation),
+        Quantity::Quaternion => values.extend(sensor.quaternion(rotation)),
+        Quantity::AngularVelocity => push(sensor.motion(c, &state.velocity).1),
+        Quantity::Twist => values.push(sensor.twist(system, c)),
+        Quantity::AxialStrain => values.push(sensor.strains(system, c).axial),
+        Quantity::Curvature => values.extend(sensor.strains(system, c).curvature),
+        Quantity::Torsion => values.push(sensor.strains(system, c).torsion),
+        Quantity::SectionForce => values.push(sensor.section_forces(system, c).axial),
+        Quantity::SectionMoment => values.extend(sensor.section_forces(system, c).moment),
+        Quantity::Stress => values.push(sensor.stress(system, c)),
+        Quantity::ReactionForce
+        | Quantity::ReactionMoment
+        | Quantity::Angle
+        | Quantity::Distance
+        | Quantity::Effort => unreachable!("the file is refused: these belong to joints, drives and frames"),
+    }
+}
+
+fn push_wrench(values: &mut Vec<f64>, (force, moment): (Vec3, Vec3), quantity: Quantity) {
+    values.extend(if quantity == Quantity::ReactionForce { force } else { moment }.iter());
 }
 
 fn result(name: &str, unit: &str, description: String, start: Value) -> Variable {

@@ -1,5 +1,7 @@
 //! What a run is watched for: signs that its numbers should not be trusted. Each is warned of once.
 
+use super::document::Document;
+use super::entries::simulation::Integrator;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -20,6 +22,12 @@ pub struct Watch {
 }
 
 impl Watch {
+    /// Of a run of `document`: an integrator that damps by itself is not watched for its energy.
+    pub fn new(document: &Document) -> Self {
+        let damps = matches!(document.simulation.integrator, Integrator::GeneralizedAlpha { .. });
+        Self { energy_warned: damps, ..Self::default() }
+    }
+
     /// Looks at a new state with its kinetic, elastic, gravity and total `energies`, J, and says what is odd.
     pub fn look(&mut self, system: &System, state: &State, energies: [f64; 4], frames: &mut Snapshot) -> Vec<String> {
         let twist = self.twist(system, state, frames);
@@ -44,8 +52,8 @@ impl Watch {
     fn energy(&mut self, system: &System, state: &State, [kinetic, elastic, _, total]: [f64; 4]) -> Option<String> {
         let start = *self.start.get_or_insert(total);
         self.largest = self.largest.max(kinetic + elastic);
-        // A machine at equilibrium, or driven by loads, has no reason to keep its energy.
-        if self.energy_warned || kinetic == 0.0 || !system.loads.is_empty() {
+        // A machine at equilibrium, or one that is driven or damped, has no reason to keep its energy.
+        if self.energy_warned || kinetic == 0.0 || !system.is_conservative() {
             return None;
         }
         let change = total - start;
@@ -54,7 +62,7 @@ impl Watch {
         }
         self.energy_warned = true;
         Some(format!(
-            "the total energy has changed from {start:.4e} J to {total:.4e} J by t = {} s, though no load acts: the steps are \
+            "the total energy has changed from {start:.4e} J to {total:.4e} J by t = {} s, though nothing drives or damps it: the steps are \
              too large for this motion; take a smaller simulation.step",
             state.time
         ))

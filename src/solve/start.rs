@@ -1,9 +1,10 @@
 //! The state at the start: joints hold as drawn, velocities are what the joints allow.
 
 use super::midpoint::Midpoint;
+use super::statics::Statics;
 use crate::error::Error;
 use crate::mechanics::sensor::Snapshot;
-use crate::mechanics::state::State;
+use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
 
 /// Largest gap of a joint as drawn, in m per m of the machine's size (at least 1 m) or as the cosine of an angle: rounding of the file's numbers.
@@ -41,6 +42,19 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
             return Err(Error::DriveNotAtZero { drive: drive.name.clone(), value: jet.value });
         }
     }
+    Ok(())
+}
+
+/// Finds the equilibrium at the time of `state`, from the machine as drawn: drives stand still at their values of that time.
+/// Velocities are zero then.
+///
+/// # Errors
+/// There is none, or a part of the machine can move freely.
+pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> Result<(), Error> {
+    Statics::new(system, tolerance)?.find(system, state, state.time)?;
+    state.velocity.fill(0.0);
+    // Counts are those of the motion.
+    state.statistics = Statistics::default();
     Ok(())
 }
 

@@ -15,8 +15,7 @@ pub mod weld;
 
 use super::configuration::Configuration;
 use super::marker::{MARKER, Marker, MarkerMatrix};
-use super::pose::{POSE, PairMatrix, PairVector, Pose, PoseVector, moment};
-use crate::math::Vec3;
+use super::pose::{POSE, PairMatrix, PairVector, Pose, PoseVector};
 use crate::math::jet::Jet;
 use nalgebra::SMatrix;
 use primitive::{MOST_ROWS, Primitive};
@@ -156,11 +155,9 @@ impl Joint {
         }
     }
 
-    /// Force (N) and moment (N m) that b receives at its place, in global axes: `−lambda·phi` by b's motion.
-    pub fn reaction(&self, c: &Configuration, lambda: &[f64]) -> (Vec3, Vec3) {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
-        let force: PoseVector = -self.force_x(&a, &b, lambda).fixed_rows::<POSE>(POSE).into_owned();
-        (force.fixed_rows::<3>(0).into_owned(), moment(&b, &force))
+    /// `∂(lambda·phi)/∂X` by the numbers of both poses, 24×1: minus the forces of the joint on them.
+    pub fn phi_x(&self, c: &Configuration, lambda: &[f64]) -> PairVector {
+        self.force_x(&self.a.pose(c), &self.b.pose(c), lambda)
     }
 
     /// Whether the sides are as meant, not half-turn relatives of it (MECHANICS 6).

@@ -1,0 +1,132 @@
+//! Joints, drives and springs of the file as conditions, gauges and springs of the machine.
+
+use super::tune::{self, Tuned};
+use super::{Builder, signal, vector};
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::gauge::Measure;
+use crate::mechanics::joint::driven::Driven;
+use crate::mechanics::joint::primitive::Primitive;
+use crate::mechanics::joint::{self, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld};
+use crate::mechanics::marker::Marker;
+use crate::mechanics::pose::Pose;
+use crate::mechanics::prescribed::Guide;
+use crate::mechanics::spring;
+use crate::mechanics::transmission::Transmission;
+use crate::model::entries::anchor::Spot;
+use crate::model::entries::drive::{Drive, Motion};
+use crate::model::entries::joint::{Coordinate, Joint, JointKind};
+use crate::model::entries::spring::Spring;
+
+impl Builder<'_> {
+    pub(super) fn add_joint(&mut self, written: &Joint) {
+        let sides = self.sides(written);
+        let joint = conditions(written.kind).map(|primitives| {
+            let [a, b] = sides;
+            let name = format!("joint {}", written.name);
+            self.assembly.add_joint(joint::Joint { name, a, b, primitives, drive: None })
+        });
+        let mut gauge = |present: bool, measure| {
+            let [a, b] = sides;
+            present.then(|| self.assembly.add_gauge(a, b, measure))
+        };
+        let angle = gauge(written.angle.is_some(), Measure::Angle(0));
+        let distance = gauge(written.distance.is_some(), Measure::Distance(0));
+        let mut transmission = Transmission { joint, angle, distance, ..Transmission::default() };
+        for (measure, tuned) in tune::springs_of(written) {
+            let [a, b] = sides;
+            let gauge = match measure {
+                Measure::Angle(_) => angle,
+                Measure::Distance(_) if distance.is_some() => distance,
+                _ => None,
+            };
+            let gauge = gauge.unwrap_or_else(|| self.assembly.add_gauge(a, b, measure));
+            // As drawn, joints are at rest.
+            transmission.springs.push(self.spring(&written.name, gauge, &tuned, 0.0));
+        }
+        self.assembly.add_transmission(transmission);
+    }
+
+    /// The two sides of a joint: at its place, with its axes.
+    fn sides(&self, written: &Joint) -> [Marker; 2] {
+        let document = self.document;
+        let own = if written.b.spot == Spot::Ground { &written.a } else { &written.b };
+        let place =
+            written.at.map_or_else(|| self.assembly.drawn(&self.anchored(own)).place, |at| vector(document, at));
+        let axis = written.axis.map(|axis| vector(document, axis));
+        let axes = match (axis, written.axis2.map(|axis| vector(document, axis))) {
+            (None, _) => Mat3::identity(),
+            (Some(axis), None) => triad_along(&axis),
+            (Some(axis), Some(axis2)) => triad_of(&axis, &axis2),
+        };
+        [&written.a, &written.b].map(|anchor| self.assembly.tied(&self.anchored(anchor), &Pose { place, axes }))
+    }
+
+    pub(super) fn add_drive(&mut self, written: &Drive) {
+        let document = self.document;
+        let sides = self.sides(&document.joints[written.joint]);
+        let driven = match written.coordinate {
+            Coordinate::Angle => Driven::Angle,
+            Coordinate::Distance => Driven::Distance,
+        };
+        let (guide, target) = match (written.motion, written.input) {
+            (Motion::Value(number), false) => (Guide::Value(signal(document, number)), 0.0),
+            (Motion::Rate(number), false) => (Guide::Rate(signal(document, number)), 0.0),
+            (Motion::Value(number), true) => (Guide::HostValue, document.value(number)),
+            (Motion::Rate(number), true) => (Guide::HostRate, document.value(number)),
+        };
+        let drive = self.assembly.add_drive(&written.name, sides, driven, guide, target);
+        self.assembly.add_drive_of(written.joint, drive);
+    }
+
+    pub(super) fn add_spring(&mut self, written: &Spring) {
+        let (a, b) = (self.anchored(&written.a), self.anchored(&written.b));
+        let length = (self.assembly.drawn(&b).place - self.assembly.drawn(&a).place).norm();
+        if length == 0.0 {
+            let message = format!("the ends of spring {} are at the same place at the start", written.name);
+            let label = "another place was expected: a spring needs a direction";
+            self.mistakes.push(self.document.diagnostic(written.b.place, &message, label, ""));
+        }
+        let gauge = self.assembly.add_gauge(a, b, Measure::Length);
+        self.spring(&written.name, gauge, &tune::spring(written), length);
+    }
+
+    fn spring(&mut self, name: &str, gauge: usize, tuned: &Tuned, drawn: f64) -> usize {
+        let value = |number| self.document.value(number);
+        let spring = spring::Spring {
+            name: name.to_owned(),
+            gauge,
+            stiffness: value(tuned.stiffness),
+            damping: value(tuned.damping),
+            rest: tuned.rest.map_or(drawn, value),
+        };
+        self.assembly.add_spring(spring)
+    }
+}
+
+/// The conditions of a kind of joint; a bushing has none.
+fn conditions(kind: JointKind) -> Option<&'static [Primitive]> {
+    match kind {
+        JointKind::Weld => Some(weld::PRIMITIVES),
+        JointKind::Spherical => Some(spherical::PRIMITIVES),
+        JointKind::Revolute => Some(revolute::PRIMITIVES),
+        JointKind::Cylindrical => Some(cylindrical::PRIMITIVES),
+        JointKind::Prismatic => Some(prismatic::PRIMITIVES),
+        JointKind::Universal => Some(universal::PRIMITIVES),
+        JointKind::Inline => Some(inline::PRIMITIVES),
+        JointKind::Inplane => Some(inplane::PRIMITIVES),
+        JointKind::Bushing => None,
+    }
+}
+
+/// A triad whose first axis is along `axis`; the others are as near to the global axes as can be.
+fn triad_along(axis: &Vec3) -> Mat3 {
+    let first = axis.normalize();
+    triad_of(&first, &Vec3::ith(first.iamin(), 1.0))
+}
+
+/// A triad whose first axis is along `axis` and whose second is as near to `second` as can be.
+fn triad_of(axis: &Vec3, second: &Vec3) -> Mat3 {
+    let first = axis.normalize();
+    let second = (second - first * first.dot(second)).normalize();
+    Mat3::from_columns(&[first, second, first.cross(&second)])
+}

@@ -1,0 +1,113 @@
+//! From the typed file to the machine: geometry.rs has checked it, or does so here after a change of parameters.
+//!
+//! A file a kind of part; what may change while the machine runs is in tune.rs.
+
+mod joints;
+mod parts;
+mod tune;
+
+pub use tune::{aim, retune};
+
+use super::diagnostic::{Diagnostic, Diagnostics};
+use super::document::Document;
+use super::entries::anchor::{Anchor, Spot};
+use super::entries::output;
+use super::geometry;
+use super::number::Number;
+use crate::math::Vec3;
+use crate::mechanics::assembly::Assembly;
+use crate::mechanics::load::Signal;
+use crate::mechanics::marker::Marker;
+use crate::mechanics::pose::Pose;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use std::sync::Arc;
+
+/// The machine as drawn.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// The machine.
+    pub system: System,
+    /// Its state as drawn, velocities as given.
+    pub state: State,
+}
+
+/// Builds the machine with the parameters of now; `start` is the time of the drawing, s.
+///
+/// # Errors
+/// Every mistake that the geometry shows, in file order.
+pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
+    let mistakes = geometry::mistakes(document);
+    if !mistakes.is_empty() {
+        return Err(Diagnostics(mistakes));
+    }
+    let mut builder = Builder { document, assembly: Assembly::new(start), mistakes: Vec::new() };
+    document.beams.iter().for_each(|beam| builder.add_beam(beam));
+    document.bodies.iter().for_each(|body| builder.add_body(body));
+    document.frames.iter().for_each(|frame| builder.add_frame(frame));
+    document.springs.iter().for_each(|spring| builder.add_spring(spring));
+    document.joints.iter().for_each(|joint| builder.add_joint(joint));
+    document.drives.iter().for_each(|drive| builder.add_drive(drive));
+    document.loads.iter().for_each(|load| builder.add_load(load));
+    document.outputs.iter().for_each(|output| builder.add_sensors(&output.target));
+    if !builder.mistakes.is_empty() {
+        return Err(Diagnostics(builder.mistakes));
+    }
+    let (system, state) = builder.assembly.finish(vector(document, document.model.gravity));
+    Ok(Built { system, state })
+}
+
+fn vector(document: &Document, numbers: [Number; 3]) -> Vec3 {
+    Vec3::from(document.vector(numbers))
+}
+
+fn signal(document: &Document, number: Number) -> Signal {
+    let function = document.function(number);
+    if function.is_constant() {
+        return Signal::Constant(function.value(0.0));
+    }
+    Signal::Function(Arc::new(move |time| function.jet(time)))
+}
+
+/// Builds what [`geometry::mistakes`] has found sound.
+struct Builder<'a> {
+    document: &'a Document,
+    assembly: Assembly,
+    /// What only the start time shows to be wrong.
+    mistakes: Vec<Diagnostic>,
+}
+
+impl Builder<'_> {
+    /// What an anchor names, with its own axes: a section, a body, a frame, the ground.
+    fn anchored(&self, anchor: &Anchor) -> Marker {
+        match anchor.spot {
+            Spot::Ground => Marker::Ground(Pose::default()),
+            Spot::Beam { beam, along } => {
+                let elements = self.document.value(self.document.beams[beam].elements);
+                self.assembly.section_at(beam, along.fraction(self.document, elements))
+            }
+            Spot::Body(body) => self.assembly.body(body),
+            Spot::Frame(frame) => self.assembly.frame(frame),
+        }
+    }
+
+    /// What an output looks at: a point for each station; joints and drives are looked at without one.
+    fn add_sensors(&mut self, target: &output::Target) {
+        match target {
+            output::Target::At(anchor) => {
+                if let Spot::Beam { beam, along } = anchor.spot {
+                    let elements = self.document.value(self.document.beams[beam].elements);
+                    self.assembly.add_sensor(beam, along.fraction(self.document, elements));
+                } else {
+                    self.assembly.watch(self.anchored(anchor), None);
+                }
+            }
+            output::Target::On { beam, stations } => {
+                for station in 0..*stations {
+                    self.assembly.add_sensor(*beam, station as f64 / (stations - 1) as f64);
+                }
+            }
+            output::Target::Joint(_) | output::Target::Drive(_) => {}
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Beams, bodies, frames and loads of the file as parts of the machine.
+
+use super::{Builder, signal, tune, vector};
+use crate::math::Mat3;
+use crate::mechanics::assembly::{BeamDesign, Torsion};
+use crate::mechanics::load::{self, Direction};
+use crate::mechanics::material::Material;
+use crate::mechanics::pose::Pose;
+use crate::mechanics::prescribed::FrameGuide;
+use crate::mechanics::rigid_body::BodyDesign;
+use crate::mechanics::section::{Outline, Section};
+use crate::model::entries::beam::Beam;
+use crate::model::entries::body::{Body, Inertia};
+use crate::model::entries::frame::{Frame, Orientation};
+use crate::model::entries::load::{Load, Target};
+use crate::model::entries::material::Lateral;
+use crate::model::entries::section::{self, Shape};
+use crate::model::number::Number;
+use nalgebra::Rotation3;
+
+impl Builder<'_> {
+    pub(super) fn add_beam(&mut self, beam: &Beam) {
+        let document = self.document;
+        let material = &document.materials[beam.material];
+        let young = document.value(material.young);
+        let shear = match material.lateral {
+            Lateral::Poisson(poisson) => Material::shear_from_poisson(young, document.value(poisson)),
+            Lateral::Shear(shear) => document.value(shear),
+        };
+        let (density, damping) = (document.value(material.density), document.value(material.damping));
+        self.assembly.add_beam(&BeamDesign {
+            name: beam.name.clone(),
+            from: vector(document, beam.from),
+            to: vector(document, beam.to),
+            y_axis: vector(document, beam.y_axis),
+            pretwist: document.value(beam.pretwist),
+            elements: document.value(beam.elements) as usize,
+            material: Material { young, shear, density, damping },
+            section: self.section(&document.sections[beam.section]),
+            strain: beam.strain,
+            torsion: if beam.torsion { Torsion::Free } else { Torsion::Suppressed },
+            velocity: vector(document, beam.velocity),
+            angular_velocity: vector(document, beam.angular_velocity),
+        });
+    }
+
+    /// Integrals of the shape, those that are written instead of the shape's own.
+    fn section(&self, written: &section::Section) -> Section {
+        let value = |number| self.document.value(number);
+        let given = |number: Option<Number>, own: f64| number.map_or(own, value);
+        let shape = match written.shape {
+            Shape::Rectangle { width, height } => Section::rectangle(value(width), value(height)),
+            Shape::Circle { radius } => Section::circle(value(radius)),
+            Shape::Tube { inner, outer } => Section::tube(value(inner), value(outer)),
+            Shape::General => Section {
+                area: 0.0,
+                second_moment_y: 0.0,
+                second_moment_z: 0.0,
+                torsion_constant: 0.0,
+                polar_moment: 0.0,
+                fourth_moments: [0.0; 3],
+                outline: Outline::General,
+            },
+        };
+        let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
+        let second_moment_z = given(written.second_moment_z, shape.second_moment_z);
+        Section {
+            area: given(written.area, shape.area),
+            second_moment_y,
+            second_moment_z,
+            torsion_constant: given(written.torsion_constant, shape.torsion_constant),
+            polar_moment: given(written.polar_moment, second_moment_y + second_moment_z),
+            fourth_moments: written
+                .fourth_moments
+                .map_or(shape.fourth_moments, |numbers| self.document.vector(numbers)),
+            outline: shape.outline,
+        }
+    }
+
+    pub(super) fn add_body(&mut self, body: &Body) {
+        let document = self.document;
+        let inertia = match body.inertia {
+            Inertia::Principal(numbers) => Mat3::from_diagonal(&vector(document, numbers)),
+            Inertia::Tensor(numbers) => {
+                let [xx, yy, zz, xy, yz, zx] = numbers.map(|number| document.value(number));
+                Mat3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz)
+            }
+        };
+        let axes = body.axes.map_or_else(Mat3::identity, |rows| {
+            // As written they are orthonormal to some digits: the nearest rotation is meant.
+            let written = Mat3::from_columns(&rows.map(|row| vector(document, row)));
+            *Rotation3::from_matrix(&written).matrix()
+        });
+        self.assembly.add_body(&BodyDesign {
+            name: body.name.clone(),
+            mass: document.value(body.mass),
+            position: vector(document, body.position),
+            inertia,
+            axes,
+            velocity: vector(document, body.velocity),
+            angular_velocity: vector(document, body.angular_velocity),
+        });
+    }
+
+    pub(super) fn add_frame(&mut self, frame: &Frame) {
+        let document = self.document;
+        let (guide, target) = match frame.orientation {
+            Orientation::Rotation(rotation) => {
+                let place = frame.position.map(|number| signal(document, number));
+                let rotation = rotation.map(|number| signal(document, number));
+                (FrameGuide::Signals { place, rotation }, Pose::default())
+            }
+            Orientation::Quaternion(numbers) => {
+                let quaternion = numbers.map(|number| document.value(number));
+                let position = vector(document, frame.position);
+                // A quaternion of length 0 is refused where a host sets it; here it must only do no harm.
+                (FrameGuide::Host, tune::pose(position, quaternion).unwrap_or_default())
+            }
+        };
+        self.assembly.add_frame(&frame.name, guide, target);
+    }
+
+    pub(super) fn add_load(&mut self, written: &Load) {
+        let points = match &written.target {
+            Target::At(anchor) => vec![(self.anchored(anchor), 1.0)],
+            Target::On(beam) => self.assembly.sections_of(*beam),
+        };
+        let signals = |numbers: [Number; 3]| numbers.map(|number| signal(self.document, number));
+        self.assembly.add_load(load::Load {
+            name: written.name.clone(),
+            points,
+            force: signals(written.force),
+            moment: signals(written.moment),
+            direction: if written.follower { Direction::Follower } else { Direction::Global },
+        });
+    }
+}

@@ -1,0 +1,110 @@
+//! What may change while the machine runs: gravity, loads, springs and dampers, and where a host wants drives and frames to be.
+
+use super::{signal, vector};
+use crate::math::Vec3;
+use crate::math::rotation::quaternion_matrix;
+use crate::mechanics::gauge::Measure;
+use crate::mechanics::pose::Pose;
+use crate::mechanics::prescribed::Targets;
+use crate::mechanics::system::System;
+use crate::model::document::Document;
+use crate::model::entries::drive::Motion;
+use crate::model::entries::frame::Orientation;
+use crate::model::entries::joint::Joint;
+use crate::model::entries::spring::Spring;
+use crate::model::number::Number;
+
+/// The numbers of a spring.
+pub(super) struct Tuned {
+    pub stiffness: Number,
+    pub damping: Number,
+    /// The reading at which it is free of force; none: the one as drawn.
+    pub rest: Option<Number>,
+}
+
+/// The numbers of a two-point spring.
+pub(super) fn spring(spring: &Spring) -> Tuned {
+    Tuned { stiffness: spring.stiffness, damping: spring.damping, rest: spring.length }
+}
+
+/// The springs of a joint with what they measure, in the order of their building.
+pub(super) fn springs_of(joint: &Joint) -> Vec<(Measure, Tuned)> {
+    let coordinates = [(Measure::Angle(0), joint.angle), (Measure::Distance(0), joint.distance)];
+    let on_coordinates = coordinates.into_iter().filter_map(|(measure, own)| {
+        own.map(|own| (measure, Tuned { stiffness: own.stiffness, damping: own.damping, rest: None }))
+    });
+    let mut springs: Vec<_> = on_coordinates.collect();
+    if let Some(bushing) = joint.bushing {
+        for axis in 0..3 {
+            let (stiffness, damping) = (bushing.stiffness[axis], bushing.damping[axis]);
+            springs.push((Measure::Distance(axis), Tuned { stiffness, damping, rest: None }));
+        }
+        for axis in 0..3 {
+            let (stiffness, damping) = (bushing.rotational_stiffness[axis], bushing.rotational_damping[axis]);
+            springs.push((Measure::Rotation(axis), Tuned { stiffness, damping, rest: None }));
+        }
+    }
+    springs
+}
+
+/// Brings a built machine to the tunable parameters of now.
+pub fn retune(document: &Document, system: &mut System) {
+    system.gravity = vector(document, document.model.gravity);
+    for (load, written) in system.loads.iter_mut().zip(&document.loads) {
+        load.force = written.force.map(|number| signal(document, number));
+        load.moment = written.moment.map(|number| signal(document, number));
+    }
+    for (beam, written) in system.beams.iter().zip(&document.beams) {
+        let damping = document.value(document.materials[written.material].damping);
+        for element in &mut system.elements[beam.first_element..beam.first_element + beam.elements] {
+            element.stiffness.damping = damping;
+        }
+    }
+    let two_point = document.springs.iter().map(spring);
+    let of_joints = document.joints.iter().flat_map(springs_of).map(|(_, tuned)| tuned);
+    for (spring, tuned) in system.springs.iter_mut().zip(two_point.chain(of_joints)) {
+        spring.stiffness = document.value(tuned.stiffness);
+        spring.damping = document.value(tuned.damping);
+        if let Some(rest) = tuned.rest {
+            spring.rest = document.value(rest);
+        }
+    }
+}
+
+/// Sets where drives and frames are to be at `end` s, from the inputs of now; `at_end` is the value of an input then.
+///
+/// # Errors
+/// A quaternion has no length: names the frame.
+pub fn aim(document: &Document, at_end: impl Fn(Number) -> f64, end: f64, targets: &mut Targets) -> Result<(), String> {
+    // All is checked before anything is set.
+    for frame in &document.frames {
+        if let Orientation::Quaternion(numbers) = frame.orientation
+            && pose(Vec3::zeros(), numbers.map(&at_end)).is_none()
+        {
+            let name = &frame.name;
+            return Err(format!("the quaternion of frame {name} is 0: set {name}.quaternion[1] to 1 for no rotation"));
+        }
+    }
+    targets.end = end;
+    for (target, drive) in targets.drives.iter_mut().zip(&document.drives).filter(|(_, drive)| drive.input) {
+        let (Motion::Value(number) | Motion::Rate(number)) = drive.motion;
+        *target = at_end(number);
+    }
+    for (target, frame) in targets.frames.iter_mut().zip(&document.frames) {
+        if let Orientation::Quaternion(numbers) = frame.orientation
+            && let Some(pose) = pose(Vec3::from(frame.position.map(&at_end)), numbers.map(&at_end))
+        {
+            *target = pose;
+        }
+    }
+    Ok(())
+}
+
+/// Shortest quaternion that has a direction.
+const SHORTEST: f64 = 1e-9;
+
+/// The pose of a place and a quaternion w x y z of any length but 0.
+pub(super) fn pose(place: Vec3, [w, x, y, z]: [f64; 4]) -> Option<Pose> {
+    let length = Vec3::new(x, y, z).norm().hypot(w);
+    (length > SHORTEST).then(|| Pose { place, axes: quaternion_matrix([w, x, y, z]) })
+}
