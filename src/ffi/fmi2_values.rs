@@ -143,12 +143,11 @@ pub unsafe extern "C" fn fmi2SetString(
     unsafe { guard(c, Call::SetString, |instance| instance.set_string(slice(vr, nvr, "vr")?)) }
 }
 
-/// Not offered: canInterpolateInputs is false (section 4.2.1).
+/// Sets first derivatives of Real inputs by time, for the next step only (section 4.2.1).
 ///
 /// # Safety
-/// `c` is a live instance.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
-#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
@@ -156,11 +155,11 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     order: *const fmi2Integer,
     value: *const fmi2Real,
 ) -> fmi2Status {
-    const REASON: &str = "canInterpolateInputs is false; set the inputs themselves by fmi2SetReal before each step";
     // SAFETY: the caller's promise.
     unsafe {
         guard(c, Call::SetRealInputDerivatives, |instance| {
-            instance.not_supported(Call::SetRealInputDerivatives, REASON)
+            let (order, value) = (slice(order, nvr, "order")?, slice(value, nvr, "value")?);
+            instance.set_real_input_derivatives(slice(vr, nvr, "vr")?, order, value)
         })
     }
 }

@@ -104,13 +104,12 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
     Ok(())
 }
 
-/// What the unit can do. Not named, and so false or 0: asynchronous steps, serialized states, directional derivatives,
-/// interpolated inputs, output derivatives.
+/// What the unit can do. False or 0: asynchronous steps, serialized states, directional derivatives, output derivatives.
 fn co_simulation(xml: &mut Xml, about: &About) -> io::Result<()> {
     let flags = [
         ("needsExecutionTool", "false"),
         ("canHandleVariableCommunicationStepSize", "true"),
-        ("canInterpolateInputs", "false"),
+        ("canInterpolateInputs", "true"),
         ("maxOutputDerivativeOrder", "0"),
         ("canRunAsynchronuously", "false"), // the standard's spelling
         ("canBeInstantiatedOnlyOncePerProcess", "false"),

@@ -63,6 +63,22 @@ pub enum Error {
         /// The type the call is for.
         asked: &'static str,
     },
+    /// Only inputs have derivatives that a host can set.
+    #[error("`{name}` is no input: only inputs have derivatives to set")]
+    NoInput {
+        /// Its name.
+        name: String,
+    },
+    /// Inputs are taken to be linear in time.
+    #[error(
+        "the derivative of order {order} of `{name}` cannot be set: inputs are extrapolated by their first derivative; pass order 1"
+    )]
+    DerivativeOrder {
+        /// Name of the input.
+        name: String,
+        /// The order asked for.
+        order: i32,
+    },
     /// As many values as references are needed.
     #[error("{references} value references but {values} values; pass as many values as references")]
     LengthsDiffer {

@@ -117,6 +117,9 @@ pub trait Model: Sized {
     /// The value is out of range, of the wrong type, or not finite; the model is as it was.
     fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure>;
 
+    /// Sets the derivative by time of input `reference` (a finite number) for the next `advance` only.
+    fn set_input_derivative(&mut self, reference: usize, derivative: f64);
+
     /// Builds the model from the parameters as set and finds its initial state at `start`, s. May be called again.
     ///
     /// # Errors

@@ -19,6 +19,7 @@ pub mod quantity;
 mod reader;
 mod schema;
 pub mod simulation;
+pub mod slopes;
 mod tree;
 pub mod unit;
 pub mod variables;

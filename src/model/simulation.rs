@@ -3,6 +3,7 @@
 use super::build::{self, Built};
 use super::document::Document;
 use super::entries::simulation::{Analysis, Initial, Integrator as Choice};
+use super::slopes::Slopes;
 use super::variables::{Moment, Source, Table};
 use super::watch::Watch;
 use crate::error::Error;
@@ -36,6 +37,7 @@ pub struct Simulation {
     frames: Frames,
     warnings: Vec<String>,
     watch: Watch,
+    slopes: Slopes,
 }
 
 /// The machine as built, the state it has reached, and the means to go on.
@@ -78,6 +80,7 @@ pub struct Snapshot {
     initialization: Arc<()>,
     initialized: bool,
     watch: Watch,
+    slopes: Slopes,
     results: Vec<f64>,
 }
 
@@ -108,6 +111,7 @@ impl Simulation {
             frames: Frames::default(),
             warnings: Vec::new(),
             watch: Watch::default(),
+            slopes: Slopes::default(),
         };
         simulation.measure().map_err(|error| failure(&error))?;
         Ok(simulation)
@@ -183,6 +187,12 @@ impl Model for Simulation {
         Ok(())
     }
 
+    fn set_input_derivative(&mut self, reference: usize, derivative: f64) {
+        if let Source::Parameter(index) = self.table.sources[reference] {
+            self.slopes.set(self.document.parameters()[index].number, derivative);
+        }
+    }
+
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
         let wrong = |message| Failure { message, category: LogCategory::StatusError };
         self.document.check().map_err(wrong)?;
@@ -209,11 +219,18 @@ impl Model for Simulation {
         let wrong = |message| Failure { message, category: LogCategory::StatusError };
         let (machine, document) = (&mut self.machine, &self.document);
         machine.keep();
-        build::aim(document, |number| document.value(number), end, &mut machine.state.targets).map_err(wrong)?;
-        machine.advance(end).and_then(|()| self.measure()).map_err(|error| {
+        let begin = machine.state.time;
+        let at_end = |number| document.value(number) + self.slopes.of(number) * (end - begin);
+        build::aim(document, at_end, end, &mut machine.state.targets).map_err(wrong)?;
+        if self.slopes.change_loads() {
+            build::extrapolate(document, |number| self.slopes.of(number), begin, Arc::make_mut(&mut machine.system));
+        }
+        let outcome = machine.advance(end).and_then(|()| self.measure()).map_err(|error| {
             self.machine.go_back();
             failure(&error)
-        })
+        });
+        self.slopes.end_step();
+        outcome
     }
 
     fn take_warnings(&mut self) -> Vec<String> {
@@ -227,6 +244,7 @@ impl Model for Simulation {
             self.machine = Machine::new(built, &self.document, 0.0);
         }
         self.warnings.clear();
+        self.slopes = Slopes::default();
         // Nothing is solved for before the initialization, so that nothing can fail.
         let _ = self.measure();
     }
@@ -242,6 +260,7 @@ impl Model for Simulation {
             initialization: Arc::clone(&machine.initialization),
             initialized: machine.is_initialized(),
             watch: self.watch,
+            slopes: self.slopes.clone(),
             results: self.results.clone(),
         }
     }
@@ -254,6 +273,7 @@ impl Model for Simulation {
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
         self.results.clone_from(&snapshot.results);
         self.watch = snapshot.watch;
+        self.slopes.clone_from(&snapshot.slopes);
         // The solver has the shape and the tolerance of its initialization, which may be another one, or another instance's.
         if !Arc::ptr_eq(&machine.initialization, &snapshot.initialization) {
             machine.initialization = Arc::clone(&snapshot.initialization);

@@ -31,6 +31,7 @@ mod released_cantilever;
 mod rollback;
 mod rotating_shaft;
 mod section_forces;
+mod shaken_cantilever;
 mod spring_derivatives;
 mod statics;
 mod strain_outputs;

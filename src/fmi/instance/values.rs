@@ -95,6 +95,38 @@ impl<M: Model> Instance<M> {
         self.set(references, values)
     }
 
+    /// Sets first derivatives of Real inputs by time, for the next step only (section 4.2.1).
+    ///
+    /// # Errors
+    /// The mode does not allow it, a reference is no input, an order is not 1, or a derivative is not finite; none is changed then.
+    pub fn set_real_input_derivatives(
+        &mut self,
+        references: &[u32],
+        orders: &[i32],
+        derivatives: &[f64],
+    ) -> Result<(), Error> {
+        self.check(Call::SetRealInputDerivatives)?;
+        self.same_length(references.len(), derivatives.len())?;
+        self.same_length(references.len(), orders.len())?;
+        for ((&reference, &order), &derivative) in references.iter().zip(orders).zip(derivatives) {
+            let variable = self.variable::<f64>(reference)?;
+            let name = || variable.name.clone();
+            if variable.causality != Causality::Input {
+                return Err(Error::NoInput { name: name() });
+            }
+            if order != 1 {
+                return Err(Error::DerivativeOrder { name: name(), order });
+            }
+            if !derivative.is_finite() {
+                return Err(Error::NotFinite { name: name(), value: derivative });
+            }
+        }
+        for (&reference, &derivative) in references.iter().zip(derivatives) {
+            self.model.set_input_derivative(reference as usize, derivative);
+        }
+        Ok(())
+    }
+
     /// Sets Integer variables.
     ///
     /// # Errors

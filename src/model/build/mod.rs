@@ -6,7 +6,7 @@ mod joints;
 mod parts;
 mod tune;
 
-pub use tune::{aim, retune};
+pub use tune::{aim, extrapolate, retune};
 
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::document::Document;

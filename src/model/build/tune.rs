@@ -2,8 +2,10 @@
 
 use super::{signal, vector};
 use crate::math::Vec3;
+use crate::math::jet::Jet;
 use crate::math::rotation::quaternion_matrix;
 use crate::mechanics::gauge::Measure;
+use crate::mechanics::load::Signal;
 use crate::mechanics::pose::Pose;
 use crate::mechanics::prescribed::Targets;
 use crate::mechanics::system::System;
@@ -13,6 +15,7 @@ use crate::model::entries::frame::Orientation;
 use crate::model::entries::joint::Joint;
 use crate::model::entries::spring::Spring;
 use crate::model::number::Number;
+use std::sync::Arc;
 
 /// The numbers of a spring.
 pub(super) struct Tuned {
@@ -98,6 +101,25 @@ pub fn aim(document: &Document, at_end: impl Fn(Number) -> f64, end: f64, target
         }
     }
     Ok(())
+}
+
+/// Makes the loads that a host gives linear in time from `begin` (s) on: value plus `slope` times what has passed.
+pub fn extrapolate(document: &Document, slope: impl Fn(Number) -> f64, begin: f64, system: &mut System) {
+    let linear = |number: Number| {
+        let (value, slope) = (document.value(number), slope(number));
+        match slope {
+            0.0 => Signal::Constant(value),
+            _ => Signal::Function(Arc::new(move |time| Jet {
+                value: value + slope * (time - begin),
+                first: slope,
+                second: 0.0,
+            })),
+        }
+    };
+    for (load, written) in system.loads.iter_mut().zip(&document.loads).filter(|(_, written)| written.input) {
+        load.force = written.force.map(linear);
+        load.moment = written.moment.map(linear);
+    }
 }
 
 /// Shortest quaternion that has a direction.

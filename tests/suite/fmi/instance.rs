@@ -222,6 +222,29 @@ fn the_host_s_time_is_checked() {
     }
 }
 
+/// A derivative extrapolates its input over the next step, and only that one.
+#[test]
+fn input_derivatives_are_for_one_step() {
+    let mut instance = initialized();
+    instance.set_real(&[FORCE], &[3.0]).unwrap();
+    instance.set_real_input_derivatives(&[FORCE], &[1], &[4.0]).unwrap();
+    instance.do_step(0.0, 0.5).unwrap();
+    assert_eq!(real(&mut instance, POSITION), 1.5 + 2.0 * (3.0 + 0.5 * 4.0 * 0.5) * 0.5);
+    instance.do_step(0.5, 0.5).unwrap();
+    assert_eq!(real(&mut instance, POSITION), 1.5 + 2.0 * (3.0 + 0.5 * 4.0 * 0.5) * 0.5 + 2.0 * 3.0 * 0.5);
+
+    for (reference, order, value) in
+        [(GAIN, 1, 0.0), (POSITION, 1, 0.0), (FORCE, 2, 0.0), (FORCE, 0, 0.0), (FORCE, 1, f64::NAN)]
+    {
+        let refused = instance.set_real_input_derivatives(&[FORCE, reference], &[1, order], &[9.0, value]);
+        assert!(refused.is_err(), "{reference} {order} {value}");
+    }
+    // All of a call or nothing: the first of each pair was not taken either.
+    let before = real(&mut instance, POSITION);
+    instance.do_step(1.0, 0.5).unwrap();
+    assert_eq!(real(&mut instance, POSITION), before + 2.0 * 3.0 * 0.5);
+}
+
 /// A step that does not advance is refused and harmless.
 #[test]
 fn steps_must_be_positive_and_finite() {

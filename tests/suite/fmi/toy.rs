@@ -25,6 +25,7 @@ pub struct Plain {
     gain: f64,
     length: f64,
     force: f64,
+    slope: f64,
     cells: i32,
     time: f64,
     position: f64,
@@ -49,7 +50,8 @@ pub struct Toy {
     warnings: Vec<String>,
 }
 
-const START: Plain = Plain { gain: 2.0, length: 1.5, force: 0.0, cells: 4, time: 0.0, position: 0.0, count: 0 };
+const START: Plain =
+    Plain { gain: 2.0, length: 1.5, force: 0.0, slope: 0.0, cells: 4, time: 0.0, position: 0.0, count: 0 };
 
 pub fn about() -> About {
     About {
@@ -153,6 +155,10 @@ impl Model for Toy {
         Ok(())
     }
 
+    fn set_input_derivative(&mut self, _reference: usize, derivative: f64) {
+        self.plain.slope = derivative;
+    }
+
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
         self.initializations += 1;
         if self.plain.length == IMPOSSIBLE_LENGTH {
@@ -175,7 +181,9 @@ impl Model for Toy {
             Trap::PanicBeyond(limit) if end > limit => panic!("the toy broke at {end} s"),
             _ => (),
         }
-        self.plain.position += self.plain.gain * self.plain.force * (end - self.plain.time);
+        let step = end - self.plain.time;
+        self.plain.position += self.plain.gain * (self.plain.force + 0.5 * self.plain.slope * step) * step;
+        self.plain.slope = 0.0;
         self.plain.time = end;
         self.plain.count += 1;
         Ok(())

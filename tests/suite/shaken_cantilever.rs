@@ -1,0 +1,205 @@
+//! A cantilever shaken by a moving frame: by expressions of time, and by a host that gives the pose. What a host sets is reached at the end
+//! of the communication step, linearly from the value before: at the ends of steps both machines are held at the same places, so
+//! that only the shape of the motion in between, which no internal step sees if steps are the same, could differ.
+
+use ancf14::fmi::{Model, Value};
+use ancf14::model::simulation::Simulation;
+
+/// Angle about z and place along y, in time.
+fn angle(time: f64) -> f64 {
+    0.3 * (4.0 * time).sin()
+}
+fn place(time: f64) -> f64 {
+    0.05 * (7.0 * time).sin()
+}
+
+const REST: &str = r#"
+format = 1
+[model]
+name = "Shaken"
+gravity = [0, 0, -9.81]
+[material.resin]
+young = 2e9
+poisson = 0.3
+density = 1500
+damping = 5e-4
+[section.flat]
+shape = "rectangle"
+width = 0.02
+height = 0.01
+[beam.arm]
+material = "resin"
+section = "flat"
+from = [0, 0, 0]
+to = [0.5, 0, 0]
+elements = 4
+[joint.root]
+type = "weld"
+a = "hand"
+b = "arm.start"
+[output.tip]
+at = "arm.end"
+quantities = ["position", "velocity", "rotation"]
+[output.at_hand]
+at = "hand"
+quantities = ["position", "velocity", "acceleration", "rotation", "angular_velocity", "reaction_force", "reaction_moment"]
+[output.at_root]
+at = "root"
+quantities = ["reaction_force", "reaction_moment"]
+[simulation]
+initial = "equilibrium"
+stop = 1.0
+step = 1e-3
+"#;
+
+fn by_expressions() -> Simulation {
+    let frame = "[frame.hand]\nposition = [0, \"0.05*sin(7*t)\", 0]\nrotation = [0, 0, \"0.3*sin(4*t)\"]\n";
+    start(&format!("{REST}{frame}"))
+}
+
+fn by_host() -> Simulation {
+    start(&format!("{REST}[frame.hand]\nposition = [0, 0, 0]\ninput = true\n"))
+}
+
+fn start(text: &str) -> Simulation {
+    let mut simulation =
+        Simulation::load("model.toml", text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation.initialize(0.0).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation
+}
+
+fn reference(simulation: &Simulation, name: &str) -> usize {
+    simulation.variables().iter().position(|variable| variable.name == name).unwrap_or_else(|| panic!("{name}"))
+}
+
+fn value(simulation: &Simulation, name: &str) -> f64 {
+    simulation.value(reference(simulation, name)).number()
+}
+
+fn vector(simulation: &Simulation, name: &str) -> [f64; 3] {
+    [1, 2, 3].map(|i| value(simulation, &format!("{name}[{i}]")))
+}
+
+/// Sets the pose of `time`; the quaternion need not be of length 1.
+fn set_pose(simulation: &mut Simulation, time: f64) {
+    let half = 0.5 * angle(time);
+    let pairs = [
+        ("hand.position[2]", place(time)),
+        ("hand.quaternion[1]", 3.0 * half.cos()),
+        ("hand.quaternion[4]", 3.0 * half.sin()),
+    ];
+    for (name, number) in pairs {
+        simulation.set_value(reference(simulation, name), Value::Real(number)).unwrap();
+    }
+}
+
+fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// With the same steps outside and inside, the host's machine goes through the same places: to round-off.
+#[test]
+fn expression_and_host_agree() {
+    let (mut first, mut second) = (by_expressions(), by_host());
+    let mut largest = 0.0_f64;
+    for number in 1..=500 {
+        let time = 1e-3 * f64::from(number);
+        set_pose(&mut second, time);
+        first.advance(time).unwrap();
+        second.advance(time).unwrap();
+        for name in ["tip.position", "tip.rotation", "at_hand.position", "at_hand.rotation"] {
+            largest = largest.max(difference(vector(&first, name), vector(&second, name)));
+        }
+    }
+    println!("largest difference {largest:.1e} m, rad");
+    assert!(largest < 1e-9, "{largest}");
+    assert!(difference(vector(&first, "at_hand.rotation"), [0.0, 0.0, angle(0.5)]) < 1e-12);
+    // The sway of the tip against the hand is no rounding.
+    let sway = value(&first, "tip.position[2]") - place(0.5) - 0.5 * angle(0.5).sin();
+    assert!(sway.abs() > 1e-3, "{sway}");
+}
+
+/// A host that sets the value at the beginning of its step and the derivative is off by the curvature of the motion: order 2 in its step.
+/// The corners of its motion shake the beam at the frequency of the steps: without damping it might be in resonance with one.
+#[test]
+fn values_with_derivatives_converge_with_order_two() {
+    // All communication steps are whole numbers of internal steps: the error of these is the same on both sides.
+    let quick = |simulation: &mut Simulation| {
+        let step = reference(simulation, "simulation.step");
+        simulation.set_value(step, Value::Real(2.5e-4)).unwrap();
+        simulation.initialize(0.0).unwrap();
+    };
+    let mut exact = by_expressions();
+    quick(&mut exact);
+    let mut expected = Vec::new();
+    for number in 1..=20 {
+        exact.advance(0.02 * f64::from(number)).unwrap();
+        expected.push(vector(&exact, "tip.position"));
+    }
+    // Largest at 20 times: at a single one the swinging tip may be right by chance.
+    let error = |parts: u32| {
+        let mut simulation = by_host();
+        quick(&mut simulation);
+        let step = 0.02 / f64::from(parts);
+        let mut largest = 0.0_f64;
+        for number in 0..20 * parts {
+            let time = f64::from(number) * step;
+            set_pose(&mut simulation, time);
+            let (half, rate) = (0.5 * angle(time), 0.6 * (4.0 * time).cos());
+            for (name, slope) in [
+                ("hand.position[2]", 0.35 * (7.0 * time).cos()),
+                ("hand.quaternion[1]", -3.0 * half.sin() * rate),
+                ("hand.quaternion[4]", 3.0 * half.cos() * rate),
+            ] {
+                let reference = reference(&simulation, name);
+                simulation.set_input_derivative(reference, slope);
+            }
+            simulation.advance(f64::from(number + 1) * step).unwrap();
+            if (number + 1) % parts == 0 {
+                let place = vector(&simulation, "tip.position");
+                largest = largest.max(difference(place, expected[(number / parts) as usize]));
+            }
+        }
+        largest
+    };
+    let errors = [error(2), error(4), error(8)];
+    let orders = [(errors[0] / errors[1]).log2(), (errors[1] / errors[2]).log2()];
+    println!("errors {errors:?} m, orders {orders:?}");
+    assert!(orders.iter().all(|order| (1.7..2.6).contains(order)), "{orders:?}");
+}
+
+/// What the frame must supply is what the joint to it transmits; the frame's motion is that of its expressions.
+#[test]
+fn the_frame_supplies_the_reaction_of_its_joint() {
+    let mut simulation = by_expressions();
+    for number in 1..=100 {
+        let time = 5e-3 * f64::from(number);
+        simulation.advance(time).unwrap();
+        for quantity in ["reaction_force", "reaction_moment"] {
+            let supply = vector(&simulation, &format!("at_hand.{quantity}"));
+            let reaction = vector(&simulation, &format!("at_root.{quantity}"));
+            assert!(difference(supply, reaction) < 1e-9, "{quantity} at {time}: {supply:?} {reaction:?}");
+        }
+        let rate = 1.2 * (4.0 * time).cos();
+        assert!(difference(vector(&simulation, "at_hand.velocity"), [0.0, 0.35 * (7.0 * time).cos(), 0.0]) < 1e-12);
+        assert!(difference(vector(&simulation, "at_hand.acceleration"), [0.0, -49.0 * place(time), 0.0]) < 1e-12);
+        assert!(difference(vector(&simulation, "at_hand.angular_velocity"), [0.0, 0.0, rate]) < 1e-12);
+    }
+    let weight = 1500.0 * 0.02 * 0.01 * 0.5 * 9.81;
+    let mut still = by_host();
+    still.advance(0.01).unwrap();
+    // At rest the frame carries the weight.
+    assert!((value(&still, "at_hand.reaction_force[3]") - weight).abs() < 1e-6 * weight);
+}
+
+/// A quaternion of length 0 is refused with the name of the frame, and the machine goes on.
+#[test]
+fn a_quaternion_without_length_is_refused() {
+    let mut simulation = by_host();
+    let w = reference(&simulation, "hand.quaternion[1]");
+    simulation.set_value(w, Value::Real(0.0)).unwrap();
+    let failure = simulation.advance(1e-3).unwrap_err();
+    assert!(failure.message.contains("frame hand") && simulation.time() == 0.0, "{}", failure.message);
+    simulation.set_value(w, Value::Real(2.0)).unwrap();
+    simulation.advance(1e-3).unwrap();
+}
