@@ -195,14 +195,18 @@ impl System {
         named.map_or_else(|| String::from("a spring"), |joint| joint.name.clone())
     }
 
+    /// Whether coordinate `index` is a place, m; the others are slopes, angles and directors.
+    pub fn is_place(&self, index: usize) -> bool {
+        let nodes = self.node_coordinates();
+        if index < nodes { index % NODE < P } else { (index - nodes) % BODY < axis_place(0) }
+    }
+
     /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the machine's size, slopes,
     /// angles and directors as they are.
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
         let mut largest = (0.0, 0);
-        let nodes = self.node_coordinates();
         for (index, value) in correction[..self.coordinates()].iter().enumerate() {
-            let is_length = if index < nodes { index % NODE < P } else { (index - nodes) % BODY < axis_place(0) };
-            let size = if is_length { value.abs() / self.size } else { value.abs() };
+            let size = if self.is_place(index) { value.abs() / self.size } else { value.abs() };
             // Not-a-number must win: `>` alone would let it pass.
             if size > largest.0 || size.is_nan() {
                 largest = (size, index);

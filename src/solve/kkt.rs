@@ -3,8 +3,8 @@
 use super::linear::{Regularity, Singular, SparseLu, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
+use crate::mechanics::configuration::Configuration;
 use crate::mechanics::joint::JointGradient;
-use crate::mechanics::marker::MarkerMatrix;
 use crate::mechanics::system::{System, copy_corner};
 
 /// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
@@ -23,20 +23,20 @@ pub struct Kkt {
 }
 
 impl Kkt {
-    /// For a step in time: no second derivatives of the constraints.
+    /// For projections on the constraints: no second derivatives of them.
     ///
     /// # Errors
     /// The analysis of the matrix fails for want of memory.
-    pub fn for_steps(system: &System) -> Result<Self, Error> {
+    pub fn for_projections(system: &System) -> Result<Self, Error> {
         let (blocks, joints) = constraint_layout(system);
         Self::finish(system, blocks, joints, Vec::new())
     }
 
-    /// For an equilibrium: second derivatives of the constraints included.
+    /// For equilibria and steps in time: second derivatives of the constraints included.
     ///
     /// # Errors
     /// The analysis of the matrix fails for want of memory.
-    pub fn for_equilibrium(system: &System) -> Result<Self, Error> {
+    pub fn for_newton(system: &System) -> Result<Self, Error> {
         let (mut blocks, joints) = constraint_layout(system);
         let mut curvatures = Vec::new();
         for joint in &system.joints {
@@ -78,12 +78,19 @@ impl Kkt {
         }
     }
 
-    /// Sets the stiffness blocks of joint `number`: `∂²(λ·φ)/∂q²` as `aa, ab, ba, bb`.
-    pub fn set_curvature(&mut self, number: usize, counts: [usize; 2], blocks: &[MarkerMatrix; 4]) {
-        let [a, b] = counts;
-        for (place, ((rows, columns), block)) in [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(blocks).enumerate() {
-            let target = self.blocks.block_mut(self.curvatures[number] + place);
-            copy_corner(target, rows, columns, |row, column| block[(row, column)]);
+    /// Sets the stiffness blocks of all joints: `factor · ∂²(multipliers·g)/∂q²` at `c`.
+    pub fn set_curvatures(&mut self, system: &System, c: &Configuration, multipliers: &[f64], factor: f64) {
+        let mut row = 0;
+        for (joint, first) in system.joints.iter().zip(&self.curvatures) {
+            let own = &multipliers[row..row + joint.rows()];
+            row += joint.rows();
+            let [a, b] = [joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len()];
+            let parts = joint.phi_qq(c, own);
+            for (place, ((rows, columns), part)) in [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(&parts).enumerate()
+            {
+                let target = self.blocks.block_mut(first + place);
+                copy_corner(target, rows, columns, |row, column| factor * part[(row, column)]);
+            }
         }
     }
 

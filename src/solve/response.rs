@@ -48,7 +48,7 @@ impl Responder {
     pub fn new(system: &System) -> Result<Self, Error> {
         let size = system.coordinates() + system.constraints();
         Ok(Self {
-            kkt: Kkt::for_steps(system)?,
+            kkt: Kkt::for_projections(system)?,
             right: vec![0.0; size],
             excitation: Excitation::default(),
             frames: Vec::new(),

@@ -1,7 +1,10 @@
 //! Equilibria: `dU/dq − F + Gᵀ λ = 0`, `g = 0`, each found from the one before.
 //!
 //! Where Newton does not get there in one go, loads, gravity, drives and moving frames are ramped from those of the last equilibrium (at first: from
-//! nothing) to the new ones. That finds the first equilibrium, and bridges jumps of loads later.
+//! nothing) to the new ones. That finds the first equilibrium, and bridges jumps of loads later. What hangs and was drawn slack has no
+//! stiffness before it pulls: it is first let fall to where it hangs (relaxation.rs).
+
+mod relaxation;
 
 use super::kkt::Kkt;
 use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
@@ -65,7 +68,7 @@ impl Statics {
         };
         Ok(Self {
             tolerance,
-            kkt: Kkt::for_equilibrium(system)?,
+            kkt: Kkt::for_newton(system)?,
             right: vec![0.0; coordinates + conditions],
             target: Excitation::default(),
             current: Excitation::default(),
@@ -84,7 +87,14 @@ impl Statics {
     pub fn find(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
-        let outcome = self.ramp(system, &mut next, time);
+        let mut outcome = self.ramp(system, &mut next, time);
+        let first = state.excitation == Excitation::default();
+        if let (Err(Error::Singular { .. }), true) = (&outcome, first) {
+            let tried = next.statistics;
+            next.clone_from(state);
+            next.statistics = tried;
+            outcome = self.relax(system, &mut next, time);
+        }
         let outcome = outcome.and_then(|()| self.kkt.check_unique(system, time));
         if outcome.is_ok() {
             next.time = time;
@@ -187,13 +197,7 @@ impl Problem for Equilibrium<'_> {
         system.constraint_gradients(&configuration, &mut scratch.gradients);
         system.constraint_conditions(&configuration, &mut scratch.conditions);
         kkt.set_constraints(system, &scratch.gradients, &scratch.gradients, 1.0);
-        let mut row = 0;
-        for (number, joint) in system.joints.iter().enumerate() {
-            let own = &scratch.multipliers[row..row + joint.rows()];
-            let counts = [joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len()];
-            kkt.set_curvature(number, counts, &joint.phi_qq(&configuration, own));
-            row += joint.rows();
-        }
+        kkt.set_curvatures(system, &configuration, &scratch.multipliers, 1.0);
         let (residual, conditions) = right.split_at_mut(state.q.len());
         for (residual, force) in residual.iter_mut().zip(&scratch.forces) {
             *residual = -force;

@@ -133,7 +133,8 @@ fn absurdly_small_steps_are_refused() {
 fn energy_from_nowhere_is_warned_of() {
     let text = MODELS[0].1.replace("to = [1.3, 0, 0.5]", "to = [1.2, 0.3, 0.4]");
     let warnings = |step: &str, rows: u32| {
-        let overrides = [("simulation.step".to_owned(), step.to_owned())];
+        let variational = ("simulation.integrator".to_owned(), "variational".to_owned());
+        let overrides = [("simulation.step".to_owned(), step.to_owned()), variational];
         let mut simulation = Simulation::load("model.toml", &text, &overrides).unwrap();
         simulation.initialize(0.0).unwrap();
         let mut warnings = Vec::new();
@@ -143,7 +144,7 @@ fn energy_from_nowhere_is_warned_of() {
         }
         warnings
     };
-    let coarse = warnings("2e-3", 55);
+    let coarse = warnings("5e-3", 45);
     assert!(coarse.len() == 1 && coarse[0].contains("take a smaller simulation.step"), "{coarse:?}");
     assert!(warnings("2e-4", 49).is_empty());
 }

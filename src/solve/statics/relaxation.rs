@@ -1,0 +1,111 @@
+//! The first equilibrium of a machine that has no stiffness as drawn: what hangs slack falls, without swinging, to where it hangs.
+//!
+//! Pseudo-transient continuation: `[K + μ M, Gᵀ; G, 0]`, one linear solve a step, `μ` falling where the potential falls and rising
+//! where it does not. It ends where Newton without `μ` takes over. A motion that stays free is found by that.
+
+use super::{Equilibrium, LARGEST_TURN, Statics};
+use crate::error::Error;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::solve::newton::Problem;
+
+/// Most steps; a fall from a quarter turn away takes some twenty.
+const STEPS: usize = 500;
+/// Largest correction of a step: lengths over the machine's size, slopes and angles in rad.
+const LARGEST_CORRECTION: f64 = 0.3;
+/// A correction that Newton can be trusted with.
+const NEAR: f64 = 1e-4;
+/// Factors by which `μ` falls after a good step and rises after a bad one.
+const FALL: f64 = 0.5;
+const RISE: f64 = 4.0;
+/// Share of the way of drives and frames that is taken in one step.
+const SHARE: f64 = 0.05;
+/// Smallest `μ` over the first one: what is soft still at this needs Newton's own judgement.
+const SMALLEST: f64 = 1e-12;
+
+impl Statics {
+    /// Lets the machine fall from `state` to the equilibrium under the whole excitation of `time`, s, and writes it there.
+    ///
+    /// # Errors
+    /// It does not come to rest, or a part of it can move freely.
+    pub(super) fn relax(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
+        self.current.copy_from(&self.target);
+        let begin = state.prescribed.clone();
+        let mut share = 0.0;
+        let mut damping: Option<f64> = None;
+        for _ in 0..STEPS {
+            let next_share = f64::min(share + SHARE, 1.0);
+            self.current_motion.set_between(&begin, &self.target_motion, next_share);
+            self.scratch.q.copy_from_slice(&state.q);
+            self.scratch.multipliers.copy_from_slice(&state.multipliers);
+            let (excitation, motion) = (&self.current, &self.current_motion);
+            let mut problem = Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch };
+            problem.linearize(&mut self.kkt, &mut self.right);
+            // At first so much that free fall would make steps of a tenth of the machine.
+            let current = *damping.get_or_insert_with(|| first_damping(system, &self.right));
+            if current < SMALLEST * first_damping(system, &self.right) && share == 1.0 {
+                break;
+            }
+            system.add_mass(current, &mut self.kkt.blocks);
+            state.statistics.iterations += 1;
+            self.kkt.solve(system, &mut self.right, time)?;
+            let (size, _) = system.correction_size(&self.right);
+            // What the forces do along the correction: down the potential, unless drives and frames drag it up.
+            let work: f64 = self.scratch.forces.iter().zip(&self.right).map(|(force, change)| -force * change).sum();
+            let falls = work >= 0.0 || share < 1.0;
+            if !falls || size.is_nan() || size > LARGEST_CORRECTION || !self.accept(system, state, time) {
+                damping = Some(current * RISE);
+                state.statistics.rejected += 1;
+                continue;
+            }
+            share = next_share;
+            damping = Some(current * FALL);
+            if size < NEAR && share == 1.0 {
+                break;
+            }
+        }
+        self.current_motion.set_between(&begin, &self.target_motion, 1.0);
+        self.solve(system, state, time)?;
+        state.excitation.copy_from(&self.target);
+        state.prescribed.copy_from(&self.current_motion);
+        state.prescribed.drives.clone_from(&self.target_motion.drives);
+        Ok(())
+    }
+
+    /// Takes the correction in `right` into `state`, if the machine bears it.
+    fn accept(&mut self, system: &System, state: &mut State, time: f64) -> bool {
+        let scratch = &mut self.scratch;
+        let (coordinates, multipliers) = self.right.split_at(state.q.len());
+        for (value, change) in scratch.q.iter_mut().zip(coordinates) {
+            *value += change;
+        }
+        for (value, change) in scratch.multipliers.iter_mut().zip(multipliers) {
+            *value += change;
+        }
+        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, &self.current_motion);
+        if system.check(&configuration, state, LARGEST_TURN, time).is_err() {
+            return false;
+        }
+        state.q.copy_from_slice(&scratch.q);
+        state.multipliers.copy_from_slice(&scratch.multipliers);
+        system.carry_references(state, &scratch.frames);
+        true
+    }
+}
+
+/// `μ` at which the acceleration of the whole machine by its unbalanced forces makes a step of a tenth of its size, 1/s².
+fn first_damping(system: &System, forces: &[f64]) -> f64 {
+    let coordinates = system.coordinates();
+    let mut ones = vec![0.0; coordinates];
+    let places = (0..coordinates).filter(|index| system.is_place(*index));
+    places.for_each(|index| ones[index] = 1.0);
+    let mut masses = vec![0.0; coordinates];
+    system.mass_times(&ones, &mut masses);
+    let mut fastest = 0.0_f64;
+    for index in (0..coordinates).filter(|index| system.is_place(*index) && masses[*index] > 0.0) {
+        fastest = fastest.max(forces[index].abs() / masses[index]);
+    }
+    // Without unbalanced forces anything will do: there is nothing to fall.
+    if fastest > 0.0 && fastest.is_finite() { 10.0 * fastest / system.size } else { 1.0 }
+}
