@@ -2,9 +2,11 @@
 
 pub mod gyroscopic;
 pub mod kkt;
+pub mod limits;
 pub mod linear;
 pub mod midpoint;
 pub mod newton;
+pub mod projection;
 pub mod response;
 pub mod start;
 pub mod statics;
