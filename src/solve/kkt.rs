@@ -3,8 +3,8 @@
 use super::linear::{Regularity, Singular, SparseLu, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
+use crate::mechanics::configuration::Configuration;
 use crate::mechanics::joint::JointGradient;
-use crate::mechanics::marker::MarkerMatrix;
 use crate::mechanics::system::{System, copy_corner};
 
 /// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
@@ -32,11 +32,11 @@ impl Kkt {
         Self::finish(system, blocks, joints, Vec::new())
     }
 
-    /// For an equilibrium: second derivatives of the constraints included.
+    /// Second derivatives of the constraints included: for an equilibrium, and a step whose constraint forces act at its end.
     ///
     /// # Errors
     /// The analysis of the matrix fails for want of memory.
-    pub fn for_equilibrium(system: &System) -> Result<Self, Error> {
+    pub fn with_curvatures(system: &System) -> Result<Self, Error> {
         let (mut blocks, joints) = constraint_layout(system);
         let mut curvatures = Vec::new();
         for joint in &system.joints {
@@ -78,12 +78,19 @@ impl Kkt {
         }
     }
 
-    /// Sets the stiffness blocks of joint `number`: `∂²(λ·φ)/∂q²` as `aa, ab, ba, bb`.
-    pub fn set_curvature(&mut self, number: usize, counts: [usize; 2], blocks: &[MarkerMatrix; 4]) {
-        let [a, b] = counts;
-        for (place, ((rows, columns), block)) in [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(blocks).enumerate() {
-            let target = self.blocks.block_mut(self.curvatures[number] + place);
-            copy_corner(target, rows, columns, |row, column| block[(row, column)]);
+    /// Sets the stiffness blocks of the joints, `∂²(λ·φ)/∂q²` at `c` with `multipliers` as `λ`, where the system has them.
+    pub fn set_curvatures(&mut self, system: &System, c: &Configuration, multipliers: &[f64]) {
+        let mut row = 0;
+        for (joint, first) in system.joints.iter().zip(&self.curvatures) {
+            let blocks = joint.phi_qq(c, &multipliers[row..row + joint.rows()]);
+            let (a, b) = (joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len());
+            for (place, ((rows, columns), block)) in
+                [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(&blocks).enumerate()
+            {
+                let target = self.blocks.block_mut(first + place);
+                copy_corner(target, rows, columns, |row, column| block[(row, column)]);
+            }
+            row += joint.rows();
         }
     }
 

@@ -65,7 +65,7 @@ impl Statics {
         };
         Ok(Self {
             tolerance,
-            kkt: Kkt::for_equilibrium(system)?,
+            kkt: Kkt::with_curvatures(system)?,
             right: vec![0.0; coordinates + conditions],
             target: Excitation::default(),
             current: Excitation::default(),
@@ -187,13 +187,7 @@ impl Problem for Equilibrium<'_> {
         system.constraint_gradients(&configuration, &mut scratch.gradients);
         system.constraint_conditions(&configuration, &mut scratch.conditions);
         kkt.set_constraints(system, &scratch.gradients, &scratch.gradients, 1.0);
-        let mut row = 0;
-        for (number, joint) in system.joints.iter().enumerate() {
-            let own = &scratch.multipliers[row..row + joint.rows()];
-            let counts = [joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len()];
-            kkt.set_curvature(number, counts, &joint.phi_qq(&configuration, own));
-            row += joint.rows();
-        }
+        kkt.set_curvatures(system, &configuration, &scratch.multipliers);
         let (residual, conditions) = right.split_at_mut(state.q.len());
         for (residual, force) in residual.iter_mut().zip(&scratch.forces) {
             *residual = -force;
