@@ -35,6 +35,7 @@ impl Response {
 pub struct Responder {
     kkt: Kkt,
     right: Vec<f64>,
+    momentum: Vec<f64>,
     excitation: Excitation,
     frames: Vec<NodeFrame>,
     gradients: Vec<JointGradient>,
@@ -50,6 +51,7 @@ impl Responder {
         Ok(Self {
             kkt: Kkt::for_steps(system)?,
             right: vec![0.0; size],
+            momentum: vec![0.0; system.coordinates()],
             excitation: Excitation::default(),
             frames: Vec::new(),
             gradients: Vec::new(),
@@ -68,7 +70,8 @@ impl Responder {
 
         let (forces, conditions) = self.right.split_at_mut(state.q.len());
         system.forces(&configuration, &passage, &self.excitation, forces);
-        gyroscopic::add_rate_forces(system, state, forces);
+        system.mass_times(&state.velocity, &mut self.momentum);
+        gyroscopic::add_rate_forces(&self.frames, &state.velocity, &self.momentum, forces);
         system.constraint_accelerations(&configuration, &state.velocity, conditions);
         self.right.iter_mut().for_each(|value| *value = -*value);
 
