@@ -1,5 +1,6 @@
 //! Linear systems, Newton, equilibria, steps in time.
 
+pub mod generalized_alpha;
 pub mod gyroscopic;
 pub mod kkt;
 pub mod limits;
