@@ -485,10 +485,10 @@ fmi2Status fmi2SetString(fmi2Component c,
                          const fmi2String *value);
 
 /*
- Not offered: canInterpolateInputs is false (section 4.2.1).
+ Sets first derivatives of Real inputs by time, for the next step only (section 4.2.1).
 
  # Safety
- `c` is a live instance.
+ `c` is a live instance; the arrays have `nvr` elements.
  */
 fmi2Status fmi2SetRealInputDerivatives(fmi2Component c,
                                        const fmi2ValueReference *vr,

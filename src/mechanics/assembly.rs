@@ -17,7 +17,7 @@ use super::rigid_body::{BodyDesign, RigidBody};
 use super::section::Section;
 use super::sensor::Sensor;
 use super::spring::Spring;
-use super::state::{State, Statistics};
+use super::state::{Accelerations, State, Statistics};
 use super::system::{Beam, System};
 use super::transmission::Transmission;
 use crate::math::jet::Jet;
@@ -346,6 +346,7 @@ impl Assembly {
             time: start,
             momentum: vec![0.0; q.len()],
             multipliers: vec![0.0; system.constraints()],
+            accelerations: Accelerations::default(),
             holonomy: vec![0.0; system.elements.len()],
             readings: vec![0.0; system.gauges.len()],
             rotations: vec![Vec3::zeros(); system.sensors.len()],

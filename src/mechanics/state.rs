@@ -16,8 +16,10 @@ pub struct State {
     pub velocity: Vec<f64>,
     /// Momenta of the coordinates, in charts centred at the nodes' own tangents.
     pub momentum: Vec<f64>,
-    /// Multipliers of the joints' conditions at the start of the last step, N or N m.
+    /// Multipliers of the joints' conditions at the start of the last midpoint step, or at `time` by generalized-alpha, N or N m.
     pub multipliers: Vec<f64>,
+    /// What generalized-alpha goes on from.
+    pub accelerations: Accelerations,
     /// Reference triads of the nodes.
     pub triads: Vec<Triad>,
     /// Holonomy angles of the elements, rad: the branch that the next one continues.
@@ -47,6 +49,7 @@ impl Clone for State {
             velocity: self.velocity.clone(),
             momentum: self.momentum.clone(),
             multipliers: self.multipliers.clone(),
+            accelerations: self.accelerations.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
             readings: self.readings.clone(),
@@ -70,12 +73,30 @@ impl Clone for State {
         holonomy.clone_from(&source.holonomy);
         readings.clone_from(&source.readings);
         rotations.clone_from(&source.rotations);
+        self.accelerations.copy_from(&source.accelerations);
         self.prescribed.copy_from(&source.prescribed);
         self.targets.copy_from(&source.targets);
         self.excitation.copy_from(&source.excitation);
         self.halving = source.halving;
         self.good_steps = source.good_steps;
         self.statistics = source.statistics;
+    }
+}
+
+/// Accelerations as generalized-alpha carries them on, 1/s² each; empty for other integrators.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Accelerations {
+    /// Second derivatives of the coordinates at the state's time, which the equations hold for.
+    pub of_coordinates: Vec<f64>,
+    /// The algorithmic ones, which velocities and coordinates follow from.
+    pub algorithmic: Vec<f64>,
+}
+
+impl Accelerations {
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.of_coordinates.clone_from(&other.of_coordinates);
+        self.algorithmic.clone_from(&other.algorithmic);
     }
 }
 

@@ -12,6 +12,7 @@ use crate::fmi::{About, Failure, LogCategory, Model, Value};
 use crate::mechanics::sensor::Snapshot as Frames;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::generalized_alpha::GeneralizedAlpha;
 use crate::solve::midpoint::{AxialRule, Midpoint};
 use crate::solve::response::{Responder, Response};
 use crate::solve::start;
@@ -66,6 +67,7 @@ enum Solver {
     /// Not initialized yet.
     None,
     Midpoint(Box<Midpoint>),
+    GeneralizedAlpha(Box<GeneralizedAlpha>),
     Statics(Box<Statics>),
 }
 
@@ -200,8 +202,8 @@ impl Model for Simulation {
         let mut machine = Machine::new(built, &self.document, start);
         let document = &self.document;
         build::aim(document, |number| document.value(number), start, &mut machine.state.targets).map_err(wrong)?;
-        let warning = machine.find_initial_state(document, self.table.needs_response());
-        self.warnings.extend(warning.map_err(|error| failure(&error))?);
+        let warnings = machine.find_initial_state(document, self.table.needs_response());
+        self.warnings.extend(warnings.map_err(|error| failure(&error))?);
         let before = std::mem::replace(&mut self.machine, machine);
         self.watch = Watch::new(&self.document);
         if let Err(error) = self.measure() {
@@ -311,58 +313,66 @@ impl Machine {
         !matches!(self.solver, Solver::None)
     }
 
-    /// Sets up the solver and finds the state at the start; returns a warning if the given velocities had to change.
-    fn find_initial_state(&mut self, document: &Document, responds: bool) -> Result<Option<String>, Error> {
+    /// Sets up the solver and finds the state at the start; returns what the user should know of it.
+    fn find_initial_state(&mut self, document: &Document, responds: bool) -> Result<Vec<String>, Error> {
         start::check_assembled(&self.system, &self.state)?;
         self.solver = Solver::new(document, &self.system)?;
         if responds {
             self.responder = Some(Box::new(Responder::new(&self.system)?));
         }
+        let simulation = &document.simulation;
         let moving = self.state.velocity.iter().any(|value| *value != 0.0);
-        if document.simulation.analysis == Analysis::Dynamic {
-            match document.simulation.initial {
+        let mut warnings = Vec::new();
+        if simulation.analysis == Analysis::Dynamic {
+            match simulation.initial {
                 Initial::AsDrawn => start::check_drives(&self.system, &self.state)?,
                 Initial::Equilibrium => {
-                    let tolerance = document.value(document.simulation.tolerance);
+                    let tolerance = document.value(simulation.tolerance);
                     start::find_equilibrium(&self.system, &mut self.state, tolerance)?;
+                    if moving {
+                        let why = "the motion begins at an equilibrium";
+                        warnings.push(format!("the given initial velocities are not used: {why}"));
+                    }
                 }
             }
         }
-        match &mut self.solver {
-            Solver::None => Ok(None),
-            Solver::Midpoint(midpoint) => {
-                let lost = start::set_motion(&self.system, midpoint, &mut self.state)?;
-                if moving && document.simulation.initial == Initial::Equilibrium {
-                    return Ok(Some(String::from(
-                        "the given initial velocities are not used: the motion begins at an equilibrium",
-                    )));
-                }
-                Ok((lost > 0.0).then(|| {
-                    format!(
-                        "the given initial velocities do not fit the joints: they were changed to the nearest that do, \
-                         a change of {:.3} % of their kinetic energy",
-                        100.0 * lost
-                    )
-                }))
+        let changed = match &mut self.solver {
+            Solver::None => 0.0,
+            Solver::Midpoint(midpoint) => start::set_motion(&self.system, midpoint, &mut self.state)?,
+            Solver::GeneralizedAlpha(alpha) => {
+                warnings.extend(alpha.objection(&self.system));
+                start::set_motion(&self.system, alpha, &mut self.state)?
             }
             Solver::Statics(statics) => {
                 self.state.velocity.fill(0.0);
                 statics.find(&self.system, &mut self.state, self.start)?;
-                Ok(moving.then(|| String::from("the initial velocities are not used: the analysis is static")))
+                if moving {
+                    warnings.push(String::from("the initial velocities are not used: the analysis is static"));
+                }
+                0.0
             }
+        };
+        if changed > 0.0 {
+            warnings.push(format!(
+                "the given initial velocities do not fit the joints: they were changed to the nearest that do, a change of \
+                 {:.3} % of their kinetic energy",
+                100.0 * changed
+            ));
         }
+        Ok(warnings)
     }
 
     /// Computes the response of the state that is reached, if results ask for it.
     fn respond(&mut self) -> Result<(), Error> {
-        let moving = matches!(self.solver, Solver::Midpoint(_));
-        match &mut self.responder {
-            Some(responder) if moving => responder.respond(&self.system, &self.state, &mut self.response),
-            _ => {
-                self.response.set_at_rest(&self.state);
-                Ok(())
+        match (&mut self.responder, &self.solver) {
+            (Some(responder), Solver::Midpoint(_)) => {
+                return responder.respond(&self.system, &self.state, &mut self.response);
             }
+            // It computes accelerations and multipliers at the ends of steps.
+            (Some(_), Solver::GeneralizedAlpha(_)) => self.response.set_from(&self.state),
+            _ => self.response.set_at_rest(&self.state),
         }
+        Ok(())
     }
 
     /// Keeps the state, for [`Self::go_back`].
@@ -410,6 +420,7 @@ impl Machine {
         match &mut self.solver {
             Solver::None => Err(Error::NotInitialized),
             Solver::Midpoint(midpoint) => grid_step(midpoint.as_mut(), &self.system, &mut self.state, step, end),
+            Solver::GeneralizedAlpha(alpha) => grid_step(alpha.as_mut(), &self.system, &mut self.state, step, end),
             Solver::Statics(statics) => grid_step(statics.as_mut(), &self.system, &mut self.state, step, end),
         }
     }
@@ -427,7 +438,10 @@ impl Solver {
             (Analysis::Dynamic, Choice::Variational) => {
                 Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Variational, tolerance)?))
             }
-            (Analysis::Dynamic, Choice::GeneralizedAlpha { .. }) => Self::None,
+            (Analysis::Dynamic, Choice::GeneralizedAlpha { spectral_radius }) => {
+                let spectral_radius = document.value(spectral_radius);
+                Self::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(system, spectral_radius, tolerance)?))
+            }
         })
     }
 }

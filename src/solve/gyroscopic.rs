@@ -1,4 +1,4 @@
-//! The two gyroscopic terms of the midpoint integrators (MECHANICS 7.2, 7.3, 7.5).
+//! The two gyroscopic terms of the midpoint integrators (MECHANICS 7.2, 7.3, 7.5), and those of an instant.
 //!
 //! `theta` is measured in the chart carried from `t_k`, so that the discrete spin depends on both configurations. One half of
 //! its variation acts in the step (`C` of 7.3), the other when the momentum changes charts (7.5). Either alone is unstable
@@ -6,9 +6,9 @@
 
 use crate::math::blocks::Blocks;
 use crate::math::rotation::{half_turn, half_turn_by_second};
+use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::coordinates::{ELEMENT, NODE, P, THETA, add_vec3, vec3};
 use crate::mechanics::beam::frame::NodeFrame;
-use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
 /// `target += factor C`, `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node (7.3), N.
@@ -42,24 +42,29 @@ pub fn add_tangent(
     step: f64,
     blocks: &mut Blocks,
 ) {
+    add_by_node(system, blocks, |node| {
+        let (first, last) = (&start[node], &end[node]);
+        let kap = half_turn(&first.t, &last.t);
+        let spin_momentum = mass_increment[NODE * node + THETA] / step;
+        let kap_p = half_turn_by_second(&first.t, &last.t, &kap) * last.t_p();
+        (kap_p * (-step * spin_momentum / first.stretch), -kap / first.stretch)
+    });
+}
+
+/// Adds what the force on the slope of each node has as derivatives to the element blocks of `blocks`: by the node's own slope,
+/// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbours through M.
+fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize) -> (Mat3, Vec3)) {
     for beam in &system.beams {
         for place in 0..=beam.elements {
             let node = beam.first_node + place;
-            let (first, last) = (&start[node], &end[node]);
-            let kap = half_turn(&first.t, &last.t);
-            let spin_momentum = mass_increment[NODE * node + THETA] / step;
-
-            // By the end's slope at fixed spin momentum.
-            let kap_p = half_turn_by_second(&first.t, &last.t, &kap) * last.t_p() * (spin_momentum / first.stretch);
+            let (by_slope, by_spin) = derivatives(node);
             let (element, local) = if place < beam.elements { (place, 0) } else { (place - 1, NODE) };
             let block = blocks.block_mut(beam.first_element + element);
             for column in 0..3 {
                 for row in 0..3 {
-                    block[(local + P + column) * ELEMENT + local + P + row] -= step * kap_p[(row, column)];
+                    block[(local + P + column) * ELEMENT + local + P + row] += by_slope[(row, column)];
                 }
             }
-            // By the increments of theta, of this node and of its neighbours through M.
-            let scaled = kap / first.stretch;
             let neighbours = [(place > 0).then(|| place - 1), (place < beam.elements).then_some(place)];
             for (element, local) in neighbours.into_iter().zip([NODE, 0]) {
                 let Some(element) = element.map(|element| beam.first_element + element) else { continue };
@@ -67,7 +72,7 @@ pub fn add_tangent(
                 let block = blocks.block_mut(element);
                 for column in [THETA, NODE + THETA] {
                     for row in 0..3 {
-                        block[column * ELEMENT + local + P + row] -= scaled[row] * mass[(local + THETA, column)];
+                        block[column * ELEMENT + local + P + row] += by_spin[row] * mass[(local + THETA, column)];
                     }
                 }
             }
@@ -85,18 +90,50 @@ pub fn change_charts(frames: &[NodeFrame], momentum: &mut [f64]) {
 }
 
 /// Adds the gyroscopic force of an instant, `m_n (p' × p)/|p|³` with the spin momentum `m_n = (M v)_theta`, to the left-hand
-/// side of the equations of `p` (MECHANICS 7.2); the charts are centred.
-pub fn add_rate_forces(system: &System, state: &State, forces: &mut [f64]) {
-    for element in &system.elements {
-        let start = NODE * element.node;
-        for local in [0, NODE] {
-            // What this element adds to the node's spin momentum: of the angles only.
-            let spin: f64 = [THETA, NODE + THETA]
-                .into_iter()
-                .map(|column| element.mass[(local + THETA, column)] * state.velocity[start + column])
-                .sum();
-            let (p, p_t) = (vec3(&state.q, start + local + P), vec3(&state.velocity, start + local + P));
-            add_vec3(forces, start + local + P, &(p_t.cross(&p) * (spin / p.norm().powi(3))));
-        }
+/// side of the equations of `p` (MECHANICS 7.2); `momentum` is `M v`. It is the same in every chart.
+pub fn add_rate_forces(frames: &[NodeFrame], velocity: &[f64], momentum: &[f64], forces: &mut [f64]) {
+    for (node, frame) in frames.iter().enumerate() {
+        let spin = momentum[NODE * node + THETA];
+        add_vec3(forces, NODE * node + P, &(spin_force(frame, &vec3(velocity, NODE * node + P)) * spin));
     }
+}
+
+/// `(p' × p)/|p|³`: the gyroscopic force of an instant per spin momentum, 1/s.
+fn spin_force(frame: &NodeFrame, slope_rate: &Vec3) -> Vec3 {
+    slope_rate.cross(&frame.t) / (frame.stretch * frame.stretch)
+}
+
+/// Adds `−m_n' k/|p|` with `m_n' = (M v')_theta` to the left-hand side of the equations of `p`, in charts that are not centred
+/// (MECHANICS 7.2): a turn of the tangent alone turns the section too there, so that forces along `theta` count along `p`, and
+/// the spin's inertia with them. `momentum_rate` is `M v'`.
+pub fn add_chart_forces(frames: &[NodeFrame], momentum_rate: &[f64], forces: &mut [f64]) {
+    for (node, frame) in frames.iter().enumerate() {
+        let rate = momentum_rate[NODE * node + THETA];
+        add_vec3(forces, NODE * node + P, &(frame.k * (-rate / frame.stretch)));
+    }
+}
+
+/// Adds `scale` times the derivative of [`add_rate_forces`] and [`add_chart_forces`] by the coordinates to the element blocks of
+/// `blocks`, when velocities and accelerations follow the coordinates with the factors `by_q`, 1/s and 1/s².
+pub fn add_rate_tangent(
+    system: &System,
+    frames: &[NodeFrame],
+    [velocity, momentum, momentum_rate]: [&[f64]; 3],
+    [velocity_by_q, acceleration_by_q]: [f64; 2],
+    scale: f64,
+    blocks: &mut Blocks,
+) {
+    add_by_node(system, blocks, |node| {
+        let frame = &frames[node];
+        let (t, stretch) = (&frame.t, frame.stretch);
+        let [spin, spin_rate] = [momentum, momentum_rate].map(|momentum| momentum[NODE * node + THETA]);
+        let slope_rate = vec3(velocity, NODE * node + P);
+        let force = spin_force(frame, &slope_rate);
+        let force_p = slope_rate.cross_matrix() / stretch.powi(3) - force * t.transpose() * (3.0 / stretch);
+        let force_v = -t.cross_matrix() / (stretch * stretch);
+        let chart_p = frame.k * t.transpose() / (stretch * stretch) - frame.k_t * frame.t_p() / stretch;
+        let by_slope = (force_p + force_v * velocity_by_q) * spin + chart_p * spin_rate;
+        let by_spin = force * velocity_by_q - frame.k * (acceleration_by_q / stretch);
+        (by_slope * scale, by_spin * scale)
+    });
 }

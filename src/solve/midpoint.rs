@@ -11,7 +11,10 @@
 
 use super::gyroscopic;
 use super::kkt::Kkt;
+use super::limits;
 use super::newton::{self, Problem};
+use super::projection::Projection;
+use super::start::Dynamics;
 use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::beam::frame::NodeFrame;
@@ -21,13 +24,6 @@ use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-
-/// Largest turn of a tangent in a step, rad: beyond it Newton may find a wrong root (MECHANICS 7.4).
-const LARGEST_TURN: f64 = 0.5;
-/// Largest turn of a moving frame in a step, rad: beyond it a joint may find another root (MECHANICS 6).
-const LARGEST_FRAME_TURN: f64 = 1.0;
-/// Iterations of a step: more than this ended in wrong states (MECHANICS 7.4).
-const ITERATIONS: usize = 10;
 
 /// How the axial strain of a step is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +41,7 @@ pub struct Midpoint {
     tolerance: f64,
     kkt: Kkt,
     right: Vec<f64>,
+    projection: Projection,
     scratch: Scratch,
     /// The state at the end of the step in the making.
     next: Option<State>,
@@ -87,44 +84,28 @@ impl Midpoint {
             conditions: vec![0.0; conditions],
             ..Scratch::default()
         };
-        let kkt = Kkt::for_newton(system)?;
-        Ok(Self { rule, tolerance, kkt, right: vec![0.0; coordinates + conditions], scratch, next: None })
+        Ok(Self {
+            rule,
+            tolerance,
+            kkt: Kkt::for_newton(system)?,
+            right: vec![0.0; coordinates + conditions],
+            projection: Projection::new(system),
+            scratch,
+            next: None,
+        })
     }
+}
 
-    /// Velocities that belong to `state.momentum` and that the constraints allow: `[M Gᵀ; G 0][v; ν] = [P; −∂g/∂t]`.
-    ///
-    /// # Errors
-    /// The constraints are redundant.
-    pub fn set_velocity(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
-        let scratch = &mut self.scratch;
-        system.frames(&state.q, &state.triads, &mut scratch.frames_start);
-        let configuration = system.configuration(&state.q, &scratch.frames_start, state, &state.prescribed);
-        system.constraint_gradients(&configuration, &mut scratch.gradients_end);
-        let (momentum, rates) = self.right.split_at_mut(state.q.len());
-        momentum.copy_from_slice(&state.momentum);
-        system.constraint_rates(&configuration, rates);
-        rates.iter_mut().for_each(|rate| *rate = -*rate);
-        self.kkt.blocks.clear();
-        system.add_mass(1.0, &mut self.kkt.blocks);
-        self.kkt.set_constraints(system, &scratch.gradients_end, &scratch.gradients_end, 1.0);
-        self.kkt.solve(system, &mut self.right, state.time)?;
-        state.velocity.copy_from_slice(&self.right[..state.q.len()]);
-        Ok(())
-    }
-
-    /// Checks that the constraints are not redundant, after [`Self::set_velocity`].
-    ///
-    /// # Errors
-    /// They are; the error names a joint.
-    pub fn check_unique(&mut self, system: &System, time: f64) -> Result<(), Error> {
-        self.kkt.check_unique(system, time)
+impl Dynamics for Midpoint {
+    fn kkt(&mut self) -> &mut Kkt {
+        &mut self.kkt
     }
 }
 
 impl Integrator for Midpoint {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         self.scratch.predict(system, state, step, end);
-        self.scratch.check_frames(system, state, step, end)?;
+        limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
         let mut problem = Step { system, state, rule: self.rule, step, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
         let solved = newton::solve(
@@ -132,7 +113,7 @@ impl Integrator for Midpoint {
             &mut problem,
             &mut self.kkt,
             &mut self.right,
-            (self.tolerance, ITERATIONS),
+            (self.tolerance, limits::ITERATIONS),
             end,
             &mut iterations,
         );
@@ -144,7 +125,7 @@ impl Integrator for Midpoint {
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
         self.scratch.finish(system, &mut next, self.rule, step, end);
-        let outcome = self.set_velocity(system, &mut next);
+        let outcome = self.projection.set_velocity(system, &mut self.kkt, &mut next);
         if outcome.is_ok() {
             // What the constraints do not allow would alternate for ever: it goes, without changing linear or angular momentum.
             system.mass_times(&next.velocity, &mut next.momentum);
@@ -169,17 +150,6 @@ impl Scratch {
         system.frames(&state.q, &state.triads, &mut self.frames_start);
     }
 
-    /// Refuses moving frames that turn too far: what hangs on them may find another root.
-    fn check_frames(&self, system: &System, state: &State, step: f64, end: f64) -> Result<(), Error> {
-        match self.prescribed_end.largest_turn(&state.prescribed, step) {
-            Some((frame, angle)) if angle > LARGEST_FRAME_TURN => {
-                let place = format!("frame {}", system.moving_frames[frame].name);
-                Err(Error::Turned { time: end, place, angle, limit: LARGEST_FRAME_TURN })
-            }
-            _ => Ok(()),
-        }
-    }
-
     /// Positions and frames in the middle and at the end, for the current increment.
     fn place(&mut self, system: &System, state: &State) {
         for (index, (q, increment)) in state.q.iter().zip(&self.increment).enumerate() {
@@ -194,7 +164,7 @@ impl Scratch {
     /// Refuses what the elements cannot bear (MECHANICS 7.4).
     fn check(&self, system: &System, state: &State, end: f64) -> Result<(), Error> {
         let configuration = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
-        system.check(&configuration, state, LARGEST_TURN, end)
+        system.check(&configuration, state, limits::LARGEST_TURN, end)
     }
 
     /// Writes the end of the converged step into `state`: momentum (7.4), change of charts (7.5), references (2.6).

@@ -1,10 +1,13 @@
 //! Linear systems, Newton, equilibria, steps in time.
 
+pub mod generalized_alpha;
 pub mod gyroscopic;
 pub mod kkt;
+pub mod limits;
 pub mod linear;
 pub mod midpoint;
 pub mod newton;
+pub mod projection;
 pub mod response;
 pub mod start;
 pub mod statics;

@@ -22,6 +22,12 @@ pub struct Response {
 }
 
 impl Response {
+    /// Of a state whose integrator keeps both.
+    pub fn set_from(&mut self, state: &State) {
+        self.acceleration.clone_from(&state.accelerations.of_coordinates);
+        self.multipliers.clone_from(&state.multipliers);
+    }
+
     /// Of an equilibrium: nothing moves, the multipliers are the state's.
     pub fn set_at_rest(&mut self, state: &State) {
         self.acceleration.clear();
@@ -35,6 +41,7 @@ impl Response {
 pub struct Responder {
     kkt: Kkt,
     right: Vec<f64>,
+    momentum: Vec<f64>,
     excitation: Excitation,
     frames: Vec<NodeFrame>,
     gradients: Vec<JointGradient>,
@@ -50,6 +57,7 @@ impl Responder {
         Ok(Self {
             kkt: Kkt::for_projections(system)?,
             right: vec![0.0; size],
+            momentum: vec![0.0; system.coordinates()],
             excitation: Excitation::default(),
             frames: Vec::new(),
             gradients: Vec::new(),
@@ -68,7 +76,8 @@ impl Responder {
 
         let (forces, conditions) = self.right.split_at_mut(state.q.len());
         system.forces(&configuration, &passage, &self.excitation, forces);
-        gyroscopic::add_rate_forces(system, state, forces);
+        system.mass_times(&state.velocity, &mut self.momentum);
+        gyroscopic::add_rate_forces(&self.frames, &state.velocity, &self.momentum, forces);
         system.constraint_accelerations(&configuration, &state.velocity, conditions);
         self.right.iter_mut().for_each(|value| *value = -*value);
 

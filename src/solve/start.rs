@@ -1,6 +1,7 @@
 //! The state at the start: joints hold as drawn, velocities are what the joints allow.
 
-use super::midpoint::Midpoint;
+use super::kkt::Kkt;
+use super::projection::Projection;
 use super::statics::Statics;
 use crate::error::Error;
 use crate::mechanics::sensor::Snapshot;
@@ -11,6 +12,30 @@ use crate::mechanics::system::System;
 const DRAWN_GAP: f64 = 1e-9;
 /// Velocities whose change has less than this share of their kinetic energy are taken as given.
 const CHANGED: f64 = 1e-12;
+
+/// An integrator of motion, as the start sees it.
+pub trait Dynamics {
+    /// Its linear system.
+    fn kkt(&mut self) -> &mut Kkt;
+
+    /// Sets what it keeps in `state` beside place and motion, which are set: nothing.
+    ///
+    /// # Errors
+    /// The constraints are redundant.
+    fn begin(&mut self, _system: &System, _state: &mut State) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<I: Dynamics> Dynamics for Box<I> {
+    fn kkt(&mut self) -> &mut Kkt {
+        self.as_mut().kkt()
+    }
+
+    fn begin(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
+        self.as_mut().begin(system, state)
+    }
+}
 
 /// Checks that the joints hold as drawn.
 ///
@@ -64,13 +89,14 @@ pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> R
 ///
 /// # Errors
 /// The constraints are redundant: the error names a joint.
-pub fn set_motion(system: &System, midpoint: &mut Midpoint, state: &mut State) -> Result<f64, Error> {
+pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut State) -> Result<f64, Error> {
     state.prescribed = system.prescribe_start(state.time, &state.targets);
     let given = state.velocity.clone();
     system.mass_times(&state.velocity, &mut state.momentum);
-    midpoint.set_velocity(system, state)?;
-    midpoint.check_unique(system, state.time)?;
+    Projection::new(system).set_velocity(system, integrator.kkt(), state)?;
+    integrator.kkt().check_unique(system, state.time)?;
     system.mass_times(&state.velocity, &mut state.momentum);
+    integrator.begin(system, state)?;
     let change: Vec<f64> = state.velocity.iter().zip(&given).map(|(now, given)| now - given).collect();
     let (changed, given) = (system.kinetic_energy(&change), system.kinetic_energy(&given));
     Ok(if given > 0.0 && changed > CHANGED * given { changed / given } else { 0.0 })

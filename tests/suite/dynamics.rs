@@ -13,7 +13,7 @@ use ancf14::solve::midpoint::AxialRule;
 const RULES: [AxialRule; 2] = [AxialRule::Variational, AxialRule::Conserving];
 
 /// A soft free beam that tumbles and spins about itself, with a spin inertia large enough for the gyroscopic terms to matter.
-fn spinning() -> (System, State) {
+pub fn spinning() -> (System, State) {
     let section = Section { polar_moment: 4e-4, torsion_constant: 1e-6, ..Section::rectangle(0.02, 0.03) };
     let design = BeamDesign {
         to: Vec3::new(1.2, 0.3, -0.4),

@@ -18,7 +18,7 @@ const KINDS: [(&str, &[Primitive], usize); 3] =
     [("weld", weld::PRIMITIVES, 6), ("spherical", spherical::PRIMITIVES, 3), ("revolute", revolute::PRIMITIVES, 5)];
 
 /// A beam hung on the ground by a spherical joint, and a second one on it by `primitives`, all at random.
-fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System, State) {
+pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System, State) {
     let mut assembly = Assembly::default();
     let soft = Material { young: 2e9, shear: 8e8, density: 1000.0, damping: 0.0 };
     let mut beam = |name: &str, random: &mut Random| {

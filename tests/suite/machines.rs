@@ -15,7 +15,7 @@ use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::solve::midpoint::{AxialRule, Midpoint};
-use ancf14::solve::start;
+use ancf14::solve::start::{self, Dynamics};
 use ancf14::solve::stepping::Integrator;
 use std::sync::Arc;
 
@@ -78,21 +78,31 @@ pub fn load(assembly: &mut Assembly, beam: usize, fraction: f64, force: Vec3, mo
     });
 }
 
-/// Integrates from the state as drawn: projects the velocities, takes `count` steps of `step` and shows each state to `watch`.
+/// Integrates from the state as drawn by the midpoint rule: see [`march`].
 pub fn integrate(
     system: &System,
     state: &mut State,
     rule: AxialRule,
+    steps: (f64, u32),
+    watch: impl FnMut(&State),
+) -> Result<(), Error> {
+    march(system, state, &mut Midpoint::new(system, rule, 1e-8)?, steps, watch)
+}
+
+/// Integrates from the state as drawn: projects the velocities, takes `count` steps of `step` and shows each state to `watch`.
+pub fn march(
+    system: &System,
+    state: &mut State,
+    integrator: &mut (impl Integrator + Dynamics),
     (step, count): (f64, u32),
     mut watch: impl FnMut(&State),
 ) -> Result<(), Error> {
-    let mut midpoint = Midpoint::new(system, rule, 1e-8)?;
     start::check_assembled(system, state)?;
-    start::set_motion(system, &mut midpoint, state)?;
+    start::set_motion(system, integrator, state)?;
     let begin = state.time;
     watch(state);
     for number in 1..=count {
-        midpoint.step(system, state, step, begin + f64::from(number) * step)?;
+        integrator.step(system, state, step, begin + f64::from(number) * step)?;
         watch(state);
     }
     Ok(())

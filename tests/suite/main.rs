@@ -12,6 +12,8 @@ mod dynamics;
 mod element_derivatives;
 mod fmi;
 mod frequencies;
+mod generalized_alpha;
+mod generalized_alpha_steps;
 mod golden;
 mod invariance;
 mod joint_derivatives;

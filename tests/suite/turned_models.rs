@@ -111,15 +111,16 @@ fn overrides(model: &Table, turn: &Mat3, shift: &Vec3) -> Vec<(String, String)> 
 const STRAIN: f64 = 1e-6;
 
 /// The smallest size that a quantity is compared with: 1 in its unit, of forces and moments that of a small strain.
-fn least_size(quantity: &str, rigidity: f64) -> f64 {
+fn least_size(quantity: &str, [rigidity, young]: [f64; 2]) -> f64 {
     match quantity {
+        "stress" => young * STRAIN,
         "reaction_force" | "reaction_moment" | "effort" | "section_force" => f64::max(1.0, rigidity * STRAIN),
         _ => 1.0,
     }
 }
 
 /// All outputs at `count` output steps, by name.
-fn results(text: &str, overrides: &[(String, String)], count: u32) -> (Vec<Vec<(String, f64)>>, f64) {
+fn results(text: &str, overrides: &[(String, String)], count: u32) -> (Vec<Vec<(String, f64)>>, [f64; 2]) {
     let mut simulation =
         Simulation::load("model.toml", text, overrides).unwrap_or_else(|failure| panic!("{}", failure.message));
     simulation.initialize(0.0).unwrap();
@@ -135,8 +136,10 @@ fn results(text: &str, overrides: &[(String, String)], count: u32) -> (Vec<Vec<(
         simulation.advance(f64::from(number) * step).unwrap();
         rows.push(all(&simulation));
     }
-    let rigidity = simulation.system().elements.iter().map(|element| element.stiffness.axial).fold(0.0, f64::max);
-    (rows, rigidity)
+    let system = simulation.system();
+    let rigidity = system.elements.iter().map(|element| element.stiffness.axial).fold(0.0, f64::max);
+    let young = system.beams.iter().map(|beam| beam.young).fold(0.0, f64::max);
+    (rows, [rigidity, young])
 }
 
 fn vector(row: &[(String, f64)], name: &str) -> Option<Vec3> {

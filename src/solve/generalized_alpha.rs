@@ -1,0 +1,279 @@
+//! The constrained generalized-alpha method (Arnold, Brüls: Convergence of the generalized-α scheme for constrained mechanical
+//! systems, Multibody System Dynamics 18, 2007), which damps what the step does not resolve (MECHANICS 7.2, 7.3).
+//!
+//! A step from `q_n, v_n, a_n, q''_n` solves `M q'' + f + C + Gᵀ λ = 0` and `g(q) = 0` at its end, `f = dU/dq − F`, where
+//! `q = q_n + h v_n + h² [(1/2 − β) a_n + β a]`, `v = v_n + h [(1 − γ) a_n + γ a]`, `(1 − α_m) a + α_m a_n = (1 − α_f) q'' + α_f q''_n`,
+//! for `Dq = q − q_n` and `Λ = λ/β'`, `β' = ∂q''/∂q`: Newton's matrix `[M + K/β' + …, Gᵀ; G, 0]` has entries of like sizes.
+//!
+//! The rate of `theta` is the spin, a quasi-velocity that charts do not change (7.2): so velocities and accelerations go on as they
+//! are when references are carried. It differs from the derivative of the chart's angle by a term of second order in the step. The
+//! forces are those of the start's chart; `C` of gyroscopic.rs makes up for it.
+
+use super::gyroscopic;
+use super::kkt::Kkt;
+use super::limits;
+use super::newton::{self, Convergence, Problem};
+use super::response::{Responder, Response};
+use super::start::Dynamics;
+use super::stepping::Integrator;
+use crate::error::Error;
+use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::configuration::{Passage, Rates};
+use crate::mechanics::joint::JointGradient;
+use crate::mechanics::load::Excitation;
+use crate::mechanics::prescribed::Prescribed;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+
+/// Largest spectral radius for machines with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
+const LARGEST_RADIUS: f64 = 0.99;
+
+/// Integrator and its scratch memory; nothing in it outlives a step.
+#[derive(Debug)]
+pub struct GeneralizedAlpha {
+    weights: Weights,
+    tolerance: f64,
+    kkt: Kkt,
+    right: Vec<f64>,
+    scratch: Scratch,
+    /// How the last step went.
+    pub convergence: Option<Convergence>,
+}
+
+/// The four weights of the method.
+#[derive(Clone, Copy, Debug)]
+struct Weights {
+    alpha_m: f64,
+    alpha_f: f64,
+    beta: f64,
+    gamma: f64,
+}
+
+impl Weights {
+    /// Those whose amplification of infinitely fast vibrations is `spectral_radius`, and the least of slow ones (Chung, Hulbert).
+    fn new(spectral_radius: f64) -> Self {
+        let alpha_m = (2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0);
+        let alpha_f = spectral_radius / (spectral_radius + 1.0);
+        let gamma = 0.5 + alpha_f - alpha_m;
+        Self { alpha_m, alpha_f, beta: 0.25 * (0.5 + gamma) * (0.5 + gamma), gamma }
+    }
+
+    /// `∂v/∂q = γ/(β h)`, 1/s, and `β' = ∂q''/∂q = (1 − α_m)/((1 − α_f) β h²)`, 1/s², at the end of a step.
+    fn by_q(&self, step: f64) -> [f64; 2] {
+        let algorithmic_by_q = 1.0 / (self.beta * step * step);
+        [self.gamma * step * algorithmic_by_q, (1.0 - self.alpha_m) / (1.0 - self.alpha_f) * algorithmic_by_q]
+    }
+}
+
+/// What a step computes on the way; all of it at the step's end.
+#[derive(Debug, Default)]
+struct Scratch {
+    increment: Vec<f64>,
+    scaled_multipliers: Vec<f64>,
+    q: Vec<f64>,
+    velocity: Vec<f64>,
+    acceleration: Vec<f64>,
+    algorithmic: Vec<f64>,
+    momentum: Vec<f64>,
+    momentum_rate: Vec<f64>,
+    forces: Vec<f64>,
+    conditions: Vec<f64>,
+    excitation: Excitation,
+    prescribed: Prescribed,
+    frames: Vec<NodeFrame>,
+    gradients: Vec<JointGradient>,
+}
+
+impl GeneralizedAlpha {
+    /// For `system`; the amplitude of a vibration far too fast for the step is multiplied by `spectral_radius` (0 to 1) a step. With 1,
+    /// multipliers are not damped and grow: machines with joints need less. Newton ends when its correction is below `tolerance`.
+    ///
+    /// # Errors
+    /// The linear system cannot be set up.
+    pub fn new(system: &System, spectral_radius: f64, tolerance: f64) -> Result<Self, Error> {
+        assert!((0.0..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
+        let (coordinates, conditions) = (system.coordinates(), system.constraints());
+        let scratch = Scratch {
+            increment: vec![0.0; coordinates],
+            scaled_multipliers: vec![0.0; conditions],
+            q: vec![0.0; coordinates],
+            velocity: vec![0.0; coordinates],
+            acceleration: vec![0.0; coordinates],
+            algorithmic: vec![0.0; coordinates],
+            momentum: vec![0.0; coordinates],
+            momentum_rate: vec![0.0; coordinates],
+            forces: vec![0.0; coordinates],
+            conditions: vec![0.0; conditions],
+            ..Scratch::default()
+        };
+        Ok(Self {
+            weights: Weights::new(spectral_radius),
+            tolerance,
+            kkt: Kkt::for_newton(system)?,
+            right: vec![0.0; coordinates + conditions],
+            scratch,
+            convergence: None,
+        })
+    }
+}
+
+impl GeneralizedAlpha {
+    /// Why its spectral radius should not be used with a machine; none: it can.
+    pub fn objection(&self, system: &System) -> Option<String> {
+        // α_f = ρ/(ρ + 1).
+        let spectral_radius = self.weights.alpha_f / (1.0 - self.weights.alpha_f);
+        (spectral_radius > LARGEST_RADIUS && system.constraints() > 0).then(|| {
+            format!(
+                "spectral_radius = {spectral_radius} does not damp the forces of joints, which grow without end: take at most \
+                 {LARGEST_RADIUS}"
+            )
+        })
+    }
+}
+
+impl Dynamics for GeneralizedAlpha {
+    fn kkt(&mut self) -> &mut Kkt {
+        &mut self.kkt
+    }
+
+    /// Accelerations and multipliers are those of the instant (MECHANICS 7.5).
+    fn begin(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
+        let mut response = Response::default();
+        Responder::new(system)?.respond(system, state, &mut response)?;
+        state.accelerations.algorithmic.clone_from(&response.acceleration);
+        state.accelerations.of_coordinates = response.acceleration;
+        state.multipliers = response.multipliers;
+        Ok(())
+    }
+}
+
+impl Integrator for GeneralizedAlpha {
+    fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
+        assert_eq!(state.accelerations.algorithmic.len(), state.q.len(), "the state has not begun to move");
+        self.scratch.predict(system, state, self.weights, step, end);
+        limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
+        let mut problem = Step { system, state, weights: self.weights, step, end, scratch: &mut self.scratch };
+        let mut iterations = state.statistics.iterations;
+        let control = (self.tolerance, limits::ITERATIONS);
+        let solved = newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, end, &mut iterations);
+        state.statistics.iterations = iterations;
+        self.convergence = Some(solved?);
+        self.scratch.place(system, state, self.weights, step);
+        self.scratch.check(system, state, end)?;
+        self.scratch.finish(system, state, self.weights, step, end);
+        Ok(())
+    }
+}
+
+impl Scratch {
+    /// Start of the iteration: `Dq = h v_n`, `λ = λ_n`.
+    fn predict(&mut self, system: &System, state: &State, weights: Weights, step: f64, end: f64) {
+        for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
+            *increment = step * velocity;
+        }
+        let [_, acceleration_by_q] = weights.by_q(step);
+        for (scaled, multiplier) in self.scaled_multipliers.iter_mut().zip(&state.multipliers) {
+            *scaled = multiplier / acceleration_by_q;
+        }
+        system.excite(end, &mut self.excitation);
+        system.prescribe(state, end, &mut self.prescribed);
+    }
+
+    /// Position, velocity, accelerations, frames and momentum for the current increment.
+    fn place(&mut self, system: &System, state: &State, weights: Weights, step: f64) {
+        let Weights { alpha_m, alpha_f, beta, gamma } = weights;
+        let before = &state.accelerations;
+        for index in 0..state.q.len() {
+            let (increment, velocity) = (self.increment[index], state.velocity[index]);
+            let (a, q_tt) = (before.algorithmic[index], before.of_coordinates[index]);
+            let a_end = ((increment / step - velocity) / step - (0.5 - beta) * a) / beta;
+            self.q[index] = state.q[index] + increment;
+            self.velocity[index] = velocity + step * ((1.0 - gamma) * a + gamma * a_end);
+            self.acceleration[index] = ((1.0 - alpha_m) * a_end + alpha_m * a - alpha_f * q_tt) / (1.0 - alpha_f);
+            self.algorithmic[index] = a_end;
+        }
+        system.frames(&self.q, &state.triads, &mut self.frames);
+        system.mass_times(&self.velocity, &mut self.momentum);
+        system.mass_times(&self.acceleration, &mut self.momentum_rate);
+    }
+
+    /// Refuses what the elements cannot bear (MECHANICS 7.4).
+    fn check(&self, system: &System, state: &State, end: f64) -> Result<(), Error> {
+        let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
+        system.check(&configuration, state, limits::LARGEST_TURN, end)
+    }
+
+    /// Writes the end of the converged step into `state`, references carried on (2.6).
+    fn finish(&self, system: &System, state: &mut State, weights: Weights, step: f64, end: f64) {
+        let [_, acceleration_by_q] = weights.by_q(step);
+        for (multiplier, scaled) in state.multipliers.iter_mut().zip(&self.scaled_multipliers) {
+            *multiplier = scaled * acceleration_by_q;
+        }
+        state.q.copy_from_slice(&self.q);
+        state.velocity.copy_from_slice(&self.velocity);
+        state.momentum.copy_from_slice(&self.momentum);
+        state.accelerations.of_coordinates.copy_from_slice(&self.acceleration);
+        state.accelerations.algorithmic.copy_from_slice(&self.algorithmic);
+        state.prescribed.copy_from(&self.prescribed);
+        system.carry_references(state, &self.frames);
+        state.time = end;
+        state.statistics.steps += 1;
+    }
+}
+
+/// One step as Newton sees it.
+struct Step<'a> {
+    system: &'a System,
+    state: &'a State,
+    weights: Weights,
+    step: f64,
+    end: f64,
+    scratch: &'a mut Scratch,
+}
+
+impl Problem for Step<'_> {
+    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
+        let (system, state) = (self.system, self.state);
+        let scratch = &mut *self.scratch;
+        scratch.place(system, state, self.weights, self.step);
+        let by_q = self.weights.by_q(self.step);
+        let scale = 1.0 / by_q[1];
+        kkt.blocks.clear();
+
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
+        let passage = Passage { increment: None, rates: Rates::Instant(&scratch.velocity) };
+        let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
+        system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
+        system.add_damping_matrix(&configuration, scale * by_q[0], tangent);
+        system.add_mass(1.0, tangent);
+        gyroscopic::add_rate_forces(&scratch.frames, &scratch.velocity, &scratch.momentum, forces);
+        gyroscopic::add_chart_forces(&scratch.frames, &scratch.momentum_rate, forces);
+        let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
+        gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);
+
+        system.constraint_gradients(&configuration, &mut scratch.gradients);
+        system.constraint_conditions(&configuration, &mut scratch.conditions);
+        kkt.set_constraints(system, &scratch.gradients, &scratch.gradients, 1.0);
+        kkt.set_curvatures(system, &configuration, &scratch.scaled_multipliers, 1.0);
+
+        let (residual, conditions) = right.split_at_mut(state.q.len());
+        for (index, residual) in residual.iter_mut().enumerate() {
+            *residual = -scale * (scratch.momentum_rate[index] + scratch.forces[index]);
+        }
+        system.add_constraint_forces(&scratch.gradients, &scratch.scaled_multipliers, -1.0, residual);
+        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
+            *target = -condition;
+        }
+        self.end
+    }
+
+    fn correct(&mut self, correction: &[f64]) {
+        let (coordinates, multipliers) = correction.split_at(self.scratch.increment.len());
+        for (value, correction) in self.scratch.increment.iter_mut().zip(coordinates) {
+            *value += correction;
+        }
+        for (value, correction) in self.scratch.scaled_multipliers.iter_mut().zip(multipliers) {
+            *value += correction;
+        }
+    }
+}

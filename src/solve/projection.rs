@@ -1,0 +1,44 @@
+//! Velocities that the constraints allow (MECHANICS 7.1): `[M Gᵀ; G 0][v; ν] = [P; −∂g/∂t]`.
+
+use super::kkt::Kkt;
+use crate::error::Error;
+use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::joint::JointGradient;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+
+/// Scratch memory of the projection; the linear system is whose it is.
+#[derive(Debug)]
+pub struct Projection {
+    right: Vec<f64>,
+    frames: Vec<NodeFrame>,
+    gradients: Vec<JointGradient>,
+}
+
+impl Projection {
+    /// For `system`.
+    pub fn new(system: &System) -> Self {
+        let size = system.coordinates() + system.constraints();
+        Self { right: vec![0.0; size], frames: Vec::new(), gradients: Vec::new() }
+    }
+
+    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow.
+    ///
+    /// # Errors
+    /// The constraints are redundant.
+    pub fn set_velocity(&mut self, system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Error> {
+        system.frames(&state.q, &state.triads, &mut self.frames);
+        let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
+        system.constraint_gradients(&configuration, &mut self.gradients);
+        let (momentum, rates) = self.right.split_at_mut(state.q.len());
+        momentum.copy_from_slice(&state.momentum);
+        system.constraint_rates(&configuration, rates);
+        rates.iter_mut().for_each(|rate| *rate = -*rate);
+        kkt.blocks.clear();
+        system.add_mass(1.0, &mut kkt.blocks);
+        kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
+        kkt.solve(system, &mut self.right, state.time)?;
+        state.velocity.copy_from_slice(&self.right[..state.q.len()]);
+        Ok(())
+    }
+}
