@@ -337,8 +337,8 @@ impl Assembly {
         // A single body has no extent; nothing at all has a negative one.
         system.size = if size.is_finite() && size > 0.0 { size } else { 1.0 };
         system.gravity = gravity;
-        let rigidity: Vec<Joint> = system.bodies.iter().map(RigidBody::rigidity).collect();
-        system.joints.splice(0..0, rigidity);
+        // Behind the joints of the file, which keep their numbers; drives come last.
+        system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];

@@ -12,8 +12,7 @@ use super::sensor::SectionStrains;
 /// Force and moments of a section.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SectionForces {
-    /// Axial force, tension positive, N: by the strain that [`SectionStrains::axial`] is. For small strain that is the elongation, and
-    /// this the force itself; otherwise it is Green's strain, and the force along the tangent is this times `|r'|`.
+    /// Axial force along the tangent, tension positive, N.
     pub axial: f64,
     /// Torque and moments about y and z, section axes, N m.
     pub moment: [f64; 3],
@@ -21,17 +20,25 @@ pub struct SectionForces {
 
 /// Force and moments at the strains `strains`, couplings of large strain included.
 pub fn section_forces(stiffness: &Stiffness, strains: &SectionStrains) -> SectionForces {
-    let of_energy = strains_of_energy(strains);
+    let of_energy = strains_of_energy(stiffness, strains);
     let by_strain = bending::gradient(stiffness, &of_energy)
         + torsion::gradient(stiffness, &of_energy)
         + fourth_moments::gradient(stiffness, &of_energy);
     let [by_axial, by_torsion] = match stiffness.strain {
         Strain::Small => [axial::small::force(stiffness, strains.axial), 0.0],
         Strain::Large | Strain::LargeTruncated => {
-            axial::large::gradient(stiffness, strains.axial, strains.torsion).into()
+            axial::large::gradient(stiffness, of_energy[3], strains.torsion).into()
         }
     };
-    SectionForces { axial: by_axial + by_strain[3], moment: [by_torsion + by_strain[2], -by_strain[1], by_strain[0]] }
+    // By the elongation: Green's strain grows by |r'| with it.
+    let stretch = match stiffness.strain {
+        Strain::Small => 1.0,
+        Strain::Large | Strain::LargeTruncated => 1.0 + strains.axial,
+    };
+    SectionForces {
+        axial: (by_axial + by_strain[3]) * stretch,
+        moment: [by_torsion + by_strain[2], -by_strain[1], by_strain[0]],
+    }
 }
 
 /// Largest von Mises stress `sqrt(σ² + 3 τ²)` over `outline`, Pa; none if the outline is not known.
@@ -41,13 +48,17 @@ pub fn section_forces(stiffness: &Stiffness, strains: &SectionStrains) -> Sectio
 /// all along the outline; for a rectangle, whose corners bear `σ` and the middles of whose long sides `τ`, it is taken everywhere: an upper bound.
 pub fn largest_stress(outline: &Outline, young: f64, stiffness: &Stiffness, strains: &SectionStrains) -> Option<f64> {
     let normal = young * (strains.axial.abs() + outline.bending_strain(&strains.curvature)?);
-    let torque = torsion::gradient(stiffness, &strains_of_energy(strains))[2];
+    let torque = torsion::gradient(stiffness, &strains_of_energy(stiffness, strains))[2];
     let shear = torque / outline.torsion_modulus()?;
     Some((normal * normal + 3.0 * shear * shear).sqrt())
 }
 
-/// The same strains in the order and with the signs of the energy densities.
-fn strains_of_energy(strains: &SectionStrains) -> Strains {
+/// The same strains in the order and with the signs of the energy densities; the axial one is Green's where the energy's is.
+fn strains_of_energy(stiffness: &Stiffness, strains: &SectionStrains) -> Strains {
     let [about_y, about_z] = strains.curvature;
-    Strains::new(about_z, -about_y, strains.torsion, strains.axial)
+    let axial = match stiffness.strain {
+        Strain::Small => strains.axial,
+        Strain::Large | Strain::LargeTruncated => strains.axial + 0.5 * strains.axial * strains.axial,
+    };
+    Strains::new(about_z, -about_y, strains.torsion, axial)
 }

@@ -11,6 +11,7 @@ use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_vector_
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::coordinates::interpolate;
 use crate::mechanics::beam::kinematics::CurvePoint;
+use crate::mechanics::beam::strain::Strain;
 
 /// A point that is watched.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +27,7 @@ pub struct Sensor {
 /// Strains of a section, undeformed values taken off.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SectionStrains {
-    /// Axial strain, 1.
+    /// Axial strain `|r'|/J0 − 1`, 1.
     pub axial: f64,
     /// Curvature about y and about z, 1/m.
     pub curvature: [f64; 2],
@@ -149,8 +150,13 @@ impl Sensor {
 fn strains_in_element(c: &Configuration, number: usize, xi: f64) -> SectionStrains {
     let element = &c.elements[number];
     let evaluation = evaluation(c, number, None);
-    let axial =
+    let of_energy: f64 =
         lagrange(&LOBATTO_POINTS, xi).iter().zip(evaluation.axial_strains()).map(|(weight, e)| weight * e).sum();
+    let axial = match element.stiffness.strain {
+        Strain::Small => of_energy,
+        // Green's strain as an elongation.
+        Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * of_energy).max(0.0).sqrt() - 1.0,
+    };
     let q = c.element_q(element);
     let shape_x = hermite::shape_x(xi, element.length);
     let shape_xx = hermite::shape_xx(xi, element.length);

@@ -56,7 +56,7 @@ pub struct System {
     pub bodies: Vec<RigidBody>,
     /// Moving frames in file order.
     pub moving_frames: Vec<MovingFrame>,
-    /// Everything that holds the machine together: the rigidity of bodies, joints, drives, each in file order.
+    /// Everything that holds the machine together: joints, the rigidity of bodies, drives, each in file order.
     pub joints: Vec<Joint>,
     /// What is measured between two markers: by springs, drives, outputs.
     pub gauges: Vec<Gauge>,

@@ -62,6 +62,20 @@ fn large_strain_is_near_small_strain() {
     }
 }
 
+/// Efforts and reactions are solved for at the instants of the results: they must be as smooth as those of generalized-alpha, which
+/// damps what the step does not resolve, and agree with them within the roughness of both, 1.6 N m (MECHANICS 6).
+#[test]
+fn efforts_are_smooth() {
+    let (midpoint, alpha) = (run(&[]), run(&[("simulation.integrator", "generalized_alpha")]));
+    let [own, other] = [&midpoint, &alpha].map(|curves| curves.column("motor_side.effort"));
+    let rms = |values: &[f64]| (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt();
+    let roughness = |v: &[f64]| rms(&v.windows(3).map(|w| w[0] - 2.0 * w[1] + w[2]).collect::<Vec<_>>());
+    let apart = rms(&own.iter().zip(&other).map(|(a, b)| a - b).collect::<Vec<_>>());
+    println!("roughness {:.2} and {:.2} N m, apart by {apart:.2} N m", roughness(&own), roughness(&other));
+    assert!(largest(&own) > 100.0, "a torque of the size of the paper's");
+    assert!(roughness(&own) < 1.2 * roughness(&other) && apart < 1.6);
+}
+
 /// Nothing pushes a strip sideways that is loaded in its plane: not a bit of round-off may leak there.
 #[test]
 fn without_offset_it_stays_in_its_plane() {

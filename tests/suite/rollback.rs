@@ -3,10 +3,14 @@
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
 
-const MODELS: [(&str, &str); 3] = [
+const MODELS: [(&str, &str); 7] = [
     ("pendulum", include_str!("../../models/pendulum.toml")),
     ("cantilever", include_str!("../../models/cantilever.toml")),
     ("princeton_beam", include_str!("../../models/princeton_beam.toml")),
+    ("rotating_shaft", include_str!("../../models/rotating_shaft.toml")),
+    ("lateral_buckling", include_str!("../../models/lateral_buckling.toml")),
+    ("four_bar", include_str!("../../models/four_bar.toml")),
+    ("crane", include_str!("../../models/crane.toml")),
 ];
 
 fn start(text: &str) -> Simulation {

@@ -18,7 +18,7 @@ use std::f64::consts::{PI, TAU};
 const STRAINS: [Strain; 3] = [Strain::Small, Strain::Large, Strain::LargeTruncated];
 
 /// Section forces at `fraction` of the cantilever `beam` with a dead force and moment at its end, beside force and moment that the
-/// loads demand there, in section axes of the deformed beam: `[N, T, M_y, M_z]` each. The axial force is `axial |r'|` for large strain.
+/// loads demand there, in section axes of the deformed beam: `[N, T, M_y, M_z]` each.
 fn found_and_demanded(beam: &BeamDesign, fraction: f64, force: Vec3, moment: Vec3) -> (Vector4<f64>, Vector4<f64>) {
     let mut assembly = Assembly::default();
     let number = assembly.add_beam(beam);
@@ -37,12 +37,11 @@ fn found_and_demanded(beam: &BeamDesign, fraction: f64, force: Vec3, moment: Vec
     let [here, tip] = [0, 1].map(|i| system.sensors[i].marker.pose(&c));
     let strains = system.sensors[0].strains(&system, &c);
     let forces = section_forces(&system.elements[0].stiffness, &strains);
-    let stretch = if beam.strain == Strain::Small { 1.0 } else { (1.0 + 2.0 * strains.axial).sqrt() };
     let [t, my, mz] = forces.moment;
     let demanded_moment = here.axes.tr_mul(&((tip.place - here.place).cross(&force) + moment));
     let along = here.axes.column(0).dot(&force);
     (
-        Vector4::new(forces.axial * stretch, t, my, mz),
+        Vector4::new(forces.axial, t, my, mz),
         Vector4::new(along, demanded_moment[0], demanded_moment[1], demanded_moment[2]),
     )
 }
@@ -137,7 +136,7 @@ fn energy<D: Scalar>(size: [f64; 2], moduli: [f64; 2], strain: Strain, strains: 
             let density = match strain {
                 Strain::Small => (axial + linear) * (axial + linear),
                 Strain::Large | Strain::LargeTruncated => {
-                    let e11 = axial + linear * (axial * 2.0 + 1.0).sqrt() + square;
+                    let e11 = axial + axial * axial * 0.5 + linear * (axial + 1.0) + square;
                     let dropped = if strain == Strain::Large { 0.0 } else { 1.0 };
                     e11 * e11 - square * square * dropped
                 }
