@@ -200,6 +200,8 @@ impl MovingFrame {
     pub fn advanced(&self, from: &Pose, (time, next): (f64, f64), targets: &Targets, target: &Pose) -> MovingPose {
         match &self.guide {
             FrameGuide::Signals { place, rotation } => of_signals(place, rotation, next),
+            // Standing still is exact, whatever the steps.
+            FrameGuide::Host if from == target => MovingPose::at_rest(*from),
             FrameGuide::Host => {
                 let (share, way) = targets.progress(time, next);
                 let change = target.place - from.place;
