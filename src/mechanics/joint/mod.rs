@@ -182,13 +182,21 @@ pub fn pull_back(
     gradient: &PairVector,
     hessian: &PairMatrix,
 ) -> [MarkerMatrix; 4] {
-    let (a_q, b_q) = (a.pose_q(c), b.pose_q(c));
-    let part = |side: usize| gradient.fixed_rows::<POSE>(POSE * side).into_owned();
-    let block = |row: usize, column: usize| hessian.fixed_view::<POSE, POSE>(POSE * row, POSE * column).into_owned();
-    [
-        a_q.tr_mul(&(block(0, 0) * a_q)) + a.pose_qq(c, &part(0)),
-        a_q.tr_mul(&(block(0, 1) * b_q)),
-        b_q.tr_mul(&(block(1, 0) * a_q)),
-        b_q.tr_mul(&(block(1, 1) * b_q)) + b.pose_qq(c, &part(1)),
-    ]
+    let sides = [a, b];
+    let gradients = sides.map(|side| side.pose_q(c));
+    let mut blocks = [0, 1, 2, 3].map(|number: usize| {
+        let (row, column) = (number / 2, number % 2);
+        let block = hessian.fixed_view::<POSE, POSE>(POSE * row, POSE * column);
+        // Ground and frames have no coordinates, and most conditions do not bend all sides.
+        let is_empty = [row, column].into_iter().any(|side| sides[side].coordinates(c.elements).is_empty());
+        if is_empty || block.iter().all(|value| *value == 0.0) {
+            return MarkerMatrix::zeros();
+        }
+        gradients[row].tr_mul(&(block * gradients[column]))
+    });
+    for (side, marker) in sides.into_iter().enumerate() {
+        let force: PoseVector = gradient.fixed_rows::<POSE>(POSE * side).into_owned();
+        blocks[3 * side] += marker.pose_qq(c, &force);
+    }
+    blocks
 }
