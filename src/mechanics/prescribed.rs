@@ -95,6 +95,16 @@ impl Prescribed {
         self.frames.clone_from(&other.frames);
     }
 
+    /// Takes all motion away: what is prescribed in an equilibrium.
+    pub fn stop(&mut self) {
+        for drive in &mut self.drives {
+            *drive = Jet::constant(drive.value);
+        }
+        for frame in &mut self.frames {
+            *frame = MovingPose::at_rest(frame.pose);
+        }
+    }
+
     /// Sets this to the pose between `start` and `end`, at `share` (0 to 1) of the way, at rest.
     pub fn set_between(&mut self, start: &Self, end: &Self, share: f64) {
         self.copy_from(end);

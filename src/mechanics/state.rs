@@ -6,7 +6,7 @@ use super::prescribed::{Prescribed, Targets};
 use crate::math::Vec3;
 
 /// Everything that persists from one step to the next.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Default, PartialEq)]
 pub struct State {
     /// Time, s.
     pub time: f64,

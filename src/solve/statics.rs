@@ -7,6 +7,7 @@
 mod relaxation;
 
 use super::kkt::Kkt;
+use super::limits;
 use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
 use super::stepping::Integrator;
 use crate::error::Error;
@@ -34,6 +35,8 @@ pub struct Statics {
     /// What acts at the end of the ramp, and at the point of it that is solved for.
     target: Excitation,
     current: Excitation,
+    /// The state before the ramp.
+    begin: State,
     target_motion: Prescribed,
     current_motion: Prescribed,
     scratch: Scratch,
@@ -72,6 +75,7 @@ impl Statics {
             right: vec![0.0; coordinates + conditions],
             target: Excitation::default(),
             current: Excitation::default(),
+            begin: State::default(),
             target_motion: Prescribed::default(),
             current_motion: Prescribed::default(),
             scratch,
@@ -87,15 +91,21 @@ impl Statics {
     pub fn find(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
-        let mut outcome = self.ramp(system, &mut next, time);
-        let first = state.excitation == Excitation::default();
-        if let (Err(Error::Singular { .. }), true) = (&outcome, first) {
+        let mut outcome = self.ramp(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
+        let hopeless = matches!(outcome, Err(Error::NotFinite { .. }));
+        let first = state.excitation == Excitation::default() && !hopeless;
+        // As drawn it may be slack, or Newton has gone up to a place of rest that nothing holds.
+        if first && (outcome.is_err() || self.kkt.is_unstable(system)) {
             let tried = next.statistics;
             next.clone_from(state);
             next.statistics = tried;
-            outcome = self.relax(system, &mut next, time);
+            let relaxed = self.relax(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
+            // Of two failures the first one is about the machine as drawn.
+            outcome = match (outcome, relaxed) {
+                (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
+                (_, relaxed) => relaxed,
+            };
         }
-        let outcome = outcome.and_then(|()| self.kkt.check_unique(system, time));
         if outcome.is_ok() {
             next.time = time;
             next.statistics.steps += 1;
@@ -110,12 +120,12 @@ impl Statics {
     fn ramp(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         system.excite(time, &mut self.target);
         system.prescribe(state, time, &mut self.target_motion);
+        self.begin.clone_from(state);
         let (mut share, mut increment) = (0.0, 1.0);
         while share < 1.0 {
             let next = f64::min(share + increment, 1.0);
             self.current.set_between(&state.excitation, &self.target, next);
-            self.current_motion.set_between(&state.prescribed, &self.target_motion, next);
-            match self.solve(system, state, time) {
+            match self.move_to(system, next, share, time).and_then(|()| self.solve(system, state, time)) {
                 Ok(()) => {
                     share = next;
                     if self.convergence.is_some_and(|convergence| convergence.iterations <= EASY) {
@@ -137,11 +147,36 @@ impl Statics {
                 }
             }
         }
-        state.excitation.copy_from(&self.target);
-        // Frames stand still in an equilibrium; the rates of drives are where a host's next rates start from.
-        state.prescribed.copy_from(&self.current_motion);
-        state.prescribed.drives.clone_from(&self.target_motion.drives);
+        self.arrive(state);
         Ok(())
+    }
+
+    /// Sets the current motion to where drives and frames are at `share` of the way, coming from `last`.
+    ///
+    /// # Errors
+    /// A frame turns too far at once.
+    fn move_to(&mut self, system: &System, share: f64, last: f64, time: f64) -> Result<(), Error> {
+        let begin = &self.begin;
+        let way = time - begin.time;
+        if way > 0.0 {
+            // Along their own way: the shortest one would lose turns.
+            system.prescribe(begin, begin.time + share * way, &mut self.current_motion);
+            limits::check_frames(system, begin, &self.current_motion, (share - last) * way, time)?;
+            if share == 1.0 {
+                self.current_motion.copy_from(&self.target_motion);
+            }
+            self.current_motion.stop();
+        } else {
+            self.current_motion.set_between(&begin.prescribed, &self.target_motion, share);
+        }
+        Ok(())
+    }
+
+    /// The whole excitation is reached.
+    fn arrive(&self, state: &mut State) {
+        state.excitation.copy_from(&self.target);
+        // The rates of drives are where a host's next rates start from.
+        state.prescribed.drives.clone_from(&self.target_motion.drives);
     }
 
     /// Solves for the equilibrium under the current excitation from `state` and writes it there, references carried on.
@@ -163,6 +198,7 @@ impl Statics {
         system.check(&configuration, state, LARGEST_TURN, time)?;
         state.q.copy_from_slice(&scratch.q);
         state.multipliers.copy_from_slice(&scratch.multipliers);
+        state.prescribed.copy_from(&self.current_motion);
         system.carry_references(state, &scratch.frames);
         Ok(())
     }

@@ -18,10 +18,9 @@ const NEAR: f64 = 1e-4;
 /// Factors by which `μ` falls after a good step and rises after a bad one.
 const FALL: f64 = 0.5;
 const RISE: f64 = 4.0;
-/// Share of the way of drives and frames that is taken in one step.
-const SHARE: f64 = 0.05;
-/// Smallest `μ` over the first one: what is soft still at this needs Newton's own judgement.
-const SMALLEST: f64 = 1e-12;
+/// Shares of the way of drives and frames that are taken in one step.
+const LARGEST_SHARE: f64 = 0.05;
+const SMALLEST_SHARE: f64 = 1e-4;
 
 impl Statics {
     /// Lets the machine fall from `state` to the equilibrium under the whole excitation of `time`, s, and writes it there.
@@ -30,12 +29,13 @@ impl Statics {
     /// It does not come to rest, or a part of it can move freely.
     pub(super) fn relax(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         self.current.copy_from(&self.target);
-        let begin = state.prescribed.clone();
-        let mut share = 0.0;
-        let mut damping: Option<f64> = None;
+        self.begin.clone_from(state);
+        let (mut share, mut increment) = (0.0, LARGEST_SHARE);
+        let (mut damping, mut near) = (None, NEAR);
+        let mut outcome = Ok(());
         for _ in 0..STEPS {
-            let next_share = f64::min(share + SHARE, 1.0);
-            self.current_motion.set_between(&begin, &self.target_motion, next_share);
+            let next = f64::min(share + increment, 1.0);
+            self.current_motion.set_between(&self.begin.prescribed, &self.target_motion, next);
             self.scratch.q.copy_from_slice(&state.q);
             self.scratch.multipliers.copy_from_slice(&state.multipliers);
             let (excitation, motion) = (&self.current, &self.current_motion);
@@ -43,9 +43,6 @@ impl Statics {
             problem.linearize(&mut self.kkt, &mut self.right);
             // At first so much that free fall would make steps of a tenth of the machine.
             let current = *damping.get_or_insert_with(|| first_damping(system, &self.right));
-            if current < SMALLEST * first_damping(system, &self.right) && share == 1.0 {
-                break;
-            }
             system.add_mass(current, &mut self.kkt.blocks);
             state.statistics.iterations += 1;
             self.kkt.solve(system, &mut self.right, time)?;
@@ -55,20 +52,25 @@ impl Statics {
             let falls = work >= 0.0 || share < 1.0;
             if !falls || size.is_nan() || size > LARGEST_CORRECTION || !self.accept(system, state, time) {
                 damping = Some(current * RISE);
+                increment = f64::max(0.5 * increment, SMALLEST_SHARE);
                 state.statistics.rejected += 1;
                 continue;
             }
-            share = next_share;
+            share = next;
+            increment = f64::min(2.0 * increment, LARGEST_SHARE);
             damping = Some(current * FALL);
-            if size < NEAR && share == 1.0 {
-                break;
+            if size < near && share == 1.0 {
+                // A small correction may be due to the damping alone: Newton without it tells.
+                outcome = self.solve(system, state, time);
+                if outcome.is_ok() {
+                    self.arrive(state);
+                    return Ok(());
+                }
+                near *= 0.1;
             }
         }
-        self.current_motion.set_between(&begin, &self.target_motion, 1.0);
-        self.solve(system, state, time)?;
-        state.excitation.copy_from(&self.target);
-        state.prescribed.copy_from(&self.current_motion);
-        state.prescribed.drives.clone_from(&self.target_motion.drives);
+        outcome.and_then(|()| self.solve(system, state, time))?;
+        self.arrive(state);
         Ok(())
     }
 
@@ -89,6 +91,7 @@ impl Statics {
         }
         state.q.copy_from_slice(&scratch.q);
         state.multipliers.copy_from_slice(&scratch.multipliers);
+        state.prescribed.copy_from(&self.current_motion);
         system.carry_references(state, &scratch.frames);
         true
     }
