@@ -95,6 +95,18 @@ pub enum Error {
         /// The joint.
         joint: String,
     },
+    /// A bushing is turned so far that its rotation vector ends.
+    #[error(
+        "the bushing {bushing} is turned by {angle:.0} degrees at t = {time} s: bushings hold to 170 degrees; use a joint that turns"
+    )]
+    BushingTurned {
+        /// Time of the step's end, s.
+        time: f64,
+        /// The bushing.
+        bushing: String,
+        /// Its angle, degrees.
+        angle: f64,
+    },
     /// A drive has missed a turn.
     #[error(
         "drive {drive} is at {reading:.3} rad instead of {prescribed:.3} rad at t = {time} s: it moves too far in a step; try a smaller step"

@@ -25,6 +25,8 @@ const KRONROD: [f64; 8] = [
 /// Gauss' weights, of every second place.
 const GAUSS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_67, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
+/// Intervals at most: more than a jump on every side needs; what oscillates faster than that is not resolved by any step.
+const MOST_INTERVALS: u32 = 2_000;
 /// Halvings at most: an interval of this share of the whole holds a jump of the function to round-off.
 const DEEPEST: u32 = 52;
 /// The rules agree if they differ by less than this share of the integral of the function's size.
@@ -36,7 +38,8 @@ pub fn integral(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
         return 0.0;
     }
     let (sum, size, difference) = rules(f, from, to);
-    refined(f, (from, to), (sum, difference), AGREEMENT * size, 0)
+    let mut intervals = MOST_INTERVALS;
+    refined(f, (from, to), (sum, difference), AGREEMENT * size, 0, &mut intervals)
 }
 
 fn refined(
@@ -45,17 +48,19 @@ fn refined(
     (sum, difference): (f64, f64),
     bound: f64,
     depth: u32,
+    intervals: &mut u32,
 ) -> f64 {
     // Not-a-number agrees with nothing, and no halving mends it.
-    if difference <= bound || depth == DEEPEST || !difference.is_finite() {
+    if difference <= bound || depth == DEEPEST || *intervals == 0 || !difference.is_finite() {
         return sum;
     }
+    *intervals -= 1;
     let middle = 0.5 * (from + to);
     [(from, middle), (middle, to)]
         .into_iter()
         .map(|(from, to)| {
             let (sum, _, difference) = rules(f, from, to);
-            refined(f, (from, to), (sum, difference), bound, depth + 1)
+            refined(f, (from, to), (sum, difference), bound, depth + 1, intervals)
         })
         .sum()
 }

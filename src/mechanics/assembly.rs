@@ -252,17 +252,8 @@ impl Assembly {
 
     /// Place and axes of a marker as drawn.
     pub fn drawn(&self, marker: &Marker) -> Pose {
-        let frames: Vec<NodeFrame> =
-            self.q.chunks_exact(NODE).zip(&self.triads).map(|(q, triad)| NodeFrame::new(q, triad)).collect();
         let holonomy = vec![0.0; self.system.elements.len()];
-        marker.pose(&Configuration {
-            q: &self.q,
-            frames: &frames,
-            holonomy: &holonomy,
-            readings: &[],
-            prescribed: &self.prescribed,
-            elements: &self.system.elements,
-        })
+        marker.pose(&self.configuration(&self.frames(), &holonomy))
     }
 
     /// Adds a joint and returns its number.
@@ -322,20 +313,44 @@ impl Assembly {
         self.system.sensors.len() - 1
     }
 
-    /// The machine and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
-    pub fn finish(self, gravity: Vec3) -> (System, State) {
-        let Self { mut system, start, q, velocity, triads, drive_joints, mut prescribed, targets } = self;
+    /// Largest extent of nodes, bodies and joints as drawn, m, or of a body's own size; 1 of nothing at all.
+    fn extent(&self) -> f64 {
+        let frames = self.frames();
+        let holonomy = vec![0.0; self.system.elements.len()];
+        let configuration = self.configuration(&frames, &holonomy);
         let (mut low, mut high) = (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY));
-        let nodes = NODE * triads.len();
-        let places = q[..nodes].chunks_exact(NODE).map(|q| super::beam::coordinates::vec3(q, 0));
-        let bodies = system.bodies.iter().map(|body| super::beam::coordinates::vec3(&q, body.start));
-        for place in places.chain(bodies) {
+        let nodes = self.q[..NODE * self.triads.len()].chunks_exact(NODE).map(|q| super::beam::coordinates::vec3(q, 0));
+        let bodies = self.system.bodies.iter().map(|body| super::beam::coordinates::vec3(&self.q, body.start));
+        let joints = self.system.joints.iter().map(|joint| joint.b.pose(&configuration).place);
+        for place in nodes.chain(bodies).chain(joints) {
             low = low.inf(&place);
             high = high.sup(&place);
         }
-        let size = (high - low).norm();
-        // A single body has no extent; nothing at all has a negative one.
-        system.size = if size.is_finite() && size > 0.0 { size } else { 1.0 };
+        let gyration = |body: &RigidBody| (body.director_inertia.iter().sum::<f64>() / body.mass).sqrt();
+        let size = self.system.bodies.iter().map(gyration).fold((high - low).norm(), f64::max);
+        if size.is_finite() && size > 0.0 { size } else { 1.0 }
+    }
+
+    fn frames(&self) -> Vec<NodeFrame> {
+        self.q.chunks_exact(NODE).zip(&self.triads).map(|(q, triad)| NodeFrame::new(q, triad)).collect()
+    }
+
+    fn configuration<'a>(&'a self, frames: &'a [NodeFrame], holonomy: &'a [f64]) -> Configuration<'a> {
+        Configuration {
+            q: &self.q,
+            frames,
+            holonomy,
+            readings: &[],
+            prescribed: &self.prescribed,
+            elements: &self.system.elements,
+        }
+    }
+
+    /// The machine and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
+    pub fn finish(self, gravity: Vec3) -> (System, State) {
+        let size = self.extent();
+        let Self { mut system, start, q, velocity, triads, drive_joints, mut prescribed, targets } = self;
+        system.size = size;
         system.gravity = gravity;
         // Behind the joints of the file, which keep their numbers; drives come last.
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));

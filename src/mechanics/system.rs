@@ -1,4 +1,4 @@
-//! The whole machine. Never changes in a run but for gravity, the size of loads, and springs: what is tunable.
+//! The whole machine. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
 
 mod dampers;
 mod energy;
@@ -122,10 +122,13 @@ impl System {
 
     /// Whether nothing acts from outside but gravity, nothing is driven and nothing damps: the energy is kept.
     pub fn is_conservative(&self) -> bool {
-        let outside = self.loads.is_empty() && self.drives.is_empty() && self.moving_frames.is_empty();
-        outside
-            && self.springs.iter().all(|spring| spring.damping == 0.0)
-            && self.elements.iter().all(|element| element.stiffness.damping == 0.0)
+        self.loads.is_empty() && self.drives.is_empty() && self.moving_frames.is_empty() && !self.is_damped()
+    }
+
+    /// Whether a spring or a material has damping.
+    pub fn is_damped(&self) -> bool {
+        self.springs.iter().any(|spring| spring.damping != 0.0)
+            || self.elements.iter().any(|element| element.stiffness.damping != 0.0)
     }
 
     /// Number of nodes.

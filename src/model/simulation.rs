@@ -349,6 +349,9 @@ impl Machine {
                 if moving {
                     warnings.push(String::from("the initial velocities are not used: the analysis is static"));
                 }
+                if self.system.is_damped() {
+                    warnings.push(String::from("dampers are not used: the analysis is static"));
+                }
                 0.0
             }
         };

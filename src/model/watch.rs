@@ -10,6 +10,9 @@ use crate::mechanics::system::System;
 /// rules keep it within some thousandths where the step resolves the motion.
 const ENERGY_BAND: f64 = 0.02;
 
+/// Share of the energies themselves that is round-off: of a machine at rest nothing else is left.
+const ROUND_OFF: f64 = 1e-9;
+
 /// What has been seen and warned of.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Watch {
@@ -49,7 +52,12 @@ impl Watch {
     }
 
     /// A machine that nothing drives and whose energy changes all the same (MECHANICS 7.4: accuracy is the step's).
-    fn energy(&mut self, system: &System, state: &State, [kinetic, elastic, _, total]: [f64; 4]) -> Option<String> {
+    fn energy(
+        &mut self,
+        system: &System,
+        state: &State,
+        [kinetic, elastic, gravity, total]: [f64; 4],
+    ) -> Option<String> {
         let start = *self.start.get_or_insert(total);
         self.largest = self.largest.max(kinetic + elastic);
         // A machine at equilibrium, or one that is driven or damped, has no reason to keep its energy.
@@ -57,7 +65,7 @@ impl Watch {
             return None;
         }
         let change = total - start;
-        if change.abs() <= ENERGY_BAND * self.largest {
+        if change.abs() <= ENERGY_BAND * self.largest + ROUND_OFF * (gravity.abs() + total.abs()) {
             return None;
         }
         self.energy_warned = true;

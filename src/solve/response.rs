@@ -67,7 +67,7 @@ impl Responder {
     /// Sets `response` to that of `state`, whose velocities the constraints allow.
     ///
     /// # Errors
-    /// The constraints are redundant.
+    /// The constraints are redundant, or the acceleration of a drive or frame is not finite.
     pub fn respond(&mut self, system: &System, state: &State, response: &mut Response) -> Result<(), Error> {
         system.frames(&state.q, &state.triads, &mut self.frames);
         let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
@@ -81,6 +81,11 @@ impl Responder {
         system.constraint_accelerations(&configuration, &state.velocity, conditions);
         self.right.iter_mut().for_each(|value| *value = -*value);
 
+        if self.right.iter().any(|value| !value.is_finite()) {
+            let known = system.undefined(state.time);
+            let what = known.unwrap_or_else(|| String::from("the acceleration of a drive or frame"));
+            return Err(Error::NotFinite { time: state.time, what });
+        }
         system.constraint_gradients(&configuration, &mut self.gradients);
         self.kkt.blocks.clear();
         system.add_mass(1.0, &mut self.kkt.blocks);

@@ -59,8 +59,11 @@ pub fn check_assembled(system: &System, state: &State) -> Result<(), Error> {
 /// Checks that the drives begin where the machine is drawn: at zero.
 ///
 /// # Errors
-/// One does not.
+/// One does not, or is not defined at the start.
 pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
+    if let Some(what) = system.undefined(state.time) {
+        return Err(Error::NotFinite { time: state.time, what });
+    }
     let motion = system.prescribe_start(state.time, &state.targets);
     for (drive, jet) in system.drives.iter().zip(&motion.drives) {
         if jet.value.is_nan() || jet.value.abs() > DRAWN_GAP {
@@ -90,6 +93,9 @@ pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> R
 /// # Errors
 /// The constraints are redundant: the error names a joint.
 pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut State) -> Result<f64, Error> {
+    if let Some(what) = system.undefined(state.time) {
+        return Err(Error::NotFinite { time: state.time, what });
+    }
     state.prescribed = system.prescribe_start(state.time, &state.targets);
     let given = state.velocity.clone();
     system.mass_times(&state.velocity, &mut state.momentum);

@@ -6,6 +6,7 @@ use crate::mechanics::beam::frame::NodeFrame;
 use crate::mechanics::beam::kinematics::{Holonomy, Kinematics};
 use crate::mechanics::configuration::Configuration;
 use crate::mechanics::gauge::Measure;
+use crate::mechanics::pose::Pose;
 use crate::mechanics::rigid_body;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
@@ -21,6 +22,14 @@ const LARGEST_TWIST_CHANGE: f64 = 2.0;
 const LARGEST_ANGLE_CHANGE: f64 = 2.0;
 /// Largest difference between a joint's angle and what its drive prescribes, rad: a turn missed is far beyond, round-off far below.
 const DRIVE_GAP: f64 = 0.1;
+
+/// Largest turn of a bushing, degrees: its rotation vector has no direction at half a turn.
+const LARGEST_BUSHING_ANGLE: f64 = 170.0;
+
+/// Angle of the turn between two poses, rad.
+fn rotation_angle(a: &Pose, b: &Pose) -> f64 {
+    (0.5 * (a.axes.tr_mul(&b.axes).trace() - 1.0)).clamp(-1.0, 1.0).acos()
+}
 
 impl System {
     /// The first beam with truncated strain that is twisted beyond half of what that energy bears: its name, twist rate and bound, rad/m.
@@ -124,10 +133,9 @@ impl System {
     fn check_bodies(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
         for body in &self.bodies {
             let (start, end) = (rigid_body::pose(&state.q, body.start), rigid_body::pose(c.q, body.start));
-            let cosine = 0.5 * (start.axes.tr_mul(&end.axes).trace() - 1.0);
-            let angle = cosine.clamp(-1.0, 1.0).acos();
+            let angle = rotation_angle(&start, &end);
             // Not-a-number must fail: `>` alone would let it pass.
-            if angle > turn || cosine.is_nan() {
+            if angle > turn || angle.is_nan() {
                 return Err(Error::Turned { time, place: format!("body {}", body.name), angle, limit: turn });
             }
         }
@@ -146,6 +154,16 @@ impl System {
             if angle > LARGEST_ANGLE_CHANGE {
                 let place = self.describe_gauge(gauge);
                 return Err(Error::Turned { time, place, angle, limit: LARGEST_ANGLE_CHANGE });
+            }
+        }
+        for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
+            let gauge = &self.gauges[spring.gauge];
+            if !matches!(gauge.measure, Measure::Rotation(_)) {
+                continue;
+            }
+            let angle = rotation_angle(&gauge.a.pose(c), &gauge.b.pose(c)).to_degrees();
+            if angle > LARGEST_BUSHING_ANGLE {
+                return Err(Error::BushingTurned { time, bushing: spring.name.clone(), angle });
             }
         }
         for (drive, prescribed) in self.drives.iter().zip(&c.prescribed.drives) {
