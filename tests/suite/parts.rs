@@ -1,0 +1,260 @@
+//! What tests of joints put together: the ground, a moving frame, bodies and beams at random, every kind of joint between two of
+//! them, and the motions that a kind leaves free, from its definition.
+
+use crate::machines::design;
+use crate::random::Random;
+use ancf14::math::jet::Jet;
+use ancf14::math::{Mat3, Vec3};
+use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::beam::coordinates::{P, R, THETA, set_vec3, vec3};
+use ancf14::mechanics::gauge::Measure;
+use ancf14::mechanics::joint::primitive::Primitive;
+use ancf14::mechanics::joint::{Joint, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld};
+use ancf14::mechanics::load::Signal;
+use ancf14::mechanics::marker::Marker;
+use ancf14::mechanics::material::Material;
+use ancf14::mechanics::pose::{Pose, axis_place};
+use ancf14::mechanics::prescribed::FrameGuide;
+use ancf14::mechanics::rigid_body::BodyDesign;
+use ancf14::mechanics::section::Section;
+use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::spring::Spring;
+use ancf14::mechanics::state::State;
+use ancf14::mechanics::system::System;
+use std::sync::Arc;
+
+/// A kind of joint and what it leaves free, in the axes of a: along which b may slide, about which it may turn.
+pub struct Kind {
+    pub name: &'static str,
+    /// None: a bushing.
+    pub primitives: Option<&'static [Primitive]>,
+    pub slides: &'static [usize],
+    pub turns: &'static [usize],
+}
+
+const fn kind(
+    name: &'static str,
+    primitives: &'static [Primitive],
+    slides: &'static [usize],
+    turns: &'static [usize],
+) -> Kind {
+    Kind { name, primitives: Some(primitives), slides, turns }
+}
+
+pub const KINDS: [Kind; 9] = [
+    kind("weld", weld::PRIMITIVES, &[], &[]),
+    kind("spherical", spherical::PRIMITIVES, &[], &[0, 1, 2]),
+    kind("revolute", revolute::PRIMITIVES, &[], &[0]),
+    kind("cylindrical", cylindrical::PRIMITIVES, &[0], &[0]),
+    kind("prismatic", prismatic::PRIMITIVES, &[0], &[]),
+    kind("universal", universal::PRIMITIVES, &[], &[0, 1]),
+    kind("inline", inline::PRIMITIVES, &[0], &[0, 1, 2]),
+    kind("inplane", inplane::PRIMITIVES, &[1, 2], &[0, 1, 2]),
+    Kind { name: "bushing", primitives: None, slides: &[0, 1, 2], turns: &[0, 1, 2] },
+];
+
+/// What a joint holds on to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    Ground,
+    /// It moves with [`FRAME_VELOCITY`] and does not turn.
+    Frame,
+    Body,
+    /// One of the three nodes of a beam.
+    Beam,
+}
+
+pub const FRAME_VELOCITY: Vec3 = Vec3::new(0.7, -0.4, 0.5);
+
+/// A rigid motion: velocity at a place, and angular velocity.
+#[derive(Clone, Copy, Debug)]
+pub struct Twist {
+    pub place: Vec3,
+    pub linear: Vec3,
+    pub angular: Vec3,
+}
+
+impl Twist {
+    pub fn at(&self, point: &Vec3) -> Vec3 {
+        self.linear + self.angular.cross(&(point - self.place))
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self { place: self.place, linear: self.linear + other.at(&self.place), angular: self.angular + other.angular }
+    }
+
+    fn minus(&self) -> Self {
+        Self { place: self.place, linear: -self.linear, angular: -self.angular }
+    }
+}
+
+impl Kind {
+    /// The motions of b against a that it leaves free, at the poses of its two sides.
+    pub fn free(&self, a: &Pose, b: &Pose) -> Vec<Twist> {
+        let (none, place) = (Vec3::zeros(), b.place);
+        let slides = self.slides.iter().map(|axis| Twist { place, linear: a.axis(*axis), angular: none });
+        let turns = self.turns.iter().map(|axis| {
+            // The second axis of a universal joint is fixed in b.
+            let second = self.name == "universal" && *axis == 1;
+            let angular = if second { b.axis(1) } else { a.axis(*axis) };
+            Twist { place, linear: none, angular }
+        });
+        slides.chain(turns).collect()
+    }
+}
+
+/// An asymmetric body whose axes, inertia and directors have three different orientations.
+pub fn body(name: &str, random: &mut Random) -> BodyDesign {
+    let turn = random.rotation();
+    BodyDesign {
+        name: name.into(),
+        mass: 1.5 + 0.5 * random.signed(),
+        position: random.vector(),
+        inertia: turn * Mat3::from_diagonal(&Vec3::new(0.1, 0.15, 0.2)) * turn.transpose(),
+        axes: random.rotation(),
+        velocity: Vec3::zeros(),
+        angular_velocity: Vec3::zeros(),
+    }
+}
+
+/// A soft beam of 0.8 m.
+pub fn beam(name: &str, random: &mut Random) -> BeamDesign {
+    let from = random.vector();
+    let to = from + random.direction() * 0.8;
+    let material = Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 0.0 };
+    let section = Section::rectangle(0.04, 0.06);
+    BeamDesign { from, to, y_axis: random.direction(), material, section, ..design(name, 2) }
+}
+
+/// Adds a part that moves by `twist`; returns what to tie to.
+fn add(assembly: &mut Assembly, name: &str, part: Part, twist: &Twist, random: &mut Random) -> Marker {
+    match part {
+        Part::Ground => Marker::Ground(Pose::default()),
+        Part::Frame => {
+            let (start, turn) = (random.vector(), random.vector());
+            let place = [0, 1, 2].map(|i| {
+                let (start, first) = (start[i], FRAME_VELOCITY[i]);
+                Signal::Function(Arc::new(move |time| Jet { value: start + first * time, first, second: 0.0 }))
+            });
+            let rotation = [0, 1, 2].map(|i| Signal::Constant(turn[i]));
+            let frame = assembly.add_frame(name, FrameGuide::Signals { place, rotation }, Pose::default());
+            assembly.frame(frame)
+        }
+        Part::Body => {
+            let still = body(name, random);
+            let velocity = twist.at(&still.position);
+            let body = assembly.add_body(&BodyDesign { velocity, angular_velocity: twist.angular, ..still });
+            assembly.body(body)
+        }
+        Part::Beam => {
+            let still = beam(name, random);
+            let velocity = twist.at(&still.from);
+            let beam = assembly.add_beam(&BeamDesign { velocity, angular_velocity: twist.angular, ..still });
+            let node = ((random.signed() + 1.0) * 1.5).floor();
+            assembly.section_at(beam, 0.5 * node)
+        }
+    }
+}
+
+/// Adds a joint of `primitives` between what `a` and `b` are tied to, at `pose` as drawn.
+pub fn connect(assembly: &mut Assembly, name: &str, sides: [Marker; 2], pose: &Pose, primitives: &'static [Primitive]) {
+    let [a, b] = sides.map(|side| assembly.tied(&side, pose));
+    assembly.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None });
+}
+
+/// Adds the six springs and dampers of a bushing between two markers: against displacement and turning.
+pub fn cushion(
+    assembly: &mut Assembly,
+    [a, b]: [Marker; 2],
+    stiffness: [f64; 3],
+    rotational: [f64; 3],
+    damping_time: f64,
+) {
+    let measures = [0, 1, 2].map(Measure::Distance).into_iter().chain([0, 1, 2].map(Measure::Rotation));
+    for (measure, stiffness) in measures.zip(stiffness.into_iter().chain(rotational)) {
+        let gauge = assembly.add_gauge(a, b, measure);
+        let damping = stiffness * damping_time;
+        assembly.add_spring(Spring { name: "cushion".into(), gauge, stiffness, damping, rest: 0.0 });
+    }
+}
+
+/// Two parts hung on each other at random pose, offset and axes, moving as the joint allows; its sides.
+pub struct Pair {
+    pub system: System,
+    pub state: State,
+    pub sides: [Marker; 2],
+}
+
+impl Pair {
+    /// Beams come first: coordinates are in this order.
+    pub fn new(random: &mut Random, parts: [Part; 2], kind: &Kind) -> Self {
+        let mut assembly = Assembly::default();
+        let pose = Pose { place: random.vector(), axes: random.rotation() };
+        let place = pose.place;
+        let free = kind.free(&pose, &pose);
+        let still = Twist { place, linear: Vec3::zeros(), angular: Vec3::zeros() };
+        let relative = free.into_iter().fold(still, |sum, motion| {
+            let speed = 2.0 + random.signed();
+            sum.plus(&Twist { place, linear: motion.linear * speed * 0.3, angular: motion.angular * speed })
+        });
+        let common = match parts {
+            [Part::Ground, _] | [_, Part::Ground] => still,
+            [Part::Frame, _] | [_, Part::Frame] => Twist { linear: FRAME_VELOCITY, ..still },
+            _ => Twist { place, linear: random.vector(), angular: random.direction() * 2.0 },
+        };
+        let held = |part: Part| matches!(part, Part::Ground | Part::Frame);
+        // The side that is not held moves against the other one.
+        let twists = match held(parts[1]) {
+            true => [common.plus(&relative.minus()), common],
+            false => [common, common.plus(&relative)],
+        };
+        let mut sides = [Marker::Ground(Pose::default()); 2];
+        for beams in [true, false] {
+            for side in [0, 1] {
+                if (parts[side] == Part::Beam) == beams {
+                    let name = ["first", "second"][side];
+                    sides[side] = add(&mut assembly, name, parts[side], &twists[side], random);
+                }
+            }
+        }
+        let sides = sides.map(|side| assembly.tied(&side, &pose));
+        match kind.primitives {
+            Some(primitives) => connect(&mut assembly, kind.name, sides, &pose, primitives),
+            None => cushion(&mut assembly, sides, [200.0, 400.0, 700.0], [10.0, 16.0, 25.0], 0.0),
+        }
+        let gravity = if parts.into_iter().any(held) { Vec3::new(1.0, -2.0, -9.0) } else { Vec3::zeros() };
+        let (system, state) = assembly.finish(gravity);
+        Self { system, state, sides }
+    }
+}
+
+/// Velocities of all coordinates of what a marker is tied to when it moves by `twist`.
+pub fn coordinate_velocity(system: &System, state: &State, marker: &Marker, twist: &Twist) -> Vec<f64> {
+    let mut velocity = vec![0.0; state.q.len()];
+    match marker {
+        Marker::Body { start, .. } => {
+            set_vec3(&mut velocity, *start, &twist.at(&vec3(&state.q, *start)));
+            for axis in 0..3 {
+                let place = start + axis_place(axis);
+                set_vec3(&mut velocity, place, &twist.angular.cross(&vec3(&state.q, place)));
+            }
+        }
+        Marker::Node { .. } => {
+            let start = marker.coordinates(&system.elements).start;
+            let slope = vec3(&state.q, start + P);
+            set_vec3(&mut velocity, start + R, &twist.at(&vec3(&state.q, start + R)));
+            set_vec3(&mut velocity, start + P, &twist.angular.cross(&slope));
+            velocity[start + THETA] = twist.angular.dot(&slope.normalize());
+        }
+        _ => {}
+    }
+    velocity
+}
+
+/// The largest violation of a condition, m or 1.
+pub fn gap(system: &System, state: &State) -> f64 {
+    let mut snapshot = Snapshot::default();
+    let mut g = vec![0.0; system.constraints()];
+    system.constraint_conditions(&snapshot.of(system, state), &mut g);
+    g.iter().fold(0.0, |gap, value| f64::max(gap, value.abs()))
+}
