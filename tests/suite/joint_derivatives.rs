@@ -17,7 +17,10 @@ fn weighted_conditions<D: Scalar>(machine: &Machine, joint: &Joint, lambda: &[f6
     let mut rows = Vec::new();
     for primitive in joint.primitives {
         match *primitive {
-            Primitive::Coincident => rows.extend((0..3).map(|axis| a[0][axis] - b[0][axis])),
+            Primitive::Coincident => {
+                let apart: [D; 3] = std::array::from_fn(|i| a[0][i] - b[0][i]);
+                rows.extend((0..3).map(|axis| oracle::dot(&a[1 + axis], &apart)));
+            }
             Primitive::Parallel(i) => {
                 rows.extend([1, 2].map(|next| oracle::dot(&a[1 + i], &b[1 + (i + next) % 3])));
             }

@@ -20,6 +20,7 @@ mod hanging;
 mod invariance;
 mod joint_derivatives;
 mod joint_freedoms;
+mod joints_do_no_work;
 mod joints_in_motion;
 mod lateral_buckling;
 mod load_derivatives;

@@ -13,7 +13,8 @@ pub const MOST_ROWS: usize = 6;
 /// A condition between the poses of a joint's two sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Primitive {
-    /// The places are one: `x_a − x_b = 0`, 3 rows, m.
+    /// The places are one: `T_a[i]·(x_a − x_b) = 0`, 3 rows, m. In a's axes, not in global ones: a condition that does not change
+    /// when all turns has forces without moment, also in the middle of a step, where the places of beams' nodes are not quite one.
     Coincident,
     /// Axis `i` of a and axis `i` of b are one: `T_a[i]·T_b[j] = T_a[i]·T_b[k] = 0`, 2 rows.
     Parallel(usize),
@@ -54,7 +55,11 @@ impl Primitive {
     /// The conditions, zero when they hold; `prescribed` is what a drive prescribes.
     pub fn phi(self, a: &Pose, b: &Pose, prescribed: f64, phi: &mut [f64]) {
         match self {
-            Self::Coincident => phi.copy_from_slice((a.place - b.place).as_slice()),
+            Self::Coincident => {
+                for (axis, phi) in phi.iter_mut().enumerate() {
+                    *phi = -Measure::Distance(axis).value(a, b, 0.0);
+                }
+            }
             Self::Measured(measure @ Measure::Angle(_)) => {
                 // The difference within half a turn: the turns are the step's to follow.
                 phi[0] = near(measure.value(a, b, 0.0) - prescribed, 0.0);
@@ -79,10 +84,7 @@ impl Primitive {
         let mut sum = PairVector::zeros();
         let mut put = |place: usize, value: Vec3| sum.fixed_rows_mut::<3>(place).copy_from(&value);
         match self {
-            Self::Coincident => {
-                sum[row] = 1.0;
-                sum[POSE + row] = -1.0;
-            }
+            Self::Coincident => sum = -Measure::Distance(row).gradient(a, b),
             Self::Measured(measure) => sum = measure.gradient(a, b),
             Self::Orthonormal => {
                 let (i, j) = AXES[row];
@@ -102,7 +104,11 @@ impl Primitive {
     /// Adds the second derivative of `Σ lambda·phi` by the numbers of both poses, 24×24.
     pub fn add_phi_xx(self, a: &Pose, b: &Pose, lambda: &[f64], sum: &mut PairMatrix) {
         match self {
-            Self::Coincident => {}
+            Self::Coincident => {
+                for (axis, lambda) in lambda.iter().enumerate() {
+                    *sum -= Measure::Distance(axis).hessian(a, b) * *lambda;
+                }
+            }
             Self::Measured(measure) => *sum += measure.hessian(a, b) * lambda[0],
             Self::Orthonormal => {
                 for (lambda, (i, j)) in lambda.iter().zip(AXES) {
