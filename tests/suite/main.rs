@@ -4,6 +4,7 @@
 
 mod allocations;
 mod architecture;
+mod closed_loops;
 mod command_line;
 mod curves;
 mod damping;
