@@ -9,6 +9,7 @@ mod command_line;
 mod curves;
 mod damping;
 mod descriptions;
+mod drives;
 mod dynamics;
 mod element_derivatives;
 mod fmi;
