@@ -4,9 +4,11 @@
 
 mod allocations;
 mod architecture;
+mod bodies_on_springs;
 mod closed_loops;
 mod command_line;
 mod curves;
+mod damped_vibration;
 mod damping;
 mod descriptions;
 mod drives;
@@ -33,6 +35,7 @@ mod model_file;
 mod model_mistakes;
 mod model_parts;
 mod oracle;
+mod oscillation;
 mod parts;
 mod princeton;
 mod random;
