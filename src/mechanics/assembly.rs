@@ -361,6 +361,7 @@ impl Assembly {
             time: start,
             momentum: vec![0.0; q.len()],
             multipliers: vec![0.0; system.constraints()],
+            strays: vec![0.0; system.constraints()],
             accelerations: Accelerations::default(),
             holonomy: vec![0.0; system.elements.len()],
             readings: vec![0.0; system.gauges.len()],

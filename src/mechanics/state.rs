@@ -20,6 +20,8 @@ pub struct State {
     pub multipliers: Vec<f64>,
     /// What generalized-alpha goes on from.
     pub accelerations: Accelerations,
+    /// What the momentum has beside that of velocities which the constraints allow, by their conditions: `P = M v + Gᵀ stray`, N s or N m s.
+    pub strays: Vec<f64>,
     /// Reference triads of the nodes.
     pub triads: Vec<Triad>,
     /// Holonomy angles of the elements, rad: the branch that the next one continues.
@@ -50,6 +52,7 @@ impl Clone for State {
             momentum: self.momentum.clone(),
             multipliers: self.multipliers.clone(),
             accelerations: self.accelerations.clone(),
+            strays: self.strays.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
             readings: self.readings.clone(),
@@ -71,6 +74,7 @@ impl Clone for State {
         multipliers.clone_from(&source.multipliers);
         triads.clone_from(&source.triads);
         holonomy.clone_from(&source.holonomy);
+        self.strays.clone_from(&source.strays);
         readings.clone_from(&source.readings);
         rotations.clone_from(&source.rotations);
         self.accelerations.copy_from(&source.accelerations);

@@ -2,8 +2,8 @@
 //! `Conserving` (7.6), which differ in one term: the axial strain of the middle, or the mean of the two ends'.
 //!
 //! A step from `q_k, P_k` solves `P_k − M Dq/h − h/2 f(qm) + C = 0` and `g(q_{k+1}) = 0`, `f = dU/dq − F + Gᵀ λ`,
-//! `qm = q_k + Dq/2`, for `Dq` and `Λ = h λ/2`. Momentum and references then move on to the new charts (gyroscopic.rs), and the
-//! momentum is projected on what the constraints allow.
+//! `qm = q_k + Dq/2`, for `Dq` and `Λ = h λ/2`. Momentum and references then move on to the new charts (gyroscopic.rs), and what
+//! would alternate is taken out of the momentum.
 //!
 //! Constraint forces act in the middle of the step like all others. MECHANICS 7.1 has `h G(q_k)ᵀ λ` instead, which treats the
 //! stiffness that multipliers give a joint as an explicit method would: it is stable only for `h² λ·g_qq/M < 4`. A hinge that transmits
@@ -127,12 +127,26 @@ impl Integrator for Midpoint {
         self.scratch.finish(system, &mut next, self.rule, step, end);
         let outcome = self.projection.set_velocity(system, &mut self.kkt, &mut next);
         if outcome.is_ok() {
-            // What the constraints do not allow would alternate for ever: it goes, without changing linear or angular momentum.
-            system.mass_times(&next.velocity, &mut next.momentum);
+            self.steady(system, &mut next);
             std::mem::swap(state, &mut next);
         }
         self.next = Some(next);
         outcome
+    }
+}
+
+impl Midpoint {
+    /// Takes out of the momentum at the end of a step what would alternate for ever. The midpoint rule turns the part that the
+    /// constraints do not allow, `ν`, into `c − ν`, with a smooth `c` of second order in the step: its rest is `c/2`, the mean of one `ν`
+    /// and the next. Taking that mean, a jump of a drive is gone after a step, and smooth motions keep their energy (taking all of
+    /// `ν` away would cost some of it at every step). Linear and angular momentum do not change.
+    fn steady(&self, system: &System, state: &mut State) {
+        let (gradients, strays) = self.projection.stray(system);
+        for (own, stray) in state.strays.iter_mut().zip(strays) {
+            *own = 0.5 * (*own + stray);
+        }
+        system.mass_times(&state.velocity, &mut state.momentum);
+        system.add_constraint_forces(gradients, &state.strays, 1.0, &mut state.momentum);
     }
 }
 

@@ -22,6 +22,11 @@ impl Projection {
         Self { right: vec![0.0; size], frames: Vec::new(), gradients: Vec::new() }
     }
 
+    /// Of the last call: the momentum beside that of the velocities, `Gᵀ ν` with the gradients and `ν`.
+    pub fn stray(&self, system: &System) -> (&[JointGradient], &[f64]) {
+        (&self.gradients, &self.right[system.coordinates()..])
+    }
+
     /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow.
     ///
     /// # Errors

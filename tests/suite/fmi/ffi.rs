@@ -308,12 +308,10 @@ fn what_is_not_offered_says_so() {
     unit.initialize(c);
     unit.lines.take();
     type Many = unsafe extern "C" fn(*mut c_void, *const u32, usize, *const c_int, *mut f64) -> fmi2Status;
-    for (name, flag) in [("fmi2GetRealOutputDerivatives", "maxOutputDerivativeOrder is 0")] {
-        // SAFETY: no elements.
-        let status = unsafe { unit.function::<Many>(name)(c, null(), 0, null(), null_mut()) };
-        assert_eq!(status, fmi2Status::fmi2Error);
-        assert!(unit.lines.take()[0].contains(flag), "{name}");
-    }
+    // SAFETY: no elements.
+    let status = unsafe { unit.function::<Many>("fmi2GetRealOutputDerivatives")(c, null(), 0, null(), null_mut()) };
+    assert_eq!(status, fmi2Status::fmi2Error);
+    assert!(unit.lines.take()[0].contains("maxOutputDerivativeOrder is 0"));
     assert_eq!(unit.call("fmi2CancelStep", c), fmi2Status::fmi2Error);
     unit.free(c);
 }
