@@ -32,9 +32,8 @@ fn axes(state: &State) -> Mat3 {
     rigid_body::pose(&state.q, 0).axes
 }
 
-/// A body that turns about its intermediate axis tips over, again and again. Its energy changes with order 3 in the step: forces in the
-/// middle of a step do no work on quadratic conditions, and the velocities that these do not allow, which are taken out of the
-/// momentum after each step, have energies of fourth order.
+/// A body that turns about its intermediate axis tips over, again and again. Its energy changes with order 4 in the step: forces in the
+/// middle of a step do no work on quadratic conditions, and velocities that these do not allow have energies of fourth order.
 #[test]
 fn tipping_keeps_momentum_energy_and_axes() {
     let bands = [4e-3, 2e-3].map(|step: f64| {
@@ -67,7 +66,24 @@ fn tipping_keeps_momentum_energy_and_axes() {
     });
     let ratio = bands[0] / bands[1];
     println!("ratio {ratio:.2}");
-    assert!(bands[1] < 1e-6 && ratio > 3.0, "{bands:?}");
+    assert!(bands[1] < 1e-8 && ratio > 12.0, "{bands:?}");
+}
+
+/// A fast body, 0.2 rad a step, for 160 turns. Taking all that the conditions do not allow out of the momentum at every step costs 8 % of
+/// the energy in this time, and an eighth of it with half the step; taking out what alternates costs a rest of higher order, 4 and more.
+#[test]
+fn regression_a_fast_body_keeps_its_energy() {
+    let changes = [(2e-3, 5000), (1e-3, 10_000)].map(|(step, count)| {
+        let (system, mut state) = free(MOMENTS, Vec3::new(60.0, 60.0, 52.9));
+        let mut energy = Vec::new();
+        integrate(&system, &mut state, AxialRule::Conserving, (step, count), |state| {
+            energy.push(energies(&system, state)[0])
+        })
+        .unwrap();
+        energy.iter().map(|now| (now / energy[0] - 1.0).abs()).fold(0.0, f64::max)
+    });
+    println!("energy changes by {changes:?} in 10 s");
+    assert!(changes[0] < 1e-2 && changes[0] / changes[1] > 12.0, "{changes:?}");
 }
 
 const MOMENTS: [f64; 3] = [0.1, 0.2, 0.3];
