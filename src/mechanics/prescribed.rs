@@ -1,4 +1,4 @@
-//! Motion that is prescribed: drives and moving frames, by functions of time or by a host (FMI.md: kinematic inputs).
+//! Motion that is prescribed: drives and moving frames, by functions of time or by a host.
 //!
 //! What a host gives is reached at the end of its communication step, linearly from the value last reached; rotations take
 //! the shortest arc. A rate that a function gives is integrated to round-off, one that a host gives exactly.
