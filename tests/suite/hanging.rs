@@ -49,6 +49,30 @@ fn a_chain_of_bodies_falls_to_where_it_hangs() {
     }
 }
 
+/// A bar on a hinge, drawn level: Newton's iteration may well come to rest with the bar upright, which nothing holds. Whatever its stiffness
+/// and its elements, it must hang.
+#[test]
+fn a_hinged_bar_hangs_down() {
+    for (radius, elements, strain) in
+        [("0.01", "4", "small"), ("0.005", "8", "large"), ("0.002", "16", "small"), ("0.02", "2", "large_truncated")]
+    {
+        let text = format!(
+            "format = 1\n[model]\nname = \"Bar\"\ngravity = [0, 0, -9.81]\n\
+             [material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
+             [section.rod]\nshape = \"circle\"\nradius = {radius}\n\
+             [beam.bar]\nmaterial = \"steel\"\nsection = \"rod\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = {elements}\n\
+             strain = \"{strain}\"\n[joint.hinge]\ntype = \"revolute\"\na = \"ground\"\nb = \"bar.start\"\naxis = [0, 1, 0]\n\
+             [output.tip]\nat = \"bar.end\"\nquantities = [\"position\"]\n\
+             [simulation]\ninitial = \"equilibrium\"\nstop = 0.01\nstep = 1e-3\noutput_step = 1e-2\n"
+        );
+        let curves = Curves::run(&text, &[]);
+        let (x, z) = (curves.last("tip.position[1]"), curves.last("tip.position[3]"));
+        println!("{radius} {elements} {strain}: tip at {x:.1e}, {z}");
+        // Longer by its own weight, rho g L^2/(2 E), at most 2e-7.
+        assert!(x.abs() < 1e-9 && (z + 1.0).abs() < 3e-7, "{x} {z}");
+    }
+}
+
 /// By ball joints each link can spin about the vertical without end: no place of rest is better than another.
 #[test]
 fn a_motion_that_stays_free_is_named() {

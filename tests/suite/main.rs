@@ -49,6 +49,7 @@ mod running;
 mod section_forces;
 mod shaken_cantilever;
 mod spring_derivatives;
+mod static_motions;
 mod statics;
 mod strain_outputs;
 mod turned_models;
