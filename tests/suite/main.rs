@@ -35,6 +35,7 @@ mod model_file;
 mod model_mistakes;
 mod model_parts;
 mod moving_frames;
+mod odd_machines;
 mod oracle;
 mod oscillation;
 mod parts;

@@ -1,0 +1,73 @@
+//! Machines that are drawn oddly but soundly must run, and what cannot run must say why: bodies at one place, a drive that begins turns
+//! away, a machine at rest that is no loss of energy, a bushing turned too far, a motion that begins with an infinite rate.
+
+use ancf14::fmi::Model;
+use ancf14::model::simulation::Simulation;
+
+/// Runs a file for `stop` s; its warnings, or why it failed.
+fn run(text: &str, stop: f64) -> Result<Vec<String>, String> {
+    let mut simulation = Simulation::load("model.toml", text, &[]).map_err(|failure| failure.message)?;
+    simulation.initialize(0.0).map_err(|failure| failure.message)?;
+    simulation.advance(stop).map_err(|failure| failure.message)?;
+    Ok(simulation.take_warnings())
+}
+
+const HEAD: &str = "format = 1\n[model]\nname = \"Odd\"\ngravity = [0, 0, -9.81]\n";
+
+fn body(name: &str, position: &str) -> String {
+    format!("[body.{name}]\nmass = 1\nposition = {position}\ninertia = [0.1, 0.1, 0.1]\n")
+}
+
+fn hinge(name: &str, a: &str, b: &str) -> String {
+    format!("[joint.{name}]\ntype = \"revolute\"\na = \"{a}\"\nb = \"{b}\"\nat = [0, 0, 0]\naxis = [0, 1, 0]\n")
+}
+
+/// Two bodies whose centres of mass are the same but for round-off: the machine's size is not that of the round-off.
+#[test]
+fn bodies_at_one_place_run() {
+    let bodies = body("first", "[\"0.1 + 0.2\", 0, 0]") + &body("second", "[0.3, 0, 0]");
+    let joints = hinge("inner", "ground", "first") + &hinge("outer", "first", "second");
+    let end = "[simulation]\nstop = 1\nstep = 1e-3\n";
+    assert_eq!(run(&format!("{HEAD}{bodies}{joints}{end}"), 0.1), Ok(Vec::new()));
+}
+
+/// A crank that begins two turns from where it is drawn, with a pendulum on it.
+#[test]
+fn a_drive_that_begins_turns_away_is_assembled_there() {
+    let bodies = body("crank", "[0.5, 0, 0]") + &body("bob", "[1, 0, -1]");
+    let joints = hinge("pivot", "ground", "crank") + &hinge("tip", "crank", "bob").replace("[0, 0, 0]", "[1, 0, 0]");
+    let rest = "[drive.motor]\njoint = \"pivot\"\ncoordinate = \"angle\"\nvalue = \"12 + t\"\n\
+                [simulation]\ninitial = \"equilibrium\"\nstop = 1\nstep = 1e-3\n";
+    assert_eq!(run(&format!("{HEAD}{bodies}{joints}{rest}"), 0.01), Ok(Vec::new()));
+}
+
+/// At rest nothing but round-off moves: no word about lost energy.
+#[test]
+fn a_machine_at_rest_is_not_warned_of() {
+    let text = HEAD.to_owned() + &body("bob", "[0.6, 0, -0.8]") + &hinge("pivot", "ground", "bob");
+    assert_eq!(run(&(text + "[simulation]\ninitial = \"equilibrium\"\nstop = 1\nstep = 1e-3\n"), 0.1), Ok(Vec::new()));
+}
+
+#[test]
+fn a_static_analysis_says_that_dampers_are_not_used() {
+    let text = HEAD.to_owned() + &body("bob", "[0, 0, -1]") + &hinge("pivot", "ground", "bob") + "damping = 2.0\n";
+    let warnings = run(&(text + "[simulation]\nanalysis = \"static\"\nstop = 1\nstep = 1\n"), 1.0).unwrap();
+    assert_eq!(warnings, ["dampers are not used: the analysis is static"]);
+}
+
+#[test]
+fn a_bushing_turned_too_far_is_named() {
+    let joint = "[joint.pad]\ntype = \"bushing\"\na = \"ground\"\nb = \"bob\"\nstiffness = [1e4, 1e4, 1e4]\nrotational_stiffness = [1e-3, 1e-3, 1e-3]\n";
+    let text = HEAD.replace("-9.81", "0") + &body("bob", "[0, 0, 0]") + "angular_velocity = [0, 0, 5]\n" + joint;
+    let message = run(&(text + "[simulation]\nstop = 1\nstep = 1e-3\n"), 1.0).unwrap_err();
+    assert!(message.contains("bushing pad is turned by 170 degrees"), "{message}");
+}
+
+#[test]
+fn a_motion_without_a_rate_is_named() {
+    let frame = "[frame.table]\nposition = [\"sqrt(t)\", 0, 0]\n";
+    let joint = "[joint.grip]\ntype = \"weld\"\na = \"table\"\nb = \"bob\"\n";
+    let text = HEAD.to_owned() + &body("bob", "[0, 0, 0]") + frame + joint + "[simulation]\nstop = 1\nstep = 1e-3\n";
+    let message = run(&text, 0.1).unwrap_err();
+    assert!(message.contains("the motion of frame table is not a finite number at t = 0 s"), "{message}");
+}
