@@ -1,7 +1,7 @@
 //! Machines that are drawn oddly but soundly must run, and what cannot run must say why: bodies at one place, a drive that begins turns
 //! away, a machine at rest that is no loss of energy, a bushing turned too far, a motion that begins with an infinite rate.
 
-use ancf14::fmi::Model;
+use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
 
 /// Runs a file for `stop` s; its warnings, or why it failed.
@@ -26,8 +26,9 @@ fn hinge(name: &str, a: &str, b: &str) -> String {
 #[test]
 fn bodies_at_one_place_run() {
     let bodies = body("first", "[\"0.1 + 0.2\", 0, 0]") + &body("second", "[0.3, 0, 0]");
-    let joints = hinge("inner", "ground", "first") + &hinge("outer", "first", "second");
+    let joints = hinge("inner", "ground", "first") + &hinge("outer", "ground", "second");
     let end = "[simulation]\nstop = 1\nstep = 1e-3\n";
+    let bodies = bodies.replace("inertia", "angular_velocity = [0, 3, 0]\ninertia");
     assert_eq!(run(&format!("{HEAD}{bodies}{joints}{end}"), 0.1), Ok(Vec::new()));
 }
 
@@ -46,6 +47,28 @@ fn a_drive_that_begins_turns_away_is_assembled_there() {
 fn a_machine_at_rest_is_not_warned_of() {
     let text = HEAD.to_owned() + &body("bob", "[0.6, 0, -0.8]") + &hinge("pivot", "ground", "bob");
     assert_eq!(run(&(text + "[simulation]\ninitial = \"equilibrium\"\nstop = 1\nstep = 1e-3\n"), 0.1), Ok(Vec::new()));
+}
+
+/// What a host gives a drive is reached at the end of its step, linearly: a jump at its beginning would end at rest. A rate is integrated.
+#[test]
+fn a_host_s_drive_is_reached_linearly() {
+    for (input, value, rate, angle) in [("value", 0.2, 2.0, 0.2), ("rate", 3.0, 3.0, 0.15)] {
+        let drive = format!("[drive.motor]\njoint = \"pivot\"\ncoordinate = \"angle\"\ninput = \"{input}\"\n");
+        let output = "[output.it]\nat = \"bob\"\nquantities = [\"angular_velocity\"]\n[output.at]\nat = \"motor\"\nquantities = [\"angle\"]\n";
+        let text = HEAD.to_owned() + &body("bob", "[0, 0, -1]") + &hinge("pivot", "ground", "bob") + &drive + output;
+        let text = text + "[simulation]\nstop = 1\nstep = 1e-2\n";
+        let mut simulation = Simulation::load("model.toml", &text, &[]).unwrap();
+        simulation.initialize(0.0).unwrap();
+        let place = |simulation: &Simulation, name: &str| {
+            simulation.variables().iter().position(|variable| variable.name == name).unwrap()
+        };
+        let given = place(&simulation, &format!("motor.{input}"));
+        simulation.set_value(given, Value::Real(value)).unwrap();
+        simulation.advance(0.1).unwrap();
+        let read = |name: &str| simulation.value(place(&simulation, name)).number();
+        assert!((read("it.angular_velocity[2]") - rate).abs() < 1e-9, "{input}: {}", read("it.angular_velocity[2]"));
+        assert!((read("at.angle") - angle).abs() < 1e-12, "{input}: {}", read("at.angle"));
+    }
 }
 
 #[test]
