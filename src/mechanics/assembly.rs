@@ -3,6 +3,7 @@
 use super::beam::coordinates::{NODE, P, THETA, set_vec3};
 use super::beam::element::Element;
 use super::beam::frame::{NodeFrame, Triad};
+use super::beam::quadratic_twist::Twist;
 use super::beam::strain::{Stiffness, Strain};
 use super::configuration::Configuration;
 use super::gauge::{Gauge, Measure};
@@ -58,6 +59,8 @@ pub struct BeamDesign {
     pub section: Section,
     /// Strain measure.
     pub strain: Strain,
+    /// How the twist runs inside an element.
+    pub twist: Twist,
     /// Whether it may twist.
     pub torsion: Torsion,
     /// Initial velocity of the start, m/s.
@@ -76,6 +79,7 @@ impl BeamDesign {
         let couples = self.strain != Strain::Small && self.torsion == Torsion::Free;
         Stiffness {
             strain: self.strain,
+            twist: self.twist,
             axial: material.young * section.area,
             bending_y: material.young * section.second_moment_y,
             bending_z: material.young * section.second_moment_z,

@@ -7,10 +7,11 @@ use super::resultants::{self, SectionForces};
 use super::state::State;
 use super::system::{System, evaluation};
 use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
-use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_vector_near};
+use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_matrix, rotation_vector_near};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::coordinates::interpolate;
 use crate::mechanics::beam::kinematics::CurvePoint;
+use crate::mechanics::beam::quadratic_twist::{self, Twist};
 use crate::mechanics::beam::strain::Strain;
 
 /// A point that is watched.
@@ -47,12 +48,20 @@ impl Sensor {
             linear += motion.place_q.column(local) * velocity[index];
             angular += motion.turn_q.column(local) * velocity[index];
         }
+        if let Some((number, xi)) = self.relaxed_section(c) {
+            let (bubble_q, range) = (evaluation(c, number, None).bubble_q(), self.marker.coordinates(c.elements));
+            let rate: f64 = bubble_q.iter().zip(&velocity[range]).map(|(by_q, velocity)| by_q * velocity).sum();
+            angular += self.marker.pose(c).axis(0) * (quadratic_twist::shape(xi) * rate);
+        }
         (linear, angular)
     }
 
     /// Rotation vector from the orientation as drawn, rad, the one nearest to `previous`.
     pub fn rotation(&self, c: &Configuration, previous: &Vec3) -> Vec3 {
-        let axes = self.marker.pose(c).axes;
+        let mut axes = self.marker.pose(c).axes;
+        if let Some((number, xi)) = self.relaxed_section(c) {
+            axes *= rotation_matrix(&(Vec3::x() * (bubble(c, number) * quadratic_twist::shape(xi))));
+        }
         rotation_vector_near(&(axes * self.drawn.axes.transpose()), previous)
     }
 
@@ -60,6 +69,16 @@ impl Sensor {
     pub fn quaternion(&self, rotation: &Vec3) -> [f64; 4] {
         let turned = quaternion_of(rotation) * quaternion_of_triad(&self.drawn.axes);
         [turned.w, turned.i, turned.j, turned.k]
+    }
+
+    /// The element and the place in it of a section that the quadratic twist turns: markers have the linear one.
+    fn relaxed_section(&self, c: &Configuration) -> Option<(usize, f64)> {
+        match self.marker {
+            Marker::Section { element, xi } if c.elements[element].stiffness.twist == Twist::Quadratic => {
+                Some((element, xi))
+            }
+            _ => None,
+        }
     }
 
     /// The elements that the point belongs to, each with the place in it: two at an inner node, none off the beams.
@@ -90,7 +109,8 @@ impl Sensor {
         let (places, _) = self.places(system);
         let (last, xi) = places[0];
         let twist = |number: usize| c.kinematics(number).twist - c.elements[number].reference_twist;
-        (beam.first_element..last).map(twist).sum::<f64>() + xi * twist(last)
+        let inside = xi * twist(last) + bubble(c, last) * quadratic_twist::shape(xi);
+        (beam.first_element..last).map(twist).sum::<f64>() + inside
     }
 
     /// Strains of the section; at an inner node the mean of its two elements'.
@@ -163,14 +183,24 @@ fn strains_in_element(c: &Configuration, number: usize, xi: f64) -> SectionStrai
     let kinematics = &evaluation.kinematics;
     let point = CurvePoint::new(&kinematics.base.axes, interpolate(&shape_x, q), interpolate(&shape_xx, q));
     let inner = collocation(xi).map(|a| a * element.length);
-    let (sin, cos) = kinematics.alpha_at(q, xi, &inner).sin_cos();
+    let alpha = kinematics.alpha_at(q, xi, &inner) + evaluation.bubble * quadratic_twist::shape(xi);
+    let (sin, cos) = alpha.sin_cos();
     let [kappa1, kappa2, _] = point.scalars.map(|scalar| scalar.value);
     // Straight beams: J0 = 1 and no curvature of the undeformed beam.
     let gammas = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
     SectionStrains {
         axial,
         curvature: [-gammas[1], gammas[0]],
-        torsion: (kinematics.twist - element.reference_twist) / element.length,
+        torsion: (kinematics.twist - element.reference_twist + evaluation.bubble * quadratic_twist::shape_xi(xi))
+            / element.length,
+    }
+}
+
+/// Internal coordinate of the quadratic twist of element `number`, rad; 0 for linear twist.
+fn bubble(c: &Configuration, number: usize) -> f64 {
+    match c.elements[number].stiffness.twist {
+        Twist::Linear => 0.0,
+        Twist::Quadratic => evaluation(c, number, None).bubble,
     }
 }
 

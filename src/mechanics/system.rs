@@ -225,3 +225,9 @@ pub fn evaluation<'a>(c: &Configuration<'a>, number: usize, increment: Option<&[
     let own = increment.map(|increment| &increment[NODE * element.node..NODE * (element.node + 2)]);
     Evaluation::new(element, c.element_q(element), own, c.element_frames(element), c.holonomy[number])
 }
+
+/// Strains of element `number` with linear twist, whatever the element's is: those that material damping sees.
+pub fn linear_evaluation<'a>(c: &Configuration<'a>, number: usize) -> Evaluation<'a> {
+    let element = &c.elements[number];
+    Evaluation::with_linear_twist(element, c.element_q(element), None, c.element_frames(element), c.holonomy[number])
+}

@@ -47,7 +47,7 @@ impl Case {
 
     /// The oracle's strains.
     fn strains<D: Scalar>(&self, q: &SVector<D, 14>) -> SVector<D, 12> {
-        SVector::from(oracle::strains(&self.element, q.as_slice(), &self.triads, self.previous))
+        SVector::from(oracle::strains(&self.element, q.as_slice(), D::from(0.0), &self.triads, self.previous))
     }
 
     /// Viscous resultant over rate of each strain, from the definition.

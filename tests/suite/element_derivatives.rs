@@ -6,6 +6,7 @@ use crate::random::Random;
 use ancf14::math::{Vec3, rotation};
 use ancf14::mechanics::beam::element::{Element, Evaluation};
 use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
+use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::{Stiffness, Strain};
 use nalgebra::SVector;
 use num_dual::Dual2SVec64;
@@ -17,7 +18,17 @@ const ROUNDING: f64 = 1e-9;
 pub fn stiffness(strain: Strain) -> Stiffness {
     let fourth = if strain == Strain::Large { [0.03, 0.02, 0.05] } else { [0.0; 3] };
     let wagner = if strain == Strain::Small { 0.0 } else { 1.3 };
-    Stiffness { strain, axial: 40.0, bending_y: 1.7, bending_z: 0.6, torsion: 0.9, wagner, fourth, damping: 0.02 }
+    Stiffness {
+        strain,
+        twist: Twist::Linear,
+        axial: 40.0,
+        bending_y: 1.7,
+        bending_z: 0.6,
+        torsion: 0.9,
+        wagner,
+        fourth,
+        damping: 0.02,
+    }
 }
 
 /// Coordinates of an element of length `length` with the given bend and twist scale, and reference triads near its tangents.
@@ -63,8 +74,10 @@ pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element
 }
 
 fn compare(element: &Element, q: &SVector<f64, 14>, triads: &[Triad; 2], previous: f64) {
-    let (energy, gradient, hessian) =
-        num_dual::hessian(|q: SVector<Dual2SVec64<14>, 14>| oracle::energy(element, q.as_slice(), triads, previous), q);
+    let (energy, gradient, hessian) = num_dual::hessian(
+        |q: SVector<Dual2SVec64<14>, 14>| oracle::energy(element, q.as_slice(), 0.0.into(), triads, previous),
+        q,
+    );
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];
     let evaluation = Evaluation::new(element, q.as_slice(), None, [&frames[0], &frames[1]], previous);
     let (closed_gradient, closed_hessian) = evaluation.gradient_and_hessian();

@@ -9,6 +9,7 @@ use ancf14::mechanics::beam::coordinates::{set_vec3, vec3};
 use ancf14::mechanics::beam::element::Evaluation;
 use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
 use ancf14::mechanics::beam::kinematics::Holonomy;
+use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::{Stiffness, Strain, Strains};
 use ancf14::mechanics::beam::{bending, fourth_moments, torsion};
 use ancf14::mechanics::section::Section;
@@ -63,6 +64,7 @@ fn large_energy_is_the_section_integral() {
     let (width, height, young, shear) = (0.03, 0.05, 2.0, 0.7);
     let section = Section::rectangle(width, height);
     let stiffness = Stiffness {
+        twist: Twist::Linear,
         strain: Strain::Large,
         axial: young * section.area,
         bending_y: young * section.second_moment_y,

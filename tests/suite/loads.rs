@@ -5,6 +5,7 @@ use crate::machines::{clamp, design};
 use ancf14::math::Vec3;
 use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
 use ancf14::mechanics::beam::coordinates::{THETA, vec3};
+use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::Strain;
 use ancf14::mechanics::load::{Direction, Load, Signal};
 use ancf14::mechanics::marker::Marker;
@@ -103,7 +104,10 @@ fn suppressed_torsion_does_not_twist() {
 /// is refused (MECHANICS 3.7). tau_c is 153 rad/m for the Princeton beam.
 #[test]
 fn truncated_strain_has_its_limit() {
-    let beam = BeamDesign { strain: Strain::LargeTruncated, ..crate::princeton::beam(4, Strain::LargeTruncated) };
+    let beam = BeamDesign {
+        strain: Strain::LargeTruncated,
+        ..crate::princeton::beam(4, Strain::LargeTruncated, Twist::Linear)
+    };
     let check = |rate: f64| {
         let mut assembly = Assembly::default();
         assembly.add_beam(&beam);

@@ -4,6 +4,7 @@ use ancf14::error::Error;
 use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
+use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::Strain;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, weld};
 use ancf14::mechanics::load::{Direction, Load, Signal};
@@ -31,6 +32,7 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
         material: Material { young: 2e11, shear: 8e10, density: 7800.0, damping: 0.0 },
         section: Section::rectangle(0.01, 0.02),
         strain: Strain::Small,
+        twist: Twist::Linear,
         torsion: Torsion::Free,
         velocity: Vec3::zeros(),
         angular_velocity: Vec3::zeros(),

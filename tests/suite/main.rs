@@ -40,6 +40,7 @@ mod oracle;
 mod oscillation;
 mod parts;
 mod princeton;
+mod quadratic_twist;
 mod random;
 mod reactions;
 mod released_cantilever;

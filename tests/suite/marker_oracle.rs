@@ -132,7 +132,7 @@ impl Machine {
                 let part = &self.elements[*element];
                 let own = &q[NODE * part.node..NODE * (part.node + 2)];
                 let triads = [self.triads[part.node], self.triads[part.node + 1]];
-                let (t, y, _) = oracle::inside(part, own, &triads, self.holonomy[*element], *xi);
+                let (t, y, _) = oracle::inside(part, own, D::from(0.0), &triads, self.holonomy[*element], *xi);
                 let shape = ancf14::math::hermite::shape(*xi, part.length);
                 let place = std::array::from_fn(|i| {
                     own[i] * shape[0] + own[3 + i] * shape[1] + own[7 + i] * shape[2] + own[10 + i] * shape[3]

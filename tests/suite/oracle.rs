@@ -63,10 +63,11 @@ fn interpolate<D: Scalar>(weights: &[f64; 4], q: &[D]) -> Vector<D> {
     std::array::from_fn(|i| q[i] * weights[0] + q[3 + i] * weights[1] + q[7 + i] * weights[2] + q[10 + i] * weights[3])
 }
 
-/// Section axes at `xi` inside the element (2.10-2.13), and the total twist T.
+/// Section axes at `xi` inside the element (2.10-2.13, with the internal coordinate `bubble` of 5.3), and the total twist T.
 pub fn inside<D: Scalar>(
     element: &Element,
     q: &[D],
+    bubble: D,
     triads: &[Triad; 2],
     previous: f64,
     xi: f64,
@@ -86,7 +87,8 @@ pub fn inside<D: Scalar>(
     let twist =
         q[13] - q[6] + beta + (rates[0] * weights[0] + rates[1] * weights[1] + rates[2] * weights[2]) * element.length;
     let inner = ancf14::math::quadrature::collocation(xi);
-    let alpha = q[6] + twist * xi - (rates[0] * inner[0] + rates[1] * inner[1] + rates[2] * inner[2]) * element.length;
+    let alpha = q[6] + twist * xi - (rates[0] * inner[0] + rates[1] * inner[1] + rates[2] * inner[2]) * element.length
+        + bubble * (4.0 * xi * (1.0 - xi));
     let p = interpolate(&ancf14::math::hermite::shape_x(xi, element.length), q);
     let t = scale(&p, dot(&p, &p).sqrt().recip());
     let u = carry(&first.t, &t, &first.u);
@@ -97,7 +99,7 @@ pub fn inside<D: Scalar>(
 }
 
 /// Strains, undeformed values taken off (MECHANICS 2.16): three axial points, then g1, g2, tau of each bending point.
-pub fn strains<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previous: f64) -> [D; 12] {
+pub fn strains<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad; 2], previous: f64) -> [D; 12] {
     let mut all = [D::from(0.0); 12];
     for (m, point) in element.axial.iter().enumerate() {
         let p = interpolate(&point.shape_x, q);
@@ -109,25 +111,26 @@ pub fn strains<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previ
     }
     for (g, point) in element.bending.iter().enumerate() {
         let j0 = point.reference_stretch;
-        let (t, y, twist) = inside(element, q, triads, previous, point.xi);
+        let (t, y, twist) = inside(element, q, bubble, triads, previous, point.xi);
         let z = cross(&t, &y);
         let p = interpolate(&point.shape_x, q);
         let w = interpolate(&point.shape_xx, q);
         let length = dot(&p, &p).sqrt();
         all[3 + 3 * g] = dot(&y, &w) / length / j0 - point.reference[0];
         all[4 + 3 * g] = dot(&z, &w) / length / j0 - point.reference[1];
-        all[5 + 3 * g] = twist / (element.length * j0) - point.reference[2];
+        let twist_xi = twist + bubble * (4.0 * (1.0 - 2.0 * point.xi));
+        all[5 + 3 * g] = twist_xi / (element.length * j0) - point.reference[2];
     }
     all
 }
 
 /// Strain energy, J (MECHANICS 3.1, 3.2, 3.2b).
-pub fn energy<D: Scalar>(element: &Element, q: &[D], triads: &[Triad; 2], previous: f64) -> D {
+pub fn energy<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad; 2], previous: f64) -> D {
     let k = &element.stiffness;
     let square = |x: D| x * x;
     let mut total = D::from(0.0);
-    let strains = strains(element, q, triads, previous);
-    let twist = inside(element, q, triads, previous, 0.5).2;
+    let strains = strains(element, q, bubble, triads, previous);
+    let twist = inside(element, q, bubble, triads, previous, 0.5).2;
     for (m, point) in element.axial.iter().enumerate() {
         let torsion = twist / (element.length * point.reference_stretch) - point.reference_torsion;
         total +=

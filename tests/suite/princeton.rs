@@ -4,6 +4,7 @@
 use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::Strain;
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
@@ -33,16 +34,16 @@ fn cases() -> Vec<Case> {
     .collect()
 }
 
-pub fn beam(elements: usize, strain: Strain) -> BeamDesign {
+pub fn beam(elements: usize, strain: Strain, twist: Twist) -> BeamDesign {
     let young = 71.7e9;
     let section = Section { torsion_constant: 113.3872e-12, ..Section::rectangle(3.2024e-3, 12.377e-3) };
     let material = Material { young, shear: Material::shear_from_poisson(young, 0.31), density: 2700.0, damping: 0.0 };
-    BeamDesign { to: Vec3::x() * LENGTH, section, material, strain, ..design("beam", elements) }
+    BeamDesign { to: Vec3::x() * LENGTH, section, material, strain, twist, ..design("beam", elements) }
 }
 
-fn machine(elements: usize, strain: Strain, case: &Case) -> (System, State) {
+fn machine(elements: usize, (strain, twist): (Strain, Twist), case: &Case) -> (System, State) {
     let mut assembly = Assembly::default();
-    let number = assembly.add_beam(&beam(elements, strain));
+    let number = assembly.add_beam(&beam(elements, strain, twist));
     clamp(&mut assembly, number);
     let force = Vec3::new(0.0, case.angle.sin(), case.angle.cos()) * case.load;
     load(&mut assembly, number, 1.0, force, Vec3::zeros());
@@ -51,8 +52,8 @@ fn machine(elements: usize, strain: Strain, case: &Case) -> (System, State) {
 }
 
 /// Tip displacement, twist and rotation about x.
-fn tip(elements: usize, strain: Strain, case: &Case) -> (Vec3, f64, f64) {
-    let (system, mut state) = machine(elements, strain, case);
+fn tip(elements: usize, kind: (Strain, Twist), case: &Case) -> (Vec3, f64, f64) {
+    let (system, mut state) = machine(elements, kind, case);
     Statics::new(&system, 1e-8).unwrap().find(&system, &mut state, 1.0).unwrap();
     let mut snapshot = Snapshot::default();
     let configuration = snapshot.of(&system, &state);
@@ -61,13 +62,17 @@ fn tip(elements: usize, strain: Strain, case: &Case) -> (Vec3, f64, f64) {
     (place, sensor.twist(&system, &configuration), state.rotations[0][0])
 }
 
+fn largest(cases: &[Case], value: fn(&Case) -> f64) -> f64 {
+    cases.iter().map(|case| value(case).abs()).fold(0.0, f64::max)
+}
+
 /// Largest errors of weak and stiff displacement, twist and rotation, relative to their largest values, over all 21 cases.
-fn errors(elements: usize, cases: &[Case]) -> [f64; 4] {
-    let largest = |value: fn(&Case) -> f64| cases.iter().map(|case| value(case).abs()).fold(0.0, f64::max);
-    let scales = [largest(|c| c.weak), largest(|c| c.stiff), largest(|c| c.twist), largest(|c| c.rotation)];
+fn errors(elements: usize, twist: Twist, cases: &[Case]) -> [f64; 4] {
+    let values: [fn(&Case) -> f64; 4] = [|c| c.weak, |c| c.stiff, |c| c.twist, |c| c.rotation];
+    let scales = values.map(|value| largest(cases, value));
     let mut errors = [0.0_f64; 4];
     for case in cases {
-        let (place, twist, rotation) = tip(elements, Strain::Small, case);
+        let (place, twist, rotation) = tip(elements, (Strain::Small, twist), case);
         let differences = [place[1] - case.weak, place[2] - case.stiff, twist - case.twist, rotation - case.rotation];
         for ((error, difference), scale) in errors.iter_mut().zip(differences).zip(scales) {
             *error = error.max(difference.abs() / scale);
@@ -80,7 +85,7 @@ fn errors(elements: usize, cases: &[Case]) -> [f64; 4] {
 fn all_cases_with_order_two() {
     let cases = cases();
     assert_eq!(cases.len(), 21);
-    let table: Vec<[f64; 4]> = [4, 8, 16, 32].map(|elements| errors(elements, &cases)).to_vec();
+    let table: Vec<[f64; 4]> = [4, 8, 16, 32].map(|elements| errors(elements, Twist::Linear, &cases)).to_vec();
     for (elements, row) in [4, 8, 16, 32].iter().zip(&table) {
         println!(
             "{elements:2} elements: weak {:.2e}, stiff {:.2e}, twist {:.2e}, rotation {:.2e}",
@@ -98,11 +103,35 @@ fn all_cases_with_order_two() {
     }
 }
 
+/// With quadratic twist: order 4, and with 8 elements all cases within 2e-5 of the largest displacement.
+#[test]
+fn all_cases_with_order_four() {
+    let cases = cases();
+    let table: Vec<[f64; 4]> = [4, 8, 16].map(|elements| errors(elements, Twist::Quadratic, &cases)).to_vec();
+    for (elements, row) in [4, 8, 16].iter().zip(&table) {
+        println!(
+            "{elements:2} elements, quadratic twist: weak {:.2e}, stiff {:.2e}, twist {:.2e}, rotation {:.2e}",
+            row[0], row[1], row[2], row[3]
+        );
+    }
+    let stiff_of_weak = largest(&cases, |case| case.stiff) / largest(&cases, |case| case.weak);
+    let [weak, stiff, ..] = table[1];
+    println!("8 elements, of the largest displacement: {:.1e}", weak.max(stiff * stiff_of_weak));
+    assert!(weak < 2e-5 && stiff * stiff_of_weak < 2e-5);
+    for pair in table.windows(2) {
+        for (coarse, fine) in pair[0].iter().zip(&pair[1]) {
+            let order = (coarse / fine).log2();
+            assert!((order - 4.0).abs() < 0.1, "order {order}");
+        }
+    }
+}
+
 /// Small strains: the complete energy differs by the strain's own size only.
 #[test]
 fn large_strain_is_small_strain_here() {
     for case in cases() {
-        let difference = tip(8, Strain::Large, &case).0 - tip(8, Strain::Small, &case).0;
+        let difference =
+            tip(8, (Strain::Large, Twist::Linear), &case).0 - tip(8, (Strain::Small, Twist::Linear), &case).0;
         assert!(difference.norm() < 1e-5, "{:e}", difference.norm());
     }
 }
@@ -113,7 +142,7 @@ fn large_strain_is_small_strain_here() {
 fn newton_converges_quadratically() {
     let case = &cases()[17];
     let corrections = [2e-3, 1e-3].map(|more| {
-        let (system, mut state) = machine(8, Strain::Small, case);
+        let (system, mut state) = machine(8, (Strain::Small, Twist::Linear), case);
         let mut statics = Statics::new(&system, 1e-13).unwrap();
         statics.find(&system, &mut state, 1.0).unwrap();
         statics.find(&system, &mut state, 1.0 + more).unwrap();

@@ -6,6 +6,7 @@ use crate::oracle::Scalar;
 use crate::random::Random;
 use ancf14::math::Vec3;
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::{Stiffness, Strain};
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::resultants::{SectionForces, largest_stress, section_forces};
@@ -102,6 +103,7 @@ fn stiffness(section: &Section, young: f64, shear: f64, strain: Strain) -> Stiff
     let large = if strain == Strain::Small { 0.0 } else { young };
     let fourth = if strain == Strain::Large { young } else { 0.0 };
     Stiffness {
+        twist: Twist::Linear,
         strain,
         axial: young * section.area,
         bending_y: young * section.second_moment_y,

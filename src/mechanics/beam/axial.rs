@@ -46,6 +46,11 @@ impl Slope {
         Mat3::identity() / self.reference_stretch.powi(2)
     }
 
+    /// Twice the derivative of the increment's part of the Green strain by the slope at the end of the step, 1.
+    pub fn green_strain_increment(&self) -> Vec3 {
+        self.increment / (2.0 * self.reference_stretch.powi(2))
+    }
+
     /// Derivative of the engineering strain `|r'|/J0 − 1` of the middle of the step by the slope there, 1.
     pub fn engineering_strain_p(&self) -> Vec3 {
         self.middle / (self.middle.norm() * self.reference_stretch)

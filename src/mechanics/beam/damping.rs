@@ -4,7 +4,8 @@
 //!
 //! The rigidities are constant: products of strains and rates, which the full integral of Green's strain over the section
 //! has, are left out; they are of the order of the strain beside what is kept. Where torsion is suppressed, the Saint-Venant
-//! rigidity is the one that suppresses it.
+//! rigidity is the one that suppresses it. The strains are those of the linear twist, whatever the element's is: the internal coordinate of
+//! the quadratic one has no rate of its own.
 //!
 //! Over a step the rate is the change of the strains over its length: a rigid motion, however fast, is not damped at all.
 
@@ -21,7 +22,7 @@ pub type StrainVector = SVector<f64, STRAINS>;
 
 /// Viscous force over a step of length `h` that begins with the strains `start`, 14×1: `J(middle)ᵀ c W D (strains(end) − start)/h`.
 ///
-/// `end` is no evaluation over a step; for `middle` it makes no difference.
+/// `end` is no evaluation over a step; for `middle` it makes no difference. All of them have linear twist, here and below.
 pub fn force_over_step(start: &StrainVector, middle: &Evaluation, end: &Evaluation, h: f64) -> ElementVector {
     strains_q(middle) * resultants_over_step(start, end, h)
 }

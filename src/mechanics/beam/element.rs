@@ -7,6 +7,7 @@ use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, inte
 use super::frame::NodeFrame;
 use super::kinematics::Kinematics;
 use super::pullback::{Factors, Gradients};
+use super::quadratic_twist::{self, Condensation, Twist};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 use super::{axial, bending, fourth_moments, inertia, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
@@ -120,7 +121,7 @@ impl Element {
             line_density: density[0],
         };
         // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
-        let at_rest = Evaluation::new(&element, reference, None, frames, holonomy);
+        let at_rest = Evaluation::with_linear_twist(&element, reference, None, frames, holonomy);
         let (strains, twist) = (at_rest.strains, at_rest.kinematics.twist);
         element.reference_twist = twist;
         for (point, found) in element.bending.iter_mut().zip(strains) {
@@ -148,6 +149,10 @@ pub struct Evaluation<'a> {
     pub(super) slopes: [axial::Slope; 3],
     green: [f64; 3],
     mean_torsion: [f64; 3],
+    /// Internal coordinate `b` of the quadratic twist, rad; 0 for linear twist.
+    pub bubble: f64,
+    /// `α` at the bending points, `b` included, rad.
+    pub(super) alpha: [f64; 3],
     /// `gammahat` at the bending points, 1/m (2.16).
     pub(super) gammahat: [[f64; 2]; 3],
     /// Strains at the bending points, undeformed values taken off.
@@ -172,6 +177,21 @@ impl<'a> Evaluation<'a> {
         frames: [&'a NodeFrame; 2],
         previous: f64,
     ) -> Self {
+        let mut evaluation = Self::with_linear_twist(element, q, increment, frames, previous);
+        if element.stiffness.twist == Twist::Quadratic {
+            quadratic_twist::relax(&mut evaluation);
+        }
+        evaluation
+    }
+
+    /// As [`Self::new`], but with linear twist whatever the element's is.
+    pub fn with_linear_twist(
+        element: &'a Element,
+        q: &[f64],
+        increment: Option<&[f64]>,
+        frames: [&'a NodeFrame; 2],
+        previous: f64,
+    ) -> Self {
         let kinematics = Kinematics::new(element, q, frames[0], frames[1], previous);
         let slopes: [axial::Slope; 3] = element.axial.each_ref().map(|point| axial::Slope {
             middle: interpolate(&point.shape_x, q),
@@ -183,21 +203,32 @@ impl<'a> Evaluation<'a> {
             .axial
             .each_ref()
             .map(|point| kinematics.twist / (element.length * point.reference_stretch) - point.reference_torsion);
-        let mut gammahat = [[0.0; 2]; 3];
-        let strains = std::array::from_fn(|g| {
-            let point = &element.bending[g];
-            let (sin, cos) = kinematics.alpha[g].sin_cos();
-            let [kappa1, kappa2, _] = kinematics.points[g].scalars.map(|scalar| scalar.value);
+        let (alpha, gammahat, strains) = ([0.0; 3], [[0.0; 2]; 3], [Strains::zeros(); 3]);
+        let mut evaluation =
+            Self { element, frames, kinematics, slopes, green, mean_torsion, bubble: 0.0, alpha, gammahat, strains };
+        evaluation.set_bubble(0.0);
+        evaluation
+    }
+
+    /// Sets the internal coordinate of the quadratic twist, rad, and the strains that follow from it.
+    pub(super) fn set_bubble(&mut self, bubble: f64) {
+        self.bubble = bubble;
+        let (element, twist) = (self.element, self.kinematics.twist);
+        for (g, point) in element.bending.iter().enumerate() {
+            self.alpha[g] = self.kinematics.alpha[g] + bubble * quadratic_twist::shape(point.xi);
+            let (sin, cos) = self.alpha[g].sin_cos();
+            let [kappa1, kappa2, _] = self.kinematics.points[g].scalars.map(|scalar| scalar.value);
             let j0 = point.reference_stretch;
-            gammahat[g] = [(cos * kappa1 + sin * kappa2) / j0, (cos * kappa2 - sin * kappa1) / j0];
-            Strains::new(
-                gammahat[g][0] - point.reference[0],
-                gammahat[g][1] - point.reference[1],
-                kinematics.twist / (element.length * j0) - point.reference[2],
-                point.from_axial.iter().zip(&green).map(|(weight, e)| weight * e).sum(),
-            )
-        });
-        Self { element, frames, kinematics, slopes, green, mean_torsion, gammahat, strains }
+            let gammahat = [(cos * kappa1 + sin * kappa2) / j0, (cos * kappa2 - sin * kappa1) / j0];
+            let twist_xi = twist + bubble * quadratic_twist::shape_xi(point.xi);
+            self.gammahat[g] = gammahat;
+            self.strains[g] = Strains::new(
+                gammahat[0] - point.reference[0],
+                gammahat[1] - point.reference[1],
+                twist_xi / (element.length * j0) - point.reference[2],
+                point.from_axial.iter().zip(&self.green).map(|(weight, e)| weight * e).sum(),
+            );
+        }
     }
 
     /// Strain energy, J.
@@ -230,6 +261,9 @@ impl<'a> Evaluation<'a> {
         let first = self.first_order();
         let mut hessian = first.factors.frame_hessian(self);
         self.add_section_hessian(&first, &mut hessian);
+        if self.element.stiffness.twist == Twist::Quadratic {
+            Condensation::new(self, &first.gradients).condense(self, &mut hessian);
+        }
         (self.gradient_from(&first), hessian)
     }
 
@@ -248,15 +282,35 @@ impl<'a> Evaluation<'a> {
         }
     }
 
+    /// Derivatives of the energy by the strains of bending point `g`, quadrature weight included.
+    pub(super) fn resultants(&self, g: usize) -> Resultants {
+        let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
+        let density = bending::gradient(stiffness, strains)
+            + torsion::gradient(stiffness, strains)
+            + fourth_moments::gradient(stiffness, strains);
+        density * self.element.bending[g].weight
+    }
+
+    /// Second derivatives of the energy by the strains of bending point `g`, quadrature weight included.
+    pub(super) fn rigidities(&self, g: usize) -> Rigidities {
+        let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
+        let density = bending::hessian(stiffness, strains)
+            + torsion::hessian(stiffness, strains)
+            + fourth_moments::hessian(stiffness, strains);
+        density * self.element.bending[g].weight
+    }
+
+    /// `∂b/∂q` of the internal coordinate of the quadratic twist, 14×1; 0 for linear twist.
+    pub fn bubble_q(&self) -> ElementVector {
+        match self.element.stiffness.twist {
+            Twist::Linear => ElementVector::zeros(),
+            Twist::Quadratic => Condensation::new(self, &Gradients::new(self)).bubble_q(),
+        }
+    }
+
     fn first_order(&self) -> FirstOrder {
         let (element, stiffness) = (self.element, &self.element.stiffness);
-        let resultants: [Resultants; 3] = std::array::from_fn(|g| {
-            let strains = &self.strains[g];
-            let density = bending::gradient(stiffness, strains)
-                + torsion::gradient(stiffness, strains)
-                + fourth_moments::gradient(stiffness, strains);
-            density * element.bending[g].weight
-        });
+        let resultants = std::array::from_fn(|g| self.resultants(g));
         let torques = std::array::from_fn(|m| match stiffness.strain {
             Strain::Small => 0.0,
             _ => element.axial[m].weight * axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1],
@@ -298,10 +352,6 @@ impl<'a> Evaluation<'a> {
         // By the Green strain of each axial point: of the gradient at fixed slopes, 14×3.
         let mut by_green = SMatrix::<f64, ELEMENT, 3>::zeros();
         for (g, point) in element.bending.iter().enumerate() {
-            let strains = &self.strains[g];
-            let rigidities: Rigidities = bending::hessian(stiffness, strains)
-                + torsion::hessian(stiffness, strains)
-                + fourth_moments::hessian(stiffness, strains);
             let mut section = first.gradients.section(self, g);
             if stiffness.strain != Strain::Small {
                 let mut green_q = ElementVector::zeros();
@@ -310,7 +360,7 @@ impl<'a> Evaluation<'a> {
                 }
                 section.strains.set_column(3, &green_q);
             }
-            let weighted = section.strains * rigidities * point.weight;
+            let weighted = section.strains * self.rigidities(g);
             *sum += weighted * section.strains.transpose();
             for m in 0..3 {
                 let mut column = by_green.column_mut(m);
@@ -320,7 +370,6 @@ impl<'a> Evaluation<'a> {
         }
         for (m, point) in element.axial.iter().enumerate() {
             let slope = &self.slopes[m];
-            let square = point.reference_stretch.powi(2);
             if stiffness.strain == Strain::Small {
                 add_spread(&point.shape_x, &(axial::small::hessian(stiffness, slope) * point.weight), sum);
                 continue;
@@ -332,7 +381,7 @@ impl<'a> Evaluation<'a> {
             *sum += own * green_gradients[m].transpose()
                 + (green_gradients[m] * second[(1, 0)] + torsion_q * second[(1, 1)]) * torsion_q.transpose();
             // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.
-            let by_increment = spread(&point.shape_x, &(slope.increment / (2.0 * square)));
+            let by_increment = spread(&point.shape_x, &slope.green_strain_increment());
             *sum += (own + by_green.column(m)) * by_increment.transpose();
         }
     }

@@ -10,5 +10,6 @@ pub mod frame;
 pub mod inertia;
 pub mod kinematics;
 pub mod pullback;
+pub mod quadratic_twist;
 pub mod strain;
 pub mod torsion;

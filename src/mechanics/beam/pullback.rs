@@ -27,7 +27,7 @@ impl Gradients {
     /// Of the strains of bending point `g`.
     pub fn section(&self, evaluation: &Evaluation, g: usize) -> SectionGradients {
         let (element, point) = (evaluation.element, &evaluation.element.bending[g]);
-        let (sin, cos) = evaluation.kinematics.alpha[g].sin_cos();
+        let (sin, cos) = evaluation.alpha[g].sin_cos();
         let j0 = point.reference_stretch;
         let mut alpha = self.twist * point.xi - evaluation.kinematics.rate_gradient(&point.collocation, &self.points);
         alpha[THETA] += 1.0;
@@ -56,6 +56,12 @@ pub struct SectionGradients {
 }
 
 impl SectionGradients {
+    /// `∂/∂q` of `resultants · ∂(g1, g2)/∂α` at frozen resultants, 14×1.
+    pub fn turn_gradient(&self, gammahat: &[f64; 2], resultants: &Resultants) -> ElementVector {
+        let (n1, n2) = (resultants[0], resultants[1]);
+        self.j2 * n1 - self.j1 * n2 - self.alpha * (n1 * gammahat[0] + n2 * gammahat[1])
+    }
+
     /// Adds to `sum` what the turn of the section by α gives to the Hessian of `resultants · (g1, g2)` (MECHANICS 8).
     pub fn add_turn_hessian(&self, gammahat: &[f64; 2], resultants: &Resultants, sum: &mut ElementMatrix) {
         let (n1, n2) = (resultants[0], resultants[1]);
@@ -92,7 +98,7 @@ impl Factors {
             twist += torque / (element.length * point.reference_stretch);
         }
         let points = std::array::from_fn(|g| {
-            let (sin, cos) = evaluation.kinematics.alpha[g].sin_cos();
+            let (sin, cos) = evaluation.alpha[g].sin_cos();
             let j0 = element.bending[g].reference_stretch;
             let by_rate: f64 = (0..3).map(|h| by_alpha[h] * element.bending[h].collocation[g]).sum();
             [

@@ -1,5 +1,6 @@
 //! What an energy density of a bending point depends on, and its derivatives in the same order.
 
+use super::quadratic_twist::Twist;
 use nalgebra::{SMatrix, SVector};
 
 /// Strains at a bending point: `[g1, g2, tau, e]` = curvature about z and (negative) about y (1/m), torsion (rad/m),
@@ -21,11 +22,13 @@ pub enum Strain {
     LargeTruncated,
 }
 
-/// Stiffness of a section, Young's and shear modulus included.
+/// Stiffness of a section, Young's and shear modulus included, and how its strains are found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffness {
     /// Which terms of the energy are kept.
     pub strain: Strain,
+    /// How the twist runs inside an element.
+    pub twist: Twist,
     /// `E A`, N.
     pub axial: f64,
     /// `E Iy`, N m².

@@ -5,7 +5,7 @@ use crate::math::blocks::Blocks;
 use crate::mechanics::beam::coordinates::{ELEMENT, ElementMatrix, ElementVector, NODE};
 use crate::mechanics::beam::damping;
 use crate::mechanics::configuration::{Configuration, Passage, Rates};
-use crate::mechanics::system::{System, evaluation};
+use crate::mechanics::system::{System, linear_evaluation};
 
 impl System {
     /// The elements whose material is damped.
@@ -23,12 +23,12 @@ impl System {
             let force = match &passage.rates {
                 Rates::Rest => return,
                 Rates::Step { start, end, duration } => {
-                    let start = damping::strains(&evaluation(start, number, None));
-                    let (middle, end) = (evaluation(c, number, None), evaluation(end, number, None));
+                    let start = damping::strains(&linear_evaluation(start, number));
+                    let (middle, end) = (linear_evaluation(c, number), linear_evaluation(end, number));
                     damping::force_over_step(&start, &middle, &end, *duration)
                 }
                 Rates::Instant(velocity) => {
-                    damping::force(&evaluation(c, number, None), &self.own_velocity(number, velocity))
+                    damping::force(&linear_evaluation(c, number), &self.own_velocity(number, velocity))
                 }
             };
             add(forces, NODE * self.elements[number].node, force.as_slice());
@@ -48,12 +48,12 @@ impl System {
             let (force, by_q) = match &passage.rates {
                 Rates::Rest => return,
                 Rates::Step { start, end, duration } => {
-                    let start = damping::strains(&evaluation(start, number, None));
-                    let (middle, end) = (evaluation(c, number, None), evaluation(end, number, None));
+                    let start = damping::strains(&linear_evaluation(start, number));
+                    let (middle, end) = (linear_evaluation(c, number), linear_evaluation(end, number));
                     damping::force_and_tangent_over_step(&start, &middle, &end, *duration)
                 }
                 Rates::Instant(velocity) => {
-                    let (here, velocity) = (evaluation(c, number, None), self.own_velocity(number, velocity));
+                    let (here, velocity) = (linear_evaluation(c, number), self.own_velocity(number, velocity));
                     (damping::force(&here, &velocity), damping::force_q(&here, &velocity))
                 }
             };
@@ -65,7 +65,7 @@ impl System {
     /// Adds `factor` times the derivative of the forces by the velocities, at an instant, to the first blocks of `tangent`.
     pub fn add_damping_matrix(&self, c: &Configuration, factor: f64, tangent: &mut Blocks) {
         for number in self.damped_elements() {
-            add_element(tangent, number, factor, &damping::force_v(&evaluation(c, number, None)));
+            add_element(tangent, number, factor, &damping::force_v(&linear_evaluation(c, number)));
         }
         let points: usize = self.loads.iter().map(|load| load.points.len()).sum();
         let first = self.elements.len() + self.bodies.len() + points;

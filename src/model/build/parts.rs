@@ -38,6 +38,7 @@ impl Builder<'_> {
             material: Material { young, shear, density, damping },
             section: self.section(&document.sections[beam.section]),
             strain: beam.strain,
+            twist: beam.twist,
             torsion: if beam.torsion { Torsion::Free } else { Torsion::Suppressed },
             velocity: vector(document, beam.velocity),
             angular_velocity: vector(document, beam.angular_velocity),

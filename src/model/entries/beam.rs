@@ -1,5 +1,6 @@
 //! `[beam.NAME]`: a straight beam and how it is divided and formulated.
 
+use crate::mechanics::beam::quadratic_twist::Twist;
 use crate::mechanics::beam::strain::Strain;
 use crate::model::diagnostic::Place;
 use crate::model::names::Kind;
@@ -28,6 +29,8 @@ pub struct Beam {
     pub elements: Number,
     /// Which strains the energy knows.
     pub strain: Strain,
+    /// How the twist runs inside an element.
+    pub twist: Twist,
     /// false: the twist is left out.
     pub torsion: bool,
     /// Additional turn of the section from start to end, rad.
@@ -41,6 +44,9 @@ pub struct Beam {
 /// The words of `strain`.
 const STRAINS: [(&str, Strain); 3] =
     [("large", Strain::Large), ("large_truncated", Strain::LargeTruncated), ("small", Strain::Small)];
+
+/// The words of `twist`.
+const TWISTS: [(&str, Twist); 2] = [("linear", Twist::Linear), ("quadratic", Twist::Quadratic)];
 
 impl Beam {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
@@ -64,7 +70,7 @@ impl Beam {
         let elements = reader.number(&schema::ELEMENTS);
         reader.word("element", &[("ancf14", ())], &["ancf24"], Some(()));
         let strain = reader.word("strain", &STRAINS, &[], Some(Strain::Large)).unwrap_or(Strain::Large);
-        reader.word("twist", &[("linear", ())], &["quadratic"], Some(()));
+        let twist = reader.word("twist", &TWISTS, &[], Some(Twist::Linear)).unwrap_or(Twist::Linear);
         let torsion = reader.boolean("torsion", true);
         let pretwist = reader.number_or(&schema::PRETWIST, 0.0);
         let velocity = reader.vector_or(&schema::VELOCITY, [0.0; 3]);
@@ -81,6 +87,7 @@ impl Beam {
             y_axis,
             elements,
             strain,
+            twist,
             torsion,
             pretwist,
             velocity,

@@ -1,0 +1,215 @@
+//! Quadratic twist (MECHANICS 5.3): the internal coordinate of an element must stand where the energy has no slope by it, and gradient
+//! and Hessian must be those of the energy with it condensed, both by automatic differentiation of the oracle with 15 coordinates.
+//! A dropped or wrong term shows at 1e-3 or more; the bound is rounding.
+
+use crate::element_derivatives::{curved, random_element_state, stiffness, straight};
+use crate::machines::{clamp, design, load};
+use crate::oracle;
+use crate::random::Random;
+use ancf14::math::{Vec3, rotation};
+use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::beam::element::{Element, Evaluation};
+use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
+use ancf14::mechanics::beam::quadratic_twist::Twist;
+use ancf14::mechanics::beam::strain::{Stiffness, Strain};
+use ancf14::mechanics::sensor::Snapshot;
+use ancf14::solve::statics::Statics;
+use nalgebra::SVector;
+use num_dual::Dual2SVec64;
+
+const STRAINS: [Strain; 3] = [Strain::Small, Strain::Large, Strain::LargeTruncated];
+/// Rounding of a second derivative, relative to its largest entry.
+const ROUNDING: f64 = 1e-9;
+
+type Coordinates = SVector<f64, 14>;
+
+fn quadratic(strain: Strain) -> Stiffness {
+    Stiffness { twist: Twist::Quadratic, ..stiffness(strain) }
+}
+
+/// An element in a random state: coordinates, reference triads, last accepted holonomy angle.
+struct Case {
+    element: Element,
+    q: Coordinates,
+    triads: [Triad; 2],
+    previous: f64,
+}
+
+impl Case {
+    /// Bent and twisted by half a radian, where every element still has one relaxed state.
+    fn random(random: &mut Random, element: Element) -> Self {
+        let (q, triads, previous) = random_element_state(random, 0.7, 0.5, 0.8);
+        Self { element, q, triads, previous }
+    }
+
+    fn over_step<T>(&self, q: &Coordinates, increment: Option<&[f64]>, use_it: impl FnOnce(&Evaluation) -> T) -> T {
+        let q = q.as_slice();
+        let frames = [NodeFrame::new(&q[..7], &self.triads[0]), NodeFrame::new(&q[7..], &self.triads[1])];
+        use_it(&Evaluation::new(&self.element, q, increment, [&frames[0], &frames[1]], self.previous))
+    }
+}
+
+/// Straight and curved elements of every strain.
+fn cases(seed: u64) -> Vec<Case> {
+    let mut random = Random(seed);
+    let mut cases = Vec::new();
+    for strain in STRAINS {
+        for _ in 0..20 {
+            let element = straight(0.7, quadratic(strain));
+            cases.push(Case::random(&mut random, element));
+            let element = curved(&mut random, 0.7, quadratic(strain));
+            cases.push(Case::random(&mut random, element));
+        }
+    }
+    cases
+}
+
+#[test]
+fn condensed_derivatives() {
+    let mut largest = 0.0_f64;
+    for case in cases(11) {
+        let (bubble, bubble_q, energy, gradient, hessian) = case.over_step(&case.q, None, |own| {
+            let (gradient, hessian) = own.gradient_and_hessian();
+            (own.bubble, own.bubble_q(), own.energy(), gradient, hessian)
+        });
+        largest = largest.max(bubble.abs());
+        let all = case.q.push(bubble);
+        let of_oracle = |q: SVector<Dual2SVec64<15>, 15>| {
+            oracle::energy(&case.element, &q.as_slice()[..14], q[14], &case.triads, case.previous)
+        };
+        let (energy_ad, gradient_ad, hessian_ad) = num_dual::hessian(of_oracle, &all);
+        assert!((energy - energy_ad).abs() < ROUNDING * energy_ad.abs().max(1e-6), "{energy} {energy_ad}");
+        assert!(hessian_ad[(14, 14)] > 0.0, "not a minimum");
+        let scale = gradient_ad.amax();
+        assert!(gradient_ad[14].abs() < ROUNDING * scale, "slope by b: {:e} of {scale:e}", gradient_ad[14]);
+        let error = (gradient - gradient_ad.fixed_rows::<14>(0)).amax() / scale;
+        assert!(error < ROUNDING, "gradient: {error:e}");
+        let (by_q, by_b) = (hessian_ad.fixed_view::<14, 1>(0, 14), hessian_ad[(14, 14)]);
+        let condensed = hessian_ad.fixed_view::<14, 14>(0, 0) - by_q * by_q.transpose() / by_b;
+        let error = (hessian - condensed).amax() / condensed.amax();
+        assert!(error < ROUNDING, "Hessian: {error:e} in {:?}", case.element.stiffness.strain);
+        let error = (bubble_q + by_q / by_b).amax() / (by_q / by_b).amax();
+        assert!(error < ROUNDING, "b by q: {error:e}");
+    }
+    // Otherwise nothing was tried.
+    assert!(largest > 0.05, "{largest}");
+}
+
+/// Over a step (MECHANICS 7.6) the tangent is twice the derivative of the force by the end's coordinates; central differences of the
+/// force err by about 1e-9 of the largest entry.
+#[test]
+fn tangent_over_a_step() {
+    let mut random = Random(12);
+    for case in cases(13).iter().step_by(3) {
+        let (start, end) = (case.q, case.q + Coordinates::from_fn(|_, _| 0.1 * random.signed()));
+        let force = |end: &Coordinates| {
+            let increment = end - start;
+            case.over_step(&((start + end) / 2.0), Some(increment.as_slice()), |own| own.gradient_and_hessian())
+        };
+        let (_, tangent) = force(&end);
+        let width = 1e-5;
+        for column in 0..14 {
+            let mut shift = Coordinates::zeros();
+            shift[column] = width;
+            let difference = (force(&(end + shift)).0 - force(&(end - shift)).0) / width;
+            let error = (difference - tangent.column(column)).amax() / tangent.amax();
+            assert!(error < 2e-9, "column {column} in {:?}: {error:e}", case.element.stiffness.strain);
+        }
+    }
+}
+
+/// A rigid turn changes neither the energy nor the internal coordinate.
+#[test]
+fn rigid_rotation() {
+    let mut random = Random(14);
+    for case in cases(15) {
+        let found = |case: &Case| case.over_step(&case.q, None, |own| (own.energy(), own.bubble));
+        let (energy, bubble) = found(&case);
+        let turn = rotation::rotation_matrix(&(random.vector() * 2.0));
+        let mut turned =
+            Case { q: case.q, triads: case.triads, element: case.element.clone(), previous: case.previous };
+        for place in [0, 3, 7, 10] {
+            let vector = turn * turned.q.fixed_rows::<3>(place);
+            turned.q.fixed_rows_mut::<3>(place).copy_from(&vector);
+        }
+        for triad in &mut turned.triads {
+            *triad = Triad { t: turn * triad.t, u: turn * triad.u };
+        }
+        let (energy_turned, bubble_turned) = found(&turned);
+        // Rounding of strains of the order of 1.
+        assert!((energy_turned - energy).abs() < 1e-12 * energy, "{energy_turned} {energy}");
+        assert!((bubble_turned - bubble).abs() < 1e-12, "{bubble_turned} {bubble}");
+    }
+}
+
+/// A strip bent in both directions carries a torque that changes along it: it is the torque at every section, and the twist between
+/// two sections is its integral. With linear twist the torsion is constant in an element, and both fail by far.
+#[test]
+fn twist_and_torsion_inside_the_elements() {
+    let force = Vec3::new(0.0, 2.0, 12.0);
+    let measure = |twist: Twist, elements: usize, fraction: f64| {
+        let mut assembly = Assembly::default();
+        let section = ancf14::mechanics::section::Section::rectangle(0.004, 0.012);
+        let beam = assembly.add_beam(&BeamDesign { twist, section, ..design("beam", elements) });
+        clamp(&mut assembly, beam);
+        load(&mut assembly, beam, 1.0, force, Vec3::zeros());
+        assembly.add_sensor(beam, fraction);
+        let (system, mut state) = assembly.finish(Vec3::zeros());
+        Statics::new(&system, 1e-10).unwrap().find(&system, &mut state, 1.0).unwrap();
+        let mut snapshot = Snapshot::default();
+        let configuration = snapshot.of(&system, &state);
+        let sensor = &system.sensors[0];
+        (sensor.strains(&system, &configuration).torsion, sensor.twist(&system, &configuration), state.rotations[0])
+    };
+    // Torsion is largest at the root, twist and turn at the tip.
+    let (scales, tip) = (measure(Twist::Quadratic, 64, 0.0).0, measure(Twist::Quadratic, 64, 1.0));
+    for fraction in [0.1, 0.3, 0.55, 0.9] {
+        // With 64 elements the errors are 64 times (torsion) and 4096 times smaller than with 8.
+        let (torsion, twist, rotation) = measure(Twist::Quadratic, 64, fraction);
+        let errors = |kind| {
+            let (own_torsion, own_twist, own_rotation) = measure(kind, 8, fraction);
+            let turn = (own_rotation - rotation).norm() / tip.2.norm();
+            [(own_torsion - torsion).abs() / scales.abs(), (own_twist - twist).abs() / tip.1.abs(), turn]
+        };
+        let (linear, quadratic) = (errors(Twist::Linear), errors(Twist::Quadratic));
+        println!("at {fraction}: torsion, twist, turn {linear:?} (linear), {quadratic:?} (quadratic)");
+        // Torsion is linear in an element, of order 2: h²/4; twist and turn are of order 4: h⁴ of the tip's.
+        let h = 1.0 / 8.0_f64;
+        assert!(quadratic[0] < 0.25 * h.powi(2), "{quadratic:?}");
+        assert!(quadratic[1] < 0.1 * linear[1] && quadratic[1] < 2.0 * h.powi(4), "{linear:?} {quadratic:?}");
+        assert!(quadratic[2] < 0.1 * linear[2] && quadratic[2] < h.powi(4), "{linear:?} {quadratic:?}");
+    }
+}
+
+/// The angular velocity of a section inside an element is the rate of its turn, the internal coordinate's share included.
+#[test]
+fn angular_velocity_inside_the_elements() {
+    let mut assembly = Assembly::default();
+    let beam = assembly.add_beam(&BeamDesign { twist: Twist::Quadratic, pretwist: 0.7, ..design("beam", 1) });
+    assembly.add_sensor(beam, 0.3);
+    let (system, mut state) = assembly.finish(Vec3::zeros());
+    let mut random = Random(16);
+    // Bent by half a radian in both directions.
+    (state.q[4], state.q[5], state.q[11], state.q[12]) = (0.3, -0.2, -0.4, 0.5);
+    let drawn = state.q.clone();
+    let velocity: Vec<f64> = drawn.iter().map(|_| random.signed()).collect();
+    let turn = |time: f64| {
+        let q: Vec<f64> = drawn.iter().zip(&velocity).map(|(q, v)| q + time * v).collect();
+        let moved = ancf14::mechanics::state::State { q, ..state.clone() };
+        let mut snapshot = Snapshot::default();
+        rotation::rotation_matrix(&system.sensors[0].rotation(&snapshot.of(&system, &moved), &Vec3::zeros()))
+    };
+    let mut snapshot = Snapshot::default();
+    let (_, angular) = system.sensors[0].motion(&snapshot.of(&system, &state), &velocity);
+    let width = 1e-5; // of central differences: 1e-10 of error, 1e-11 of round-off
+    let rate = (turn(width) - turn(-width)) / (2.0 * width) * turn(0.0).transpose();
+    let difference = Vec3::new(rate[(2, 1)], rate[(0, 2)], rate[(1, 0)]) - angular;
+    assert!(difference.norm() < 1e-8, "{difference}");
+    let linear = BeamDesign { twist: Twist::Linear, pretwist: 0.7, ..design("beam", 1) };
+    let mut assembly = Assembly::default();
+    let beam = assembly.add_beam(&linear);
+    assembly.add_sensor(beam, 0.3);
+    let (system, _) = assembly.finish(Vec3::zeros());
+    let (_, without) = system.sensors[0].motion(&snapshot.of(&system, &state), &velocity);
+    assert!((without - angular).norm() > 1e-3, "the internal coordinate's share is too small to be seen");
+}
