@@ -1,5 +1,6 @@
 //! Commands, arguments and exit codes: 0, 1 (the run failed), 2 (bad file or arguments). The only part that prints.
 
+mod chart;
 mod check;
 mod demo;
 mod draw;
