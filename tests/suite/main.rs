@@ -21,6 +21,7 @@ mod generalized_alpha;
 mod generalized_alpha_steps;
 mod golden;
 mod hanging;
+mod helix;
 mod invariance;
 mod joint_derivatives;
 mod joint_freedoms;
