@@ -22,11 +22,12 @@ impl Curves {
         self.column(name)[self.time.len() - 1]
     }
 
-    /// Of a reference file: lines with # are remarks.
+    /// Of a reference file: lines with # are remarks; what is not there is not-a-number.
     pub fn read(text: &str) -> Self {
         let mut lines = text.lines().filter(|line| !line.starts_with('#'));
         let names = lines.next().unwrap().split(',').map(str::to_owned).collect();
-        let numbers = |line: &str| line.split(',').map(|number| number.parse().unwrap()).collect::<Vec<f64>>();
+        let number = |text: &str| if text.is_empty() { f64::NAN } else { text.parse().unwrap() };
+        let numbers = |line: &str| line.split(',').map(number).collect::<Vec<f64>>();
         let rows: Vec<Vec<f64>> = lines.map(numbers).collect();
         Self { names, time: rows.iter().map(|row| row[0]).collect(), rows }
     }

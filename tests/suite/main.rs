@@ -56,3 +56,4 @@ mod static_motions;
 mod statics;
 mod strain_outputs;
 mod turned_models;
+mod validation;
