@@ -3,7 +3,7 @@
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
 
-const MODELS: [(&str, &str); 7] = [
+const MODELS: [(&str, &str); 9] = [
     ("pendulum", include_str!("../../models/pendulum.toml")),
     ("cantilever", include_str!("../../models/cantilever.toml")),
     ("princeton_beam", include_str!("../../models/princeton_beam.toml")),
@@ -11,6 +11,8 @@ const MODELS: [(&str, &str); 7] = [
     ("lateral_buckling", include_str!("../../models/lateral_buckling.toml")),
     ("four_bar", include_str!("../../models/four_bar.toml")),
     ("crane", include_str!("../../models/crane.toml")),
+    ("helical_spring", include_str!("../../models/helical_spring.toml")),
+    ("bend_45", include_str!("../../models/bend_45.toml")),
 ];
 
 fn start(text: &str) -> Simulation {
