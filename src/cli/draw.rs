@@ -58,7 +58,10 @@ pub fn svg(drawing: &Drawing, title: &str) -> String {
     for line in &drawing.lines {
         let points: Vec<_> = line.points.iter().map(|point| view.place(*point)).collect();
         match line.kind {
-            LineKind::Beam => page.beam(&line.name, &points),
+            LineKind::Beam => {
+                let nodes: Vec<_> = line.nodes.iter().map(|node| view.place(*node)).collect();
+                page.beam(&line.name, &points, &nodes);
+            }
             LineKind::Spring => page.spring(&line.name, &points),
         }
     }
@@ -123,18 +126,22 @@ impl Page {
         }
     }
 
-    fn beam(&mut self, name: &str, points: &[[f64; 2]]) {
-        let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
+    fn beam(&mut self, name: &str, points: &[[f64; 2]], nodes: &[[f64; 2]]) {
+        if points.is_empty() {
+            return;
+        }
         let path: Vec<_> = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
         let path = path.join(" ");
         self.push(format_args!("<polyline points=\"{path}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"3.5\"/>"));
-        for [x, y] in points {
+        for [x, y] in nodes {
             self.push(format_args!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"white\" stroke=\"#0072b2\"/>"));
         }
         for pair in points.windows(2) {
             self.occupy(pair[0], pair[1]);
         }
-        self.name(name, [0, 1].map(|i| 0.5 * (first[i] + last[i])), "#0072b2");
+        // The middle one, or the middle of the two in the middle.
+        let [a, b] = [(points.len() - 1) / 2, points.len() / 2].map(|k| points[k]);
+        self.name(name, [0, 1].map(|i| 0.5 * (a[i] + b[i])), "#0072b2");
     }
 
     fn spring(&mut self, name: &str, points: &[[f64; 2]]) {
@@ -353,6 +360,7 @@ mod tests {
             name: "arm".to_owned(),
             kind: LineKind::Beam,
             points: vec![[0.0; 3], [3.0, 1.0, 0.5], [1.0, -2.0, 7.0]],
+            nodes: vec![[0.0; 3], [1.0, -2.0, 7.0]],
         };
         let drawing = Drawing { lines: vec![line], ..Drawing::default() };
         let view = View::of(&drawing);

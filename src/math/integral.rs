@@ -34,12 +34,17 @@ const AGREEMENT: f64 = 1e-14;
 
 /// `∫ f` from `from` to `to`, jumps of `f` included. Not-a-number where `f` is.
 pub fn integral(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    integral_within(f, from, to, 0.0)
+}
+
+/// `∫ f` as above; the rules need not agree further than to `error`: the round-off of an `f` whose terms cancel is not pursued.
+pub fn integral_within(f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> f64 {
     if from == to {
         return 0.0;
     }
     let (sum, size, difference) = rules(f, from, to);
     let mut intervals = MOST_INTERVALS;
-    refined(f, (from, to), (sum, difference), AGREEMENT * size, 0, &mut intervals)
+    refined(f, (from, to), (sum, difference), f64::max(AGREEMENT * size, error), 0, &mut intervals)
 }
 
 fn refined(

@@ -1,11 +1,16 @@
-//! Numbers without beams: quadrature rules, Hermite shape functions, rotations, numbers with their derivatives.
+//! Numbers without beams: quadrature rules, Hermite shape functions, rotations, curves and frames along them, numbers with
+//! their derivatives.
 
+pub mod bishop;
 pub mod blocks;
+pub mod curve;
+pub mod flaw;
 pub mod hermite;
 pub mod integral;
 pub mod jet;
 pub mod quadrature;
 pub mod rotation;
+pub mod spline;
 
 /// A vector in space.
 pub type Vec3 = nalgebra::Vector3<f64>;

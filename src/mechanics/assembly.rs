@@ -5,10 +5,12 @@ use super::beam::element::Element;
 use super::beam::frame::{NodeFrame, Triad};
 use super::beam::quadratic_twist::Twist;
 use super::beam::strain::{Stiffness, Strain};
+use super::centreline::Centreline;
 use super::configuration::Configuration;
 use super::gauge::{Gauge, Measure};
 use super::joint::Joint;
 use super::joint::driven::Driven;
+use super::joint::weld;
 use super::load::{Excitation, Load};
 use super::marker::Marker;
 use super::material::Material;
@@ -26,8 +28,6 @@ use crate::math::{Mat3, Vec3};
 
 /// Saint-Venant stiffness is multiplied by this where torsion is suppressed (MECHANICS 3.6).
 const SUPPRESSED_TORSION: f64 = 1e4;
-/// How near to a node a place of a beam must be to be that node, in elements.
-const AT_NODE: f64 = 1e-9;
 
 /// Whether a beam may twist.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,21 +38,17 @@ pub enum Torsion {
     Suppressed,
 }
 
-/// A straight beam as drawn.
+/// A beam as drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeamDesign {
     /// Name in the model file.
     pub name: String,
-    /// Start, m.
-    pub from: Vec3,
-    /// End, m.
-    pub to: Vec3,
-    /// Direction of the section's y at the start; made perpendicular to the beam.
+    /// Its nodes and elements.
+    pub line: Centreline,
+    /// Direction of the section's y at the start; made perpendicular to the tangent, then carried along without twist.
     pub y_axis: Vec3,
-    /// Turn of the section from start to end, rad.
+    /// Additional turn of the section from start to end, rad.
     pub pretwist: f64,
-    /// Number of elements, at least 1.
-    pub elements: usize,
     /// Material.
     pub material: Material,
     /// Cross-section.
@@ -105,24 +101,18 @@ impl BeamDesign {
     }
 }
 
-/// The node at the fraction `fraction` of a beam of `elements` equal elements, from 0; none where there is no node.
-pub fn node_at(fraction: f64, elements: usize) -> Option<usize> {
-    let place = fraction * elements as f64;
-    let nearest = place.round();
-    ((place - nearest).abs() <= AT_NODE).then(|| nearest.clamp(0.0, elements as f64) as usize)
-}
-
 /// A machine in the making.
 ///
 /// Beams come first, then bodies: coordinates are in this order. Drives come after all joints.
 #[derive(Clone, Debug, Default)]
 pub struct Assembly {
-    /// Its parts so far; joints without those of bodies and drives.
+    /// Its parts so far; joints without those of corners, bodies and drives.
     system: System,
     start: f64,
     q: Vec<f64>,
     velocity: Vec<f64>,
     triads: Vec<Triad>,
+    corner_joints: Vec<Joint>,
     drive_joints: Vec<Joint>,
     prescribed: Prescribed,
     targets: Targets,
@@ -134,23 +124,26 @@ impl Assembly {
         Self { start, targets: Targets { end: start, ..Targets::default() }, ..Self::default() }
     }
 
-    /// Adds a beam and returns its number. The design is sound: positive length, section and material, `y_axis` not along the beam.
+    /// Adds a beam and returns its number. The design is sound: section and material, `y_axis` not along the tangent at the start.
     pub fn add_beam(&mut self, design: &BeamDesign) -> usize {
-        let span = design.to - design.from;
-        let (count, tangent) = (design.elements, span.normalize());
-        let length = span.norm() / count as f64;
-        let triad = Triad::new(&tangent, &design.y_axis);
+        let line = &design.line;
+        let start = line.nodes[0];
         let first_node = self.triads.len();
-        for node in 0..=count {
-            let share = node as f64 / count as f64;
-            let place = design.from + span * share;
+        let mut triad = Triad::new(&start.tangent, &design.y_axis);
+        let mut tangent = start.tangent;
+        for station in &line.nodes {
+            // Straight on, the triad stays as it is to the last bit.
+            if station.tangent != tangent {
+                triad = triad.carried(&station.tangent);
+                tangent = station.tangent;
+            }
             let mut q = [0.0; NODE];
-            set_vec3(&mut q, 0, &place);
+            set_vec3(&mut q, 0, &station.place);
             set_vec3(&mut q, P, &tangent);
-            q[THETA] = design.pretwist * share;
+            q[THETA] = design.pretwist * station.fraction + station.turn;
             let mut velocity = [0.0; NODE];
             let turning = design.angular_velocity;
-            set_vec3(&mut velocity, 0, &(design.velocity + turning.cross(&(place - design.from))));
+            set_vec3(&mut velocity, 0, &(design.velocity + turning.cross(&(station.place - start.place))));
             set_vec3(&mut velocity, P, &turning.cross(&tangent));
             velocity[THETA] = turning.dot(&tangent);
             self.q.extend(q);
@@ -160,30 +153,49 @@ impl Assembly {
         let first_element = self.system.elements.len();
         let density =
             [design.material.density * design.section.area, design.material.density * design.section.polar_moment];
-        for number in 0..count {
-            let node = first_node + number;
+        for span in &line.spans {
+            let node = first_node + span.node;
             let reference = &self.q[NODE * node..NODE * (node + 2)];
-            let frames = [NodeFrame::new(&reference[..NODE], &triad), NodeFrame::new(&reference[NODE..], &triad)];
+            let [first, second] = [&self.triads[node], &self.triads[node + 1]];
+            let frames = [NodeFrame::new(&reference[..NODE], first), NodeFrame::new(&reference[NODE..], second)];
+            // The holonomy of the drawing is 0: triads go from node to node by one minimal rotation.
             let element =
-                Element::new(node, length, design.stiffness(), density, reference, [&frames[0], &frames[1]], 0.0);
+                Element::new(node, span.length, design.stiffness(), density, reference, [&frames[0], &frames[1]], 0.0);
             self.system.elements.push(element);
         }
         self.system.beams.push(Beam {
             name: design.name.clone(),
             first_node,
             first_element,
-            elements: count,
+            division: line.division.clone(),
+            corners: line.corners(),
             outline: design.section.outline,
             young: design.material.young,
             twist_limit: design.twist_limit(),
         });
+        self.weld_corners(self.system.beams.len() - 1);
         self.system.beams.len() - 1
     }
 
-    /// The node of beam `beam` at the fraction `fraction` of its length, if there is one.
+    /// Welds the two nodes at each corner of a beam.
+    fn weld_corners(&mut self, beam: usize) {
+        let beam = &self.system.beams[beam];
+        let welds = beam.corners.iter().map(|end| {
+            let node = beam.node(*end);
+            let place = super::beam::coordinates::vec3(&self.q, NODE * node);
+            let pose = Pose { place, axes: Mat3::identity() };
+            let [a, b] = [node, node + 1].map(|node| self.tied(&self.node(node), &pose));
+            let name = format!("the corner {}.node[{end}]", beam.name);
+            Joint { name, a, b, primitives: weld::PRIMITIVES, drive: None }
+        });
+        let welds: Vec<_> = welds.collect();
+        self.corner_joints.extend(welds);
+    }
+
+    /// The node of beam `beam` at the fraction `fraction` of its length, if there is one; at a corner the side towards the start.
     pub fn node_at(&self, beam: usize, fraction: f64) -> Option<usize> {
         let beam = &self.system.beams[beam];
-        node_at(fraction, beam.elements).map(|node| beam.first_node + node)
+        beam.division.end_at(fraction).map(|end| beam.node(end))
     }
 
     /// The section of beam `beam` at the fraction `fraction` (0 to 1) of its length: at a node or inside an element.
@@ -192,16 +204,14 @@ impl Assembly {
             return Marker::Node { node, offset: Vec3::zeros(), axes: Mat3::identity() };
         }
         let beam = &self.system.beams[beam];
-        let place = fraction * beam.elements as f64;
-        let element = (place.floor() as usize).min(beam.elements - 1);
-        Marker::Section { element: beam.first_element + element, xi: place - element as f64 }
+        let (element, xi) = beam.division.place(fraction);
+        Marker::Section { element: beam.first_element + element, xi }
     }
 
     /// The quadrature points of a whole beam with their weights, m: where a load per length acts.
     pub fn sections_of(&self, beam: usize) -> Vec<(Marker, f64)> {
         let beam = &self.system.beams[beam];
-        let elements = beam.first_element..beam.first_element + beam.elements;
-        elements
+        beam.element_range()
             .flat_map(|number| {
                 let points = self.system.elements[number].bending.iter();
                 points.map(move |point| (Marker::Section { element: number, xi: point.xi }, point.weight))
@@ -312,8 +322,9 @@ impl Assembly {
 
     /// Adds a sensor on `marker` and returns its number; `on_beam` is the beam and the fraction of its length where it is a point of one.
     pub fn watch(&mut self, marker: Marker, on_beam: Option<(usize, f64)>) -> usize {
-        let drawn = self.drawn(&marker);
-        self.system.sensors.push(Sensor { marker, drawn, on_beam });
+        let holonomy = vec![0.0; self.system.elements.len()];
+        let sensor = Sensor::new(&self.system, &self.configuration(&self.frames(), &holonomy), marker, on_beam);
+        self.system.sensors.push(sensor);
         self.system.sensors.len() - 1
     }
 
@@ -353,10 +364,12 @@ impl Assembly {
     /// The machine and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
     pub fn finish(self, gravity: Vec3) -> (System, State) {
         let size = self.extent();
-        let Self { mut system, start, q, velocity, triads, drive_joints, mut prescribed, targets } = self;
+        let Self { mut system, start, q, velocity, triads, corner_joints, drive_joints, mut prescribed, targets } =
+            self;
         system.size = size;
         system.gravity = gravity;
         // Behind the joints of the file, which keep their numbers; drives come last.
+        system.joints.extend(corner_joints);
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.

@@ -17,7 +17,9 @@
 
 pub mod assembly;
 pub mod beam;
+pub mod centreline;
 pub mod configuration;
+pub mod division;
 pub mod gauge;
 pub mod joint;
 pub mod load;

@@ -10,7 +10,7 @@ use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
 use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_matrix, rotation_vector_near};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::coordinates::interpolate;
-use crate::mechanics::beam::kinematics::CurvePoint;
+use crate::mechanics::beam::kinematics::{CurvePoint, Kinematics};
 use crate::mechanics::beam::quadratic_twist::{self, Twist};
 use crate::mechanics::beam::strain::Strain;
 
@@ -23,6 +23,19 @@ pub struct Sensor {
     pub drawn: Pose,
     /// Of a point of a beam: the beam's number, and the fraction of its length, 0 to 1.
     pub on_beam: Option<(usize, f64)>,
+    /// Of a point of a beam: the elements that it belongs to, two at an inner node.
+    sections: Vec<Section>,
+}
+
+/// A place in an element, with what it is like undeformed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Section {
+    element: usize,
+    xi: f64,
+    /// `J0 = |r0'|`, 1.
+    reference_stretch: f64,
+    /// `gamma_10`, `gamma_20`, 1/m.
+    reference: [f64; 2],
 }
 
 /// Strains of a section, undeformed values taken off.
@@ -37,6 +50,20 @@ pub struct SectionStrains {
 }
 
 impl Sensor {
+    /// On `marker`, in the configuration `c` as drawn; `on_beam` is the beam and the fraction of its length where it is a point of one.
+    pub fn new(system: &System, c: &Configuration, marker: Marker, on_beam: Option<(usize, f64)>) -> Self {
+        let beam = on_beam.map(|(beam, _)| &system.beams[beam]);
+        let sections = match (marker, beam) {
+            (Marker::Section { element, xi }, Some(_)) => vec![Section::new(c, element, xi)],
+            (Marker::Node { node, .. }, Some(beam)) => {
+                let ends = beam.elements_at(node).into_iter().zip([1.0, 0.0]);
+                ends.filter_map(|(element, xi)| element.map(|element| Section::new(c, element, xi))).collect()
+            }
+            _ => Vec::new(),
+        };
+        Self { marker, drawn: marker.pose(c), on_beam, sections }
+    }
+
     /// Velocity (m/s) and angular velocity (rad/s) in global axes.
     pub fn motion(&self, c: &Configuration, velocity: &[f64]) -> (Vec3, Vec3) {
         let range = self.marker.coordinates(c.elements);
@@ -81,45 +108,22 @@ impl Sensor {
         }
     }
 
-    /// The elements that the point belongs to, each with the place in it: two at an inner node, none off the beams.
-    fn places(&self, system: &System) -> ([(usize, f64); 2], usize) {
-        let Some((beam, _)) = self.on_beam else { return ([(0, 0.0); 2], 0) };
-        let beam = &system.beams[beam];
-        match self.marker {
-            Marker::Section { element, xi } => ([(element, xi); 2], 1),
-            Marker::Node { node, .. } => {
-                let place = node - beam.first_node;
-                if place == 0 {
-                    ([(beam.first_element, 0.0); 2], 1)
-                } else if place == beam.elements {
-                    ([(beam.first_element + place - 1, 1.0); 2], 1)
-                } else {
-                    let after = beam.first_element + place;
-                    ([(after - 1, 1.0), (after, 0.0)], 2)
-                }
-            }
-            Marker::Ground(_) | Marker::Frame { .. } | Marker::Body { .. } => ([(0, 0.0); 2], 0),
-        }
-    }
-
     /// Material twist from the beam's start to here (off the beams 0), undeformed value taken off, rad: the sum of `l tau` (MECHANICS, trap 16).
     pub fn twist(&self, system: &System, c: &Configuration) -> f64 {
-        let Some((beam, _)) = self.on_beam else { return 0.0 };
-        let beam = &system.beams[beam];
-        let (places, _) = self.places(system);
-        let (last, xi) = places[0];
+        let (Some((beam, _)), Some(section)) = (self.on_beam, self.sections.first()) else { return 0.0 };
         let twist = |number: usize| c.kinematics(number).twist - c.elements[number].reference_twist;
-        let inside = xi * twist(last) + bubble(c, last) * quadratic_twist::shape(xi);
-        (beam.first_element..last).map(twist).sum::<f64>() + inside
+        let before = system.beams[beam].first_element..section.element;
+        let inside =
+            section.xi * twist(section.element) + bubble(c, section.element) * quadratic_twist::shape(section.xi);
+        before.map(twist).sum::<f64>() + inside
     }
 
     /// Strains of the section; at an inner node the mean of its two elements'.
-    pub fn strains(&self, system: &System, c: &Configuration) -> SectionStrains {
-        let (places, count) = self.places(system);
+    pub fn strains(&self, c: &Configuration) -> SectionStrains {
         let mut sum = SectionStrains::default();
-        for (number, xi) in &places[..count] {
-            let own = strains_in_element(c, *number, *xi);
-            let share = 1.0 / count as f64;
+        for section in &self.sections {
+            let own = section.strains(c);
+            let share = 1.0 / self.sections.len() as f64;
             sum.axial += share * own.axial;
             sum.torsion += share * own.torsion;
             for (sum, own) in sum.curvature.iter_mut().zip(own.curvature) {
@@ -141,12 +145,11 @@ impl Sensor {
     }
 
     /// Force and moments of the section; at an inner node the mean of its two elements'.
-    pub fn section_forces(&self, system: &System, c: &Configuration) -> SectionForces {
-        let (places, count) = self.places(system);
+    pub fn section_forces(&self, c: &Configuration) -> SectionForces {
         let mut sum = SectionForces::default();
-        for (number, xi) in &places[..count] {
-            let own = resultants::section_forces(&c.elements[*number].stiffness, &strains_in_element(c, *number, *xi));
-            let share = 1.0 / count as f64;
+        for section in &self.sections {
+            let own = resultants::section_forces(&c.elements[section.element].stiffness, &section.strains(c));
+            let share = 1.0 / self.sections.len() as f64;
             sum.axial += share * own.axial;
             for (sum, own) in sum.moment.iter_mut().zip(own.moment) {
                 *sum += share * own;
@@ -157,42 +160,61 @@ impl Sensor {
 
     /// Largest von Mises stress over the section's outline, Pa; at an inner node of the mean strains. NaN without an outline.
     pub fn stress(&self, system: &System, c: &Configuration) -> f64 {
-        let (places, count) = self.places(system);
-        let Some((beam, _)) = self.on_beam.filter(|_| count > 0) else { return f64::NAN };
+        let (Some((beam, _)), Some(section)) = (self.on_beam, self.sections.first()) else { return f64::NAN };
         let beam = &system.beams[beam];
-        let stiffness = &c.elements[places[0].0].stiffness;
-        let strains = self.strains(system, c);
+        let stiffness = &c.elements[section.element].stiffness;
+        let strains = self.strains(c);
         resultants::largest_stress(&beam.outline, beam.young, stiffness, &strains).unwrap_or(f64::NAN)
     }
 }
 
-/// Strains at the place `xi` of element `number`: axial strain the quadratic through the axial points, curvature about y `−gamma2`, about z `gamma1`.
-fn strains_in_element(c: &Configuration, number: usize, xi: f64) -> SectionStrains {
-    let element = &c.elements[number];
-    let evaluation = evaluation(c, number, None);
-    let of_energy: f64 =
-        lagrange(&LOBATTO_POINTS, xi).iter().zip(evaluation.axial_strains()).map(|(weight, e)| weight * e).sum();
-    let axial = match element.stiffness.strain {
-        Strain::Small => of_energy,
-        // Green's strain as an elongation.
-        Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * of_energy).max(0.0).sqrt() - 1.0,
-    };
-    let q = c.element_q(element);
-    let shape_x = hermite::shape_x(xi, element.length);
-    let shape_xx = hermite::shape_xx(xi, element.length);
-    let kinematics = &evaluation.kinematics;
-    let point = CurvePoint::new(&kinematics.base.axes, interpolate(&shape_x, q), interpolate(&shape_xx, q));
-    let inner = collocation(xi).map(|a| a * element.length);
-    let alpha = kinematics.alpha_at(q, xi, &inner) + evaluation.bubble * quadratic_twist::shape(xi);
-    let (sin, cos) = alpha.sin_cos();
-    let [kappa1, kappa2, _] = point.scalars.map(|scalar| scalar.value);
-    // Straight beams: J0 = 1 and no curvature of the undeformed beam.
-    let gammas = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
-    SectionStrains {
-        axial,
-        curvature: [-gammas[1], gammas[0]],
-        torsion: (kinematics.twist - element.reference_twist + evaluation.bubble * quadratic_twist::shape_xi(xi))
-            / element.length,
+impl Section {
+    /// At the place `xi` (0 to 1) of element `element`, in the configuration `c` as drawn.
+    fn new(c: &Configuration, element: usize, xi: f64) -> Self {
+        let drawn = Self { element, xi, reference_stretch: 1.0, reference: [0.0; 2] };
+        let (stretch, gammas) = drawn.gammas(c, &c.kinematics(element), 0.0);
+        // What the same interpolation finds as drawn: without loads all strains are 0 exactly.
+        Self { reference_stretch: stretch, reference: gammas.map(|gamma| gamma / stretch), ..drawn }
+    }
+
+    /// Strains: axial the quadratic through the axial points, curvature about y `−gamma2`, about z `gamma1`.
+    fn strains(&self, c: &Configuration) -> SectionStrains {
+        let element = &c.elements[self.element];
+        let evaluation = evaluation(c, self.element, None);
+        let of_energy: f64 = lagrange(&LOBATTO_POINTS, self.xi)
+            .iter()
+            .zip(evaluation.axial_strains())
+            .map(|(weight, e)| weight * e)
+            .sum();
+        let axial = match element.stiffness.strain {
+            Strain::Small => of_energy,
+            // Green's strain as an elongation.
+            Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * of_energy).max(0.0).sqrt() - 1.0,
+        };
+        let (_, gammas) = self.gammas(c, &evaluation.kinematics, evaluation.bubble);
+        let [about_z, about_y] = [0, 1].map(|i| gammas[i] / self.reference_stretch - self.reference[i]);
+        SectionStrains {
+            axial,
+            curvature: [-about_y, about_z],
+            torsion: (evaluation.kinematics.twist - element.reference_twist
+                + evaluation.bubble * quadratic_twist::shape_xi(self.xi))
+                / (element.length * self.reference_stretch),
+        }
+    }
+
+    /// `|r'|`, and the curvatures `(gamma1, gamma2)` of the section by its element's length (2.14), 1/m; `bubble` is the
+    /// internal coordinate of the quadratic twist, rad.
+    fn gammas(&self, c: &Configuration, kinematics: &Kinematics, bubble: f64) -> (f64, [f64; 2]) {
+        let element = &c.elements[self.element];
+        let q = c.element_q(element);
+        let shape_x = hermite::shape_x(self.xi, element.length);
+        let shape_xx = hermite::shape_xx(self.xi, element.length);
+        let point = CurvePoint::new(&kinematics.base.axes, interpolate(&shape_x, q), interpolate(&shape_xx, q));
+        let inner = collocation(self.xi).map(|a| a * element.length);
+        let alpha = kinematics.alpha_at(q, self.xi, &inner) + bubble * quadratic_twist::shape(self.xi);
+        let (sin, cos) = alpha.sin_cos();
+        let [kappa1, kappa2, _] = point.scalars.map(|scalar| scalar.value);
+        (point.stretch, [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1])
     }
 }
 

@@ -13,6 +13,7 @@ use super::beam::element::{Element, Evaluation};
 use super::beam::frame::{NodeFrame, Triad};
 use super::beam::kinematics::Holonomy;
 use super::configuration::Configuration;
+use super::division::Division;
 use super::gauge::Gauge;
 use super::joint::Joint;
 use super::load::{Excitation, Load};
@@ -25,6 +26,7 @@ use super::spring::Spring;
 use super::state::State;
 use super::transmission::Transmission;
 use crate::math::Vec3;
+use std::ops::Range;
 
 /// A beam: a run of nodes and elements.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,14 +37,55 @@ pub struct Beam {
     pub first_node: usize,
     /// Its first element.
     pub first_element: usize,
-    /// Number of elements; it has one node more.
-    pub elements: usize,
+    /// Where the ends of its elements are; a node is at each.
+    pub division: Division,
+    /// The ends of elements at which two nodes meet that are welded, ascending.
+    pub corners: Vec<usize>,
     /// Outline of its section: where stress is largest.
     pub outline: Outline,
     /// Young's modulus, Pa.
     pub young: f64,
     /// Largest twist rate that `strain = "large_truncated"` bears, rad/m (MECHANICS, trap 9); infinite for the other strains.
     pub twist_limit: f64,
+}
+
+impl Beam {
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        self.division.elements()
+    }
+
+    /// Its elements.
+    pub fn element_range(&self) -> Range<usize> {
+        self.first_element..self.first_element + self.elements()
+    }
+
+    /// Its nodes.
+    pub fn node_range(&self) -> Range<usize> {
+        self.first_node..self.first_node + self.elements() + 1 + self.corners.len()
+    }
+
+    /// The node at end `end` of its elements, counted from 0; at a corner the side towards the start.
+    pub fn node(&self, end: usize) -> usize {
+        self.first_node + end + self.corners.partition_point(|corner| *corner < end)
+    }
+
+    /// The end of its elements, counted from 0, at which `node` is.
+    pub fn end_of(&self, node: usize) -> usize {
+        let local = node - self.first_node;
+        // Corner number k moves all nodes behind its first one by k + 1.
+        let corners = self.corners.iter().enumerate().take_while(|(k, corner)| *corner + k < local);
+        local - corners.count()
+    }
+
+    /// The elements that end and that begin at `node`.
+    pub fn elements_at(&self, node: usize) -> [Option<usize>; 2] {
+        let end = self.end_of(node);
+        let is_corner = self.corners.binary_search(&end).is_ok();
+        let before = end > 0 && (!is_corner || node == self.node(end));
+        let after = end < self.elements() && (!is_corner || node != self.node(end));
+        [before.then(|| self.first_element + end - 1), after.then(|| self.first_element + end)]
+    }
 }
 
 /// The machine. Coordinates: those of all nodes, then those of all bodies.
@@ -133,7 +176,7 @@ impl System {
 
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
-        self.beams.iter().map(|beam| beam.elements + 1).sum()
+        self.beams.iter().map(|beam| beam.node_range().len()).sum()
     }
 
     /// Number of coordinates of the nodes; those of bodies follow.

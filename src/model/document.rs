@@ -134,6 +134,16 @@ impl Document {
         self.numbers.function(number)
     }
 
+    /// Whether everything that a number is made of is finite; if not, that is reported.
+    pub fn is_sound(&self, number: Number) -> bool {
+        self.numbers.is_sound(number.0)
+    }
+
+    /// Why the value of a number is not allowed; none: it is.
+    pub fn objection(&self, number: Number) -> Option<String> {
+        self.numbers.slots[number.0].meta.objection(self.value(number))
+    }
+
     /// The name of a number: `tip.force[1]`.
     pub fn name(&self, number: Number) -> &str {
         &self.numbers.slots[number.0].meta.name

@@ -4,7 +4,7 @@ use super::document::Document;
 use super::entries::anchor::{Anchor, Spot};
 use super::entries::joint::Joint;
 use super::entries::{load, output};
-use super::geometry::drawn;
+use super::geometry::Lines;
 use super::number::Number;
 
 /// Everything that a picture of a mechanism shows. Global axes, m.
@@ -25,8 +25,10 @@ pub struct Line {
     pub name: String,
     /// What it is.
     pub kind: LineKind,
-    /// The nodes of a beam, the ends of a spring.
+    /// What it runs through, as straight pieces: where it is curved many of them.
     pub points: Vec<[f64; 3]>,
+    /// The nodes of a beam.
+    pub nodes: Vec<[f64; 3]>,
 }
 
 /// What a line stands for.
@@ -94,17 +96,18 @@ impl Drawing {
     /// The mechanism of a file. A load that begins at zero is drawn as it is at the end of the simulation.
     pub fn new(document: &Document) -> Self {
         let mut drawing = Self::default();
-        for beam in &document.beams {
-            // The range of the key keeps the count within usize.
-            let elements = document.value(beam.elements) as usize;
-            let (from, to) = (document.vector(beam.from), document.vector(beam.to));
-            let points = (0..=elements).map(|k| between(from, to, k as f64 / elements as f64)).collect();
-            drawing.lines.push(Line { name: beam.name.clone(), kind: LineKind::Beam, points });
+        let lines = Lines::of(document);
+        let point = |anchor: Anchor| lines.place(document, anchor).map(<[f64; 3]>::from);
+        for (number, beam) in document.beams.iter().enumerate() {
+            let Some(line) = lines.line(number) else { continue };
+            let points = line.outline(BETWEEN_NODES).into_iter().map(<[f64; 3]>::from).collect();
+            let nodes = line.nodes.iter().map(|node| node.place.into()).collect();
+            drawing.lines.push(Line { name: beam.name.clone(), kind: LineKind::Beam, points, nodes });
         }
         for spring in &document.springs {
             // A spring's ground is the origin.
-            let points = [spring.a, spring.b].map(|end| point(document, end).unwrap_or([0.0; 3])).to_vec();
-            drawing.lines.push(Line { name: spring.name.clone(), kind: LineKind::Spring, points });
+            let points = [spring.a, spring.b].map(|end| point(end).unwrap_or([0.0; 3])).to_vec();
+            drawing.lines.push(Line { name: spring.name.clone(), kind: LineKind::Spring, points, nodes: Vec::new() });
         }
         for body in &document.bodies {
             let at = document.vector(body.position);
@@ -115,7 +118,7 @@ impl Drawing {
             drawing.marks.push(Mark { name: frame.name.clone(), kind: MarkKind::Frame, at });
         }
         for joint in &document.joints {
-            let Some(at) = place(document, joint) else { continue };
+            let Some(at) = place(document, &lines, joint) else { continue };
             let grounded = joint.a.spot == Spot::Ground || joint.b.spot == Spot::Ground;
             let kind = if grounded { MarkKind::Support } else { MarkKind::Joint };
             drawing.marks.push(Mark { name: joint.name.clone(), kind, at });
@@ -125,16 +128,15 @@ impl Drawing {
             }
         }
         for drive in &document.drives {
-            let at = document.joints.get(drive.joint).and_then(|joint| place(document, joint));
+            let at = document.joints.get(drive.joint).and_then(|joint| place(document, &lines, joint));
             drawing.marks.extend(at.map(|at| Mark { name: drive.name.clone(), kind: MarkKind::Drive, at }));
         }
         for load in &document.loads {
             let places = match load.target {
-                load::Target::At(anchor) => point(document, anchor).into_iter().collect(),
+                load::Target::At(anchor) => point(anchor).into_iter().collect(),
                 load::Target::On(beam) => {
-                    let beam = &document.beams[beam];
-                    let (from, to) = (document.vector(beam.from), document.vector(beam.to));
-                    LINE_LOAD.map(|fraction| between(from, to, fraction)).to_vec()
+                    let line = lines.line(beam);
+                    line.map_or(Vec::new(), |line| LINE_LOAD.map(|fraction| line.place(fraction).into()).to_vec())
                 }
             };
             for (kind, numbers) in [(ArrowKind::Force, load.force), (ArrowKind::Moment, load.moment)] {
@@ -149,16 +151,13 @@ impl Drawing {
             }
         }
         for output in &document.outputs {
-            let joint = |joint: usize| document.joints.get(joint).and_then(|joint| place(document, joint));
+            let joint = |joint: usize| document.joints.get(joint).and_then(|joint| place(document, &lines, joint));
             let at = match output.target {
-                output::Target::At(anchor) => point(document, anchor),
+                output::Target::At(anchor) => point(anchor),
                 output::Target::Joint(number) => joint(number),
                 output::Target::Drive(number) => document.drives.get(number).and_then(|drive| joint(drive.joint)),
                 // The whole beam: its name stands at the middle.
-                output::Target::On { beam, .. } => {
-                    let beam = &document.beams[beam];
-                    Some(between(document.vector(beam.from), document.vector(beam.to), 0.5))
-                }
+                output::Target::On { beam, .. } => lines.line(beam).map(|line| line.place(0.5).into()),
             };
             drawing.marks.extend(at.map(|at| Mark { name: output.name.clone(), kind: MarkKind::Output, at }));
         }
@@ -166,12 +165,10 @@ impl Drawing {
     }
 }
 
+/// Points of a curved element between its nodes.
+const BETWEEN_NODES: usize = 7;
 /// Fractions of a beam at which a load along it is drawn.
 const LINE_LOAD: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
-
-fn between(from: [f64; 3], to: [f64; 3], fraction: f64) -> [f64; 3] {
-    [0, 1, 2].map(|i| from[i] + fraction * (to[i] - from[i]))
-}
 
 /// A load at the start, or at the end if it begins at zero.
 fn direction(document: &Document, numbers: [Number; 3]) -> [f64; 3] {
@@ -180,13 +177,8 @@ fn direction(document: &Document, numbers: [Number; 3]) -> [f64; 3] {
     if start == [0.0; 3] { at(document.value(document.simulation.stop)) } else { start }
 }
 
-/// Where an anchor is; the ground is nowhere.
-fn point(document: &Document, anchor: Anchor) -> Option<[f64; 3]> {
-    drawn(document, anchor).map(|at| [at[0], at[1], at[2]])
-}
-
 /// Where a joint is as drawn.
-fn place(document: &Document, joint: &Joint) -> Option<[f64; 3]> {
+fn place(document: &Document, lines: &Lines, joint: &Joint) -> Option<[f64; 3]> {
     let at = joint.at.map(|at| document.vector(at));
-    at.or_else(|| point(document, joint.b)).or_else(|| point(document, joint.a))
+    at.or_else(|| [joint.b, joint.a].into_iter().find_map(|side| lines.place(document, side)).map(<[f64; 3]>::from))
 }

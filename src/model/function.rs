@@ -83,6 +83,11 @@ impl Function {
         self.pieces[place].jet(t, |_| f64::NAN)
     }
 
+    /// Where its pieces meet.
+    pub fn limits(&self) -> &[f64] {
+        &self.limits
+    }
+
     /// What is wrong with the limits: they must be finite and ascend.
     pub fn objection(&self) -> Option<String> {
         if let Some(limit) = self.limits.iter().find(|limit| !limit.is_finite()) {

@@ -250,7 +250,7 @@ impl Numbers {
     }
 
     /// Whether everything that a number is made of is finite: otherwise the mistake is reported where it begins.
-    fn is_sound(&self, place: usize) -> bool {
+    pub fn is_sound(&self, place: usize) -> bool {
         match &self.slots[place].written {
             Written::Plain(_) => true,
             Written::Formula(formula) => formula.parameters().all(|used| self.values[used].is_finite()),

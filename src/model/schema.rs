@@ -1,5 +1,6 @@
 //! Every numeric key of the format: one row each, with meaning, unit, allowed range, and whether it may change while the model runs.
 
+use super::expression::Variable;
 use super::number::{Limit, Range};
 
 /// The rule for a numeric key.
@@ -17,12 +18,12 @@ pub struct Rule {
     pub integer: bool,
     /// The solver takes a change between two steps.
     pub tunable: bool,
-    /// It may depend on t.
-    pub time: bool,
+    /// What it may depend on: t, or along a curve s.
+    pub variable: Variable,
 }
 
 const fn rule(key: &'static str, meaning: &'static str, unit: &'static str) -> Rule {
-    Rule { key, meaning, unit, range: Range::ALL, integer: false, tunable: false, time: false }
+    Rule { key, meaning, unit, range: Range::ALL, integer: false, tunable: false, variable: Variable::None }
 }
 
 impl Rule {
@@ -57,7 +58,12 @@ impl Rule {
     }
 
     const fn in_time(mut self) -> Self {
-        self.time = true;
+        self.variable = Variable::Time;
+        self
+    }
+
+    const fn along_curve(mut self) -> Self {
+        self.variable = Variable::Curve;
         self
     }
 }
@@ -85,6 +91,11 @@ pub const FOURTH_MOMENTS: Rule = rule("fourth_moments", "fourth moment of area (
 
 pub const FROM: Rule = rule("from", "start of the beam, global", "m");
 pub const TO: Rule = rule("to", "end of the beam, global", "m");
+pub const CURVE_X: Rule = rule("x", "global x of the beam along its curve", "m").along_curve();
+pub const CURVE_Y: Rule = rule("y", "global y of the beam along its curve", "m").along_curve();
+pub const CURVE_Z: Rule = rule("z", "global z of the beam along its curve", "m").along_curve();
+pub const CURVE_S: Rule = rule("s", "curve parameter at the start and at the end of the beam", "");
+pub const CURVE_POINTS: Rule = rule("points", "points of the beam's curve, global", "m");
 pub const Y_AXIS: Rule = rule("y_axis", "direction of the section's y at the start, global", "");
 /// More elements than this are a slip of the finger.
 const MOST_ELEMENTS: f64 = 1e5;

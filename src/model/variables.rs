@@ -256,11 +256,11 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
         Quantity::Quaternion => values.extend(sensor.quaternion(rotation)),
         Quantity::AngularVelocity => push(sensor.motion(c, &state.velocity).1),
         Quantity::Twist => values.push(sensor.twist(system, c)),
-        Quantity::AxialStrain => values.push(sensor.strains(system, c).axial),
-        Quantity::Curvature => values.extend(sensor.strains(system, c).curvature),
-        Quantity::Torsion => values.push(sensor.strains(system, c).torsion),
-        Quantity::SectionForce => values.push(sensor.section_forces(system, c).axial),
-        Quantity::SectionMoment => values.extend(sensor.section_forces(system, c).moment),
+        Quantity::AxialStrain => values.push(sensor.strains(c).axial),
+        Quantity::Curvature => values.extend(sensor.strains(c).curvature),
+        Quantity::Torsion => values.push(sensor.strains(c).torsion),
+        Quantity::SectionForce => values.push(sensor.section_forces(c).axial),
+        Quantity::SectionMoment => values.extend(sensor.section_forces(c).moment),
         Quantity::Stress => values.push(sensor.stress(system, c)),
         Quantity::ReactionForce
         | Quantity::ReactionMoment

@@ -55,19 +55,21 @@ pub fn add_tangent(
 /// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbours through M.
 fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize) -> (Mat3, Vec3)) {
     for beam in &system.beams {
-        for place in 0..=beam.elements {
-            let node = beam.first_node + place;
+        for node in beam.node_range() {
             let (by_slope, by_spin) = derivatives(node);
-            let (element, local) = if place < beam.elements { (place, 0) } else { (place - 1, NODE) };
-            let block = blocks.block_mut(beam.first_element + element);
+            let neighbours = beam.elements_at(node);
+            let [before, after] = neighbours;
+            let Some((element, local)) = after.map(|after| (after, 0)).or(before.map(|before| (before, NODE))) else {
+                continue;
+            };
+            let block = blocks.block_mut(element);
             for column in 0..3 {
                 for row in 0..3 {
                     block[(local + P + column) * ELEMENT + local + P + row] += by_slope[(row, column)];
                 }
             }
-            let neighbours = [(place > 0).then(|| place - 1), (place < beam.elements).then_some(place)];
             for (element, local) in neighbours.into_iter().zip([NODE, 0]) {
-                let Some(element) = element.map(|element| beam.first_element + element) else { continue };
+                let Some(element) = element else { continue };
                 let mass = &system.elements[element].mass;
                 let block = blocks.block_mut(element);
                 for column in [THETA, NODE + THETA] {

@@ -4,6 +4,7 @@ use crate::machines::{design, energies, hold, integrate};
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
 use ancf14::mechanics::beam::quadratic_twist::Twist;
+use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::joint::{spherical, weld};
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
@@ -28,7 +29,7 @@ fn free(design: &BeamDesign) -> (System, State) {
 fn spinning_design() -> BeamDesign {
     let section = Section { polar_moment: 4e-4, torsion_constant: 1e-6, ..Section::rectangle(0.02, 0.03) };
     BeamDesign {
-        to: Vec3::new(1.2, 0.3, -0.4),
+        line: Centreline::straight(Vec3::zeros(), Vec3::new(1.2, 0.3, -0.4), 4),
         section,
         material: Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 0.0 },
         velocity: Vec3::new(0.3, -0.2, 0.1),
@@ -72,7 +73,7 @@ fn spinning_beam_shows_no_false_extension() {
         let mut assembly = Assembly::default();
         let base = design("beam", 4);
         let beam = BeamDesign {
-            to: Vec3::x() * length,
+            line: Centreline::straight(Vec3::zeros(), Vec3::x() * length, 4),
             section: Section::rectangle(0.1, 0.1),
             angular_velocity: Vec3::z() * rate,
             ..base.clone()
@@ -132,7 +133,8 @@ fn taut_string_stays_bounded() {
     let material = Material { young: 1e9, shear: 4e8, density: 1000.0, damping: 0.0 };
     let stretch = 1e-2;
     let mut assembly = Assembly::default();
-    let number = assembly.add_beam(&BeamDesign { section, material, to: Vec3::x() * 2.0, ..design("string", 4) });
+    let line = Centreline::straight(Vec3::zeros(), Vec3::x() * 2.0, 4);
+    let number = assembly.add_beam(&BeamDesign { section, material, line, ..design("string", 4) });
     for (name, fraction) in [("left", 0.0), ("right", 1.0)] {
         hold(&mut assembly, name, number, fraction, &Mat3::identity(), weld::PRIMITIVES);
     }

@@ -10,6 +10,7 @@ use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
 use ancf14::mechanics::beam::coordinates::{NODE, P};
+use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::driven::Driven;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, revolute, spherical, weld};
@@ -54,7 +55,12 @@ fn spun_up() -> (System, State) {
     let material = Material { young: 2e6, shear: 8e7, density: 1000.0, damping: 0.0 };
     let to = Vec3::new(1.2, 0.3, -0.4);
     let mut assembly = Assembly::default();
-    let beam = assembly.add_beam(&BeamDesign { to, section, material, ..design("beam", 4) });
+    let beam = assembly.add_beam(&BeamDesign {
+        line: Centreline::straight(Vec3::zeros(), to, 4),
+        section,
+        material,
+        ..design("beam", 4)
+    });
     // Grows smoothly: nothing that the steps do not resolve is stirred.
     let moment = [10.0, 3.0, 2.0].map(|size| {
         Signal::Function(Arc::new(move |time| {

@@ -7,6 +7,7 @@ use crate::machines::design;
 use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::driven::Driven;
 use ancf14::mechanics::joint::{revolute, spherical};
@@ -35,7 +36,7 @@ fn everything() -> (System, State) {
         .map(|rate| Signal::Function(Arc::new(move |time| Jet { value: rate * time, first: rate, second: 0.0 })));
     let frame = assembly.add_frame("base", FrameGuide::Signals { place, rotation }, pose);
     let beam = assembly.add_beam(&BeamDesign {
-        to: Vec3::new(1.0, 0.3, -0.2),
+        line: Centreline::straight(Vec3::zeros(), Vec3::new(1.0, 0.3, -0.2), 3),
         section: Section { polar_moment: 4e-4, torsion_constant: 1e-6, ..Section::rectangle(0.02, 0.03) },
         material: Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 2e-3 },
         angular_velocity: Vec3::new(20.0, 4.0, 3.0),

@@ -5,6 +5,7 @@ use crate::machines::{design, energies, integrate};
 use crate::random::Random;
 use ancf14::math::Vec3;
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, revolute, spherical, weld};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::material::Material;
@@ -25,7 +26,12 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
         let from = random.vector();
         let to = from + random.direction() * 0.8;
         let y_axis = random.direction();
-        assembly.add_beam(&BeamDesign { from, to, y_axis, material: soft, ..design(name, 3) })
+        assembly.add_beam(&BeamDesign {
+            line: Centreline::straight(from, to, 3),
+            y_axis,
+            material: soft,
+            ..design(name, 3)
+        })
     };
     let (first, second) = (beam("first", random), beam("second", random));
     let axes = random.rotation();

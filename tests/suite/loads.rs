@@ -141,7 +141,7 @@ fn truncated_strain_has_its_limit() {
         assembly.add_beam(&beam);
         let (system, mut state) = assembly.finish(Vec3::zeros());
         let limit = system.beams[0].twist_limit;
-        let length = beam.to[0] / 4.0;
+        let length = beam.line.spans[0].length;
         for (node, q) in state.q.chunks_exact_mut(7).enumerate() {
             q[THETA] = rate * limit * length * node as f64;
         }

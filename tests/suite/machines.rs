@@ -6,6 +6,7 @@ use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
 use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, weld};
 use ancf14::mechanics::load::{Direction, Load, Signal};
 use ancf14::mechanics::marker::Marker;
@@ -24,11 +25,9 @@ use std::sync::Arc;
 pub fn design(name: &str, elements: usize) -> BeamDesign {
     BeamDesign {
         name: name.into(),
-        from: Vec3::zeros(),
-        to: Vec3::x(),
+        line: Centreline::straight(Vec3::zeros(), Vec3::x(), elements),
         y_axis: Vec3::y(),
         pretwist: 0.0,
-        elements,
         material: Material { young: 2e11, shear: 8e10, density: 7800.0, damping: 0.0 },
         section: Section::rectangle(0.01, 0.02),
         strain: Strain::Small,

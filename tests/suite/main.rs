@@ -4,9 +4,12 @@
 
 mod allocations;
 mod architecture;
+mod bend_45;
 mod bodies_on_springs;
 mod closed_loops;
 mod command_line;
+mod curve_keys;
+mod curved_beams;
 mod curves;
 mod damped_vibration;
 mod damping;
@@ -21,6 +24,7 @@ mod generalized_alpha;
 mod generalized_alpha_steps;
 mod golden;
 mod hanging;
+mod helical_spring;
 mod helix;
 mod invariance;
 mod joint_derivatives;
@@ -40,6 +44,7 @@ mod odd_machines;
 mod oracle;
 mod oscillation;
 mod parts;
+mod polylines;
 mod princeton;
 mod quadratic_twist;
 mod random;

@@ -7,14 +7,17 @@ use ancf14::mechanics::beam::strain::Strain;
 use ancf14::model::document::Document;
 use ancf14::model::drawing::{ArrowKind, Drawing, MarkKind};
 use ancf14::model::entries::anchor::{Along, Spot};
+use ancf14::model::entries::curve::Line;
 use ancf14::model::entries::load::Target;
 use ancf14::model::entries::section::Shape;
 
 const PRINCETON: &str = include_str!("../../models/princeton_beam.toml");
-const MODELS: [(&str, &str); 3] = [
+const MODELS: [(&str, &str); 5] = [
     ("princeton_beam.toml", PRINCETON),
     ("pendulum.toml", include_str!("../../models/pendulum.toml")),
     ("cantilever.toml", include_str!("../../models/cantilever.toml")),
+    ("helical_spring.toml", include_str!("../../models/helical_spring.toml")),
+    ("bend_45.toml", include_str!("../../models/bend_45.toml")),
 ];
 
 fn parse(text: &str, overrides: &[(&str, &str)]) -> Document {
@@ -31,6 +34,12 @@ fn row<'d>(document: &'d Document, name: &str) -> &'d Variable {
     &document.parameters()[index(document, name)].variable
 }
 
+/// Start and end of the first beam, which is straight.
+fn ends(document: &Document) -> [[f64; 3]; 2] {
+    let Some(Line::Straight { from, to }) = document.beams[0].line else { panic!("a straight beam") };
+    [from, to].map(|end| document.vector(end))
+}
+
 #[test]
 fn shipped_models_are_legal() {
     for (name, text) in MODELS {
@@ -45,7 +54,7 @@ fn the_princeton_beam_arrives_as_written() {
     let document = parse(PRINCETON, &[]);
     let arm = &document.beams[0];
     assert_eq!(document.model.identifier, "PrincetonBeam");
-    assert_eq!(document.vector(arm.to), [0.508, 0.0, 0.0]);
+    assert_eq!(ends(&document), [[0.0; 3], [0.508, 0.0, 0.0]]);
     assert_eq!((arm.strain, arm.torsion, arm.material, arm.section), (Strain::Small, true, 0, 0));
     assert_eq!(document.value(arm.elements), 8.0);
     assert!(matches!(document.sections[0].shape, Shape::Rectangle { width, .. } if document.value(width) == 3.2024e-3));
@@ -188,7 +197,7 @@ fn overrides_reach_every_key() {
     let arm = &document.beams[0];
     assert_eq!(document.vector(document.model.gravity), [0.0, 0.0, -9.81]);
     assert_eq!(document.value(arm.pretwist), 0.1);
-    assert_eq!(document.vector(arm.to), [2.0, 0.0, 0.5]);
+    assert_eq!(ends(&document), [[0.0; 3], [2.0, 0.0, 0.5]]);
     assert_eq!((arm.strain, arm.torsion), (Strain::LargeTruncated, false));
     assert_eq!(document.function(document.loads[0].force[0]).value(3.0), 12.0);
     assert_eq!(row(&document, "P").max, Some(20.0), "the table around a value stays");

@@ -7,6 +7,7 @@ use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
 use ancf14::mechanics::beam::coordinates::{P, R, THETA, set_vec3, vec3};
+use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::primitive::Primitive;
 use ancf14::mechanics::joint::{Joint, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld};
@@ -123,7 +124,13 @@ pub fn beam(name: &str, random: &mut Random) -> BeamDesign {
     let to = from + random.direction() * 0.8;
     let material = Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 0.0 };
     let section = Section::rectangle(0.04, 0.06);
-    BeamDesign { from, to, y_axis: random.direction(), material, section, ..design(name, 2) }
+    BeamDesign {
+        line: Centreline::straight(from, to, 2),
+        y_axis: random.direction(),
+        material,
+        section,
+        ..design(name, 2)
+    }
 }
 
 /// Adds a part that moves by `twist`; returns what to tie to.
@@ -148,7 +155,7 @@ fn add(assembly: &mut Assembly, name: &str, part: Part, twist: &Twist, random: &
         }
         Part::Beam => {
             let still = beam(name, random);
-            let velocity = twist.at(&still.from);
+            let velocity = twist.at(&still.line.nodes[0].place);
             let beam = assembly.add_beam(&BeamDesign { velocity, angular_velocity: twist.angular, ..still });
             let node = ((random.signed() + 1.0) * 1.5).floor();
             assembly.section_at(beam, 0.5 * node)

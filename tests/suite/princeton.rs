@@ -6,6 +6,7 @@ use ancf14::math::Vec3;
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
 use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
@@ -38,7 +39,14 @@ pub fn beam(elements: usize, strain: Strain, twist: Twist) -> BeamDesign {
     let young = 71.7e9;
     let section = Section { torsion_constant: 113.3872e-12, ..Section::rectangle(3.2024e-3, 12.377e-3) };
     let material = Material { young, shear: Material::shear_from_poisson(young, 0.31), density: 2700.0, damping: 0.0 };
-    BeamDesign { to: Vec3::x() * LENGTH, section, material, strain, twist, ..design("beam", elements) }
+    BeamDesign {
+        line: Centreline::straight(Vec3::zeros(), Vec3::x() * LENGTH, elements),
+        section,
+        material,
+        strain,
+        twist,
+        ..design("beam", elements)
+    }
 }
 
 fn machine(elements: usize, (strain, twist): (Strain, Twist), case: &Case) -> (System, State) {

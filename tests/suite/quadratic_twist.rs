@@ -159,7 +159,7 @@ fn twist_and_torsion_inside_the_elements() {
         let mut snapshot = Snapshot::default();
         let configuration = snapshot.of(&system, &state);
         let sensor = &system.sensors[0];
-        (sensor.strains(&system, &configuration).torsion, sensor.twist(&system, &configuration), state.rotations[0])
+        (sensor.strains(&configuration).torsion, sensor.twist(&system, &configuration), state.rotations[0])
     };
     // Torsion is largest at the root, twist and turn at the tip.
     let (scales, tip) = (measure(Twist::Quadratic, 64, 0.0).0, measure(Twist::Quadratic, 64, 1.0));

@@ -338,8 +338,8 @@ fn multipliers_on_beams() {
     let block = assembly.add_body(&body("block", &mut random));
     let block = assembly.body(block);
     let axes = random.rotation();
-    let root = Pose { place: design.from, axes };
-    let tip = Pose { place: design.to, axes };
+    let root = Pose { place: design.line.nodes[0].place, axes };
+    let tip = Pose { place: design.line.place(1.0), axes };
     connect(&mut assembly, "root", [Marker::Ground(Pose::default()), start], &root, weld::PRIMITIVES);
     connect(&mut assembly, "wrist", [end, block], &tip, revolute::PRIMITIVES);
     let (system, state) = assembly.finish(Vec3::new(1.0, -2.0, -9.0));

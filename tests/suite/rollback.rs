@@ -3,7 +3,7 @@
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
 
-const MODELS: [(&str, &str); 10] = [
+const MODELS: [(&str, &str); 12] = [
     ("pendulum", include_str!("../../models/pendulum.toml")),
     ("cantilever", include_str!("../../models/cantilever.toml")),
     ("princeton_beam", include_str!("../../models/princeton_beam.toml")),
@@ -14,6 +14,8 @@ const MODELS: [(&str, &str); 10] = [
     ("roll_up", include_str!("../../models/roll_up.toml")),
     ("elastica", include_str!("../../models/elastica.toml")),
     ("ring", include_str!("../../models/ring.toml")),
+    ("helical_spring", include_str!("../../models/helical_spring.toml")),
+    ("bend_45", include_str!("../../models/bend_45.toml")),
 ];
 
 fn start(text: &str) -> Simulation {

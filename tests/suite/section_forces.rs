@@ -36,7 +36,7 @@ fn found_and_demanded(beam: &BeamDesign, fraction: f64, force: Vec3, moment: Vec
     let mut snapshot = Snapshot::default();
     let c = snapshot.of(&system, &state);
     let [here, tip] = [0, 1].map(|i| system.sensors[i].marker.pose(&c));
-    let strains = system.sensors[0].strains(&system, &c);
+    let strains = system.sensors[0].strains(&c);
     let forces = section_forces(&system.elements[0].stiffness, &strains);
     let [t, my, mz] = forces.moment;
     let demanded_moment = here.axes.tr_mul(&((tip.place - here.place).cross(&force) + moment));

@@ -18,7 +18,7 @@ fn strains(fraction: f64, force: Vec3, moment: Vec3) -> SectionStrains {
     Statics::new(&system, 1e-10).unwrap().find(&system, &mut state, 1.0).unwrap();
     let mut snapshot = Snapshot::default();
     let configuration = snapshot.of(&system, &state);
-    system.sensors[0].strains(&system, &configuration)
+    system.sensors[0].strains(&configuration)
 }
 
 #[test]

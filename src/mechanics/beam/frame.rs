@@ -19,6 +19,12 @@ impl Triad {
         let t = tangent.normalize();
         Self { t, u: (normal - t * t.dot(normal)).normalize() }
     }
+
+    /// The triad at the unit tangent `tangent`, carried there by one minimal rotation (2.3).
+    #[must_use]
+    pub fn carried(&self, tangent: &Vec3) -> Self {
+        Self::new(tangent, &carry(&self.t, tangent, &self.u))
+    }
 }
 
 /// The frame of a node at a configuration, relative to its reference triad.

@@ -38,8 +38,8 @@ impl System {
         limited.peek()?;
         let configuration = snapshot.of(self, state);
         limited.find_map(|beam| {
-            let rates = (beam.first_element..beam.first_element + beam.elements)
-                .map(|number| evaluation(&configuration, number, None).largest_torsion().abs());
+            let rates =
+                beam.element_range().map(|number| evaluation(&configuration, number, None).largest_torsion().abs());
             let largest = rates.fold(0.0, f64::max);
             (largest > 0.5 * beam.twist_limit).then_some((beam.name.as_str(), largest, beam.twist_limit))
         })

@@ -37,12 +37,12 @@ impl System {
     /// A node's name: `arm.start`, `arm.node[3]`, `arm.end`.
     pub fn describe_node(&self, node: usize) -> String {
         for beam in &self.beams {
-            if (beam.first_node..=beam.first_node + beam.elements).contains(&node) {
-                let place = node - beam.first_node;
-                return match place {
+            if beam.node_range().contains(&node) {
+                let end = beam.end_of(node);
+                return match end {
                     0 => format!("{}.start", beam.name),
-                    _ if place == beam.elements => format!("{}.end", beam.name),
-                    _ => format!("{}.node[{place}]", beam.name),
+                    _ if end == beam.elements() => format!("{}.end", beam.name),
+                    _ => format!("{}.node[{end}]", beam.name),
                 };
             }
         }

@@ -10,9 +10,9 @@ pub use tune::{aim, extrapolate, retune};
 
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::document::Document;
-use super::entries::anchor::{Anchor, Spot};
+use super::entries::anchor::{Along, Anchor, Spot};
 use super::entries::output;
-use super::geometry;
+use super::geometry::{self, Lines};
 use super::number::Number;
 use crate::math::Vec3;
 use crate::mechanics::assembly::Assembly;
@@ -37,12 +37,14 @@ pub struct Built {
 /// # Errors
 /// Every mistake that the geometry shows, in file order.
 pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
-    let mistakes = geometry::mistakes(document);
+    let (lines, mistakes) = geometry::examine(document);
     if !mistakes.is_empty() {
         return Err(Diagnostics(mistakes));
     }
-    let mut builder = Builder { document, assembly: Assembly::new(start), mistakes: Vec::new() };
-    document.beams.iter().for_each(|beam| builder.add_beam(beam));
+    let mut builder = Builder { document, lines: &lines, assembly: Assembly::new(start), mistakes: Vec::new() };
+    for (number, beam) in document.beams.iter().enumerate() {
+        builder.add_beam(beam, lines.line(number).expect("without mistakes every beam is drawn"));
+    }
     document.bodies.iter().for_each(|body| builder.add_body(body));
     document.frames.iter().for_each(|frame| builder.add_frame(frame));
     document.springs.iter().for_each(|spring| builder.add_spring(spring));
@@ -69,23 +71,26 @@ fn signal(document: &Document, number: Number) -> Signal {
     Signal::Function(Arc::new(move |time| function.jet(time)))
 }
 
-/// Builds what [`geometry::mistakes`] has found sound.
+/// Builds what [`geometry::examine`] has found sound.
 struct Builder<'a> {
     document: &'a Document,
+    lines: &'a Lines,
     assembly: Assembly,
     /// What only the start time shows to be wrong.
     mistakes: Vec<Diagnostic>,
 }
 
 impl Builder<'_> {
+    /// The fraction of its length at which a point of a beam is.
+    fn fraction(&self, beam: usize, along: Along) -> f64 {
+        self.lines.fraction(self.document, beam, along).expect("without mistakes every point is on its beam")
+    }
+
     /// What an anchor names, with its own axes: a section, a body, a frame, the ground.
     fn anchored(&self, anchor: &Anchor) -> Marker {
         match anchor.spot {
             Spot::Ground => Marker::Ground(Pose::default()),
-            Spot::Beam { beam, along } => {
-                let elements = self.document.value(self.document.beams[beam].elements);
-                self.assembly.section_at(beam, along.fraction(self.document, elements))
-            }
+            Spot::Beam { beam, along } => self.assembly.section_at(beam, self.fraction(beam, along)),
             Spot::Body(body) => self.assembly.body(body),
             Spot::Frame(frame) => self.assembly.frame(frame),
         }
@@ -96,8 +101,7 @@ impl Builder<'_> {
         match target {
             output::Target::At(anchor) => {
                 if let Spot::Beam { beam, along } = anchor.spot {
-                    let elements = self.document.value(self.document.beams[beam].elements);
-                    self.assembly.add_sensor(beam, along.fraction(self.document, elements));
+                    self.assembly.add_sensor(beam, self.fraction(beam, along));
                 } else {
                     self.assembly.watch(self.anchored(anchor), None);
                 }

@@ -3,6 +3,7 @@
 use super::{Builder, signal, tune, vector};
 use crate::math::Mat3;
 use crate::mechanics::assembly::{BeamDesign, Torsion};
+use crate::mechanics::centreline::Centreline;
 use crate::mechanics::load::{self, Direction};
 use crate::mechanics::material::Material;
 use crate::mechanics::pose::Pose;
@@ -19,7 +20,7 @@ use crate::model::number::Number;
 use nalgebra::Rotation3;
 
 impl Builder<'_> {
-    pub(super) fn add_beam(&mut self, beam: &Beam) {
+    pub(super) fn add_beam(&mut self, beam: &Beam, line: &Centreline) {
         let document = self.document;
         let material = &document.materials[beam.material];
         let young = document.value(material.young);
@@ -30,11 +31,9 @@ impl Builder<'_> {
         let (density, damping) = (document.value(material.density), document.value(material.damping));
         self.assembly.add_beam(&BeamDesign {
             name: beam.name.clone(),
-            from: vector(document, beam.from),
-            to: vector(document, beam.to),
+            line: line.clone(),
             y_axis: vector(document, beam.y_axis),
             pretwist: document.value(beam.pretwist),
-            elements: document.value(beam.elements) as usize,
             material: Material { young, shear, density, damping },
             section: self.section(&document.sections[beam.section]),
             strain: beam.strain,

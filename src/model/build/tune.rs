@@ -59,7 +59,7 @@ pub fn retune(document: &Document, system: &mut System) {
     }
     for (beam, written) in system.beams.iter().zip(&document.beams) {
         let damping = document.value(document.materials[written.material].damping);
-        for element in &mut system.elements[beam.first_element..beam.first_element + beam.elements] {
+        for element in &mut system.elements[beam.element_range()] {
             element.stiffness.damping = damping;
         }
     }

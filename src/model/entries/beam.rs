@@ -1,5 +1,6 @@
-//! `[beam.NAME]`: a straight beam and how it is divided and formulated.
+//! `[beam.NAME]`: a beam and how it is divided and formulated; its line is in curve.rs.
 
+use super::curve::Line;
 use crate::mechanics::beam::quadratic_twist::Twist;
 use crate::mechanics::beam::strain::Strain;
 use crate::model::diagnostic::Place;
@@ -19,10 +20,8 @@ pub struct Beam {
     pub material: usize,
     /// Place in the list of sections.
     pub section: usize,
-    /// Start, global, m.
-    pub from: [Number; 3],
-    /// End, global, m.
-    pub to: [Number; 3],
+    /// The line it follows; none: it is wrong, and reported.
+    pub line: Option<Line>,
     /// Direction of the section's y at the start, to be made perpendicular to the tangent.
     pub y_axis: [Number; 3],
     /// Number of elements.
@@ -53,19 +52,7 @@ impl Beam {
         // The first ones stand in for what is reported: the beam must keep its place in the list.
         let material = reader.reference("material", Kind::Material).unwrap_or(0);
         let section = reader.reference("section", Kind::Section).unwrap_or(0);
-        if reader.has("from") || reader.has("to") {
-            reader.exclude("curve", "from` and `to");
-        }
-        let curved = reader.has("curve");
-        reader.unavailable("curve", "available: straight beams, by `from` and `to`");
-        reader.unavailable("spacing", "it belongs to curved beams, which are not available");
-        // A curve is reported already: stand-ins keep its missing ends from being reported too.
-        let end = |reader: &mut Reader<'_, '_>, rule, stand_in| match curved {
-            true => reader.vector_or(rule, stand_in),
-            false => reader.vector(rule),
-        };
-        let from = end(&mut reader, &schema::FROM, [0.0; 3]);
-        let to = end(&mut reader, &schema::TO, [1.0, 0.0, 0.0]);
+        let line = Line::read(&mut reader);
         let y_axis = reader.vector_or(&schema::Y_AXIS, [0.0, 1.0, 0.0]);
         let elements = reader.number(&schema::ELEMENTS);
         reader.word("element", &[("ancf14", ())], &["ancf24"], Some(()));
@@ -82,8 +69,7 @@ impl Beam {
             place,
             material,
             section,
-            from,
-            to,
+            line,
             y_axis,
             elements,
             strain,

@@ -3,6 +3,7 @@
 pub mod anchor;
 pub mod beam;
 pub mod body;
+pub mod curve;
 pub mod drive;
 pub mod frame;
 pub mod input;

@@ -23,3 +23,14 @@ pub enum Variable {
     /// `s`, the curve parameter.
     Curve,
 }
+
+impl Variable {
+    /// How it is written.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "",
+            Self::Time => "t",
+            Self::Curve => "s",
+        }
+    }
+}

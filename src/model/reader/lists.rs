@@ -1,6 +1,6 @@
 //! Reads lists of numbers: vectors, longer lists, tables. Each component is a number of its own.
 
-use super::{Reader, listed, unit_words};
+use super::{Reader, unit_words};
 use crate::model::number::{Number, Written};
 use crate::model::schema::Rule;
 use crate::model::tree::{Entry, Item, Node};
@@ -50,14 +50,35 @@ impl Reader<'_, '_> {
     /// Three rows of three numbers that may be left out. A table: none of its numbers is a parameter.
     pub fn table(&mut self, rule: &Rule) -> Option<[[Number; 3]; 3]> {
         let entry = self.take(rule.key)?;
-        let name = format!("{}{}", self.prefix, rule.key);
-        let Some(rows) = three(&entry.item) else {
-            self.context.wrong_type(&name, &entry.item, "a list of 3 rows of 3 numbers");
-            return None;
+        let rows = match three(&entry.item) {
+            Some(rows) => self.rows(rule, rows),
+            None => {
+                let name = format!("{}{}", self.prefix, rule.key);
+                self.context.wrong_type(&name, &entry.item, "a list of 3 rows of 3 numbers");
+                return None;
+            }
         };
+        rows.try_into().ok()
+    }
+
+    /// Any number of rows of three numbers that may be left out. None of the numbers is a parameter.
+    pub fn points(&mut self, rule: &Rule) -> Option<Vec<[Number; 3]>> {
+        let entry = self.take(rule.key)?;
+        match &entry.item.node {
+            Node::Array(rows) => Some(self.rows(rule, rows)),
+            _ => {
+                let name = format!("{}{}", self.prefix, rule.key);
+                self.context.wrong_type(&name, &entry.item, "a list of points, [x, y, z] each,");
+                None
+            }
+        }
+    }
+
+    /// The rows that are rows of three numbers; the others are reported.
+    fn rows(&mut self, rule: &Rule, rows: &[Item]) -> Vec<[Number; 3]> {
         let mut table = Vec::new();
         for (i, row) in rows.iter().enumerate() {
-            let name = format!("{name}[{}]", i + 1);
+            let name = format!("{}{}[{}]", self.prefix, rule.key, i + 1);
             let Some(items) = three(row) else {
                 self.context.wrong_type(&name, row, "a row of 3 numbers");
                 continue;
@@ -67,7 +88,7 @@ impl Reader<'_, '_> {
                 self.scalar(rule, name, &items[j], None, None)
             }));
         }
-        table.try_into().ok()
+        table
     }
 
     fn components<const N: usize>(
@@ -81,7 +102,7 @@ impl Reader<'_, '_> {
         match &entry.item.node {
             Node::Array(items) if items.len() == N => std::array::from_fn(|i| {
                 let name = format!("{name}[{}]", i + 1);
-                self.scalar(rule, name, &items[i], listed(entry), default.map(|default| default[i]))
+                self.scalar(rule, name, &items[i], self.listed(entry), default.map(|default| default[i]))
             }),
             _ => {
                 self.context.wrong_type(&name, &entry.item, &format!("{expected} numbers"));

@@ -59,12 +59,37 @@ pub struct Reader<'c, 'a> {
     entries: Vec<Entry>,
     known: Vec<&'static str>,
     missing: Vec<(String, String)>,
+    /// Whether its numbers are parameters: those of tables in a section are not.
+    lists: bool,
 }
 
 impl<'c, 'a> Reader<'c, 'a> {
     /// Begins with a section; `prefix` comes before the names of its numbers: `steel.`.
     pub fn new(context: &'c mut Context<'a>, title: String, prefix: String, place: Place, entries: Vec<Entry>) -> Self {
-        Self { context, title, place, prefix, entries, known: Vec::new(), missing: Vec::new() }
+        Self { context, title, place, prefix, entries, known: Vec::new(), missing: Vec::new(), lists: true }
+    }
+
+    /// A table that a key gives, read as a section of its own; its numbers are no parameters. None: the key is not there, or
+    /// gives something else, which is reported.
+    pub fn inner(&mut self, key: &'static str, expected: &str) -> Option<Reader<'_, 'a>> {
+        let entry = self.take(key)?;
+        let name = format!("{}{key}", self.prefix);
+        match entry.item.node {
+            Node::Table(entries) => {
+                let inner =
+                    Reader::new(self.context, format!("`{name}`"), format!("{name}."), entry.key_place, entries);
+                Some(Reader { lists: false, ..inner })
+            }
+            _ => {
+                self.context.wrong_type(&name, &entry.item, expected);
+                None
+            }
+        }
+    }
+
+    /// The place in the file that makes an entry a parameter: an override alone does not.
+    fn listed(&self, entry: &Entry) -> Option<usize> {
+        (self.lists && entry.key_place.source == 0).then_some(entry.key_place.start)
     }
 
     /// Takes a key out of the section.
@@ -109,16 +134,6 @@ impl<'c, 'a> Reader<'c, 'a> {
             let message = format!("{} needs the key `{key}`", self.title);
             self.context.report.error(self.place, &message, "missing here", help);
         }
-    }
-
-    /// Reports a key of the format that this version cannot take yet. 0 and false are nothing and may stand.
-    pub fn unavailable(&mut self, key: &'static str, available: &str) {
-        let Some(entry) = self.take(key) else { return };
-        if is_nothing(&entry.item.node) {
-            return;
-        }
-        let message = format!("`{key}` is not available in this version");
-        self.context.report.error(entry.key_place, &message, "", available);
     }
 
     /// Reports a key of the format that has no meaning in this very section; `label` stands behind the underlining.
@@ -170,7 +185,7 @@ impl<'c, 'a> Reader<'c, 'a> {
     pub fn optional(&mut self, rule: &Rule) -> Option<Number> {
         let entry = self.take(rule.key)?;
         let name = format!("{}{}", self.prefix, rule.key);
-        Some(self.scalar(rule, name, &entry.item, listed(&entry), None))
+        Some(self.scalar(rule, name, &entry.item, self.listed(&entry), None))
     }
 
     /// A count that shapes the table of variables: a whole number in the file, no parameter and no expression.
@@ -204,7 +219,7 @@ impl<'c, 'a> Reader<'c, 'a> {
         listed: Option<usize>,
         default: Option<f64>,
     ) -> Number {
-        let variable = if rule.time { Variable::Time } else { Variable::None };
+        let variable = rule.variable;
         let written = match &item.node {
             Node::Integer(value) => Written::Plain(*value as f64),
             Node::Float(value) => Written::Plain(*value),
@@ -212,7 +227,7 @@ impl<'c, 'a> Reader<'c, 'a> {
                 Some(program) => Written::Formula(Formula::single(program)),
                 None => Written::Broken,
             },
-            Node::Array(pieces) if rule.time => match self.pieces(&name, item, pieces) {
+            Node::Array(pieces) if variable != Variable::None => match self.pieces(&name, item, pieces, variable) {
                 Some(formula) => Written::Formula(formula),
                 None => Written::Broken,
             },
@@ -232,7 +247,7 @@ impl<'c, 'a> Reader<'c, 'a> {
     }
 
     /// `[{ until = .., is = .. }, { is = .. }]`.
-    fn pieces(&mut self, name: &str, item: &Item, items: &[Item]) -> Option<Formula> {
+    fn pieces(&mut self, name: &str, item: &Item, items: &[Item], variable: Variable) -> Option<Formula> {
         let mut pieces = Vec::new();
         let mut sound = !items.is_empty();
         if items.is_empty() {
@@ -240,7 +255,8 @@ impl<'c, 'a> Reader<'c, 'a> {
         }
         for (k, item) in items.iter().enumerate() {
             let Node::Table(entries) = &item.node else {
-                self.context.wrong_type(name, item, "a piece like { until = 1, is = \"t\" }");
+                let expected = format!("a piece like {{ until = 1, is = \"{}\" }}", variable.word());
+                self.context.wrong_type(name, item, &expected);
                 sound = false;
                 continue;
             };
@@ -249,7 +265,7 @@ impl<'c, 'a> Reader<'c, 'a> {
             for entry in entries {
                 match entry.key.as_str() {
                     "until" => until = Some(self.piece_value(name, &entry.item, Variable::None)),
-                    "is" => is = Some(self.piece_value(name, &entry.item, Variable::Time)),
+                    "is" => is = Some(self.piece_value(name, &entry.item, variable)),
                     _ => {
                         let message = format!("unknown key `{}` in a piece of `{name}`", entry.key);
                         let label = suggestion(&entry.key, ["until", "is"]);
@@ -266,7 +282,7 @@ impl<'c, 'a> Reader<'c, 'a> {
                 _ => None,
             };
             if let Some(complaint) = complaint {
-                let help = format!("{name} = [{{ until = 1, is = \"t\" }}, {{ is = 1 }}]");
+                let help = format!("{name} = [{{ until = 1, is = \"{}\" }}, {{ is = 1 }}]", variable.word());
                 self.context.report.error(item.place, complaint, "", &help);
             }
             let broken = complaint.is_some() || matches!(is, Some(None)) || matches!(until, Some(None));
@@ -368,20 +384,6 @@ impl<'c, 'a> Reader<'c, 'a> {
         let help = if names.is_empty() { String::new() } else { format!("known: {}", names.join(", ")) };
         self.context.report.error(place, &message, &label, &help);
         None
-    }
-}
-
-/// The place in the file that makes an entry a parameter: an override alone does not.
-fn listed(entry: &Entry) -> Option<usize> {
-    (entry.key_place.source == 0).then_some(entry.key_place.start)
-}
-
-fn is_nothing(node: &Node) -> bool {
-    match node {
-        Node::Integer(value) => *value == 0,
-        Node::Float(value) => *value == 0.0,
-        Node::Boolean(value) => !value,
-        _ => false,
     }
 }
 

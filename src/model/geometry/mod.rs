@@ -1,18 +1,23 @@
 //! The mistakes that only the geometry shows: beams without length, axes without direction, joints beside nodes.
 //!
-//! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here.
+//! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here. The lines of beams are in lines.rs.
+
+mod lines;
+
+pub use lines::Lines;
 
 use super::diagnostic::{Diagnostic, Place};
 use super::document::Document;
 use super::entries::anchor::{Along, Anchor, Spot};
 use super::entries::beam::Beam;
 use super::entries::body::{Body, Inertia};
+use super::entries::curve::Line;
 use super::entries::joint::Joint;
 use super::entries::spring::Spring;
 use super::entries::{load, output};
 use super::number::Number;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::assembly::node_at;
+use crate::mechanics::centreline::Centreline;
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
 const SMALLEST_SINE: f64 = 0.017_452_4;
@@ -23,9 +28,15 @@ const INERTIA_TOLERANCE: f64 = 1e-9;
 
 /// All mistakes of the geometry with the parameters of now, in file order.
 pub fn mistakes(document: &Document) -> Vec<Diagnostic> {
-    let mut checker = Checker { document, mistakes: Vec::new() };
+    examine(document).1
+}
+
+/// The lines of all beams with the parameters of now, and all mistakes of the geometry, in file order.
+pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
+    let mut checker = Checker { document, lines: Lines::default(), mistakes: Vec::new() };
     for beam in &document.beams {
-        checker.check_beam(beam);
+        let line = checker.check_beam(beam);
+        checker.lines.push(document, beam, line);
     }
     for body in &document.bodies {
         checker.check_axes(body);
@@ -48,23 +59,9 @@ pub fn mistakes(document: &Document) -> Vec<Diagnostic> {
     for anchor in loaded.chain(watched) {
         checker.fraction(anchor);
     }
-    let mut mistakes = checker.mistakes;
+    let Checker { lines, mut mistakes, .. } = checker;
     mistakes.sort_by_key(|mistake| mistake.place);
-    mistakes
-}
-
-/// Place of an anchor as drawn, of a frame that moves at t = 0, global, m; the ground has none.
-pub fn drawn(document: &Document, anchor: Anchor) -> Option<Vec3> {
-    match anchor.spot {
-        Spot::Ground => None,
-        Spot::Beam { beam, along } => {
-            let beam = document.beams.get(beam)?;
-            let (from, to) = (Vec3::from(document.vector(beam.from)), Vec3::from(document.vector(beam.to)));
-            Some(from + along.fraction(document, document.value(beam.elements)) * (to - from))
-        }
-        Spot::Body(body) => Some(Vec3::from(document.vector(document.bodies.get(body)?.position))),
-        Spot::Frame(frame) => Some(Vec3::from(document.vector(document.frames.get(frame)?.position))),
-    }
+    (lines, mistakes)
 }
 
 /// Three numbers; none if one of them is wrong.
@@ -75,6 +72,7 @@ fn vector(document: &Document, numbers: [Number; 3]) -> Option<Vec3> {
 
 struct Checker<'a> {
     document: &'a Document,
+    lines: Lines,
     mistakes: Vec<Diagnostic>,
 }
 
@@ -83,60 +81,63 @@ impl Checker<'_> {
         self.mistakes.push(self.document.diagnostic(place, message, label, help));
     }
 
-    fn check_beam(&mut self, beam: &Beam) {
+    /// The line of a beam, if it can be drawn.
+    fn check_beam(&mut self, beam: &Beam) -> Option<Centreline> {
         let document = self.document;
-        let (Some(from), Some(to)) = (vector(document, beam.from), vector(document, beam.to)) else { return };
-        let span = to - from;
-        if span.norm() == 0.0 {
-            let message = format!("beam {} has no length", beam.name);
-            self.mistake(document.place(beam.to[0]), &message, "`to` must differ from `from`", "");
-            return;
+        let elements = lines::whole(document, beam);
+        // A straight beam can be looked at with any number of elements.
+        let is_straight = matches!(beam.line, Some(Line::Straight { .. }));
+        let line = match lines::line(document, beam, elements.or(is_straight.then_some(1))?) {
+            Ok(line) => line?,
+            Err(mistake) => {
+                self.mistakes.push(*mistake);
+                return None;
+            }
+        };
+        if let Some(y_axis) = vector(document, beam.y_axis) {
+            let sine = line.nodes[0].tangent.cross(&y_axis).norm() / y_axis.norm();
+            // A y_axis of length 0 gives NaN, which is a mistake too.
+            if sine.is_nan() || sine < SMALLEST_SINE {
+                let message = format!("the y_axis of beam {} is along the beam", beam.name);
+                let place = document.place(beam.y_axis[0]);
+                let help = format!("give {} a y_axis that is more than 1 degree off its direction", beam.name);
+                self.mistake(place, &message, "the section's y must be across the beam", &help);
+            }
         }
-        if !span.norm().is_finite() {
-            let message = format!("beam {} is too long to compute with", beam.name);
-            self.mistake(document.place(beam.to[0]), &message, "this is too far away", "");
-            return;
-        }
-        let Some(y_axis) = vector(document, beam.y_axis) else { return };
-        let sine = span.cross(&y_axis).norm() / (span.norm() * y_axis.norm());
-        // A y_axis of length 0 gives NaN, which is a mistake too.
-        if sine.is_nan() || sine < SMALLEST_SINE {
-            let message = format!("the y_axis of beam {} is along the beam", beam.name);
-            let place = document.place(beam.y_axis[0]);
-            let help = format!("give {} a y_axis that is more than 1 degree off its direction", beam.name);
-            self.mistake(place, &message, "the section's y must be across the beam", &help);
-        }
+        elements.map(|_| line)
     }
 
-    /// Beam, number of its elements and fraction of its length; none for the ground, or after a mistake.
-    fn fraction(&mut self, anchor: &Anchor) -> Option<(usize, f64, f64)> {
+    /// Beam and fraction of its length; none for the ground, or after a mistake.
+    fn fraction(&mut self, anchor: &Anchor) -> Option<(usize, f64)> {
         let Spot::Beam { beam, along } = anchor.spot else { return None };
         let document = self.document;
         let written = document.beams.get(beam)?;
-        let elements = Some(document.value(written.elements)).filter(|elements| elements.is_finite())?;
+        let elements = lines::whole(document, written)?;
         if let Along::Node(node) = along
-            && node as f64 > elements
+            && node > elements
         {
             let message = format!("beam {} has no node {node}", written.name);
             let label = format!("{elements} elements have the nodes 0 to {elements}");
             self.mistake(anchor.place, &message, &label, "");
             return None;
         }
-        let fraction = along.fraction(document, elements);
-        fraction.is_finite().then_some((beam, elements, fraction))
+        self.lines.fraction(document, beam, along).map(|fraction| (beam, fraction))
     }
 
     /// Beam and node that an anchor names; none for the ground, or after a mistake.
     fn node(&mut self, anchor: &Anchor) -> Option<(usize, usize)> {
-        let (beam, elements, fraction) = self.fraction(anchor)?;
-        let node = node_at(fraction, elements as usize);
-        if node.is_none() {
-            let place = fraction * elements;
-            let message =
-                format!("there is no node of beam {} at the fraction {fraction}", self.document.beams[beam].name);
-            let label =
-                format!("the nearest nodes are at {} and {}", place.floor() / elements, place.ceil() / elements);
-            let fits = |count: &usize| node_at(fraction, *count).is_some();
+        let (beam, fraction) = self.fraction(anchor)?;
+        let document = self.document;
+        let division = self.lines.division(beam)?;
+        let node = division.end_at(fraction);
+        // Beyond the ends the fraction itself is out of its range.
+        if node.is_none() && (0.0..=1.0).contains(&fraction) {
+            let written = &document.beams[beam];
+            let (element, _) = division.place(fraction);
+            let nearest = [element, element + 1].map(|end| division.fraction(end).unwrap_or(1.0));
+            let message = format!("there is no node of beam {} at the fraction {fraction}", written.name);
+            let label = format!("the nearest nodes are at {} and {}", nearest[0], nearest[1]);
+            let fits = |count: &usize| lines::fits(document, written, *count, fraction);
             let counts: Vec<String> = (1..=100).filter(fits).take(5).map(|count| count.to_string()).collect();
             let help = match counts.is_empty() {
                 true => String::from("joints hold on to nodes: no count up to 100 has one there"),
@@ -259,8 +260,10 @@ impl Checker<'_> {
         if moves(&spring.a) || moves(&spring.b) {
             return;
         }
-        let [a, b] = [spring.a, spring.b].map(|end| drawn(document, end).unwrap_or_else(Vec3::zeros));
-        if a == b {
+        let ends = [spring.a, spring.b];
+        let drawn = |end: &Anchor| end.spot == Spot::Ground || self.lines.place(document, *end).is_some();
+        let [a, b] = ends.map(|end| self.lines.place(document, end).unwrap_or_else(Vec3::zeros));
+        if ends.iter().all(drawn) && a == b {
             let message = format!("the ends of spring {} are at the same place", spring.name);
             let label = "another place was expected: a spring needs a direction";
             let help = "the ground of a spring is the origin; a [frame.NAME] gives any other fixed point";
@@ -273,16 +276,4 @@ impl Checker<'_> {
 fn shown(value: f64) -> String {
     // Through the text of six digits: 2.0325, not 2.0325000000000002.
     format!("{value:.5e}").parse::<f64>().map_or_else(|_| value.to_string(), |value| value.to_string())
-}
-
-impl Along {
-    /// Fraction of the beam's length, 0 to 1.
-    pub fn fraction(self, document: &Document, elements: f64) -> f64 {
-        match self {
-            Self::Start => 0.0,
-            Self::End => 1.0,
-            Self::Fraction(number) => document.value(number),
-            Self::Node(node) => node as f64 / elements,
-        }
-    }
 }

@@ -1,0 +1,313 @@
+//! Is a beam that is curved and twisted as drawn the same beam wherever it starts and however its section is named? It must be free
+//! of stress as drawn, exactly, for its reference is what its own interpolation finds; drawn from the other end, or with the
+//! section's axes renamed, it must bend alike to round-off. A frame that is carried differently from the two ends, a reference
+//! curvature with a wrong sign or not divided by `J0`, a strain output that forgets the reference: each fails here.
+
+use crate::machines::{clamp, design, energies};
+use ancf14::math::curve::Curve;
+use ancf14::math::jet::Jet;
+use ancf14::math::{Mat3, Vec3};
+use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::centreline::{Centreline, Spacing};
+use ancf14::mechanics::joint::{Joint, weld};
+use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::marker::Marker;
+use ancf14::mechanics::pose::Pose;
+use ancf14::mechanics::section::Section;
+use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::state::State;
+use ancf14::mechanics::system::System;
+use ancf14::solve::statics::Statics;
+use std::sync::Arc;
+
+/// A curve with curvature and torsion that change along it, run through forwards or backwards.
+fn curve(backwards: bool) -> Curve {
+    let number = Jet::constant;
+    let coordinates = move |s: f64| {
+        let s = Jet::variable(s);
+        let s = if backwards { number(2.0) - s } else { s };
+        [
+            number(0.3) * s,
+            number(0.25) * (number(2.5) * s).cos(),
+            number(0.2) * (number(2.0) * s).sin() + s * s * number(0.05),
+        ]
+    };
+    Curve::new(Arc::new(coordinates), [0.0, 2.0], Vec::new())
+}
+
+/// A curve in the plane of x and y.
+fn planar(backwards: bool) -> Curve {
+    let number = Jet::constant;
+    let coordinates = move |s: f64| {
+        let s = Jet::variable(s);
+        let s = if backwards { number(2.0) - s } else { s };
+        [number(0.4) * s, number(0.3) * (number(2.5) * s).cos(), number(0.0)]
+    };
+    Curve::new(Arc::new(coordinates), [0.0, 2.0], Vec::new())
+}
+
+/// How the section of a strip is drawn, and how it is loaded: force and moment at a point, then along the whole.
+struct Loads {
+    y_axis: [f64; 3],
+    pretwist: f64,
+    point: [[f64; 3]; 2],
+    line: [[f64; 3]; 2],
+    gravity: [f64; 3],
+}
+
+const IN_SPACE: Loads = Loads {
+    y_axis: [0.2, 1.0, -0.3],
+    pretwist: 4.0,
+    point: [[30.0, -200.0, 150.0], [20.0, 10.0, -30.0]],
+    line: [[10.0, 100.0, 200.0], [5.0, 0.0, 10.0]],
+    gravity: [0.0, 0.0, -9.81],
+};
+const IN_PLANE: Loads = Loads {
+    y_axis: [0.0, 0.0, 1.0],
+    pretwist: 0.0,
+    point: [[30.0, -800.0, 0.0], [0.0, 0.0, -30.0]],
+    line: [[10.0, 100.0, 0.0], [0.0, 0.0, 10.0]],
+    gravity: [0.0, -9.81, 0.0],
+};
+
+/// A strip along a curve: its width and height are not exchangeable.
+fn strip(strain: Strain, spacing: Spacing, curve: &Curve, elements: usize, loads: &Loads) -> BeamDesign {
+    let line = Centreline::curved(curve, spacing, elements).unwrap();
+    BeamDesign { line, y_axis: Vec3::from(loads.y_axis), pretwist: loads.pretwist, strain, ..design("strip", elements) }
+}
+
+/// The axes of the section at the end, as drawn.
+fn end_axes(beam: &BeamDesign) -> Mat3 {
+    let mut assembly = Assembly::default();
+    let number = assembly.add_beam(beam);
+    assembly.drawn(&assembly.section_at(number, 1.0)).axes
+}
+
+/// The strip held at `held` and loaded in full at `fraction` and along its whole length.
+fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched: &[f64]) -> (System, State) {
+    let mut assembly = Assembly::default();
+    let number = assembly.add_beam(beam);
+    let pose = Pose { place: assembly.drawn(&assembly.section_at(number, held)).place, axes: Mat3::identity() };
+    let b = assembly.tied(&assembly.section_at(number, held), &pose);
+    assembly.add_joint(Joint {
+        name: "root".into(),
+        a: Marker::Ground(pose),
+        b,
+        primitives: weld::PRIMITIVES,
+        drive: None,
+    });
+    let growing = |v: [f64; 3]| {
+        v.map(|size| Signal::Function(Arc::new(move |time| Jet { value: size * time, first: size, second: 0.0 })))
+    };
+    let point = assembly.section_at(number, fraction);
+    for (points, [force, moment]) in [(vec![(point, 1.0)], loads.point), (assembly.sections_of(number), loads.line)] {
+        let (force, moment) = (growing(force), growing(moment));
+        assembly.add_load(Load { name: "load".into(), points, force, moment, direction: Direction::Global });
+    }
+    for fraction in watched {
+        assembly.add_sensor(number, *fraction);
+    }
+    let (system, mut state) = assembly.finish(Vec3::from(loads.gravity));
+    Statics::new(&system, 1e-13).unwrap().find(&system, &mut state, 1.0).unwrap();
+    (system, state)
+}
+
+/// What the sensors see: place; strains and section moments; all with their signs of the one or the other direction of drawing.
+fn seen(system: &System, state: &State) -> Vec<(Vec3, [f64; 4], [f64; 4])> {
+    let mut snapshot = Snapshot::default();
+    let c = snapshot.of(system, state);
+    let row = |sensor: &ancf14::mechanics::sensor::Sensor| {
+        let (strains, forces) = (sensor.strains(&c), sensor.section_forces(&c));
+        let [about_y, about_z] = strains.curvature;
+        let [t, my, mz] = forces.moment;
+        (sensor.marker.pose(&c).place, [strains.axial, strains.torsion, about_y, about_z], [forces.axial, t, my, mz])
+    };
+    system.sensors.iter().map(row).collect()
+}
+
+/// As drawn nothing is strained: energies and forces are zero up to the round-off of strains (1e-16) times the stiffness, strains at
+/// every fraction zero to the bit where they are differences from the reference. A strip of twice the curvature has a hundred joules.
+#[test]
+fn curved_beams_are_free_of_stress_as_drawn() {
+    for strain in [Strain::Small, Strain::Large, Strain::LargeTruncated] {
+        for spacing in [Spacing::Arc, Spacing::Parameter] {
+            let beam = strip(strain, spacing, &curve(false), 9, &IN_SPACE);
+            let mut assembly = Assembly::default();
+            let number = assembly.add_beam(&beam);
+            clamp(&mut assembly, number);
+            for k in 0..=40 {
+                assembly.add_sensor(number, f64::from(k) / 40.0);
+            }
+            let (system, mut state) = assembly.finish(Vec3::zeros());
+            let [_, elastic, _] = energies(&system, &state);
+            assert!(elastic.abs() < 1e-22, "{elastic:e}");
+            let stiffness = beam.material.young * beam.section.area;
+            let mut snapshot = Snapshot::default();
+            let c = snapshot.of(&system, &state);
+            for (number, element) in system.elements.iter().enumerate() {
+                let forces = ancf14::mechanics::system::evaluation(&c, number, None).gradient();
+                // The axial strain is a root of a sum of squares: one round-off of 1.
+                assert!(forces.amax() < 4e-16 * stiffness, "element {number}: {:e} N", forces.amax());
+                assert!(element.bending.iter().any(|point| point.reference[0].abs() > 0.1), "it is not curved at all");
+                assert!(element.reference_twist.abs() > 0.1, "it is not twisted at all");
+            }
+            for (place, strains, _) in seen(&system, &state) {
+                assert_eq!(strains[1..], [0.0; 3], "at {place}");
+                assert!(strains[0].abs() < 4e-16, "at {place}: {:e}", strains[0]);
+            }
+            // And it stays where it is.
+            let drawn = state.q.clone();
+            Statics::new(&system, 1e-12).unwrap().find(&system, &mut state, 1.0).unwrap();
+            let moved = state.q.iter().zip(&drawn).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(moved < 1e-12, "{moved:e}");
+        }
+    }
+}
+
+/// Curvature and torsion of the reference must be those of the curve: by Frenet and Serret, turned by the pretwist, to the order of the mesh.
+#[test]
+fn references_are_those_of_the_curve() {
+    // A helix: curvature a/(a² + b²), torsion b/(a² + b²); the section keeps to its normal if it is twisted along by the torsion.
+    let (a, b, turns) = (0.4, 0.15, 1.5 * std::f64::consts::TAU);
+    let (curvature, torsion) = (a / (a * a + b * b), b / (a * a + b * b));
+    let number = Jet::constant;
+    let helix = move |s: f64| {
+        let s = Jet::variable(s);
+        [number(a) * s.cos(), number(a) * s.sin(), number(b) * s]
+    };
+    let helix = Curve::new(Arc::new(helix), [0.0, turns], Vec::new());
+    let mut errors = Vec::new();
+    for elements in [12, 24] {
+        let line = Centreline::curved(&helix, Spacing::Arc, elements).unwrap();
+        // Frenet's frame turns against Bishop's by the torsion: a section that is to stay on the normal is pretwisted by as much.
+        let pretwist = torsion * helix.length();
+        let beam = BeamDesign { line, y_axis: -Vec3::x(), pretwist, ..design("helix", elements) };
+        let mut assembly = Assembly::default();
+        let number = assembly.add_beam(&beam);
+        let tip = assembly.drawn(&assembly.section_at(number, 1.0)).axes;
+        // The end's normal points to the axis: exact, for nodes are where the curve is.
+        assert!((tip.column(1) - Vec3::new(-turns.cos(), -turns.sin(), 0.0)).norm() < 1e-12);
+        let (system, _) = assembly.finish(Vec3::zeros());
+        let points = system.elements.iter().flat_map(|element| element.bending);
+        let worst = points.fold(0.0, |worst: f64, point| {
+            let [gamma1, gamma2, tau] = point.reference;
+            worst.max((gamma1 / curvature - 1.0).abs()).max(gamma2.abs() / curvature).max((tau / torsion - 1.0).abs())
+        });
+        errors.push(worst);
+    }
+    println!("curvatures of a helix, 12 and 24 elements: {errors:?}");
+    // Second derivatives of a cubic interpolation at Gauss points: order 2 at least.
+    assert!(errors[0] < 3e-2 && errors[1] < 0.3 * errors[0], "{errors:?}");
+}
+
+/// Largest differences of places (m), and of strains and section forces (of their largest values), between a strip and the same strip
+/// drawn from its other end. y stays, x and z of the section turn round: of all strains and moments only those about y change their sign.
+fn asymmetry(strain: Strain, spacing: Spacing, curve: fn(bool) -> Curve, elements: usize, loads: &Loads) -> [f64; 2] {
+    let watched = [0.0, 0.2, 0.45, 1.0 / 3.0, 0.8, 1.0];
+    let forth = strip(strain, spacing, &curve(false), elements, loads);
+    let line = Centreline::curved(&curve(true), spacing, elements).unwrap();
+    let back = BeamDesign { line, y_axis: end_axes(&forth).column(1).into(), ..forth.clone() };
+    let (system, state) = loaded(&forth, [0.0, 1.0], loads, &watched);
+    let (other, mirror) = loaded(&back, [1.0, 0.0], loads, &watched.map(|fraction| 1.0 - fraction));
+    let (own, other) = (seen(&system, &state), seen(&other, &mirror));
+    let moved = (own[5].0 - forth.line.place(1.0)).norm();
+    assert!(moved > 0.05, "the load moves the tip by {moved} m only");
+    let apart = own.iter().zip(&other).map(|(own, other)| (own.0 - other.0).norm()).fold(0.0, f64::max);
+    let rows = |seen: &[(Vec3, [f64; 4], [f64; 4])], about_y: f64| -> Vec<[f64; 8]> {
+        let row = |(_, s, f): &(Vec3, [f64; 4], [f64; 4])| {
+            [s[0], s[1], s[2] * about_y, s[3], f[0], f[1], f[2] * about_y, f[3]]
+        };
+        seen.iter().map(row).collect()
+    };
+    let (own, other) = (rows(&own, 1.0), rows(&other, -1.0));
+    let column = |k: usize| {
+        let size = own.iter().map(|row| row[k].abs()).fold(1e-9, f64::max);
+        own.iter().zip(&other).map(|(own, other)| (own[k] - other[k]).abs() / size).fold(0.0, f64::max)
+    };
+    [apart, (0..8).map(column).fold(0.0, f64::max)]
+}
+
+/// In its plane the strip bends alike to round-off. In space the frame inside an element begins at the element's first node: the
+/// angle of the section between is collocated, and drawing the beam from the other end changes it by the fourth order (MECHANICS 2.13).
+#[test]
+fn drawn_backwards_it_bends_alike() {
+    for strain in [Strain::Small, Strain::Large] {
+        for spacing in [Spacing::Arc, Spacing::Parameter] {
+            let [places, strains] = asymmetry(strain, spacing, planar, 9, &IN_PLANE);
+            println!("{strain:?} {spacing:?}: in the plane {places:.1e} m, {strains:.1e}");
+            assert!(places < 1e-9 && strains < 1e-6, "{places:e} {strains:e}");
+            let [coarse, fine] = [9, 18].map(|elements| asymmetry(strain, spacing, curve, elements, &IN_SPACE));
+            println!("{strain:?} {spacing:?}: in space {coarse:?}, with twice the elements {fine:?}");
+            assert!(fine[0] < 1e-6 && fine[0] < coarse[0] / 10.0, "{coarse:?} {fine:?}");
+            // A strain of the wrong sign would be off by 2.
+            assert!(fine[1] < 2e-2, "{fine:?}");
+        }
+    }
+}
+
+/// The section named anew: its y where its z was. Everything is the same but the names, to round-off.
+#[test]
+fn section_axes_may_be_renamed() {
+    let watched = [0.0, 0.2, 1.0 / 3.0, 0.8, 1.0];
+    for strain in [Strain::Small, Strain::Large] {
+        let plain = strip(strain, Spacing::Arc, &curve(false), 9, &IN_SPACE);
+        let start: Vec3 = plain.line.nodes[0].tangent;
+        let turned =
+            BeamDesign { section: Section::rectangle(0.02, 0.01), y_axis: start.cross(&plain.y_axis), ..plain.clone() };
+        let (system, state) = loaded(&plain, [0.0, 1.0], &IN_SPACE, &watched);
+        let (other, turned) = loaded(&turned, [0.0, 1.0], &IN_SPACE, &watched);
+        for ((place, strains, forces), (place2, strains2, forces2)) in
+            seen(&system, &state).into_iter().zip(seen(&other, &turned))
+        {
+            assert!((place - place2).norm() < 1e-10, "{:e}", (place - place2).norm());
+            // The new y is the old z, the new z the old −y.
+            let renamed = |[axial, torsion, about_y, about_z]: [f64; 4]| [axial, torsion, -about_z, about_y];
+            for (mine, others, size) in [(strains, renamed(strains2), 1e-2), (forces, renamed(forces2), 1e2)] {
+                for (mine, others) in mine.into_iter().zip(others) {
+                    assert!((mine - others).abs() < 1e-8 * size, "{mine:e} {others:e}");
+                }
+            }
+        }
+    }
+}
+
+/// A quarter of a circle, unbent to a straight line by the moment EI/R at its end: errors as MECHANICS 9 gives them, order 4.
+#[test]
+fn quarter_arc_unbends() {
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let number = Jet::constant;
+    let arc = move |s: f64| {
+        let s = Jet::variable(s) * number(quarter);
+        [s.sin() * number(1.0 / quarter), (number(1.0) - s.cos()) * number(1.0 / quarter), number(0.0)]
+    };
+    let arc = Curve::new(Arc::new(arc), [0.0, 1.0], Vec::new());
+    let mut errors = Vec::new();
+    for elements in [2, 4, 8] {
+        let section = Section::rectangle(0.01, 0.01);
+        let beam = BeamDesign {
+            line: Centreline::curved(&arc, Spacing::Arc, elements).unwrap(),
+            section,
+            ..design("arc", elements)
+        };
+        let mut assembly = Assembly::default();
+        let number = assembly.add_beam(&beam);
+        clamp(&mut assembly, number);
+        let moment = Vec3::z() * (-quarter * beam.material.young * beam.section.second_moment_z);
+        crate::machines::load(&mut assembly, number, 1.0, Vec3::zeros(), moment);
+        let end = assembly.add_sensor(number, 1.0);
+        let (system, mut state) = assembly.finish(Vec3::zeros());
+        let mut statics = Statics::new(&system, 1e-12).unwrap();
+        for step in 1..=5 {
+            statics.find(&system, &mut state, 0.2 * f64::from(step)).unwrap();
+        }
+        let mut snapshot = Snapshot::default();
+        let place = system.sensors[end].marker.pose(&snapshot.of(&system, &state)).place;
+        errors.push((place - Vec3::x()).norm());
+    }
+    println!("a quarter arc unbent, 2, 4, 8 elements: {errors:?}");
+    for (error, expected) in errors.iter().zip([4.3e-4, 2.7e-5, 1.7e-6]) {
+        // Both are printed with two digits.
+        assert!((error / expected - 1.0).abs() < 0.05, "{errors:?}");
+    }
+}
