@@ -165,6 +165,16 @@ pub enum Error {
         /// What failed at last.
         reason: Box<Error>,
     },
+    /// The iteration for natural modes did not come to an end.
+    #[error(
+        "the natural modes at t = {time} s were not found: shapes still change by {error:.1e} of themselves; ask for fewer or more of them"
+    )]
+    ModesNotFound {
+        /// Time, s.
+        time: f64,
+        /// Largest change of a shape in the last sweep, as a share.
+        error: f64,
+    },
     /// A step before the start.
     #[error("there is no initial state to step from; initialize first")]
     NotInitialized,

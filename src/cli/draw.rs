@@ -21,7 +21,7 @@ struct View {
 }
 
 /// A point on paper before scaling, z up.
-fn flat(point: [f64; 3]) -> [f64; 2] {
+pub fn flat(point: [f64; 3]) -> [f64; 2] {
     [point[0] + DEPTH[0] * point[1], point[2] + DEPTH[1] * point[1]]
 }
 
@@ -344,7 +344,7 @@ fn round_length(length: f64) -> f64 {
 }
 
 /// Text of the file inside XML.
-fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 

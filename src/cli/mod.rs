@@ -5,9 +5,11 @@ mod check;
 mod demo;
 mod draw;
 mod export;
+mod modes;
 mod plot;
 mod results;
 mod run;
+mod shapes;
 
 use ancf14::fmi::Failure;
 use ancf14::fmi::package::Platform;
@@ -43,6 +45,16 @@ enum Command {
         /// Draw the mechanism as an SVG picture
         #[arg(long, value_name = "FILE.svg")]
         draw: Option<PathBuf>,
+    },
+    /// Find natural frequencies and shapes: modes.csv, shapes.csv and a picture
+    Modes {
+        #[command(flatten)]
+        model: ModelArguments,
+        #[command(flatten)]
+        wishes: modes::Wishes,
+        /// Directory of the results [default: <file stem>-results]
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0)
     Pack {
@@ -112,6 +124,10 @@ pub fn main() -> ExitCode {
         }
         Command::Check { model, draw } => load(&model.file, &model.overrides)
             .and_then(|(simulation, _)| check::check(&simulation, &model.file, draw.as_deref())),
+        Command::Modes { model, wishes, out } => {
+            let out = out.unwrap_or_else(|| default_directory(&model.file));
+            load(&model.file, &model.overrides).and_then(|(simulation, _)| modes::modes(simulation, wishes, &out))
+        }
         Command::Pack { file, output, library, binaries } => load(&file, &[])
             .and_then(|loaded| export::spare(&file, &output).map(|()| loaded))
             .and_then(|(simulation, text)| export::pack(&simulation, &text, &output, library.as_deref(), binaries)),

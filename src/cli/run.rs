@@ -13,8 +13,6 @@ const ROUNDING: f64 = 1e-9;
 
 /// Simulates and writes everything into `directory`.
 pub fn run(mut simulation: Simulation, directory: &Path) -> Result<(), Stop> {
-    let trouble =
-        |what: &str, reason: &dyn std::fmt::Display| Stop::Failed(format!("error: cannot write {what}: {reason}"));
     std::fs::create_dir_all(directory).map_err(|reason| trouble(&directory.display().to_string(), &reason))?;
     let path = directory.join("results.csv");
     let shown = path.display().to_string();
@@ -38,6 +36,11 @@ pub fn run(mut simulation: Simulation, directory: &Path) -> Result<(), Stop> {
         }
         (Err(Interruption::Model(failure)), None) => Err(Stop::Failed(format!("error: {}", failure.message))),
     }
+}
+
+/// What cannot be written.
+pub fn trouble(what: &str, reason: &dyn std::fmt::Display) -> Stop {
+    Stop::Failed(format!("error: cannot write {what}: {reason}"))
 }
 
 /// What ends a run early.

@@ -65,4 +65,46 @@ impl Blocks {
             }
         }
     }
+
+    /// The symmetric part, where blocks off the diagonal come in pairs that are each other's transposes.
+    #[must_use]
+    pub fn symmetric_part(&self) -> Self {
+        let mut sum = self.clone();
+        for (block, start) in self.layout.iter().zip(&self.offsets) {
+            if block.row == block.column && block.rows == block.columns {
+                for column in 0..block.columns {
+                    for row in 0..block.rows {
+                        let (own, other) = (start + column * block.rows + row, start + row * block.rows + column);
+                        sum.values[own] = 0.5 * (self.values[own] + self.values[other]);
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// `aᵀ self b` of the leading part that the vectors belong to.
+    pub fn form(&self, a: &[f64], b: &[f64]) -> f64 {
+        self.terms(a, b, |left, value, right| left * value * right)
+    }
+
+    /// `|vector|ᵀ |self| |vector|` of the leading part: what the form would be if nothing cancelled, the measure of its round-off.
+    pub fn magnitude(&self, vector: &[f64]) -> f64 {
+        self.terms(vector, vector, |left, value, right| (left * value * right).abs())
+    }
+
+    /// The sum of `term` over all entries of the leading part.
+    fn terms(&self, a: &[f64], b: &[f64], term: impl Fn(f64, f64, f64) -> f64) -> f64 {
+        let mut sum = 0.0;
+        for (block, start) in self.layout.iter().zip(&self.offsets) {
+            if block.row + block.rows > a.len() || block.column + block.columns > b.len() {
+                continue;
+            }
+            let values = &self.values[*start..start + block.rows * block.columns];
+            for (place, value) in values.iter().enumerate() {
+                sum += term(a[block.row + place % block.rows], *value, b[block.column + place / block.rows]);
+            }
+        }
+        sum
+    }
 }

@@ -4,9 +4,11 @@ mod dampers;
 mod energy;
 mod equations;
 mod limits;
+mod motion;
 mod words;
 
 pub use equations::copy_corner;
+pub use motion::{Extreme, PlaceMotion};
 
 use super::beam::coordinates::{NODE, P};
 use super::beam::element::{Element, Evaluation};

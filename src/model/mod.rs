@@ -11,6 +11,7 @@ pub mod entries;
 pub mod expression;
 pub mod function;
 pub mod geometry;
+pub mod modes;
 pub mod names;
 pub mod number;
 mod overrides;

@@ -231,6 +231,9 @@ impl Model for Simulation {
             self.machine.go_back();
             failure(&error)
         });
+        if let Solver::Statics(statics) = &mut self.machine.solver {
+            self.warnings.extend(statics.take_remarks());
+        }
         self.slopes.end_step();
         outcome
     }
@@ -328,7 +331,7 @@ impl Machine {
                 Initial::AsDrawn => start::check_drives(&self.system, &self.state)?,
                 Initial::Equilibrium => {
                     let tolerance = document.value(simulation.tolerance);
-                    start::find_equilibrium(&self.system, &mut self.state, tolerance)?;
+                    warnings.extend(start::find_equilibrium(&self.system, &mut self.state, tolerance)?);
                     if moving {
                         let why = "the motion begins at an equilibrium";
                         warnings.push(format!("the given initial velocities are not used: {why}"));
@@ -346,6 +349,7 @@ impl Machine {
             Solver::Statics(statics) => {
                 self.state.velocity.fill(0.0);
                 statics.find(&self.system, &mut self.state, self.start)?;
+                warnings.extend(statics.take_remarks());
                 if moving {
                     warnings.push(String::from("the initial velocities are not used: the analysis is static"));
                 }
@@ -449,7 +453,7 @@ impl Solver {
     }
 }
 
-fn failure(error: &Error) -> Failure {
+pub(super) fn failure(error: &Error) -> Failure {
     Failure { message: error.to_string(), category: category(error) }
 }
 

@@ -10,9 +10,6 @@ use crate::mechanics::system::{System, copy_corner};
 /// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
 const SHIFT: f64 = 1e-10;
 
-/// Inverse iterations for the softest motion: enough to tell it from ones that are twice as stiff.
-const INVERSE_ITERATIONS: usize = 10;
-
 /// Matrix and factorization of one machine's constrained system.
 #[derive(Debug)]
 pub struct Kkt {
@@ -106,28 +103,21 @@ impl Kkt {
         solved.map_err(|Singular| Error::Singular { time, what: self.lost_direction(system) })
     }
 
-    /// Whether the softest motion that the constraints allow releases energy, by inverse iterations on the last factorization `K`:
-    /// the sign of `xᵀ M x' / xᵀ M x` with `x' = K⁻¹ M x`.
-    pub fn is_unstable(&mut self, system: &System) -> bool {
-        let coordinates = system.coordinates();
-        let mut vector: Vec<f64> = (0..coordinates).map(irregular).collect();
-        let mut right = vec![0.0; coordinates + system.constraints()];
-        let mut quotient = 0.0;
-        for _ in 0..INVERSE_ITERATIONS {
-            system.mass_times(&vector, &mut right[..coordinates]);
-            right[coordinates..].fill(0.0);
-            let norm: f64 = vector.iter().zip(&right).map(|(x, mass)| x * mass).sum();
-            let mass_x = right[..coordinates].to_vec();
-            if norm <= 0.0 || self.solver.solve(&mut right).is_err() {
-                return false;
-            }
-            quotient = right.iter().zip(&mass_x).map(|(x, mass)| x * mass).sum::<f64>() / norm;
-            let size = right[..coordinates].iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-            for (target, value) in vector.iter_mut().zip(&right) {
-                *target = value / size;
-            }
-        }
-        quotient < 0.0
+    /// Factorizes, for [`Self::solve_again`].
+    ///
+    /// # Errors
+    /// The matrix is singular: the error names the part of the machine that the lost direction moves most.
+    pub fn factorize(&mut self, system: &System, time: f64) -> Result<(), Error> {
+        let factorized = self.solver.factorize(&self.blocks);
+        factorized.map_err(|Singular| Error::Singular { time, what: self.lost_direction(system) })
+    }
+
+    /// Solves in place with the last factorization.
+    ///
+    /// # Errors
+    /// The solution is not accurate.
+    pub fn solve_again(&mut self, vector: &mut [f64]) -> Result<(), Singular> {
+        self.solver.solve(vector)
     }
 
     /// Checks that the solution just found is the only one: a singular system may have one by chance, as a floating beam

@@ -1,4 +1,4 @@
-//! Linear systems, Newton, equilibria, steps in time.
+//! Linear systems, Newton, equilibria, natural modes, steps in time.
 
 pub mod generalized_alpha;
 pub mod gyroscopic;
@@ -6,9 +6,12 @@ pub mod kkt;
 pub mod limits;
 pub mod linear;
 pub mod midpoint;
+pub mod modes;
 pub mod newton;
 pub mod projection;
 pub mod response;
+pub mod stability;
 pub mod start;
 pub mod statics;
 pub mod stepping;
+pub mod subspace;

@@ -74,16 +74,17 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
 }
 
 /// Finds the equilibrium at the time of `state`, from the machine as drawn: drives stand still at their values of that time.
-/// Velocities are zero then.
+/// Velocities are zero then. Returns what the user should know of it.
 ///
 /// # Errors
 /// There is none, or a part of the machine can move freely.
-pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> Result<(), Error> {
-    Statics::new(system, tolerance)?.find(system, state, state.time)?;
+pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> Result<Vec<String>, Error> {
+    let mut statics = Statics::new(system, tolerance)?;
+    statics.find(system, state, state.time)?;
     state.velocity.fill(0.0);
     // Counts are those of the motion.
     state.statistics = Statistics::default();
-    Ok(())
+    Ok(statics.take_remarks())
 }
 
 /// Sets momenta and velocities at the start: the velocities nearest to the given ones, in the metric of the kinetic energy, that

@@ -9,6 +9,7 @@ mod relaxation;
 use super::kkt::Kkt;
 use super::limits;
 use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
+use super::stability::{Judgement, Stability};
 use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::beam::frame::NodeFrame;
@@ -26,7 +27,7 @@ const SMALLEST_SHARE: f64 = 1.0 / 4096.0;
 /// An increment that took at most this many iterations may grow.
 const EASY: usize = 6;
 
-/// Equilibrium solver and its scratch memory; nothing in it outlives a solve.
+/// Equilibrium solver and its scratch memory; no result depends on what outlives a solve, but remarks do.
 #[derive(Debug)]
 pub struct Statics {
     tolerance: f64,
@@ -40,6 +41,7 @@ pub struct Statics {
     target_motion: Prescribed,
     current_motion: Prescribed,
     scratch: Scratch,
+    stability: Stability,
     next: Option<State>,
     /// How the last solve went.
     pub convergence: Option<Convergence>,
@@ -79,6 +81,7 @@ impl Statics {
             target_motion: Prescribed::default(),
             current_motion: Prescribed::default(),
             scratch,
+            stability: Stability::default(),
             next: None,
             convergence: None,
         })
@@ -89,13 +92,18 @@ impl Statics {
     /// # Errors
     /// The ramp got stuck, or a part of the machine can move freely; `state` is as it was but for the counts of iterations and rejections.
     pub fn find(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
+        let first = state.statistics.steps == 0;
+        if !first && self.stability.known().is_none_or(|known| known.time != state.time) {
+            // A host has gone back.
+            self.judge(system, state);
+        }
+        let mut before = self.stability.known().filter(|_| !first);
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
         let mut outcome = self.ramp(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
         let hopeless = matches!(outcome, Err(Error::NotFinite { .. }));
-        let first = state.excitation == Excitation::default() && !hopeless;
         // As drawn it may be slack, or Newton has gone up to a place of rest that nothing holds.
-        if first && (outcome.is_err() || self.kkt.is_unstable(system)) {
+        if first && !hopeless && (outcome.is_err() || self.judge(system, &next)) {
             let tried = next.statistics;
             next.clone_from(state);
             next.statistics = tried;
@@ -105,16 +113,60 @@ impl Statics {
                 (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
                 (_, relaxed) => relaxed,
             };
+            if outcome.is_ok() {
+                self.judge(system, &next);
+            }
         }
         if outcome.is_ok() {
             next.time = time;
             next.statistics.steps += 1;
+            if !first {
+                self.stability.go_on(system, &mut self.kkt, time, before);
+                // Newton's last matrix is of its last iterate but one: both ends are asked themselves before it is told.
+                if self.stability.differs(before) {
+                    self.judge_beside(system, state, before);
+                    before = self.stability.known();
+                    self.judge_beside(system, &next, before);
+                }
+            }
+            self.stability.remark(system, &next, before);
             std::mem::swap(state, &mut next);
         } else {
             state.statistics = next.statistics;
         }
         self.next = Some(next);
         outcome
+    }
+
+    /// What has been seen on the way that the user should know, once.
+    pub fn take_remarks(&mut self) -> Vec<String> {
+        self.stability.take_remarks()
+    }
+
+    /// Judges the equilibrium `state` by itself: whether it is unstable.
+    fn judge(&mut self, system: &System, state: &State) -> bool {
+        // Without a factorization nothing is known.
+        if self.linearize(system, state).is_ok() {
+            self.stability.begin(system, &mut self.kkt, state.time);
+        }
+        self.stability.known().is_some_and(|known| known.unstable > 0)
+    }
+
+    /// Judges the equilibrium `state` itself, next to one of which `before` is known.
+    fn judge_beside(&mut self, system: &System, state: &State, before: Option<Judgement>) {
+        if self.linearize(system, state).is_ok() {
+            self.stability.go_on(system, &mut self.kkt, state.time, before);
+        }
+    }
+
+    /// Factorizes the matrix of the equilibrium `state`.
+    fn linearize(&mut self, system: &System, state: &State) -> Result<(), Error> {
+        self.scratch.q.copy_from_slice(&state.q);
+        self.scratch.multipliers.copy_from_slice(&state.multipliers);
+        let (time, excitation, motion) = (state.time, &state.excitation, &state.prescribed);
+        let mut problem = Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch };
+        problem.linearize(&mut self.kkt, &mut self.right);
+        self.kkt.factorize(system, time)
     }
 
     fn ramp(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {

@@ -1,7 +1,9 @@
 //! Machines that are drawn oddly but soundly must run, and what cannot run must say why: bodies at one place, a drive that begins turns
 //! away, a machine at rest that is no loss of energy, a bushing turned too far, a motion that begins with an infinite rate.
 
+use crate::running::{start, vector};
 use ancf14::fmi::{Model, Value};
+use ancf14::math::Vec3;
 use ancf14::model::simulation::Simulation;
 
 /// Runs a file for `stop` s; its warnings, or why it failed.
@@ -39,6 +41,21 @@ fn a_drive_that_begins_turns_away_is_assembled_there() {
     let rest = "[drive.motor]\njoint = \"pivot\"\ncoordinate = \"angle\"\nvalue = \"12 + t\"\n\
                 [simulation]\ninitial = \"equilibrium\"\nstop = 1\nstep = 1e-3\n";
     assert_eq!(run(&format!("{HEAD}{bodies}{joints}{rest}"), 0.01), Ok(Vec::new()));
+}
+
+/// The bob of the same machine hangs straight down from the crank's tip. With a damping of the fall that grew without end where the
+/// drive, not the fall, was too fast, multipliers became so large that any place passed for an equilibrium.
+#[test]
+fn regression_what_falls_while_a_drive_turns_comes_to_rest() {
+    let bodies = body("crank", "[0.5, 0, 0]") + &body("bob", "[1, 0, -1]");
+    let joints = hinge("pivot", "ground", "crank") + &hinge("tip", "crank", "bob").replace("[0, 0, 0]", "[1, 0, 0]");
+    let rest = "[drive.motor]\njoint = \"pivot\"\ncoordinate = \"angle\"\nvalue = \"12\"\n\
+                [output.place]\nat = \"bob\"\nquantities = [\"position\"]\n\
+                [simulation]\ninitial = \"equilibrium\"\nstop = 1\nstep = 1e-3\n";
+    let place = vector(&start(&format!("{HEAD}{bodies}{joints}{rest}")), "place.position");
+    // Newton's tolerance.
+    let hanging = Vec3::new(12_f64.cos(), 0.0, -12_f64.sin() - 1.0);
+    assert!((place - hanging).norm() < 1e-8, "{place} {hanging}");
 }
 
 /// At rest nothing but round-off moves: no word about lost energy.

@@ -18,6 +18,9 @@ const NEAR: f64 = 1e-4;
 /// Factors by which `μ` falls after a good step and rises after a bad one.
 const FALL: f64 = 0.5;
 const RISE: f64 = 4.0;
+/// Largest `μ`, in that of the first step: where that is not enough it is drives and frames that move too far, and ever larger ones
+/// would only make multipliers grow that pass for stiffness.
+const MOST_DAMPING: f64 = 1e6;
 /// Shares of the way of drives and frames that are taken in one step.
 const LARGEST_SHARE: f64 = 0.05;
 const SMALLEST_SHARE: f64 = 1e-4;
@@ -31,7 +34,7 @@ impl Statics {
         self.current.copy_from(&self.target);
         self.begin.clone_from(state);
         let (mut share, mut increment) = (0.0, LARGEST_SHARE);
-        let (mut damping, mut near) = (None, NEAR);
+        let (mut damping, mut most, mut near) = (None, f64::INFINITY, NEAR);
         let mut outcome = Ok(());
         for _ in 0..STEPS {
             let next = f64::min(share + increment, 1.0);
@@ -42,7 +45,11 @@ impl Statics {
             let mut problem = Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch };
             problem.linearize(&mut self.kkt, &mut self.right);
             // At first so much that free fall would make steps of a tenth of the machine.
-            let current = *damping.get_or_insert_with(|| first_damping(system, &self.right));
+            let current = *damping.get_or_insert_with(|| {
+                let first = first_damping(system, &self.right);
+                most = MOST_DAMPING * first;
+                first
+            });
             system.add_mass(current, &mut self.kkt.blocks);
             state.statistics.iterations += 1;
             self.kkt.solve(system, &mut self.right, time)?;
@@ -51,7 +58,7 @@ impl Statics {
             let work: f64 = self.scratch.forces.iter().zip(&self.right).map(|(force, change)| -force * change).sum();
             let falls = work >= 0.0 || share < 1.0;
             if !falls || size.is_nan() || size > LARGEST_CORRECTION || !self.accept(system, state, time) {
-                damping = Some(current * RISE);
+                damping = Some(f64::min(current * RISE, most));
                 increment = f64::max(0.5 * increment, SMALLEST_SHARE);
                 state.statistics.rejected += 1;
                 continue;

@@ -1,0 +1,131 @@
+//! `modes`: natural frequencies and shapes about the initial state, as a table, as CSV files and as a picture.
+
+use super::results::shortest;
+use super::run::trouble;
+use super::{Stop, complain, say, shapes, write};
+use ancf14::fmi::{Failure, Model};
+use ancf14::model::entries::simulation::Analysis;
+use ancf14::model::modes::{Kind, Mode, Modes};
+use ancf14::model::simulation::Simulation;
+use std::path::Path;
+
+/// What is asked for.
+#[derive(clap::Args, Clone, Copy, Debug)]
+pub struct Wishes {
+    /// Number of modes, from the lowest
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
+    count: u16,
+    /// Of a static analysis: the time whose equilibrium is meant, s [default: the start]
+    #[arg(long, value_name = "T", value_parser = time)]
+    time: Option<f64>,
+}
+
+fn time(text: &str) -> Result<f64, String> {
+    let time = text.parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0);
+    time.ok_or_else(|| "a time from 0 on was expected, in s".to_owned())
+}
+
+/// Finds the modes and writes everything into `directory`.
+pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path) -> Result<(), Stop> {
+    if wishes.time.is_some() && simulation.document().simulation.analysis != Analysis::Static {
+        return Err(Stop::Bad(
+            "error: --time is for analysis = \"static\"; other modes are those of the start".to_owned(),
+        ));
+    }
+    let failed = |Failure { message, .. }| Stop::Failed(format!("error: {message}"));
+    let reached = simulation.initialize(0.0).and_then(|()| match wishes.time {
+        Some(time) if time > 0.0 => simulation.advance(time),
+        _ => Ok(()),
+    });
+    simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
+    reached.map_err(failed)?;
+    let found = simulation.modes(usize::from(wishes.count)).map_err(failed)?;
+    found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
+    say(&table(&found));
+    std::fs::create_dir_all(directory).map_err(|reason| trouble(&directory.display().to_string(), &reason))?;
+    write(&directory.join("modes.csv"), &modes_csv(&found))?;
+    write(&directory.join("shapes.csv"), &shapes_csv(&found))?;
+    write(&directory.join("modes.svg"), &shapes::svg(&found, &simulation.about().name))?;
+    say(&format!("modes.csv, shapes.csv and modes.svg in {}", directory.display()));
+    Ok(())
+}
+
+/// How a mode goes on, in a few words.
+pub fn pace(mode: &Mode) -> String {
+    match mode.kind {
+        Kind::Vibration => format!("{} Hz", digits(mode.angular_frequency() / std::f64::consts::TAU)),
+        Kind::Free => "free".to_owned(),
+        Kind::Unstable => format!("unstable, grows with rate {} 1/s", digits(mode.growth_rate())),
+    }
+}
+
+/// Six significant digits, without an exponent where that is as short.
+fn digits(value: f64) -> String {
+    let before = value.abs().log10().floor().clamp(-300.0, 300.0) as i32 + 1;
+    if (-3..=9).contains(&before) {
+        format!("{value:.*}", (6 - before).max(0) as usize)
+    } else {
+        format!("{value:.5e}")
+    }
+}
+
+fn table(found: &Modes) -> String {
+    let mut rows = vec![["mode", "frequency Hz", "rad/s", "moves most"].map(str::to_owned)];
+    for (number, mode) in found.modes.iter().enumerate() {
+        let omega = mode.angular_frequency();
+        let [frequency, omega] = match mode.kind {
+            Kind::Vibration => [digits(omega / std::f64::consts::TAU), digits(omega)],
+            Kind::Free | Kind::Unstable => [pace(mode), String::new()],
+        };
+        rows.push([(number + 1).to_string(), frequency, omega, mode.moves.clone()]);
+    }
+    super::check::aligned(&rows).trim_end().to_owned()
+}
+
+fn modes_csv(found: &Modes) -> String {
+    let mut text = "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,moves\n".to_owned();
+    for (number, mode) in found.modes.iter().enumerate() {
+        let kind = match mode.kind {
+            Kind::Vibration => "vibration",
+            Kind::Free => "free",
+            Kind::Unstable => "unstable",
+        };
+        let omega = mode.angular_frequency();
+        let numbers = [omega / std::f64::consts::TAU, omega, mode.growth_rate(), mode.eigenvalue, mode.modal_mass];
+        let numbers = numbers.map(shortest).join(",");
+        text.push_str(&format!("{},{kind},{numbers},\"{}\"\n", number + 1, mode.moves));
+    }
+    text
+}
+
+fn shapes_csv(found: &Modes) -> String {
+    let vector = |name: &str| [1, 2, 3].map(|axis| format!("{name}[{axis}]")).join(",");
+    let mut text = format!("mode,place,{},{},{}\n", vector("position"), vector("displacement"), vector("turn"));
+    for (number, mode) in found.modes.iter().enumerate() {
+        for (place, motion) in found.places.iter().zip(&mode.motions) {
+            let vectors = [place.position, motion.displacement, motion.turn];
+            let numbers: Vec<_> = vectors.iter().flatten().map(|value| shortest(*value)).collect();
+            text.push_str(&format!("{},{},{}\n", number + 1, place.name, numbers.join(",")));
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of a table have six digits, whatever their size.
+    #[test]
+    fn six_digits_are_shown() {
+        for (value, text) in [
+            (9.0609999, "9.06100"),
+            (56.932, "56.9320"),
+            (123456.7, "123457"),
+            (1.5e-7, "1.50000e-7"),
+            (0.0123, "0.0123000"),
+        ] {
+            assert_eq!(digits(value), text);
+        }
+    }
+}

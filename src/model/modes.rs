@@ -1,0 +1,168 @@
+//! Natural modes of a simulation, as plain data: what `ancf14 modes` writes.
+
+use super::simulation::{Simulation, failure};
+use crate::fmi::Failure;
+use crate::math::hermite;
+use crate::mechanics::beam::coordinates::{NODE, interpolate, vec3};
+use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::system::{Beam, System};
+use crate::solve::modes;
+
+pub use modes::Kind;
+
+/// Distance from equilibrium (lengths over the machine's size) from which on it is worth a warning.
+const BALANCED: f64 = 1e-6;
+/// Skew part of the stiffness, as a share, from which on it is worth a warning.
+const SYMMETRIC: f64 = 1e-8;
+/// Points of a line in each element.
+const POINTS: usize = 8;
+
+/// A place that a mode moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// Its name in the model file: `arm.node[3]` or a body's.
+    pub name: String,
+    /// Where it is in the state about which the machine swings, global axes, m.
+    pub position: [f64; 3],
+}
+
+/// How a mode moves a place, global axes, in units of the mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// Displacement, m.
+    pub displacement: [f64; 3],
+    /// Turn, rad.
+    pub turn: [f64; 3],
+}
+
+/// A natural mode. Its shape is so large that what it moves most moves by 1 m or 1 rad.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// How it goes on.
+    pub kind: Kind,
+    /// `ω²`, 1/s².
+    pub eigenvalue: f64,
+    /// `xᵀ M x` of the shape: the mass that swings, kg, or kg m² if it mostly turns.
+    pub modal_mass: f64,
+    /// What it moves most, in words.
+    pub moves: String,
+    /// Its motion at each place.
+    pub motions: Vec<Motion>,
+    /// Displacements of the points of the lines, m.
+    pub lines: Vec<Vec<[f64; 3]>>,
+}
+
+impl Mode {
+    /// Angular frequency, rad/s; 0 of what does not swing.
+    pub fn angular_frequency(&self) -> f64 {
+        if self.kind == Kind::Vibration { self.eigenvalue.sqrt() } else { 0.0 }
+    }
+
+    /// Rate of the growth, 1/s; 0 of what is not unstable.
+    pub fn growth_rate(&self) -> f64 {
+        if self.kind == Kind::Unstable { (-self.eigenvalue).sqrt() } else { 0.0 }
+    }
+}
+
+/// The lowest natural modes about the state that a simulation has reached.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// By rising `ω²`.
+    pub modes: Vec<Mode>,
+    /// Nodes of all beams, then bodies.
+    pub places: Vec<Place>,
+    /// Points of all beams close enough to each other to draw, m.
+    pub lines: Vec<Vec<[f64; 3]>>,
+    /// How many modes the machine has.
+    pub freedoms: usize,
+    /// What the user should know of them.
+    pub warnings: Vec<String>,
+}
+
+impl Simulation {
+    /// The `count` lowest natural modes about the state that is reached.
+    ///
+    /// # Errors
+    /// The joints hold twice what is held already, or the modes are not found.
+    pub fn modes(&self, count: usize) -> Result<Modes, Failure> {
+        let (system, state) = (self.system(), self.state());
+        let found = modes::modes(system, state, count).map_err(|error| failure(&error))?;
+        let mut snapshot = Snapshot::default();
+        let configuration = snapshot.of(system, state);
+        let name = |beam: &Beam, node: usize| format!("{}.node[{}]", beam.name, beam.end_of(node));
+        let names = system.beams.iter().flat_map(|beam| beam.node_range().map(move |node| name(beam, node)));
+        let nodes = state.q.chunks(NODE).map(|q| vec3(q, 0));
+        let nodes = names.zip(nodes).map(|(name, place)| Place { name, position: place.into() });
+        let bodies = system
+            .bodies
+            .iter()
+            .map(|body| Place { name: body.name.clone(), position: vec3(&state.q, body.start).into() });
+        let places = nodes.chain(bodies).collect();
+        let modes = found.modes.iter().map(|mode| {
+            let extreme = system.most_moved(&configuration, &mode.shape);
+            // So that what moves most moves by one.
+            let shape: Vec<f64> = mode.shape.iter().map(|value| value / extreme.amount).collect();
+            let motions = system.place_motions(&configuration, &shape).into_iter();
+            Mode {
+                kind: mode.kind,
+                eigenvalue: mode.eigenvalue,
+                modal_mass: extreme.amount.powi(-2),
+                moves: extreme.what,
+                motions: motions
+                    .map(|motion| Motion { displacement: motion.displacement.into(), turn: motion.turn.into() })
+                    .collect(),
+                lines: lines(system, &shape),
+            }
+        });
+        let moving = state.velocity.iter().any(|value| *value != 0.0);
+        Ok(Modes {
+            modes: modes.collect(),
+            places,
+            lines: lines(system, &state.q),
+            freedoms: found.freedoms,
+            warnings: warnings(system, &found, moving, count),
+        })
+    }
+}
+
+/// What the user should know of the modes found when `count` were asked for.
+fn warnings(system: &System, found: &modes::Modes, moving: bool, count: usize) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if found.modes.len() < count {
+        warnings.push(format!("{count} modes were asked for, but the machine has only {}", found.modes.len()));
+    }
+    if found.imbalance.is_nan() || found.imbalance > BALANCED {
+        warnings.push(String::from(
+            "the machine does not stay where it is: these are the modes of its stiffness there; for those about its equilibrium \
+             take simulation.initial = \"equilibrium\"",
+        ));
+    }
+    if found.skewness > SYMMETRIC {
+        warnings.push(format!(
+            "loads that turn with the machine, or moments about axes that stand still, have no potential: the skew part of the stiffness, \
+             {:.2e} of it in these modes, is left out, and with it flutter",
+            found.skewness
+        ));
+    }
+    if moving {
+        warnings.push(String::from("velocities are left out: the modes are those of the machine at rest"));
+    }
+    if system.is_damped() {
+        warnings.push(String::from("damping is left out: the modes are those of the undamped machine"));
+    }
+    warnings
+}
+
+/// Points of all beams of what `q` interpolates: places, or displacements.
+fn lines(system: &System, q: &[f64]) -> Vec<Vec<[f64; 3]>> {
+    let line = |first: usize, count: usize| {
+        let points = (0..=count * POINTS).map(|point| {
+            let element = &system.elements[first + (point / POINTS).min(count - 1)];
+            let xi = point as f64 / POINTS as f64 - (point / POINTS).min(count - 1) as f64;
+            let own = &q[NODE * element.node..NODE * (element.node + 2)];
+            interpolate(&hermite::shape(xi, element.length), own).into()
+        });
+        points.collect()
+    };
+    system.beams.iter().map(|beam| line(beam.first_element, beam.elements())).collect()
+}

@@ -1,0 +1,258 @@
+//! Natural modes: `K x = ω² M x` on the motions that the constraints allow, `G x = 0`, about a state at rest.
+//!
+//! `K` holds the stiffness of sections, springs and loads and the curvature of the constraints under their forces. Drives and moving
+//! frames stand where they are; damping and velocities are left out. The block of subspace.rs is taken through `K + μ M`, `μ > 0`
+//! beyond the most unstable motion: machines that can move freely have a singular `K`, unstable ones an indefinite one.
+
+use super::kkt::Kkt;
+use super::linear::irregular;
+use super::response::{Responder, Response};
+use super::subspace::{Subspace, combination, dot};
+use crate::error::Error;
+use crate::math::blocks::Blocks;
+use crate::mechanics::configuration::Passage;
+use crate::mechanics::load::Excitation;
+use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+
+/// `ω²` below this share of what its terms would add up to without cancelling is round-off. Measured: 2e-16 and below for free beams
+/// in any direction, 2e-11 for the first mode of a beam a thousand times as long as high, 16 elements, in an oblique direction.
+pub const ROUND_OFF: f64 = 2e-14;
+
+/// Vectors beside the wanted ones, at least: the more, the faster the last of these come out.
+const GUARDS: usize = 8;
+/// Most sweeps; ten are usual.
+const MOST_SWEEPS: usize = 200;
+/// Errors of the vectors at which the sweeps end: `ω²` has their square.
+const ACCURATE: f64 = 1e-10;
+/// Errors at which the sweeps end when they do not fall any more: round-off of stiff machines.
+const ACCEPTABLE: f64 = 1e-6;
+/// A vector whose number can be trusted to one digit.
+const ROUGH: f64 = 0.1;
+
+/// First `μ`, and the least, as shares of the `ω²` of a motion without pattern, which is near the largest one of the machine.
+const FIRST_SHIFT: f64 = 1e-8;
+const LEAST_SHIFT: f64 = 1e-14;
+/// `μ` as a share of the last wanted `ω²`, and as a multiple of what is beyond zero.
+const SHIFT_BELOW: f64 = 0.1;
+const SHIFT_BEYOND: f64 = 4.0;
+/// A change of `μ` by less than this factor is not worth a factorization.
+const WORTHWHILE: f64 = 10.0;
+
+/// `ω²` that differ by less than this share are one: their motions are sorted by what they move most.
+const SAME: f64 = 1e-8;
+
+/// How a natural mode goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Its amplitude grows as `exp(√(−ω²) t)`.
+    Unstable,
+    /// Nothing holds it: `ω²` is zero to round-off.
+    Free,
+    /// It swings at `ω`.
+    Vibration,
+}
+
+/// A natural mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// How it goes on.
+    pub kind: Kind,
+    /// `ω²`, 1/s².
+    pub eigenvalue: f64,
+    /// Its shape, a change of the coordinates with `xᵀ M x = 1`.
+    pub shape: Vec<f64>,
+}
+
+/// The natural modes about a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// The lowest, by rising `ω²`.
+    pub modes: Vec<Mode>,
+    /// How many motions the constraints leave.
+    pub freedoms: usize,
+    /// How far from the state the nearest equilibrium is by its stiffness: lengths over the machine's size, slopes, rad.
+    pub imbalance: f64,
+    /// Largest skew part of the stiffness between two modes (follower loads, moments about axes that stand still), as a share of
+    /// the larger of their `|ω²|`. Modes are those of the symmetric part.
+    pub skewness: f64,
+}
+
+/// The `count` lowest modes about `state`, at rest.
+///
+/// # Errors
+/// The constraints are redundant, a number is not finite, or the sweeps do not converge.
+pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Error> {
+    let time = state.time;
+    let mut rest = state.clone();
+    rest.velocity.fill(0.0);
+    rest.prescribed.stop();
+    let mut response = Response::default();
+    Responder::new(system)?.respond(system, &rest, &mut response)?;
+    let mut kkt = Kkt::for_newton(system)?;
+    let stiffness = linearize(system, &rest, &response.multipliers, &mut kkt);
+    let symmetric = stiffness.symmetric_part();
+
+    let freedoms = system.coordinates().saturating_sub(system.constraints());
+    let wanted = count.min(freedoms);
+    let mut block = Subspace::new(system, wanted + GUARDS.max(wanted).min(freedoms - wanted));
+    let [stiff, forced] = scales(system, &symmetric, &response);
+    let largest = stiff + forced;
+    let mut shift = if largest > 0.0 { FIRST_SHIFT * largest } else { 1.0 };
+    let factorize = |kkt: &mut Kkt, shift: f64| {
+        kkt.blocks.clone_from(&symmetric);
+        system.add_mass(shift, &mut kkt.blocks);
+        kkt.factorize(system, time)
+    };
+    factorize(&mut kkt, shift)?;
+    kkt.check_unique(system, time)?;
+    let imbalance = imbalance(system, &response.acceleration, &mut kkt);
+
+    let mut last = f64::INFINITY;
+    for number in 0.. {
+        let swept = block.sweep(system, &mut kkt);
+        let Ok(ritz) = swept else { return Err(Error::ModesNotFound { time, error: last }) };
+        // The first sweep has only brought the vectors to the constraints.
+        if number == 0 {
+            continue;
+        }
+        let mut found: Vec<(f64, f64)> = ritz.iter().map(|ritz| (1.0 / ritz.inverse - shift, ritz.error)).collect();
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let lowest = found.iter().filter(|own| own.1 < ROUGH).map(|own| own.0).fold(0.0, f64::min);
+        found.truncate(wanted);
+        let highest = found.last().map_or(0.0, |own| own.0);
+        let error = found.iter().map(|own| own.1).fold(0.0, f64::max);
+        let better = (SHIFT_BELOW * highest).max(-SHIFT_BEYOND * lowest).max(LEAST_SHIFT * largest);
+        if lowest < -0.5 * shift || WORTHWHILE * better < shift {
+            shift = better;
+            factorize(&mut kkt, shift)?;
+            last = f64::INFINITY;
+        } else if error < ACCURATE || error < ACCEPTABLE && error > 0.5 * last {
+            break;
+        } else if number >= MOST_SWEEPS {
+            return Err(Error::ModesNotFound { time, error });
+        } else {
+            last = error;
+        }
+    }
+    let mut modes: Vec<Mode> = block.vectors().iter().map(|shape| mode(&symmetric, shape, forced)).collect();
+    modes.sort_by(|a, b| a.eigenvalue.total_cmp(&b.eigenvalue));
+    sort_out(system, &mut modes);
+    modes.truncate(wanted);
+    let skewness = skewness(&stiffness, &modes);
+    Ok(Modes { modes, freedoms, imbalance, skewness })
+}
+
+/// Sets the blocks of `kkt` to stiffness and constraints at `state`, whose constraints transmit `multipliers`; returns them.
+fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt) -> Blocks {
+    let (mut snapshot, mut excitation) = (Snapshot::default(), Excitation::default());
+    let configuration = snapshot.of(system, state);
+    system.excite(state.time, &mut excitation);
+    let (mut forces, mut gradients) = (vec![0.0; system.coordinates()], Vec::new());
+    kkt.blocks.clear();
+    system.forces_and_tangent(&configuration, &Passage::REST, &excitation, 1.0, &mut forces, &mut kkt.blocks);
+    system.constraint_gradients(&configuration, &mut gradients);
+    kkt.set_constraints(system, &gradients, &gradients, 1.0);
+    kkt.set_curvatures(system, &configuration, multipliers, 1.0);
+    kkt.blocks.clone()
+}
+
+/// `ω²` of a motion without pattern, if nothing cancelled, 1/s²: by the stiffness, and by what the forces that act, of constraints and
+/// of inertia, would do in such a motion: a stiffness far below that is round-off of theirs.
+fn scales(system: &System, stiffness: &Blocks, response: &Response) -> [f64; 2] {
+    let size = |index| if system.is_place(index) { system.size } else { 1.0 };
+    let vector: Vec<f64> = (0..system.coordinates()).map(|index| irregular(index) * size(index)).collect();
+    let (mut mass, mut inertia) = (vec![0.0; vector.len()], vec![0.0; vector.len()]);
+    system.mass_times(&vector, &mut mass);
+    system.mass_times(&response.acceleration, &mut inertia);
+    let mass = dot(&vector, &mass);
+    let transmitted: f64 = response.multipliers.iter().map(|force| force.abs() * system.size).sum();
+    let accelerating: f64 = inertia.iter().enumerate().map(|(index, force)| force.abs() * size(index)).sum();
+    [stiffness.magnitude(&vector) / mass, (transmitted + accelerating) / mass]
+}
+
+/// Size of the correction by which Newton would go to the equilibrium from where the machine has this `acceleration`.
+fn imbalance(system: &System, acceleration: &[f64], kkt: &mut Kkt) -> f64 {
+    let mut right = vec![0.0; system.coordinates() + system.constraints()];
+    system.mass_times(acceleration, &mut right[..system.coordinates()]);
+    // Without a solution it is far from any.
+    if kkt.solve_again(&mut right).is_err() { f64::INFINITY } else { system.correction_size(&right).0 }
+}
+
+/// The mode of a converged `shape`; its Rayleigh quotient has the square of the shape's error.
+fn mode(stiffness: &Blocks, shape: &[f64], forced: f64) -> Mode {
+    let eigenvalue = stiffness.form(shape, shape);
+    let kind = kind(stiffness, shape, eigenvalue, forced);
+    Mode { kind, eigenvalue, shape: shape.to_vec() }
+}
+
+/// What a motion with `xᵀ K x = eigenvalue` does, as far as the round-off of the stiffness, and of forces that amount to `forced`, tells.
+pub fn kind(stiffness: &Blocks, shape: &[f64], eigenvalue: f64, forced: f64) -> Kind {
+    let noise = ROUND_OFF * (stiffness.magnitude(shape) + forced);
+    if eigenvalue < -noise {
+        Kind::Unstable
+    } else if eigenvalue <= noise {
+        Kind::Free
+    } else {
+        Kind::Vibration
+    }
+}
+
+/// Turns the shapes of each frequency that comes more than once so that the first has all of what they move most, the second all of
+/// what is left then, and so on: a round beam's go along the axes.
+fn sort_out(system: &System, modes: &mut [Mode]) {
+    let same = |a: &Mode, b: &Mode| match (a.kind, b.kind) {
+        (Kind::Free, Kind::Free) => true,
+        (Kind::Free, _) | (_, Kind::Free) => false,
+        _ => (a.eigenvalue - b.eigenvalue).abs() <= SAME * a.eigenvalue.abs().max(b.eigenvalue.abs()),
+    };
+    for group in modes.chunk_by_mut(same) {
+        for first in 0..group.len() - 1 {
+            turn_to_largest(system, &mut group[first..]);
+        }
+    }
+}
+
+/// Turns shapes among themselves so that the first has all of the coordinate that they move most.
+fn turn_to_largest(system: &System, group: &mut [Mode]) {
+    let size = |index| if system.is_place(index) { system.size } else { 1.0 };
+    let mut largest = (0, 0.0);
+    for index in 0..system.coordinates() {
+        let sum = group.iter().map(|mode| mode.shape[index].powi(2)).sum::<f64>().sqrt() / size(index);
+        // What is larger by round-off only does not count.
+        if sum > (1.0 + SAME) * largest.1 {
+            largest = (index, sum);
+        }
+    }
+    let mut mirror: Vec<f64> = group.iter().map(|mode| mode.shape[largest.0]).collect();
+    let norm = dot(&mirror, &mirror).sqrt();
+    mirror.iter_mut().for_each(|value| *value /= norm);
+    mirror[0] -= 1.0;
+    let square = dot(&mirror, &mirror);
+    if square <= SAME * SAME {
+        return;
+    }
+    // Householder's reflection that takes their shares of that coordinate to the first.
+    let shapes: Vec<Vec<f64>> = group.iter().map(|mode| mode.shape.clone()).collect();
+    let across = combination(&shapes, &mirror);
+    for (mode, share) in group.iter_mut().zip(&mirror) {
+        mode.shape.iter_mut().zip(&across).for_each(|(value, across)| *value -= 2.0 * share / square * across);
+    }
+}
+
+/// See [`Modes::skewness`].
+fn skewness(stiffness: &Blocks, modes: &[Mode]) -> f64 {
+    let mut largest = 0.0_f64;
+    for (number, a) in modes.iter().enumerate() {
+        for b in &modes[..number] {
+            let skew = 0.5 * (stiffness.form(&a.shape, &b.shape) - stiffness.form(&b.shape, &a.shape)).abs();
+            let size = a.eigenvalue.abs().max(b.eigenvalue.abs());
+            let noise = [a, b].map(|mode| stiffness.magnitude(&mode.shape));
+            if skew > ROUND_OFF * noise[0].max(noise[1]) {
+                largest = largest.max(skew / size);
+            }
+        }
+    }
+    largest
+}

@@ -1,0 +1,95 @@
+//! Does `ancf14 modes` write what docs/model-file.md says, and refuse what it cannot do? Exit codes, the columns of its files to the
+//! letter, and the same bytes twice.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn modes(directory: &Path, name: &str, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ancf14"))
+        .current_dir(directory)
+        .arg("modes")
+        .arg(format!("{}/models/{name}.toml", env!("CARGO_MANIFEST_DIR")))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// A row a mode, a row a mode and place, a cell of the picture a mode; the table says it in words.
+#[test]
+fn files_are_written_as_agreed() {
+    let directory = tempfile::tempdir().unwrap();
+    let output = modes(directory.path(), "rotating_shaft", &["--count", "4"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let table = text(&output.stdout);
+    assert!(table.lines().nth(1).is_some_and(|line| line.contains("9.06120") && line.contains("56.9332")), "{table}");
+    assert!(table.contains("disk, along y") && table.contains("shaft.end, turning about x"), "{table}");
+    let file =
+        |name: &str| std::fs::read_to_string(directory.path().join("rotating_shaft-results").join(name)).unwrap();
+    let (list, shapes, picture) = (file("modes.csv"), file("shapes.csv"), file("modes.svg"));
+    let rows: Vec<&str> = list.lines().collect();
+    assert_eq!(rows[0], "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,moves");
+    assert_eq!(rows.len(), 5);
+    let cells: Vec<&str> = rows[1].split(',').collect();
+    assert_eq!(cells[..2], ["1", "vibration"]);
+    let [frequency, omega, growth, square] = [2, 3, 4, 5].map(|place| cells[place].parse::<f64>().unwrap());
+    assert!((omega * omega / square - 1.0).abs() < 1e-15 && growth == 0.0);
+    assert!((frequency * std::f64::consts::TAU / omega - 1.0).abs() < 1e-15);
+    let rows: Vec<Vec<&str>> = shapes.lines().map(|row| row.split(',').collect()).collect();
+    assert_eq!(rows[0][..5], ["mode", "place", "position[1]", "position[2]", "position[3]"]);
+    assert_eq!(
+        rows[0][5..],
+        ["displacement[1]", "displacement[2]", "displacement[3]", "turn[1]", "turn[2]", "turn[3]"]
+    );
+    // Seven nodes and the disk.
+    assert_eq!(rows.len(), 1 + 4 * 8);
+    assert_eq!((rows[1][1], rows[8][1]), ("shaft.node[0]", "disk"));
+    assert_eq!(rows[8][6], "1", "what moves most moves by one");
+    assert!(picture.contains("9.06120 Hz") && picture.matches("<polyline").count() == 8);
+}
+
+#[test]
+fn the_same_bytes_come_twice() {
+    let directory = tempfile::tempdir().unwrap();
+    let files = ["first", "second"].map(|out| {
+        assert!(modes(directory.path(), "crane", &["--out", out]).status.success());
+        ["modes.csv", "shapes.csv", "modes.svg"]
+            .map(|name| std::fs::read(directory.path().join(out).join(name)).unwrap())
+    });
+    assert!(files[0] == files[1]);
+}
+
+/// A static analysis is followed to the time that is asked for: bending makes the strip's frequencies others.
+#[test]
+fn a_static_path_is_followed() {
+    let directory = tempfile::tempdir().unwrap();
+    let first = |arguments: &[&str]| {
+        let output = modes(directory.path(), "princeton_beam", arguments);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout).lines().nth(1).unwrap().to_owned()
+    };
+    let (start, end) = (first(&[]), first(&["--time", "1"]));
+    assert!(start != end && first(&["--time", "0"]) == start, "{start}\n{end}");
+}
+
+#[test]
+fn mistakes_are_told() {
+    let directory = tempfile::tempdir().unwrap();
+    for (name, arguments, code, expected) in [
+        ("cantilever", &["--time", "1"][..], 2, "analysis = \"static\""),
+        ("cantilever", &["--count", "0"], 2, "0 is not in"),
+        ("princeton_beam", &["--time=-1"], 2, "a time from 0 on"),
+        ("nothing", &[], 2, "cannot read"),
+        ("princeton_beam", &["--set", "gravity[3]=sqrt(-1)"], 2, "gravity"),
+    ] {
+        let output = modes(directory.path(), name, arguments);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", text(&output.stderr));
+        assert!(text(&output.stderr).contains(expected), "{}", text(&output.stderr));
+    }
+    let output = modes(directory.path(), "pendulum", &["--count", "5000"]);
+    assert!(output.status.success());
+    assert!(text(&output.stderr).contains("the machine has only"), "{}", text(&output.stderr));
+}
