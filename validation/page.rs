@@ -4,11 +4,18 @@
 #[path = "../src/cli/chart.rs"]
 pub mod chart;
 
+mod bend;
 mod buckling;
+mod critical;
 mod elastica;
+mod frames;
+mod frequencies;
 mod princeton;
+mod ring;
 mod roll_up;
 mod shaft;
+mod spring;
+mod static_buckling;
 mod study;
 
 use chart::{Chart, Line, Stroke};
@@ -33,12 +40,18 @@ pub struct Case {
 }
 
 /// All sections in the order of the page.
-pub const CASES: [Case; 5] = [
+pub const CASES: [Case; 11] = [
+    Case { title: "Frames along a curve", short: true, write: frames::write },
+    Case { title: "Helical spring", short: true, write: spring::write },
     Case { title: "Princeton beam", short: true, write: princeton::write },
     Case { title: "Unbalanced rotating shaft", short: false, write: shaft::write },
     Case { title: "Lateral torsional buckling", short: false, write: buckling::write },
+    Case { title: "45-degree bend", short: true, write: bend::write },
     Case { title: "Elastica", short: true, write: elastica::write },
     Case { title: "Rolling up to a circle", short: true, write: roll_up::write },
+    Case { title: "Critical torque and force", short: true, write: static_buckling::write },
+    Case { title: "Twisted ring", short: true, write: ring::write },
+    Case { title: "Natural frequencies", short: true, write: frequencies::write },
 ];
 
 impl Case {

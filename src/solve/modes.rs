@@ -34,7 +34,7 @@ const ROUGH: f64 = 0.1;
 /// First `μ`, and the least, as shares of the `ω²` of a motion without pattern, which is near the largest one of the machine.
 const FIRST_SHIFT: f64 = 1e-8;
 const LEAST_SHIFT: f64 = 1e-14;
-/// `μ` as a share of the last wanted `ω²`, and as a multiple of what is beyond zero.
+/// `μ` as a share of an `ω²` a little beyond the wanted ones, and as a multiple of what is beyond zero.
 const SHIFT_BELOW: f64 = 0.1;
 const SHIFT_BEYOND: f64 = 4.0;
 /// A change of `μ` by less than this factor is not worth a factorization.
@@ -120,10 +120,11 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
         let mut found: Vec<(f64, f64)> = ritz.iter().map(|ritz| (1.0 / ritz.inverse - shift, ritz.error)).collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let lowest = found.iter().filter(|own| own.1 < ROUGH).map(|own| own.0).fold(0.0, f64::min);
+        // Of a vector beyond the wanted ones: these may all be zero, where nothing holds the machine or it is about to buckle.
+        let beyond = found.get(wanted + GUARDS / 2).or(found.last()).map_or(0.0, |own| own.0);
         found.truncate(wanted);
-        let highest = found.last().map_or(0.0, |own| own.0);
         let error = found.iter().map(|own| own.1).fold(0.0, f64::max);
-        let better = (SHIFT_BELOW * highest).max(-SHIFT_BEYOND * lowest).max(LEAST_SHIFT * largest);
+        let better = (SHIFT_BELOW * beyond).max(-SHIFT_BEYOND * lowest).max(LEAST_SHIFT * largest);
         if lowest < -0.5 * shift || WORTHWHILE * better < shift {
             shift = better;
             factorize(&mut kkt, shift)?;

@@ -34,10 +34,7 @@ impl Curves {
 
     /// A model file, run with overrides to its stop time, a row per output step.
     pub fn run(text: &str, overrides: &[(&str, &str)]) -> Self {
-        let overrides: Vec<_> = overrides.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
-        let mut simulation =
-            Simulation::load("model.toml", text, &overrides).unwrap_or_else(|failure| panic!("{}", failure.message));
-        simulation.initialize(0.0).unwrap_or_else(|failure| panic!("{}", failure.message));
+        let mut simulation = load(text, overrides);
         let names = simulation.variables().iter().map(|variable| variable.name.clone()).collect();
         let (stop, step) = (simulation.about().stop, simulation.about().output_step);
         let row = |simulation: &Simulation| -> Vec<f64> {
@@ -58,6 +55,15 @@ impl Curves {
         let rows = self.time.iter().zip(own.iter().zip(reference)).filter(|(time, _)| **time <= until + 1e-9);
         rows.map(|(_, (own, reference))| (own - reference).abs()).fold(0.0, f64::max)
     }
+}
+
+/// A model file with overrides, initialized.
+pub fn load(text: &str, overrides: &[(&str, &str)]) -> Simulation {
+    let overrides: Vec<_> = overrides.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
+    let mut simulation =
+        Simulation::load("model.toml", text, &overrides).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation.initialize(0.0).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation
 }
 
 /// Largest size of a curve.
