@@ -178,6 +178,8 @@ mod tests {
         let bent = Curve::new(Arc::new(coordinates), [0.0, 2.0], vec![1.0]);
         let normal = bent.tangent(0.0).cross(&Vec3::z()).normalize();
         let once = carried(&bent, 0.0, 1.6, &normal);
+        let round = carried(&bent, 1.0, 1.6, &carried(&bent, 0.0, 1.0, &normal));
+        assert!((once - round).norm() < 1e-14, "{:e}", (once - round).norm());
         let before = carried(&bent, 0.0, 1.0_f64.next_down(), &normal);
         let after = carry(&bent.tangent(1.0_f64.next_down()), &bent.tangent(1.0), &before);
         let twice = carried(&bent, 1.0, 1.6, &after);

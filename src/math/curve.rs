@@ -70,9 +70,9 @@ impl Curve {
         normal_projector(&(first / speed)) * second / speed
     }
 
-    /// The limits of pieces between two parameters.
+    /// The limits of pieces after `from` and up to `to`, where the later piece is evaluated already.
     pub fn limits_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + '_ {
-        self.limits.iter().copied().filter(move |limit| from < *limit && *limit < to)
+        self.limits.iter().copied().filter(move |limit| from < *limit && *limit <= to)
     }
 
     /// `∫ f ds`, piece by piece; errors below `error` are not pursued.

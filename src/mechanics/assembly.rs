@@ -182,13 +182,14 @@ impl Assembly {
         let beam = &self.system.beams[beam];
         let welds = beam.corners.iter().map(|end| {
             let node = beam.node(*end);
-            let place = super::beam::coordinates::vec3(&self.q, NODE * node);
-            let pose = Pose { place, axes: Mat3::identity() };
-            let [a, b] = [node, node + 1].map(|node| self.tied(&self.node(node), &pose));
+            let [a, b] = [node, node + 1].map(|node| {
+                let frame = NodeFrame::new(&self.q[NODE * node..NODE * (node + 1)], &self.triads[node]);
+                // The global axes as drawn, as the section sees them.
+                Marker::Node { node, offset: Vec3::zeros(), axes: frame.section.transpose() }
+            });
             let name = format!("the corner {}.node[{end}]", beam.name);
             Joint { name, a, b, primitives: weld::PRIMITIVES, drive: None }
         });
-        let welds: Vec<_> = welds.collect();
         self.corner_joints.extend(welds);
     }
 

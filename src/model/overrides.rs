@@ -11,6 +11,8 @@ const VECTOR: usize = 3;
 const COUNTS: [usize; 2] = [VECTOR, 6];
 /// The key whose value is a table: its rows are no numbers.
 const TABLE: &str = "axes";
+/// The key whose value is a section of its own, of which nothing is a parameter.
+const SECTION: &str = "curve";
 
 /// Puts the overrides into the tree, in their order.
 pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Report<'_>) {
@@ -115,6 +117,11 @@ fn store(
     place: Place,
     report: &mut Report<'_>,
 ) {
+    if key == SECTION || key.strip_prefix(SECTION).is_some_and(|rest| rest.starts_with('.')) {
+        let help = "set the parameters that are used in it";
+        report.error(place, &format!("`{SECTION}` and what is in it cannot be set"), "", help);
+        return;
+    }
     if index.is_some() && key == TABLE {
         let help = "set it as a whole: a list of 3 rows of 3 numbers";
         report.error(place, &format!("`{key}` is a table: its components cannot be set one by one"), "", help);

@@ -6,6 +6,7 @@
 use crate::machines::{clamp, design, energies};
 use ancf14::math::curve::Curve;
 use ancf14::math::jet::Jet;
+use ancf14::math::quadrature::GAUSS_POINTS;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::assembly::{Assembly, BeamDesign};
 use ancf14::mechanics::beam::strain::Strain;
@@ -17,7 +18,7 @@ use ancf14::mechanics::pose::Pose;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
-use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::{System, evaluation};
 use ancf14::solve::statics::Statics;
 use std::sync::Arc;
 
@@ -146,7 +147,7 @@ fn curved_beams_are_free_of_stress_as_drawn() {
             let mut snapshot = Snapshot::default();
             let c = snapshot.of(&system, &state);
             for (number, element) in system.elements.iter().enumerate() {
-                let forces = ancf14::mechanics::system::evaluation(&c, number, None).gradient();
+                let forces = evaluation(&c, number, None).gradient();
                 // The axial strain is a root of a sum of squares: one round-off of 1.
                 assert!(forces.amax() < 4e-16 * stiffness, "element {number}: {:e} N", forces.amax());
                 assert!(element.bending.iter().any(|point| point.reference[0].abs() > 0.1), "it is not curved at all");
@@ -270,6 +271,61 @@ fn section_axes_may_be_renamed() {
             }
         }
     }
+}
+
+/// At the points of the energy sensors must see the energy's own strains, also far from the drawing: the quotient by `J0`, the reference and
+/// the signs. Round-off of curvatures of 10/m.
+#[test]
+fn sensors_see_the_strains_of_the_energy() {
+    let elements = 5;
+    let fractions: Vec<f64> =
+        (0..elements).flat_map(|k| GAUSS_POINTS.map(|xi| (k as f64 + xi) / elements as f64)).collect();
+    for strain in [Strain::Small, Strain::Large] {
+        let beam = strip(strain, Spacing::Arc, &curve(false), elements, &IN_SPACE);
+        let (system, state) = loaded(&beam, [0.0, 1.0], &IN_SPACE, &fractions);
+        let mut snapshot = Snapshot::default();
+        let c = snapshot.of(&system, &state);
+        for (k, sensor) in system.sensors.iter().enumerate() {
+            let expected = evaluation(&c, k / 3, None).strains[k % 3];
+            let found = sensor.strains(&c);
+            assert!(expected.norm() > 1e-3, "hardly strained");
+            let differences =
+                [found.curvature[1] - expected[0], -found.curvature[0] - expected[1], found.torsion - expected[2]];
+            assert!(differences.iter().all(|difference| difference.abs() < 1e-12), "{differences:?}");
+            // The drawn stretch is not 1 between the nodes of a coarse mesh: dividing by it must show.
+            assert!((system.elements[k / 3].bending[1].reference_stretch - 1.0).abs() > 1e-4);
+        }
+    }
+}
+
+/// Section forces of a bent and twisted strip are those of statics: what acts beyond the section, in its axes. At inner nodes, where the
+/// mean of two elements is taken, they are of order 2; the torque of a single element is its mean, of order 1 where it changes.
+#[test]
+fn section_forces_are_those_of_statics() {
+    let small = Loads {
+        point: [[3e-3, -2e-2, 1.5e-2], [2e-3, 1e-3, -3e-3]],
+        line: [[0.0; 3]; 2],
+        gravity: [0.0; 3],
+        ..IN_SPACE
+    };
+    let [force, moment] = small.point.map(Vec3::from);
+    let watched = [1.0 / 6.0, 1.0 / 3.0, 0.5, 2.0 / 3.0, 5.0 / 6.0];
+    let errors = [18, 36, 72].map(|elements| {
+        let beam = strip(Strain::Large, Spacing::Arc, &curve(false), elements, &small);
+        let (system, state) = loaded(&beam, [0.0, 1.0], &small, &watched);
+        let mut snapshot = Snapshot::default();
+        let c = snapshot.of(&system, &state);
+        let end = beam.line.place(1.0);
+        system.sensors.iter().fold(0.0, |worst: f64, sensor| {
+            let pose = sensor.marker.pose(&c);
+            let beyond = pose.axes.tr_mul(&(moment + (end - pose.place).cross(&force)));
+            let found = Vec3::from(sensor.section_forces(&c).moment);
+            worst.max((found - beyond).norm() / beyond.norm())
+        })
+    });
+    println!("section moments of a curved strip, 18, 36, 72 elements: {errors:?} off statics");
+    // The curve bends by up to a radian in an element of the coarsest mesh.
+    assert!(errors[2] < 1.5e-2 && errors[2] < 0.3 * errors[1], "{errors:?}");
 }
 
 /// A quarter of a circle, unbent to a straight line by the moment EI/R at its end: errors as MECHANICS 9 gives them, order 4.

@@ -57,6 +57,8 @@ fn overrides_are_named_in_their_messages() {
         ("arm.from[1]", "true", "`arm.from[1]` is true"),
         ("arm.strain", "tiny", "unknown strain \"tiny\""),
         ("arm.elements", "2.5", "`arm.elements` must be a whole number"),
+        ("arm.curve", "{ points = [[0, 0, 0], [1, 0, 0]] }", "`curve` and what is in it cannot be set"),
+        ("arm.curve.s[2]", "1", "`curve` and what is in it cannot be set"),
         ("simulation.stpo", "3", "did you mean `stop`?"),
         ("gravity", "[0, 0]", "`gravity` is a list of 2"),
         ("P", "1e3", "`P` must be at least 0 and at most 20"),
