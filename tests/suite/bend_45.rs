@@ -16,22 +16,33 @@ fn tip(text: &str, overrides: &[(&str, &str)]) -> Vec3 {
 }
 
 /// Largest distance from the six reference tips, m.
-fn error(elements: &str) -> f64 {
+fn error(elements: &str, twist: &str) -> f64 {
     let lines = REFERENCE.lines().filter(|line| line.starts_with('0'));
     lines.fold(0.0, |worst: f64, line| {
         let words: Vec<&str> = line.split(',').collect();
         let expected = Vec3::from_fn(|i, _| words[2 + i].parse().unwrap());
-        let found = tip(MODEL, &[("square.torsion_constant", words[0]), ("P", words[1]), ("arc.elements", elements)]);
+        let mesh = [("arc.elements", elements), ("arc.twist", twist)];
+        let found = tip(MODEL, &[&mesh[..], &[("square.torsion_constant", words[0]), ("P", words[1])]].concat());
         worst.max((found - expected).norm())
     })
 }
 
 #[test]
 fn tip_is_where_the_rod_bends_to() {
-    let errors = ["4", "8", "16"].map(error);
+    let errors = ["4", "8", "16"].map(|elements| error(elements, "linear"));
     let order = (errors[0] / errors[2]).log2() / 2.0;
     println!("45-degree bend, 4, 8, 16 elements: errors {errors:?} of a length of 78.5, order {order:.2}");
     assert!(errors[1] < ERROR_OF_8 && (order - 2.0).abs() < 0.1, "{errors:?}, order {order}");
+}
+
+/// Of quadratic twist: a thousandth of the tip's place is asked of 8 elements, 100 times less is there.
+#[test]
+fn quadratic_twist_has_order_four() {
+    let errors = ["4", "8", "16"].map(|elements| error(elements, "quadratic"));
+    let order = (errors[0] / errors[2]).log2() / 2.0;
+    println!("45-degree bend, quadratic twist, 4, 8, 16 elements: errors {errors:?}, order {order:.2}");
+    assert!(errors[1] < 1e-3 * 70.0 && errors[1] < ERROR_OF_8 / 30.0, "{errors:?}");
+    assert!((order - 4.0).abs() < 0.2, "order {order}");
 }
 
 /// Measured 2.36e-2 m with 8 elements, 3.0e-4 of the length: half the elements make it four times larger.

@@ -171,8 +171,18 @@ fn axial_work_over_a_step_is_the_energy_increment() {
     let stiffness = stiffness(Strain::Small);
     for _ in 0..100 {
         let (start, end) = (random.vector() + Vec3::x() * 2.0, random.vector() + Vec3::x() * 2.0);
-        let over = Slope { middle: (start + end) / 2.0, increment: end - start, reference_stretch: 1.1 };
-        let at = |slope: Vec3| Slope { middle: slope, increment: Vec3::zeros(), reference_stretch: 1.1 };
+        let over = Slope {
+            middle: (start + end) / 2.0,
+            increment: end - start,
+            reference_stretch: 1.1,
+            reference_square: 1.21,
+        };
+        let at = |slope: Vec3| Slope {
+            middle: slope,
+            increment: Vec3::zeros(),
+            reference_stretch: 1.1,
+            reference_square: 1.21,
+        };
         let work = small::gradient(&stiffness, &over).dot(&(end - start));
         let rise = small::energy(&stiffness, &at(end)) - small::energy(&stiffness, &at(start));
         assert!((work - rise).abs() < 1e-12 * stiffness.axial);

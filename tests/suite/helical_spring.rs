@@ -34,6 +34,20 @@ fn stiffness_converges_as_expected() {
     assert!((order - 2.0).abs() < 0.2);
 }
 
+/// With quadratic twist the torque may change along an element, as it does along this wire: order 4.
+#[test]
+fn stiffness_with_quadratic_twist() {
+    let errors = ["20", "40", "80"].map(|elements| {
+        let found = stiffness(&[("coil.elements", elements), ("coil.twist", "quadratic")]);
+        println!("spring with {elements} elements, quadratic twist: {found:.3} N/m");
+        found / 1749.5637 - 1.0
+    });
+    println!("errors {errors:?}");
+    assert!(errors[0].abs() < 3.5e-3 && errors[1].abs() < 4e-4, "{errors:?}");
+    let order = (errors[1] / errors[2]).log2();
+    assert!((order - 4.0).abs() < 0.3, "order {order}");
+}
+
 /// The whole curve to twice the spring's own length, 40 elements: what is off is the linear twist's error of the stiffness, 0.18 %.
 #[test]
 fn force_follows_the_pull() {

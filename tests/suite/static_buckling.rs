@@ -184,3 +184,19 @@ fn stable_paths_say_nothing() {
     let mut bent = path(ROUND, 8, &format!("{CLAMP}{load}"));
     assert_eq!(warnings(&mut bent, &steps(0.1, 1.0)), [""; 0]);
 }
+
+/// Michell's ring, models/ring.toml: bent to a ring by a moving frame and twisted, it leaves its plane at a total twist of
+/// `2 pi sqrt(3) E I/G J`, in two ways at once; 2.2e-3 with 12 elements (MECHANICS 4).
+#[test]
+fn a_twisted_ring_leaves_its_plane_at_michells_twist() {
+    for twist in ["linear", "quadratic"] {
+        let mut simulation = crate::curves::load(include_str!("../../models/ring.toml"), &[("rod.twist", twist)]);
+        let told = warnings(&mut simulation, &steps(0.02, 2.0));
+        assert!(told.len() == 1 && told[0].contains("in 2 ways at once"), "{told:#?}");
+        // 2.5 turns from t = 1 to 2; E I/G J = 1 + 0.3.
+        let found = 2.0 * PI * 2.5 * (critical(&told[0]) - 1.0);
+        let exact = 2.0 * PI * 3.0_f64.sqrt() * 1.3;
+        println!("ring, {twist} twist: {:.2e}", found / exact - 1.0);
+        assert!((found / exact - 1.0).abs() < 3e-3, "{found} {exact}");
+    }
+}

@@ -16,6 +16,8 @@ pub struct Slope {
     pub increment: Vec3,
     /// `|r0'|` of the undeformed beam here, 1.
     pub reference_stretch: f64,
+    /// `|r0'|²`, 1, as the slope's own square is found: the undeformed beam has no strain, not even of round-off.
+    pub reference_square: f64,
 }
 
 impl Slope {
@@ -26,7 +28,7 @@ impl Slope {
 
     /// Mean Green strain of the two ends of the step, 1: `((|r'|/J0)² − 1)/2 + |Δr'|²/(8 J0²)`.
     pub fn green_strain(&self) -> f64 {
-        let square = self.reference_stretch * self.reference_stretch;
+        let square = self.reference_square;
         0.5 * (self.middle.norm_squared() / square - 1.0) + 0.125 * self.increment.norm_squared() / square
     }
 
@@ -38,17 +40,17 @@ impl Slope {
 
     /// Derivative of the Green strain by the slope at the middle of the step, 1.
     pub fn green_strain_p(&self) -> Vec3 {
-        self.middle / self.reference_stretch.powi(2)
+        self.middle / self.reference_square
     }
 
     /// Second derivative of the Green strain by the slope at the middle of the step, 1.
     pub fn green_strain_pp(&self) -> Mat3 {
-        Mat3::identity() / self.reference_stretch.powi(2)
+        Mat3::identity() / self.reference_square
     }
 
     /// Twice the derivative of the increment's part of the Green strain by the slope at the end of the step, 1.
     pub fn green_strain_increment(&self) -> Vec3 {
-        self.increment / (2.0 * self.reference_stretch.powi(2))
+        self.increment / (2.0 * self.reference_square)
     }
 
     /// Derivative of the engineering strain `|r'|/J0 − 1` of the middle of the step by the slope there, 1.

@@ -23,6 +23,8 @@ pub struct AxialPoint {
     pub weight: f64,
     /// `J0 = |r0'|`, 1.
     pub reference_stretch: f64,
+    /// `|r0'|²`, 1.
+    pub reference_square: f64,
     /// Mean torsion of the undeformed beam, rad/m.
     pub reference_torsion: f64,
 }
@@ -86,11 +88,13 @@ impl Element {
     ) -> Self {
         let axial = std::array::from_fn(|m| {
             let shape_x = hermite::shape_x(LOBATTO_POINTS[m], length);
-            let stretch = interpolate(&shape_x, reference).norm();
+            let slope = interpolate(&shape_x, reference);
+            let stretch = slope.norm();
             AxialPoint {
                 shape_x,
                 weight: LOBATTO_WEIGHTS[m] * length * stretch,
                 reference_stretch: stretch,
+                reference_square: slope.norm_squared(),
                 reference_torsion: 0.0,
             }
         });
@@ -197,6 +201,7 @@ impl<'a> Evaluation<'a> {
             middle: interpolate(&point.shape_x, q),
             increment: increment.map_or_else(Vec3::zeros, |increment| interpolate(&point.shape_x, increment)),
             reference_stretch: point.reference_stretch,
+            reference_square: point.reference_square,
         });
         let green = slopes.each_ref().map(axial::Slope::green_strain);
         let mean_torsion = element
