@@ -44,7 +44,7 @@ pub fn write(section: &mut Section) {
         angles.fold(0.0, f64::max)
     };
     section.say(
-        "Section 2 of the paper, its Figures 2 and 3: along a curve whose middle piece is straight the normal of Serret and Frenet is not defined, and \
+        "What the paper's Figures 2 and 3 show (section 2), here along a curve of our own: where its middle piece is straight the normal of Serret and Frenet is not defined, and \
          beyond it points to the other side; Bishop's frame is carried along the whole curve without twist. `src/math/bishop.rs` has both, and says \
          where the former does not exist.",
     );

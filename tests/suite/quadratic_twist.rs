@@ -12,6 +12,9 @@ use ancf14::mechanics::beam::element::{Element, Evaluation};
 use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
 use ancf14::mechanics::beam::quadratic_twist::Twist;
 use ancf14::mechanics::beam::strain::{Stiffness, Strain};
+use ancf14::mechanics::configuration::{Passage, Rates};
+use ancf14::mechanics::load::Excitation;
+use ancf14::mechanics::material::Material;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::solve::statics::Statics;
 use nalgebra::SVector;
@@ -212,4 +215,45 @@ fn angular_velocity_inside_the_elements() {
     let (system, _) = assembly.finish(Vec3::zeros());
     let (_, without) = system.sensors[0].motion(&snapshot.of(&system, &state), &velocity);
     assert!((without - angular).norm() > 1e-3, "the internal coordinate's share is too small to be seen");
+}
+
+/// Damping sees the strains of the linear twist, whose rates are all there are (MECHANICS 5.3): at an instant and over a step.
+#[test]
+fn damping_is_that_of_the_linear_twist() {
+    let mut random = Random(17);
+    let material = Material { damping: 1e-3, ..design("beam", 1).material };
+    let machine = |twist| {
+        let mut assembly = Assembly::default();
+        assembly.add_beam(&BeamDesign { twist, material, pretwist: 0.7, ..design("beam", 1) });
+        assembly.finish(Vec3::zeros())
+    };
+    let (_, mut state) = machine(Twist::Linear);
+    // Bent by half a radian in both directions.
+    (state.q[4], state.q[5], state.q[11], state.q[12]) = (0.3, -0.2, -0.4, 0.5);
+    let velocity: Vec<f64> = state.q.iter().map(|_| random.signed()).collect();
+    let end = ancf14::mechanics::state::State {
+        q: state.q.iter().zip(&velocity).map(|(q, v)| q + 1e-2 * v).collect(),
+        ..state.clone()
+    };
+    let viscous = |twist| {
+        let (system, _) = machine(twist);
+        let (mut here, mut there) = (Snapshot::default(), Snapshot::default());
+        let (start, end) = (here.of(&system, &state), there.of(&system, &end));
+        let excitation = Excitation::default();
+        let forces = |rates| {
+            let mut forces = vec![0.0; 14];
+            system.forces(&start, &Passage { increment: None, rates }, &excitation, &mut forces);
+            Coordinates::from_vec(forces)
+        };
+        let rest = forces(Rates::Rest);
+        let step = Rates::Step { start: &start, end: &end, duration: 1e-2 };
+        [forces(Rates::Instant(&velocity)) - rest, forces(step) - rest, rest]
+    };
+    let (linear, quadratic) = (viscous(Twist::Linear), viscous(Twist::Quadratic));
+    for (linear, quadratic) in linear[..2].iter().zip(&quadratic) {
+        // What is left of the elastic forces by the subtraction.
+        assert!((linear - quadratic).amax() < 1e-12 * (linear.amax() + quadratic.amax()), "{linear} {quadratic}");
+        assert!(linear.amax() > 1.0, "not damped");
+    }
+    assert!((linear[2] - quadratic[2]).amax() > 1.0, "the elastic forces are those of the linear twist");
 }
