@@ -47,6 +47,13 @@ impl Blocks {
         &mut self.values[start..start + rows * columns]
     }
 
+    /// The values of block `number`, column-major.
+    pub fn block(&self, number: usize) -> &[f64] {
+        let Block { rows, columns, .. } = self.layout[number];
+        let start = self.offsets[number];
+        &self.values[start..start + rows * columns]
+    }
+
     /// Sets all values to zero.
     pub fn clear(&mut self) {
         self.values.fill(0.0);

@@ -1,6 +1,6 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
-use super::linear::{Regularity, Singular, SparseLu, irregular};
+use super::linear::{Regularity, Singular, SparseLdl, SparseLu, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::configuration::Configuration;
@@ -9,6 +9,10 @@ use crate::mechanics::system::{System, copy_corner};
 
 /// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
 const SHIFT: f64 = 1e-10;
+
+/// How far scaled conditions give way under a unit of their force where motions are counted: so little that no soft motion notices, so
+/// much that the round-off of conditions (1e-16 over it) stays below the softest motions.
+const YIELDING: f64 = 1e-5;
 
 /// Matrix and factorization of one machine's constrained system.
 #[derive(Debug)]
@@ -20,6 +24,31 @@ pub struct Kkt {
     /// First of each joint's four stiffness blocks, where the system has them.
     curvatures: Vec<usize>,
     solver: SparseLu,
+    /// Made when it is first asked for.
+    inertia: Option<Inertia>,
+}
+
+/// The matrix of the coordinates alone, constraints included as springs.
+#[derive(Debug)]
+struct Inertia {
+    /// Which blocks of the whole matrix are in it.
+    kept: Vec<usize>,
+    blocks: Blocks,
+    ldl: SparseLdl,
+}
+
+impl Inertia {
+    /// For the blocks `whole` of a matrix whose first unknowns are `coordinates`.
+    fn new(coordinates: usize, whole: &Blocks) -> Option<Self> {
+        let inside = |block: &Block| block.row < coordinates && block.column < coordinates;
+        let (mut kept, mut blocks) = (Vec::new(), Blocks::default());
+        for (number, block) in whole.layout().iter().enumerate().filter(|(_, block)| inside(block)) {
+            kept.push(number);
+            blocks.push(*block);
+        }
+        let ldl = SparseLdl::new(coordinates, &blocks).ok()?;
+        Some(Self { kept, blocks, ldl })
+    }
 }
 
 impl Kkt {
@@ -56,7 +85,7 @@ impl Kkt {
         let solver = SparseLu::new(system.coordinates() + system.constraints(), &blocks).map_err(|Singular| {
             Error::Singular { time: 0.0, what: String::from("there is not enough memory to analyse them") }
         })?;
-        Ok(Self { blocks, joints, curvatures, solver })
+        Ok(Self { blocks, joints, curvatures, solver, inertia: None })
     }
 
     /// Sets the constraint blocks: `scale` times `columns` transposed on the right, `rows` below.
@@ -118,6 +147,44 @@ impl Kkt {
     /// The solution is not accurate.
     pub fn solve_again(&mut self, vector: &mut [f64]) -> Result<(), Singular> {
         self.solver.solve(vector)
+    }
+
+    /// How many independent motions that the constraints allow release energy, by the symmetric part of the matrix that is set and has
+    /// been factorized: Sylvester's law of inertia counts them all, however many softer ones there are. None where a pivot vanishes.
+    ///
+    /// They are the negative pivots of `A + Bᵀ B/ε = L D Lᵀ`, the constraints being springs that are stiffer than anything else.
+    pub fn releasing_motions(&mut self, system: &System) -> Option<usize> {
+        let coordinates = system.coordinates();
+        if self.inertia.is_none() {
+            self.inertia = Inertia::new(coordinates, &self.blocks);
+        }
+        let Inertia { kept, blocks, ldl } = self.inertia.as_mut()?;
+        for (own, number) in kept.iter().enumerate() {
+            blocks.block_mut(own).copy_from_slice(self.blocks.block(*number));
+        }
+        let mut row = coordinates;
+        for (joint, (first, curvature)) in self.joints.iter().zip(&self.curvatures).enumerate() {
+            let conditions = system.joints[joint].rows();
+            // Rows of a and of b; the four blocks of the joint's stiffness are aa, ab, ba, bb.
+            let sides = [self.blocks.block(first + 2), self.blocks.block(first + 3)];
+            let own = kept.partition_point(|number| number < curvature);
+            for place in 0..4 {
+                let [left, right] = [sides[place / 2], sides[place % 2]];
+                let target = blocks.block_mut(own + place);
+                let (rows, columns) = (left.len() / conditions, right.len() / conditions);
+                for condition in 0..conditions {
+                    let stiffness = self.solver.scale(row + condition).powi(2) / YIELDING;
+                    for column in 0..columns {
+                        let factor = stiffness * right[column * conditions + condition];
+                        for line in 0..rows {
+                            target[column * rows + line] += factor * left[line * conditions + condition];
+                        }
+                    }
+                }
+            }
+            row += conditions;
+        }
+        ldl.negative_pivots(blocks, |index| self.solver.scale(index))
     }
 
     /// Checks that the solution just found is the only one: a singular system may have one by chance, as a floating beam

@@ -22,8 +22,8 @@ pub const ROUND_OFF: f64 = 2e-14;
 
 /// Vectors beside the wanted ones, at least: the more, the faster the last of these come out.
 const GUARDS: usize = 8;
-/// Most sweeps; ten are usual.
-const MOST_SWEEPS: usize = 200;
+/// Most sweeps; ten are usual, hundreds where an unstable motion is far below many soft ones.
+const MOST_SWEEPS: usize = 2000;
 /// Errors of the vectors at which the sweeps end: `ω²` has their square.
 const ACCURATE: f64 = 1e-10;
 /// Errors at which the sweeps end when they do not fall any more: round-off of stiff machines.
@@ -37,6 +37,9 @@ const LEAST_SHIFT: f64 = 1e-14;
 /// `μ` as a share of an `ω²` a little beyond the wanted ones, and as a multiple of what is beyond zero.
 const SHIFT_BELOW: f64 = 0.1;
 const SHIFT_BEYOND: f64 = 4.0;
+/// Factor by which `μ` is raised while motions release energy, and how often at most: beyond all that doubles can tell apart.
+const RAISE: f64 = 10.0;
+const MOST_SHIFTS: usize = 30;
 /// A change of `μ` by less than this factor is not worth a factorization.
 const WORTHWHILE: f64 = 10.0;
 
@@ -99,13 +102,10 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     let mut block = Subspace::new(system, wanted + GUARDS.max(wanted).min(freedoms - wanted));
     let [stiff, forced] = scales(system, &symmetric, &response);
     let largest = stiff + forced;
-    let mut shift = if largest > 0.0 { FIRST_SHIFT * largest } else { 1.0 };
-    let factorize = |kkt: &mut Kkt, shift: f64| {
-        kkt.blocks.clone_from(&symmetric);
-        system.add_mass(shift, &mut kkt.blocks);
-        kkt.factorize(system, time)
-    };
-    factorize(&mut kkt, shift)?;
+    // Without any stiffness every shift is as good.
+    let [mut shift, least] =
+        if largest > 0.0 { [FIRST_SHIFT, LEAST_SHIFT].map(|share| share * largest) } else { [1.0; 2] };
+    shift = positive_shift(system, &mut kkt, &symmetric, shift, time)?;
     kkt.check_unique(system, time)?;
     let imbalance = imbalance(system, &response.acceleration, &mut kkt);
 
@@ -124,10 +124,9 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
         let beyond = found.get(wanted + GUARDS / 2).or(found.last()).map_or(0.0, |own| own.0);
         found.truncate(wanted);
         let error = found.iter().map(|own| own.1).fold(0.0, f64::max);
-        let better = (SHIFT_BELOW * beyond).max(-SHIFT_BEYOND * lowest).max(LEAST_SHIFT * largest);
-        if lowest < -0.5 * shift || WORTHWHILE * better < shift {
-            shift = better;
-            factorize(&mut kkt, shift)?;
+        let better = (SHIFT_BELOW * beyond).max(-SHIFT_BEYOND * lowest).max(least);
+        if WORTHWHILE * better < shift {
+            shift = positive_shift(system, &mut kkt, &symmetric, better, time)?;
             last = f64::INFINITY;
         } else if error < ACCURATE || error < ACCEPTABLE && error > 0.5 * last {
             break;
@@ -143,6 +142,39 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     modes.truncate(wanted);
     let skewness = skewness(&stiffness, &modes);
     Ok(Modes { modes, freedoms, imbalance, skewness })
+}
+
+/// Factorizes `K + μ M` with the least `μ` of `shift`, ten times it, and so on, with which no motion releases energy, and returns it: the block
+/// then finds the lowest modes first, however unstable, and misses none.
+///
+/// # Errors
+/// The matrix is singular.
+pub fn positive_shift(
+    system: &System,
+    kkt: &mut Kkt,
+    stiffness: &Blocks,
+    mut shift: f64,
+    time: f64,
+) -> Result<f64, Error> {
+    for _ in 0..MOST_SHIFTS {
+        kkt.blocks.clone_from(stiffness);
+        system.add_mass(shift, &mut kkt.blocks);
+        kkt.factorize(system, time)?;
+        if kkt.releasing_motions(system).is_none_or(|count| count == 0) {
+            break;
+        }
+        shift *= RAISE;
+    }
+    Ok(shift)
+}
+
+/// The least `μ` that makes a difference to `K`, 1/s².
+pub fn least_shift(system: &System, stiffness: &Blocks) -> f64 {
+    let size = |index| if system.is_place(index) { system.size } else { 1.0 };
+    let vector: Vec<f64> = (0..system.coordinates()).map(|index| irregular(index) * size(index)).collect();
+    let mut mass = vec![0.0; vector.len()];
+    system.mass_times(&vector, &mut mass);
+    FIRST_SHIFT * stiffness.magnitude(&vector) / dot(&vector, &mass)
 }
 
 /// Sets the blocks of `kkt` to stiffness and constraints at `state`, whose constraints transmit `multipliers`; returns them.

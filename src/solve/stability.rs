@@ -1,45 +1,45 @@
-//! Whether an equilibrium is stable: whether the softest motion that the constraints allow takes energy, by the lowest eigenvalue of
-//! stiffness against mass. Followed along a static path, its sign changes where the path buckles.
+//! Whether an equilibrium is stable: how many motions that the constraints allow release energy, counted by the inertia of the
+//! stiffness. Followed along a static path, the count changes where the path buckles.
 //!
-//! The block of subspace.rs goes through the factorization that Newton leaves, and goes on from the last equilibrium's motions, so
-//! that a sweep or two tell. That factorization is of the iterate before the last; what seems to change is asked of the equilibrium itself. Beyond a change of sign it goes through `K + μ M`, with `μ` beyond the most unstable motion known: only
-//! what has become stiff again is then called stable again.
+//! The count is of the matrix that Newton leaves, of the iterate before the last; what seems to change is asked of the equilibria
+//! themselves. Then what buckles, and when, is found from the softest motion of the unstable one: its eigenvalue there, and what the
+//! same motion costs at the stable one.
 
 use super::kkt::Kkt;
-use super::modes::{self, Kind};
+use super::modes;
 use super::subspace::Subspace;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
-/// Vectors: two motions that become unstable at once, as a round strut's, and two to keep the others away.
+/// Vectors for the softest motion: two that come together, as a round strut's, and two to keep the others away.
 const BLOCK: usize = 4;
-/// Most sweeps for an equilibrium.
-const MOST_SWEEPS: usize = 20;
+/// Most sweeps for it.
+const MOST_SWEEPS: usize = 50;
 /// Error of a vector at which its eigenvalue, which has the square of it, is known.
-const ACCURATE: f64 = 1e-2;
-/// Error up to which a vector tells anything.
-const ROUGH: f64 = 0.1;
-/// `μ` as a multiple of the most unstable eigenvalue known.
-const SHIFT_BEYOND: f64 = 2.0;
+const ACCURATE: f64 = 1e-3;
 
 /// What is known of an equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judgement {
     /// Its time, s.
     pub time: f64,
-    /// Lowest eigenvalue, 1/s².
-    pub lowest: f64,
-    /// How many vectors of the block are unstable motions.
+    /// How many motions release energy.
     pub unstable: usize,
-    /// The vector of the lowest eigenvalue in the block.
-    vector: usize,
 }
 
-/// Follows the softest motions along a path of equilibria. Scratch memory, but for remarks that are not taken yet.
+/// The softest motion about an equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Softest {
+    /// Its `ω²`, 1/s².
+    pub eigenvalue: f64,
+    /// The motion, a change of the coordinates with `xᵀ M x = 1`.
+    pub shape: Vec<f64>,
+}
+
+/// Follows the stability along a path of equilibria. Scratch memory, but for remarks that are not taken yet.
 #[derive(Debug, Default)]
 pub struct Stability {
-    block: Subspace,
     known: Option<Judgement>,
     remarks: Vec<String>,
 }
@@ -50,17 +50,9 @@ impl Stability {
         self.known
     }
 
-    /// Judges the equilibrium of `time`, s, whose factorization `kkt` has, without a path that leads to it.
-    pub fn begin(&mut self, system: &System, kkt: &mut Kkt, time: f64) {
-        self.block = Subspace::new(system, BLOCK.min(system.coordinates().saturating_sub(system.constraints())));
-        self.go_on(system, kkt, time, None);
-    }
-
-    /// Judges the equilibrium of `time`, s, whose factorization `kkt` has (afterwards perhaps another one), next to one of which
-    /// `before` is known.
-    pub fn go_on(&mut self, system: &System, kkt: &mut Kkt, time: f64, before: Option<Judgement>) {
-        let shift = before.map_or(0.0, |before| f64::max(-SHIFT_BEYOND * before.lowest, 0.0));
-        self.known = self.judgement(system, kkt, time, shift);
+    /// Judges the equilibrium of `time`, s, whose matrix `kkt` has and has factorized.
+    pub fn judge(&mut self, system: &System, kkt: &mut Kkt, time: f64) {
+        self.known = kkt.releasing_motions(system).map(|unstable| Judgement { time, unstable });
     }
 
     /// Whether the last equilibrium judged is unstable and the one of `before` is not, or the other way round.
@@ -68,30 +60,28 @@ impl Stability {
         self.known.zip(before).is_some_and(|(now, before)| (now.unstable == 0) != (before.unstable == 0))
     }
 
-    /// Remarks what has changed on the way to `state`, the last equilibrium judged; of the first one, without `before`, only that it
-    /// is unstable.
-    pub fn remark(&mut self, system: &System, state: &State, before: Option<Judgement>) {
+    /// Remarks that the equilibrium `state`, the first one, is unstable: what would leave it is `softest`.
+    pub fn remark_start(&mut self, system: &System, state: &State, softest: &Softest) {
+        let (time, moved) = (state.time, moved(system, state, softest));
+        self.remarks.push(format!(
+            "the equilibrium of t = {time} s is unstable: what would leave it moves most at {moved}; a small imperfection shows the stable ones"
+        ));
+    }
+
+    /// Remarks what has changed from `before` to the last equilibrium judged; `softest` is the softest motion of the unstable one of
+    /// the two, `state`, and `other` what that motion costs at the stable one, 1/s².
+    pub fn remark(&mut self, system: &System, state: &State, before: Judgement, softest: &Softest, other: f64) {
         let Some(now) = self.known else { return };
-        let moved = self.moved(system, state, now.vector);
-        let Some(before) = before else {
-            if now.unstable > 0 {
-                self.remarks.push(format!(
-                    "the equilibrium of t = {} s is unstable: what would leave it moves most at {moved}; a small imperfection shows the \
-                     stable ones",
-                    now.time
-                ));
-            }
-            return;
-        };
-        if !self.differs(Some(before)) {
-            return;
-        }
-        let critical = before.time + (now.time - before.time) * before.lowest / (before.lowest - now.lowest);
-        let when = format!("between t = {} s and {} s, by interpolation at t = {critical:.6} s", before.time, now.time);
-        let ways = if now.unstable > 1 { format!(", in {} ways at once", now.unstable) } else { String::new() };
+        let share = (other / (other - softest.eigenvalue)).clamp(0.0, 1.0);
+        let (from, to) = if now.unstable > 0 { (before.time, now.time) } else { (now.time, before.time) };
+        let critical = from + (to - from) * share;
+        let (first, second) = (shown(before.time), shown(now.time));
+        let when = format!("between t = {first} s and {second} s, by interpolation at t = {critical:.6} s");
         self.remarks.push(if now.unstable == 0 {
             format!("the equilibrium becomes stable again {when}")
         } else {
+            let ways = if now.unstable > 1 { format!(", in {} ways at once", now.unstable) } else { String::new() };
+            let moved = moved(system, state, softest);
             format!(
                 "the equilibrium becomes unstable {when}{ways}: what buckles moves most at {moved}; the equilibria found beyond are \
                  unstable, a small imperfection shows the buckled ones"
@@ -103,35 +93,32 @@ impl Stability {
     pub fn take_remarks(&mut self) -> Vec<String> {
         std::mem::take(&mut self.remarks)
     }
+}
 
-    /// What vector `vector` of the block moves most at `state`.
-    fn moved(&self, system: &System, state: &State, vector: usize) -> String {
-        let mut snapshot = Snapshot::default();
-        system.most_moved(&snapshot.of(system, state), &self.block.vectors()[vector]).what
-    }
+/// A time without the tail that binary fractions have.
+fn shown(time: f64) -> f64 {
+    format!("{time:.12e}").parse().unwrap_or(time)
+}
 
-    /// Sweeps until the lowest eigenvalue is known, through `K + shift M`; none where that gives no solutions.
-    fn judgement(&mut self, system: &System, kkt: &mut Kkt, time: f64, shift: f64) -> Option<Judgement> {
-        if shift > 0.0 {
-            system.add_mass(shift, &mut kkt.blocks);
-            kkt.factorize(system, time).ok()?;
+/// What a motion moves most at `state`.
+fn moved(system: &System, state: &State, softest: &Softest) -> String {
+    let mut snapshot = Snapshot::default();
+    system.most_moved(&snapshot.of(system, state), &softest.shape).what
+}
+
+/// The softest motion of the machine whose matrix `kkt` has and has factorized; it then has another one. None where it is not found.
+pub fn softest(system: &System, kkt: &mut Kkt, time: f64) -> Option<Softest> {
+    let stiffness = kkt.blocks.symmetric_part();
+    modes::positive_shift(system, kkt, &stiffness, modes::least_shift(system, &stiffness), time).ok()?;
+    let freedoms = system.coordinates().saturating_sub(system.constraints());
+    let mut block = Subspace::new(system, BLOCK.min(freedoms));
+    for sweep in 0..MOST_SWEEPS {
+        let ritz = block.sweep(system, kkt).ok()?;
+        // The first sweep has only brought the vectors to the constraints; the first vector is the lowest.
+        if sweep > 0 && ritz.first().is_some_and(|first| first.error < ACCURATE) {
+            break;
         }
-        let mut known = None;
-        for _ in 0..MOST_SWEEPS {
-            let ritz = self.block.sweep(system, kkt).ok()?;
-            let vectors = self.block.vectors();
-            let told = ritz.iter().enumerate().filter(|(_, ritz)| ritz.error < ROUGH);
-            let values = told.map(|(vector, ritz)| (vector, 1.0 / ritz.inverse - shift, ritz.error));
-            let unstable = values
-                .clone()
-                .filter(|own| modes::kind(&kkt.blocks, &vectors[own.0], own.1, 0.0) == Kind::Unstable)
-                .count();
-            let lowest = values.min_by(|a, b| a.1.total_cmp(&b.1));
-            known = lowest.map(|(vector, lowest, _)| Judgement { time, lowest, vector, unstable });
-            if lowest.is_some_and(|(_, _, error)| error < ACCURATE) {
-                break;
-            }
-        }
-        known
     }
+    let shape = block.vectors().first()?.clone();
+    Some(Softest { eigenvalue: stiffness.form(&shape, &shape), shape })
 }

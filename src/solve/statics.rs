@@ -9,7 +9,7 @@ mod relaxation;
 use super::kkt::Kkt;
 use super::limits;
 use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
-use super::stability::{Judgement, Stability};
+use super::stability::{self, Judgement, Stability};
 use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::beam::frame::NodeFrame;
@@ -97,7 +97,7 @@ impl Statics {
             // A host has gone back.
             self.judge(system, state);
         }
-        let mut before = self.stability.known().filter(|_| !first);
+        let before = self.stability.known().filter(|_| !first);
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
         let mut outcome = self.ramp(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
@@ -113,29 +113,50 @@ impl Statics {
                 (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
                 (_, relaxed) => relaxed,
             };
-            if outcome.is_ok() {
-                self.judge(system, &next);
-            }
         }
         if outcome.is_ok() {
             next.time = time;
             next.statistics.steps += 1;
-            if !first {
-                self.stability.go_on(system, &mut self.kkt, time, before);
-                // Newton's last matrix is of its last iterate but one: both ends are asked themselves before it is told.
-                if self.stability.differs(before) {
-                    self.judge_beside(system, state, before);
-                    before = self.stability.known();
-                    self.judge_beside(system, &next, before);
-                }
-            }
-            self.stability.remark(system, &next, before);
+            self.watch_stability(system, state, &next, before);
             std::mem::swap(state, &mut next);
         } else {
             state.statistics = next.statistics;
         }
         self.next = Some(next);
         outcome
+    }
+
+    /// Looks whether the path has become unstable, or stable again, from `state`, of which `before` is known, to `next`.
+    fn watch_stability(&mut self, system: &System, state: &State, next: &State, before: Option<Judgement>) {
+        let Some(before) = before else {
+            if self.judge(system, next)
+                && let Some(softest) = stability::softest(system, &mut self.kkt, next.time)
+            {
+                self.stability.remark_start(system, next, &softest);
+            }
+            return;
+        };
+        self.stability.judge(system, &mut self.kkt, next.time);
+        if !self.stability.differs(Some(before)) {
+            return;
+        }
+        // Newton's last matrix is of its last iterate but one: both ends are asked themselves before it is told.
+        self.judge(system, state);
+        let Some(before) = self.stability.known() else { return };
+        let unstable_now = self.judge(system, next);
+        if !self.stability.differs(Some(before)) {
+            return;
+        }
+        let (unstable, stable) = if unstable_now { (next, state) } else { (state, next) };
+        if self.linearize(system, unstable).is_err() {
+            return;
+        }
+        let Some(softest) = stability::softest(system, &mut self.kkt, next.time) else { return };
+        if self.linearize(system, stable).is_err() {
+            return;
+        }
+        let other = self.kkt.blocks.form(&softest.shape, &softest.shape);
+        self.stability.remark(system, unstable, before, &softest, other);
     }
 
     /// What has been seen on the way that the user should know, once.
@@ -147,16 +168,9 @@ impl Statics {
     fn judge(&mut self, system: &System, state: &State) -> bool {
         // Without a factorization nothing is known.
         if self.linearize(system, state).is_ok() {
-            self.stability.begin(system, &mut self.kkt, state.time);
+            self.stability.judge(system, &mut self.kkt, state.time);
         }
         self.stability.known().is_some_and(|known| known.unstable > 0)
-    }
-
-    /// Judges the equilibrium `state` itself, next to one of which `before` is known.
-    fn judge_beside(&mut self, system: &System, state: &State, before: Option<Judgement>) {
-        if self.linearize(system, state).is_ok() {
-            self.stability.go_on(system, &mut self.kkt, state.time, before);
-        }
     }
 
     /// Factorizes the matrix of the equilibrium `state`.

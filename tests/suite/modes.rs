@@ -314,3 +314,40 @@ fn beams_without_torsion_have_bending_modes() {
         assert!((free / stiff - 1.0).abs() < 1e-10, "{free} {stiff}");
     }
 }
+
+/// However many softer motions there are, none that is unstable is missed: an upright pendulum beside six bodies on soft mounts, one
+/// mode asked for. `ω² = −m g l/(m l² + J)`.
+#[test]
+fn unstable_modes_are_not_hidden_by_softer_ones() {
+    let mut text = String::from(
+        "format = 1\n[model]\nname = \"Hidden\"\ngravity = [0, 0, -9.81]\n[body.upright]\nmass = 2\ninertia = [0.01, 0.01, 0.01]\n\
+         position = [0, 0, 0.1]\n[joint.foot]\ntype = \"revolute\"\na = \"ground\"\nb = \"upright\"\nat = [0, 0, 0]\naxis = [1, 0, 0]\n",
+    );
+    for k in 0..6 {
+        text += &format!(
+            "[body.soft{k}]\nmass = 1\ninertia = [1, 1, 1]\nposition = [{}, 0, 0]\n[joint.mount{k}]\ntype = \"bushing\"\na = \"ground\"\n\
+             b = \"soft{k}\"\nstiffness = [1, 1, 1]\nrotational_stiffness = [1, 1, 1]\n",
+            k + 1
+        );
+    }
+    text += "[simulation]\nstop = 1\nstep = 1e-3\noutput_step = 1e-2\n";
+    let mode = &start(&text).modes(1).unwrap().modes[0];
+    assert_eq!(mode.kind, Kind::Unstable);
+    let exact = -2.0 * 9.81 * 0.1 / (2.0 * 0.01 + 0.01);
+    assert!((mode.eigenvalue / exact - 1.0).abs() < 1e-9, "{} {exact}", mode.eigenvalue);
+}
+
+/// Bodies that nothing holds have no stiffness at all, not even a scale of one: six free motions, and one more with a hinge.
+#[test]
+fn bodies_without_any_stiffness_move_freely() {
+    let body = |name: &str, x: f64| format!("[body.{name}]\nmass = 1\ninertia = [1, 1, 1]\nposition = [{x}, 0, 0]\n");
+    let model = |rest: &str| {
+        format!("format = 1\n[model]\nname = \"Free\"\n{rest}[simulation]\nstop = 1\nstep = 1e-3\noutput_step = 1e-2\n")
+    };
+    let hinge = "[joint.hinge]\ntype = \"revolute\"\na = \"one\"\nb = \"two\"\nat = [0.5, 0, 0]\naxis = [0, 0, 1]\n";
+    for (text, count) in [(model(&body("one", 0.0)), 6), (model(&(body("one", 0.0) + &body("two", 1.0) + hinge)), 7)] {
+        let modes = start(&text).modes(20).unwrap().modes;
+        assert_eq!(modes.len(), count);
+        assert!(modes.iter().all(|mode| mode.kind == Kind::Free), "{modes:?}");
+    }
+}

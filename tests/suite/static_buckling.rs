@@ -200,3 +200,23 @@ fn a_twisted_ring_leaves_its_plane_at_michells_twist() {
         assert!((found / exact - 1.0).abs() < 3e-3, "{found} {exact}");
     }
 }
+
+/// Softer motions beside it, however many, do not hide a strut's buckling, nor its start beyond the critical load.
+#[test]
+fn soft_mounts_do_not_hide_the_buckling() {
+    let mut mounts = String::new();
+    for k in 0..6 {
+        mounts += &format!(
+            "[body.soft{k}]\nmass = 1\ninertia = [1, 1, 1]\nposition = [{}, 1, 0]\n[joint.mount{k}]\ntype = \"bushing\"\na = \"ground\"\n\
+             b = \"soft{k}\"\nstiffness = [1, 1, 1]\nrotational_stiffness = [1, 1, 1]\n",
+            k + 1
+        );
+    }
+    let load = |load: &str| format!("{CLAMP}{mounts}[load.weight]\nat = \"bar.end\"\nforce = [\"{load}\", 0, 0]\n");
+    let euler = PI * PI / 4.0 * STIFFNESS[1];
+    let told = warnings(&mut path(FLAT, 8, &load(&format!("-{euler}*t"))), &steps(0.1, 1.5));
+    assert!(told.len() == 1 && (critical(&told[0]) - 1.0).abs() < 2e-3, "{told:#?}");
+    assert!(told[0].contains("bar.end, along"), "{}", told[0]);
+    let told = path(FLAT, 8, &load(&format!("-{}", 1.2 * euler))).take_warnings();
+    assert!(told.iter().any(|told| told.contains("the equilibrium of t = 0 s is unstable")), "{told:?}");
+}
