@@ -51,7 +51,8 @@ pub enum Flaw {
 pub const LARGEST_JUMP: f64 = 1e-2;
 /// Sharpest corner, rad, 2 degrees: what numbers of four digits leave where pieces should meet smoothly.
 pub const LARGEST_CORNER: f64 = 2.0 * std::f64::consts::PI / 180.0;
-/// Farthest turning of the tangent in one element, rad: a right angle, beyond which the interpolation is no likeness of the curve.
+/// Farthest turning of the tangent in one element, and of the section by pretwist, rad: a right angle, beyond which the interpolation is
+/// no likeness of the curve, and the bending of a pretwisted element none of the beam's.
 pub const LARGEST_BEND: f64 = std::f64::consts::FRAC_PI_2;
 /// Least `|r'|`, of its mean in the element.
 const SLOWEST: f64 = 1e-6;

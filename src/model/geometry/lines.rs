@@ -3,7 +3,7 @@
 use crate::math::curve::Curve;
 use crate::math::flaw::{Flaw, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
 use crate::math::{Vec3, spline};
-use crate::mechanics::centreline::{Centreline, Spacing, shares};
+use crate::mechanics::centreline::{Centreline, Spacing, Span, shares};
 use crate::mechanics::division::Division;
 use crate::model::diagnostic::{Diagnostic, Place};
 use crate::model::document::Document;
@@ -17,6 +17,8 @@ use std::sync::Arc;
 const SHARPEST_COSINE: f64 = -0.999_847_7;
 /// How near two places must be to be one, of the length of all: their round-off.
 const SAME_PLACE: f64 = 1e-12;
+/// The most pretwist of an element, rad: a right angle with the round-off of the fractions of nodes.
+const LARGEST_TWIST: f64 = LARGEST_BEND * (1.0 + 1e-9);
 /// More elements than this are not proposed.
 const MOST_PROPOSED: usize = 10_000;
 
@@ -303,6 +305,43 @@ fn flawed(
         }
     };
     mistake(document, written.place, &message, &label, &help)
+}
+
+/// The mistake of a beam that has an element with too much pretwist.
+pub fn overtwisted(document: &Document, beam: &Beam, line: &Centreline) -> Option<Diagnostic> {
+    let pretwist = document.value(beam.pretwist);
+    let angle = most_twisted(pretwist, line);
+    if !pretwist.is_finite() || angle <= LARGEST_TWIST {
+        return None;
+    }
+    let elements = line.spans.len();
+    let message = format!("an element of beam {} is pretwisted by {:.1} degrees", beam.name, angle.to_degrees());
+    let label = format!("{} rad over {elements} elements", super::shown(pretwist));
+    let most = format!("an element can have {} degrees", LARGEST_BEND.to_degrees().round());
+    let help = match enough_for_twist(document, beam, pretwist, elements, angle) {
+        Some(count) => format!("{most}: with elements = {count} none has more; pretwist is in rad, from start to end"),
+        None => format!("{most}; pretwist is in rad, from start to end"),
+    };
+    Some(document.diagnostic(document.place(beam.pretwist), &message, &label, &help))
+}
+
+/// The largest share of a pretwist, which grows with the arc length, that an element has, rad.
+fn most_twisted(pretwist: f64, line: &Centreline) -> f64 {
+    let share = |span: &Span| line.nodes[span.node + 1].fraction - line.nodes[span.node].fraction;
+    line.spans.iter().map(|span| (pretwist * share(span)).abs()).fold(0.0, f64::max)
+}
+
+/// A number of elements, more than `elements`, none of which has too much pretwist; with so many one has `angle`, rad.
+fn enough_for_twist(document: &Document, beam: &Beam, pretwist: f64, elements: usize, mut angle: f64) -> Option<usize> {
+    let mut count = elements;
+    while angle > LARGEST_TWIST {
+        count = usize::max(count + 1, (count as f64 * angle / LARGEST_TWIST).ceil() as usize);
+        if count > MOST_PROPOSED {
+            return None;
+        }
+        angle = most_twisted(pretwist, &line(document, beam, count).ok()??);
+    }
+    Some(count)
 }
 
 /// A number of elements, more than `elements`, none of which turns too far; with so many one turns by `angle`, rad.

@@ -104,7 +104,9 @@ impl Checker<'_> {
                 self.mistake(place, &message, "the section's y must be across the beam", &help);
             }
         }
-        elements.map(|_| line)
+        elements?;
+        self.mistakes.extend(lines::overtwisted(document, beam, &line));
+        Some(line)
     }
 
     /// Beam and fraction of its length; none for the ground, or after a mistake.
