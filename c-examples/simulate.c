@@ -89,7 +89,7 @@ int main(int count, char **words) {
     check(unit, fmi2ExitInitializationMode(unit), "fmi2ExitInitializationMode");
 
     printf("time");
-#define CELL(reference, name, unit_label) printf(",%s", name);
+#define CELL(reference, name, unit_label) printf(",\"%s\"", name); /* a matrix's names have a comma */
     MODEL_REAL_OUTPUTS(CELL)
     MODEL_INTEGER_OUTPUTS(CELL)
 #undef CELL

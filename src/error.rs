@@ -2,14 +2,20 @@
 
 use thiserror::Error;
 
+/// A time as a message shows it, s: the nearest number of 12 digits, 0.6 instead of 0.6000000000000001.
+pub fn decimal(time: f64) -> f64 {
+    format!("{time:.11e}").parse().unwrap_or(time)
+}
+
 /// A failure of mechanics or solver. A failed step leaves the state as it was, but for the counts of iterations and rejections.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Error {
     /// Newton did not reach its tolerance.
     #[error(
-        "no equilibrium at t = {time} s: after {iterations} iterations the last correction was {correction:.1e} at {place} \
-         (tolerance {tolerance:.1e}); try a smaller step"
-    )]
+        "no equilibrium at t = {t} s: after {iterations} iterations the last correction was {correction:.1e} at {place} \
+         (tolerance {tolerance:.1e}); try a smaller step",
+t = decimal(*.time)
+)]
     NotConverged {
         /// Time of the step's end, s.
         time: f64,
@@ -23,7 +29,9 @@ pub enum Error {
         tolerance: f64,
     },
     /// The linear system has no unique solution.
-    #[error("the equations have no unique solution at t = {time} s: {what}")]
+    #[error("the equations have no unique solution at t = {t} s: {what}",
+t = decimal(*.time)
+)]
     Singular {
         /// Time, s.
         time: f64,
@@ -32,8 +40,9 @@ pub enum Error {
     },
     /// A tangent, a body, a frame or a joint turned too far in one step.
     #[error(
-        "{place} turned by {angle:.2} rad in the step to t = {time} s (at most {limit:.2} rad); try a smaller step"
-    )]
+        "{place} turned by {angle:.2} rad in the step to t = {t} s (at most {limit:.2} rad); try a smaller step",
+t = decimal(*.time)
+)]
     Turned {
         /// Time of the step's end, s.
         time: f64,
@@ -45,7 +54,9 @@ pub enum Error {
         limit: f64,
     },
     /// An element is bent, or twisted in one step, too far to be a good approximation.
-    #[error("element {element} of {beam} is {what} too far at t = {time} s; try more elements or a smaller step")]
+    #[error("element {element} of {beam} is {what} too far at t = {t} s; try more elements or a smaller step",
+t = decimal(*.time)
+)]
     Distorted {
         /// Time, s.
         time: f64,
@@ -58,8 +69,9 @@ pub enum Error {
     },
     /// A node's slope left the range in which the element means something.
     #[error(
-        "{place} is stretched to {stretch:.3} of its length at t = {time} s (allowed: 0.3 to 3); try a smaller step or a stiffer beam"
-    )]
+        "{place} is stretched to {stretch:.3} of its length at t = {t} s (allowed: 0.3 to 3); try a smaller step or a stiffer beam",
+t = decimal(*.time)
+)]
     Stretched {
         /// Time, s.
         time: f64,
@@ -70,9 +82,10 @@ pub enum Error {
     },
     /// `large_truncated` has no lower bound above this twist rate (MECHANICS, trap 9).
     #[error(
-        "element {element} of {beam} is twisted by {rate:.3} rad/m at t = {time} s; above {limit:.3} rad/m the energy of strain = \
-         \"large_truncated\" has no lower bound; use strain = \"large\""
-    )]
+        "element {element} of {beam} is twisted by {rate:.3} rad/m at t = {t} s; above {limit:.3} rad/m the energy of strain = \
+         \"large_truncated\" has no lower bound; use strain = \"large\"",
+t = decimal(*.time)
+)]
     TwistBeyondTruncation {
         /// Time, s.
         time: f64,
@@ -87,8 +100,9 @@ pub enum Error {
     },
     /// A joint has come to stand the other way round: another root of its conditions (MECHANICS 6).
     #[error(
-        "{joint} stands the wrong way round at t = {time} s: its parts turned by more than a quarter turn in a step; try a smaller step"
-    )]
+        "{joint} stands the wrong way round at t = {t} s: its parts turned by more than a quarter turn in a step; try a smaller step",
+t = decimal(*.time)
+)]
     Flipped {
         /// Time of the step's end, s.
         time: f64,
@@ -97,8 +111,9 @@ pub enum Error {
     },
     /// A bushing is turned so far that its rotation vector ends.
     #[error(
-        "the bushing {bushing} is turned by {angle:.0} degrees at t = {time} s: bushings hold to 170 degrees; use a joint that turns"
-    )]
+        "the bushing {bushing} is turned by {angle:.0} degrees at t = {t} s: bushings hold to 170 degrees; use a joint that turns",
+t = decimal(*.time)
+)]
     BushingTurned {
         /// Time of the step's end, s.
         time: f64,
@@ -109,8 +124,9 @@ pub enum Error {
     },
     /// A drive has missed a turn.
     #[error(
-        "drive {drive} is at {reading:.3} rad instead of {prescribed:.3} rad at t = {time} s: it moves too far in a step; try a smaller step"
-    )]
+        "drive {drive} is at {reading:.3} rad instead of {prescribed:.3} rad at t = {t} s: it moves too far in a step; try a smaller step",
+t = decimal(*.time)
+)]
     DriveMissed {
         /// Time of the step's end, s.
         time: f64,
@@ -133,7 +149,9 @@ pub enum Error {
         value: f64,
     },
     /// A number is not finite: a load's expression at this time, or an overflow.
-    #[error("{what} is not a finite number at t = {time} s")]
+    #[error("{what} is not a finite number at t = {t} s",
+t = decimal(*.time)
+)]
     NotFinite {
         /// Time, s.
         time: f64,
@@ -141,7 +159,9 @@ pub enum Error {
         what: String,
     },
     /// Halving did not help.
-    #[error("the step from t = {time} s failed even at {step:.3e} s, 1/{parts} of the step size: {reason}")]
+    #[error("the step from t = {t} s failed even at {step:.3e} s, 1/{parts} of the step size: {reason}",
+t = decimal(*.time)
+)]
     StepTooSmall {
         /// Time at which the step starts, s.
         time: f64,
@@ -154,9 +174,10 @@ pub enum Error {
     },
     /// The ramp to an equilibrium did not reach its end.
     #[error(
-        "the way to the equilibrium of t = {time} s ends at {share:.4} of the change of loads: a limit point, beyond which no \
-         equilibrium is near, or too coarse a mesh; there: {reason}"
-    )]
+        "the way to the equilibrium of t = {t} s ends at {share:.4} of the change of loads: a limit point, beyond which no \
+         equilibrium is near, or too coarse a mesh; there: {reason}",
+t = decimal(*.time)
+)]
     RampStuck {
         /// Time, s.
         time: f64,
@@ -167,8 +188,9 @@ pub enum Error {
     },
     /// The iteration for natural modes did not come to an end.
     #[error(
-        "the natural modes at t = {time} s were not found: shapes still change by {error:.1e} of themselves; ask for fewer or more of them"
-    )]
+        "the natural modes at t = {t} s were not found: shapes still change by {error:.1e} of themselves; ask for fewer or more of them",
+t = decimal(*.time)
+)]
     ModesNotFound {
         /// Time, s.
         time: f64,
@@ -180,8 +202,10 @@ pub enum Error {
     NotInitialized,
     /// Too many internal steps for one call: the step is far too small.
     #[error(
-        "{count:.1e} internal steps of {step:e} s would lead from t = {from} s to t = {to} s (at most 1e9); take a larger simulation.step"
-    )]
+        "{count:.1e} internal steps of {step:e} s would lead from t = {begin} s to t = {end} s (at most 1e9); take a larger simulation.step",
+begin = decimal(*.from),
+end = decimal(*.to)
+)]
     TooManySteps {
         /// Number of steps.
         count: f64,
@@ -200,4 +224,17 @@ pub enum Error {
         /// Largest condition, m or 1.
         gap: f64,
     },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sums of steps have binary tails; what a message shows has none.
+    #[test]
+    fn regression_times_are_shown_without_tails() {
+        assert_eq!([0.1 + 0.2, 3.0 * 0.2, 1e-9, 0.0, 12.5].map(decimal), [0.3, 0.6, 1e-9, 0.0, 12.5]);
+        let error = Error::NotFinite { what: "the energy".into(), time: 3.0 * 0.2 };
+        assert!(error.to_string().ends_with("at t = 0.6 s"), "{error}");
+    }
 }

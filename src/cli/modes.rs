@@ -7,22 +7,46 @@ use ancf14::fmi::{Failure, Model};
 use ancf14::model::entries::simulation::Analysis;
 use ancf14::model::modes::{Kind, Mode, Modes};
 use ancf14::model::simulation::Simulation;
+use std::fs::OpenOptions;
 use std::path::Path;
 
 /// What is asked for.
 #[derive(clap::Args, Clone, Copy, Debug)]
 pub struct Wishes {
-    /// Number of modes, from the lowest
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
-    count: u16,
+    /// Number of modes, from the lowest [default: 10]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    count: Option<u16>,
     /// Of a static analysis: the time whose equilibrium is meant, s [default: the start]
-    #[arg(long, value_name = "T", value_parser = time)]
+    #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     time: Option<f64>,
+}
+
+/// Modes that are found where no number is given.
+const COUNT: u16 = 10;
+/// What is written.
+const FILES: [&str; 3] = ["modes.csv", "shapes.csv", "modes.svg"];
+
+fn count(text: &str) -> Result<u16, String> {
+    let count = text.parse().ok().filter(|count| *count >= 1);
+    count.ok_or_else(|| format!("a whole number from 1 to {} was expected", u16::MAX))
 }
 
 fn time(text: &str) -> Result<f64, String> {
     let time = text.parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0);
     time.ok_or_else(|| "a time from 0 on was expected, in s".to_owned())
+}
+
+/// Notices before anything is computed that the files cannot be written; leaves what is there as it is.
+fn prepare(directory: &Path) -> Result<(), Stop> {
+    std::fs::create_dir_all(directory).map_err(|reason| trouble(&directory.display().to_string(), &reason))?;
+    for path in FILES.map(|name| directory.join(name)) {
+        let is_new = !path.exists();
+        let opened = OpenOptions::new().append(true).create(true).open(&path).map(drop);
+        opened
+            .and_then(|()| if is_new { std::fs::remove_file(&path) } else { Ok(()) })
+            .map_err(|reason| trouble(&path.display().to_string(), &reason))?;
+    }
+    Ok(())
 }
 
 /// Finds the modes and writes everything into `directory`.
@@ -32,6 +56,13 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path) -> Re
             "error: --time is for analysis = \"static\"; other modes are those of the start".to_owned(),
         ));
     }
+    let stop = simulation.about().stop;
+    if let Some(time) = wishes.time.filter(|time| *time > stop) {
+        return Err(Stop::Bad(format!(
+            "error: --time {time} is after the end of the analysis: simulation.stop is {stop} s"
+        )));
+    }
+    prepare(directory)?;
     let failed = |Failure { message, .. }| Stop::Failed(format!("error: {message}"));
     let reached = simulation.initialize(0.0).and_then(|()| match wishes.time {
         Some(time) if time > 0.0 => simulation.advance(time),
@@ -39,13 +70,16 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path) -> Re
     });
     simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
     reached.map_err(failed)?;
-    let found = simulation.modes(usize::from(wishes.count)).map_err(failed)?;
+    let found = simulation.modes(usize::from(wishes.count.unwrap_or(COUNT))).map_err(failed)?;
+    if let Some(count) = wishes.count.filter(|count| usize::from(*count) > found.modes.len()) {
+        complain(&format!("warning: {count} modes were asked for, but the machine has only {}", found.modes.len()));
+    }
     found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
     say(&table(&found));
-    std::fs::create_dir_all(directory).map_err(|reason| trouble(&directory.display().to_string(), &reason))?;
-    write(&directory.join("modes.csv"), &modes_csv(&found))?;
-    write(&directory.join("shapes.csv"), &shapes_csv(&found))?;
-    write(&directory.join("modes.svg"), &shapes::svg(&found, &simulation.about().name))?;
+    let texts = [modes_csv(&found), shapes_csv(&found), shapes::svg(&found, &simulation.about().name)];
+    for (name, text) in FILES.iter().zip(texts) {
+        write(&directory.join(name), &text)?;
+    }
     say(&format!("modes.csv, shapes.csv and modes.svg in {}", directory.display()));
     Ok(())
 }

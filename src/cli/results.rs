@@ -1,5 +1,6 @@
 //! The table of results: rows in memory for the plots, and the same rows in results.csv.
 
+use ancf14::error::decimal;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::fmi::{Model, Value};
 use std::fs::File;
@@ -54,7 +55,7 @@ impl Results {
     /// Adds a row.
     pub fn record(&mut self, time: f64, model: &impl Model) -> io::Result<()> {
         let values: Vec<Value> = self.columns.iter().map(|column| model.value(column.reference)).collect();
-        write!(self.file, "{}", shortest(time))?;
+        write!(self.file, "{}", shortest(decimal(time)))?;
         for value in &values {
             match value {
                 Value::Real(value) => write!(self.file, ",{}", shortest(*value))?,

@@ -2,6 +2,7 @@
 
 use super::results::Results;
 use super::{Stop, complain, plot, say};
+use ancf14::error::decimal;
 use ancf14::fmi::{Failure, Model};
 use ancf14::model::simulation::Simulation;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -32,7 +33,7 @@ pub fn run(mut simulation: Simulation, directory: &Path) -> Result<(), Stop> {
         (Ok(()), _) => Ok(()),
         (Err(Interruption::Write(reason)), _) => Err(trouble(&shown, &reason)),
         (Err(Interruption::Model(failure)), Some(reached)) => {
-            Err(Stop::Failed(format!("error: {}\nthe rows up to t = {reached} s are kept", failure.message)))
+            Err(Stop::Failed(format!("error: {}\nthe rows up to t = {} s are kept", failure.message, decimal(reached))))
         }
         (Err(Interruption::Model(failure)), None) => Err(Stop::Failed(format!("error: {}", failure.message))),
     }
@@ -93,8 +94,9 @@ fn summary(results: &Results, reached: f64, wall: f64) -> String {
         (count("statistics.steps"), count("statistics.iterations"), count("statistics.rejected"));
     let speed = if wall > 0.0 { reached / wall } else { f64::INFINITY };
     format!(
-        "t = {reached} s: {steps} steps, {iterations} Newton iterations, {rejected} rejected, \
-         {wall:.3} s wall time, {speed:.3} x real time"
+        "t = {} s: {steps} steps, {iterations} Newton iterations, {rejected} rejected, \
+         {wall:.3} s wall time, {speed:.3} x real time",
+        decimal(reached)
     )
 }
 

@@ -65,8 +65,8 @@ fn cell(text: &mut String, found: &Modes, mode: &Mode, number: usize, corner: [f
         y + 19.0,
         escaped(&mode.moves)
     );
-    let bodies = || found.places[found.places.len() - body_count(found)..].iter();
-    let body_motions = &mode.motions[mode.motions.len() - body_count(found)..];
+    let bodies = || found.places[found.nodes..].iter();
+    let body_motions = &mode.motions[found.nodes..];
     let amplitude = amplitude(found, mode);
     let moved = |at: [f64; 3], by: [f64; 3]| [0, 1, 2].map(|axis| at[axis] + amplitude * by[axis]);
     let shape: Vec<Vec<[f64; 3]>> = found
@@ -100,11 +100,6 @@ fn cell(text: &mut String, found: &Modes, mode: &Mode, number: usize, corner: [f
              <circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\" fill=\"#0072b2\" fill-opacity=\"0.25\" stroke=\"#0072b2\" stroke-width=\"2\"/>"
         );
     }
-}
-
-/// Bodies come behind the nodes, whose names have an index.
-fn body_count(found: &Modes) -> usize {
-    found.places.iter().rev().take_while(|place| !place.name.ends_with(']')).count()
 }
 
 /// Factor of a shape in its picture.

@@ -3,7 +3,7 @@
 //! `r(s)`, `r'`, `r''` by the parameter; tangent `t = r'/|r'|`, `t' = (r'' − t (t·r''))/|r'|`; arc length `∫ |r'| ds`.
 
 use super::Vec3;
-use super::integral::integral_within;
+use super::integral::Integral;
 use super::jet::Jet;
 use super::rotation::normal_projector;
 use std::fmt;
@@ -77,9 +77,15 @@ impl Curve {
 
     /// `∫ f ds`, piece by piece; errors below `error` are not pursued.
     pub fn integral(&self, f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> f64 {
+        self.measured(f, from, to, error).value
+    }
+
+    /// `∫ f ds` as above, and how well it is known.
+    pub fn measured(&self, f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> Integral {
         let mut begin = from;
         let ends = self.limits_between(from, to).chain([to]);
-        ends.map(|end| integral_within(f, std::mem::replace(&mut begin, end), end, error)).sum()
+        ends.map(|end| Integral::of(f, std::mem::replace(&mut begin, end), end, error))
+            .fold(Integral::default(), Integral::and)
     }
 
     /// Arc length from one parameter to another, m.

@@ -5,6 +5,7 @@
 
 use super::Vec3;
 use super::curve::Curve;
+use super::integral::Integral;
 
 /// What is wrong with a curve, and where. Lengths in m, angles in rad, `s` the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +15,11 @@ pub enum Flaw {
     /// Place or derivatives are not finite numbers.
     NotFinite {
         /// Where.
+        s: f64,
+    },
+    /// Its length, or how far it turns, cannot be found: it is infinite there, or oscillates faster than anything can follow.
+    Unmeasured {
+        /// Where it is worst.
         s: f64,
     },
     /// The derivative vanishes: there is no tangent.
@@ -51,7 +57,8 @@ pub enum Flaw {
 pub const LARGEST_JUMP: f64 = 1e-2;
 /// Sharpest corner, rad, 2 degrees: what numbers of four digits leave where pieces should meet smoothly.
 pub const LARGEST_CORNER: f64 = 2.0 * std::f64::consts::PI / 180.0;
-/// Farthest turning of the tangent in one element, rad: a right angle, beyond which the interpolation is no likeness of the curve.
+/// Farthest turning of the tangent in one element, and of the section by pretwist, rad: a right angle, beyond which the interpolation is
+/// no likeness of the curve, and the bending of a pretwisted element none of the beam's.
 pub const LARGEST_BEND: f64 = std::f64::consts::FRAC_PI_2;
 /// Least `|r'|`, of its mean in the element.
 const SLOWEST: f64 = 1e-6;
@@ -59,6 +66,8 @@ const SLOWEST: f64 = 1e-6;
 const SAMPLES: usize = 16;
 /// How well jumps (of the length), corners and bends (rad) are measured: far below their bounds.
 const MEASURE: f64 = 1e-6;
+/// Length that may be unknown, of the whole.
+const UNKNOWN: f64 = 1e-6;
 /// Halvings until a place is known to the last digit.
 const HALVINGS: usize = 60;
 
@@ -73,7 +82,11 @@ pub fn of_length(curve: &Curve) -> Option<Flaw> {
         let s = located(begin, end, |from, to| if curve.arc(from, to).is_finite() { 0.0 } else { 1.0 });
         return Some(Flaw::NotFinite { s });
     }
-    (curve.length() == 0.0).then_some(Flaw::NoLength)
+    let length = curve.measured(&|s| curve.speed(s), begin, end, 0.0);
+    if length.missed > UNKNOWN * length.value {
+        return Some(Flaw::Unmeasured { s: length.at });
+    }
+    (length.value == 0.0).then_some(Flaw::NoLength)
 }
 
 /// What keeps the stretch between two nodes, of the arc length `length`, from being an element; [`of_length`] has found nothing.
@@ -82,34 +95,48 @@ pub fn of_element(curve: &Curve, from: f64, to: f64, length: f64) -> Option<Flaw
         return Some(Flaw::Cusp { s });
     }
     let jump = |from, to| unexplained(curve, (from, to), MEASURE * length, |s| curve.at(s)[0], |s| curve.at(s)[1]);
-    let size = jump(from, to);
-    if size > LARGEST_JUMP * length {
-        return Some(Flaw::Jump { s: located(from, to, jump), size, length });
+    let gap = jump(from, to);
+    let size = gap.value;
+    // Where the quadrature has failed, nothing tells a jump from what it missed.
+    let is_known = gap.missed <= 0.5 * LARGEST_JUMP * length;
+    if is_known && size > LARGEST_JUMP * length {
+        return Some(Flaw::Jump { s: located(from, to, |from, to| jump(from, to).value), size, length });
     }
     let corner = |from, to| unexplained(curve, (from, to), MEASURE, |s| curve.tangent(s), |s| curve.tangent_rate(s));
-    let angle = 2.0 * (0.5 * corner(from, to)).min(1.0).asin();
+    let gap = if is_known { corner(from, to) } else { gap };
+    let is_known = is_known && gap.missed <= 0.5 * LARGEST_CORNER;
+    let angle = if is_known { 2.0 * (0.5 * gap.value).min(1.0).asin() } else { 0.0 };
     if angle > LARGEST_CORNER {
-        return Some(Flaw::Corner { s: located(from, to, corner), angle });
+        return Some(Flaw::Corner { s: located(from, to, |from, to| corner(from, to).value), angle });
     }
-    let turning = |from, to| curve.integral(&|s| curve.tangent_rate(s).norm(), from, to, MEASURE);
-    let angle = turning(from, to) + angle;
+    let turning = |from, to| curve.measured(&|s| curve.tangent_rate(s).norm(), from, to, MEASURE);
+    let turned = turning(from, to);
+    let angle = turned.value + angle;
     if !(size + angle).is_finite() {
-        let s = located(from, to, |from, to| if turning(from, to).is_finite() { 0.0 } else { 1.0 });
+        let s = located(from, to, |from, to| if turning(from, to).value.is_finite() { 0.0 } else { 1.0 });
         return Some(Flaw::NotFinite { s });
     }
-    (angle > LARGEST_BEND).then_some(Flaw::Bend { range: [from, to], angle })
+    if turned.missed > 0.5 * LARGEST_BEND {
+        return Some(Flaw::Unmeasured { s: turned.at });
+    }
+    if angle > LARGEST_BEND {
+        return Some(Flaw::Bend { range: [from, to], angle });
+    }
+    (!is_known).then_some(Flaw::Unmeasured { s: gap.at })
 }
 
-/// `|f(to) − f(from) − ∫ f' ds|`.
+/// `|f(to) − f(from) − ∫ f' ds|`, and how well it is known.
 fn unexplained(
     curve: &Curve,
     (from, to): (f64, f64),
     error: f64,
     f: impl Fn(f64) -> Vec3,
     rate: impl Fn(f64) -> Vec3,
-) -> f64 {
-    let explained = Vec3::from_fn(|i, _| curve.integral(&|s| rate(s)[i], from, to, error));
-    (f(to) - f(from) - explained).norm()
+) -> Integral {
+    let explained = [0, 1, 2].map(|i| curve.measured(&|s| rate(s)[i], from, to, error));
+    let value = (f(to) - f(from) - Vec3::from(explained.map(|part| part.value))).norm();
+    let [x, y, z] = explained;
+    Integral { value, ..x.and(y).and(z) }
 }
 
 /// Where a quantity of intervals comes from: always in the half that has more of it, between them if neither has any.
@@ -200,6 +227,12 @@ mod tests {
             false => [s, number(0.1) * (s - number(0.3)), number(0.5)],
         });
         assert!(matches!(pieces, Some(Flaw::Jump { s, size, .. }) if near(s, 0.3) && near(size, 0.5)), "{pieces:?}");
+        let pole = flaw(&[], |s| [s, (s - number(0.3)).power(number(-1.0)), number(0.0)]);
+        assert!(matches!(pole, Some(Flaw::Unmeasured { s }) if (s - 0.3).abs() < 1e-3), "{pole:?}");
+        let wild = flaw(&[], |s| [s, (s * number(1e6)).sin() * number(1e-3), number(0.0)]);
+        assert!(matches!(wild, Some(Flaw::Unmeasured { .. })), "{wild:?}");
+        let coil = flaw(&[], |s| [s, (s * number(1e6)).sin(), (s * number(1e6)).cos()]);
+        assert!(matches!(coil, Some(Flaw::Bend { angle, .. }) if angle > 1.9e6), "{coil:?}");
         let bend = flaw(&[], |s| [s.sin(), s.cos(), number(0.0)]);
         assert!(matches!(bend, Some(Flaw::Bend { angle, .. }) if near(angle, 2.0)), "{bend:?}");
     }

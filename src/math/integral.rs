@@ -39,35 +39,72 @@ pub fn integral(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 
 /// `∫ f` as above; the rules need not agree further than to `error`: the round-off of an `f` whose terms cancel is not pursued.
 pub fn integral_within(f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> f64 {
-    if from == to {
-        return 0.0;
-    }
-    let (sum, size, difference) = rules(f, from, to);
-    let mut intervals = MOST_INTERVALS;
-    refined(f, (from, to), (sum, difference), f64::max(AGREEMENT * size, error), 0, &mut intervals)
+    Integral::of(f, from, to, error).value
 }
 
-fn refined(
-    f: &impl Fn(f64) -> f64,
-    (from, to): (f64, f64),
-    (sum, difference): (f64, f64),
-    bound: f64,
-    depth: u32,
-    intervals: &mut u32,
-) -> f64 {
-    // Not-a-number agrees with nothing, and no halving mends it.
-    if difference <= bound || depth == DEEPEST || *intervals == 0 || !difference.is_finite() {
-        return sum;
+/// An integral, and how well it is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Integral {
+    /// Its value.
+    pub value: f64,
+    /// By how much the rules differ where no halving helped: a pole, or oscillations without end.
+    pub missed: f64,
+    /// Where they differ most.
+    pub at: f64,
+    /// By how much they do there.
+    pub most: f64,
+}
+
+impl Integral {
+    /// `∫ f`; the rules need not agree further than to `error`.
+    pub fn of(f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> Self {
+        let mut sum = Self { at: from, ..Self::default() };
+        if from != to {
+            let (value, size, difference) = rules(f, from, to);
+            let mut intervals = MOST_INTERVALS;
+            let bound = f64::max(AGREEMENT * size, error);
+            sum.value = sum.refined(f, (from, to), (value, difference), bound, 0, &mut intervals);
+        }
+        sum
     }
-    *intervals -= 1;
-    let middle = 0.5 * (from + to);
-    [(from, middle), (middle, to)]
-        .into_iter()
-        .map(|(from, to)| {
-            let (sum, _, difference) = rules(f, from, to);
-            refined(f, (from, to), (sum, difference), bound, depth + 1, intervals)
-        })
-        .sum()
+
+    /// With the next piece.
+    pub fn and(self, next: Self) -> Self {
+        let worst = if next.most > self.most { next } else { self };
+        Self { value: self.value + next.value, missed: self.missed + next.missed, ..worst }
+    }
+
+    /// The integral over an interval; what is missed of it is noted.
+    fn refined(
+        &mut self,
+        f: &impl Fn(f64) -> f64,
+        (from, to): (f64, f64),
+        (sum, difference): (f64, f64),
+        bound: f64,
+        depth: u32,
+        intervals: &mut u32,
+    ) -> f64 {
+        let middle = 0.5 * (from + to);
+        if difference <= bound {
+            return sum;
+        }
+        // Not-a-number agrees with nothing, and no halving mends it.
+        if depth == DEEPEST || *intervals == 0 || !difference.is_finite() {
+            self.missed += difference;
+            if difference > self.most {
+                (self.most, self.at) = (difference, middle);
+            }
+            return sum;
+        }
+        *intervals -= 1;
+        [(from, middle), (middle, to)]
+            .into_iter()
+            .map(|(from, to)| {
+                let (sum, _, difference) = rules(f, from, to);
+                self.refined(f, (from, to), (sum, difference), bound, depth + 1, intervals)
+            })
+            .sum()
+    }
 }
 
 /// The integral by Kronrod's rule, that of `|f|`, and how far Gauss' rule is off.
@@ -105,5 +142,18 @@ mod tests {
         close(integral(&|t| if t < 0.123 { 2.0 } else { -1.0 }, 0.0, 1.0), 0.246 - 0.877);
         close(integral(&|_| 5.0, 0.25, 0.25), 0.0);
         assert!(integral(&|t: f64| (t - 0.5).sqrt(), 0.0, 1.0).is_nan());
+    }
+
+    /// What is no integral must be known as such, and where; a jump or a root at the edge is one.
+    #[test]
+    fn what_is_missed_is_known() {
+        let pole = Integral::of(&|t: f64| (t - 0.3).powi(-2), 0.0, 1.0, 0.0);
+        assert!(pole.missed > 0.1 * pole.value && (pole.at - 0.3).abs() < 1e-3, "{pole:?}");
+        let wild = Integral::of(&|t: f64| (1e6 * t).cos().abs(), 0.0, 1.0, 0.0);
+        assert!(wild.missed > 1e-3, "{wild:?}");
+        let jump = Integral::of(&|t: f64| if t < 0.123 { 2.0 } else { -1.0 }, 0.0, 1.0, 0.0);
+        assert_eq!(jump.missed, 0.0);
+        assert!(Integral::of(&f64::sqrt, 0.0, 1.0, 0.0).missed < 1e-12);
+        assert_eq!(jump.and(pole), Integral { value: jump.value + pole.value, ..pole });
     }
 }

@@ -1,7 +1,7 @@
 //! Puts a machine together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
 use super::beam::coordinates::{NODE, P, THETA, set_vec3};
-use super::beam::element::Element;
+use super::beam::element::{BendingPoint, Element};
 use super::beam::frame::{NodeFrame, Triad};
 use super::beam::quadratic_twist::Twist;
 use super::beam::strain::{Stiffness, Strain};
@@ -209,13 +209,16 @@ impl Assembly {
         Marker::Section { element: beam.first_element + element, xi }
     }
 
-    /// The quadrature points of a whole beam with their weights, m: where a load per length acts.
+    /// The quadrature points of a whole beam with their weights `w l`, m: where a load per length acts.
+    ///
+    /// Of the arc length, as mass and weight are: not `w l J0`, the length of the interpolated curve, which strains have.
     pub fn sections_of(&self, beam: usize) -> Vec<(Marker, f64)> {
         let beam = &self.system.beams[beam];
         beam.element_range()
             .flat_map(|number| {
                 let points = self.system.elements[number].bending.iter();
-                points.map(move |point| (Marker::Section { element: number, xi: point.xi }, point.weight))
+                let arc = |point: &BendingPoint| point.weight / point.reference_stretch;
+                points.map(move |point| (Marker::Section { element: number, xi: point.xi }, arc(point)))
             })
             .collect()
     }

@@ -71,6 +71,8 @@ pub struct Modes {
     pub modes: Vec<Mode>,
     /// Nodes of all beams, then bodies.
     pub places: Vec<Place>,
+    /// How many of the places are nodes.
+    pub nodes: usize,
     /// Points of all beams close enough to each other to draw, m.
     pub lines: Vec<Vec<[f64; 3]>>,
     /// How many modes the machine has.
@@ -92,12 +94,14 @@ impl Simulation {
         let name = |beam: &Beam, node: usize| format!("{}.node[{}]", beam.name, beam.end_of(node));
         let names = system.beams.iter().flat_map(|beam| beam.node_range().map(move |node| name(beam, node)));
         let nodes = state.q.chunks(NODE).map(|q| vec3(q, 0));
-        let nodes = names.zip(nodes).map(|(name, place)| Place { name, position: place.into() });
+        let mut places: Vec<Place> =
+            names.zip(nodes).map(|(name, place)| Place { name, position: place.into() }).collect();
+        let nodes = places.len();
         let bodies = system
             .bodies
             .iter()
             .map(|body| Place { name: body.name.clone(), position: vec3(&state.q, body.start).into() });
-        let places = nodes.chain(bodies).collect();
+        places.extend(bodies);
         let modes = found.modes.iter().map(|mode| {
             let extreme = system.most_moved(&configuration, &mode.shape);
             // So that what moves most moves by one.
@@ -118,19 +122,17 @@ impl Simulation {
         Ok(Modes {
             modes: modes.collect(),
             places,
+            nodes,
             lines: lines(system, &state.q),
             freedoms: found.freedoms,
-            warnings: warnings(system, &found, moving, count),
+            warnings: warnings(system, &found, moving),
         })
     }
 }
 
-/// What the user should know of the modes found when `count` were asked for.
-fn warnings(system: &System, found: &modes::Modes, moving: bool, count: usize) -> Vec<String> {
+/// What the user should know of the modes found.
+fn warnings(system: &System, found: &modes::Modes, moving: bool) -> Vec<String> {
     let mut warnings = Vec::new();
-    if found.modes.len() < count {
-        warnings.push(format!("{count} modes were asked for, but the machine has only {}", found.modes.len()));
-    }
     if found.imbalance.is_nan() || found.imbalance > BALANCED {
         warnings.push(String::from(
             "the machine does not stay where it is: these are the modes of its stiffness there; for those about its equilibrium \
@@ -140,7 +142,8 @@ fn warnings(system: &System, found: &modes::Modes, moving: bool, count: usize) -
     if found.skewness > SYMMETRIC {
         warnings.push(format!(
             "loads that turn with the machine, or moments about axes that stand still, have no potential: the skew part of the stiffness, \
-             {:.2e} of it in these modes, is left out, and with it flutter",
+             {:.2e} of it in these modes, is left out. Frequencies and kinds of the modes that these loads change are not to be trusted: \
+             what is called unstable may be stable, and flutter is not found; a run in time shows both",
             found.skewness
         ));
     }

@@ -2,6 +2,7 @@
 
 use super::document::Document;
 use super::entries::simulation::Integrator;
+use crate::error::decimal;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -47,7 +48,7 @@ impl Watch {
         Some(format!(
             "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: strain = \"large_truncated\" softens and fails above \
              {limit:.3} rad/m; use strain = \"large\"",
-            state.time
+            decimal(state.time)
         ))
     }
 
@@ -72,7 +73,7 @@ impl Watch {
         Some(format!(
             "the total energy has changed from {start:.4e} J to {total:.4e} J by t = {} s, though nothing drives or damps it: the steps are \
              too large for this motion; take a smaller simulation.step",
-            state.time
+            decimal(state.time)
         ))
     }
 }

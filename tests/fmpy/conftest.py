@@ -24,10 +24,11 @@ def executable() -> Path:
     return Path(os.environ.get("ANCF14", ROOT / "target/release/ancf14"))
 
 
-def run(*words):
-    """Runs the executable; a failure shows what it said."""
+def run(*words) -> list[str]:
+    """Runs the executable and gives its warnings; a failure shows what it said."""
     done = subprocess.run([executable(), *words], capture_output=True, text=True)
     assert done.returncode == 0, f"ancf14 {' '.join(map(str, words))}:\n{done.stdout}{done.stderr}"
+    return [line.removeprefix("warning: ") for line in done.stderr.splitlines() if line.startswith("warning: ")]
 
 
 def pack_all(folder: Path):
@@ -58,5 +59,12 @@ def results(fmu, tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp(fmu.stem)
     with zipfile.ZipFile(fmu) as archive:
         (folder / "model.toml").write_bytes(archive.read("resources/model.toml"))
-    run("run", folder / "model.toml", "--out", folder / "results")
+    warnings = run("run", folder / "model.toml", "--out", folder / "results")
+    (folder / "results" / "warnings.txt").write_text("".join(f"{warning}\n" for warning in warnings))
     return folder / "results" / "results.csv"
+
+
+@pytest.fixture(scope="module")
+def warnings(results) -> list[str]:
+    """What `ancf14 run` warned of: hosts must be told the same, and nothing else."""
+    return (results.parent / "warnings.txt").read_text().splitlines()

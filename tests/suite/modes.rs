@@ -211,7 +211,7 @@ fn pendulums_swing_and_fall() {
         assert_eq!((mode.kind, mode.moves.as_str()), (kind, "bob, along x"));
         // A body of six freedoms in twelve coordinates: round-off of a few sums.
         assert!((sign * mode.eigenvalue / exact - 1.0).abs() < 1e-12, "{} {exact}", mode.eigenvalue);
-        assert!(found.warnings.len() == 1 && found.warnings[0].contains("has only 1"), "{:?}", found.warnings);
+        assert!(found.warnings.is_empty() && found.nodes == 0 && found.places.len() == 1, "{:?}", found.warnings);
         // What moves most moves by one: m + J/d².
         assert!((mode.modal_mass - (2.0 + 0.2 / 0.49)).abs() < 1e-12);
     }
@@ -300,6 +300,21 @@ fn loads_without_potential_are_told() {
     };
     assert_eq!(skewness(Vec3::new(-50.0, 0.0, 0.0), Vec3::zeros()), 0.0);
     assert!(skewness(Vec3::zeros(), Vec3::x() * 5.0) > 1e-3);
+}
+
+/// Beck's column bears its follower load up to `20.05 E I/L²`; without the skew part it is called unstable at half of that. The warning must
+/// say that kinds are not to be trusted then, not only that flutter is lost.
+#[test]
+fn regression_kinds_are_not_to_be_trusted_under_follower_loads() {
+    let text = include_str!("../../models/cantilever.toml");
+    let load = "[load.push]\nat = \"arm.end\"\nforce = [-1e3, 0, 0]\nfollower = true\n\n[simulation]";
+    let found = start(&text.replace("[simulation]", load)).modes(4).unwrap();
+    assert!(
+        found.warnings.iter().any(|warning| warning.contains("what is called unstable may be stable")),
+        "{:?}",
+        found.warnings
+    );
+    assert_eq!(found.nodes, found.places.len());
 }
 
 /// Without torsion the bending modes stay what they are, and no mode of torsion is near.

@@ -5,14 +5,34 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 fn modes(directory: &Path, name: &str, arguments: &[&str]) -> Output {
+    modes_of(directory, &format!("{}/models/{name}.toml", env!("CARGO_MANIFEST_DIR")), arguments)
+}
+
+fn modes_of(directory: &Path, file: &str, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_ancf14"))
         .current_dir(directory)
         .arg("modes")
-        .arg(format!("{}/models/{name}.toml", env!("CARGO_MANIFEST_DIR")))
+        .arg(file)
         .args(arguments)
         .output()
         .unwrap()
 }
+
+const BOB: &str = r#"format = 1
+[model]
+name = "Bob"
+[body.bob]
+mass = 2.0
+position = [0.0, 0.0, -1.0]
+inertia = [0.1, 0.1, 0.1]
+[spring.rope]
+a = "ground"
+b = "bob"
+stiffness = 100.0
+[simulation]
+stop = 1.0
+step = 0.01
+"#;
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
@@ -80,8 +100,11 @@ fn mistakes_are_told() {
     let directory = tempfile::tempdir().unwrap();
     for (name, arguments, code, expected) in [
         ("cantilever", &["--time", "1"][..], 2, "analysis = \"static\""),
-        ("cantilever", &["--count", "0"], 2, "0 is not in"),
+        ("cantilever", &["--count", "0"], 2, "a whole number from 1 to 65535"),
+        ("cantilever", &["--count", "-3"], 2, "a whole number from 1 to 65535"),
         ("princeton_beam", &["--time=-1"], 2, "a time from 0 on"),
+        ("princeton_beam", &["--time", "-1"], 2, "a time from 0 on"),
+        ("princeton_beam", &["--time", "1.5"], 2, "simulation.stop is 1 s"),
         ("nothing", &[], 2, "cannot read"),
         ("princeton_beam", &["--set", "gravity[3]=sqrt(-1)"], 2, "gravity"),
     ] {
@@ -89,7 +112,26 @@ fn mistakes_are_told() {
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", text(&output.stderr));
         assert!(text(&output.stderr).contains(expected), "{}", text(&output.stderr));
     }
-    let output = modes(directory.path(), "pendulum", &["--count", "5000"]);
-    assert!(output.status.success());
-    assert!(text(&output.stderr).contains("the machine has only"), "{}", text(&output.stderr));
+    // A body on a spring has six modes: fewer than are shown where no number is given, which is no reason for a warning.
+    std::fs::write(directory.path().join("bob.toml"), BOB).unwrap();
+    for (arguments, is_warned) in [(&["--count", "7"][..], true), (&[], false)] {
+        let output = modes_of(directory.path(), "bob.toml", arguments);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert_eq!(text(&output.stderr).contains("the machine has only"), is_warned, "{}", text(&output.stderr));
+    }
+}
+
+/// What cannot be written is noticed before the modes are looked for: no table, and nothing is left behind.
+#[test]
+fn regression_a_place_that_cannot_be_written_is_told_first() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("taken"), "").unwrap();
+    std::fs::create_dir_all(directory.path().join("half/shapes.csv")).unwrap();
+    for out in ["taken", "half"] {
+        let output = modes(directory.path(), "cantilever", &["--out", out]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(text(&output.stdout).is_empty(), "{}", text(&output.stdout));
+        assert!(text(&output.stderr).contains("cannot write"), "{}", text(&output.stderr));
+    }
+    assert!(!directory.path().join("half/modes.csv").exists());
 }

@@ -228,7 +228,13 @@ impl Parser<'_> {
             "t" if self.variable == Variable::Time => Operation::Variable,
             "s" if self.variable == Variable::Curve => Operation::Variable,
             "t" => return Err(error("`t` is not known here", "time is known in loads, drives and frames only", range)),
-            "s" => return Err(error("`s` is not known here", "the curve parameter is known in curves only", range)),
+            "s" => {
+                return Err(error(
+                    "`s` is not known here",
+                    "the curve parameter is known in x, y and z of a curve only",
+                    range,
+                ));
+            }
             _ => match (self.lookup)(name) {
                 Some(place) => Operation::Parameter(place),
                 None => {

@@ -3,7 +3,7 @@
 use crate::math::curve::Curve;
 use crate::math::flaw::{Flaw, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
 use crate::math::{Vec3, spline};
-use crate::mechanics::centreline::{Centreline, Spacing, shares};
+use crate::mechanics::centreline::{Centreline, Spacing, Span, shares};
 use crate::mechanics::division::Division;
 use crate::model::diagnostic::{Diagnostic, Place};
 use crate::model::document::Document;
@@ -17,6 +17,10 @@ use std::sync::Arc;
 const SHARPEST_COSINE: f64 = -0.999_847_7;
 /// How near two places must be to be one, of the length of all: their round-off.
 const SAME_PLACE: f64 = 1e-12;
+/// A difference of places on a curve that is none in a message, of its whole range.
+const NOTHING: f64 = 1e-6;
+/// The most pretwist of an element, rad: a right angle with the round-off of the fractions of nodes.
+const LARGEST_TWIST: f64 = LARGEST_BEND * (1.0 + 1e-9);
 /// More elements than this are not proposed.
 const MOST_PROPOSED: usize = 10_000;
 
@@ -208,7 +212,7 @@ fn sampled(document: &Document, beam: &Beam, written: &curve::Curve, curve: &Cur
     }
     let ends = written.spacing.ends(curve, elements);
     let places: Vec<Vec3> = ends.iter().map(|s| curve.at(*s)[0]).collect();
-    let at_s = |k: usize| format!("s = {}", super::shown(ends[k]));
+    let at_s = |k: usize| format!("s = {}", shown_in(curve.range, ends[k]));
     let lengths: Vec<f64> = places.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
     if let Some(k) = same_place(&lengths, curve.length()) {
         let message = format!("nodes {k} and {} of beam {} are at the same place", k + 1, beam.name);
@@ -258,6 +262,11 @@ fn flawed(
 ) -> Drawn {
     let name = &beam.name;
     let shown = super::shown;
+    let is_spline = matches!(written.shape, Shape::Points(_));
+    let at = |s: f64| match &written.shape {
+        Shape::Points(points) => point_near(document, points, s),
+        Shape::Expressions { .. } => format!("s = {}", shown_in(curve.range, s)),
+    };
     let (message, label, help) = match *flaw {
         Flaw::NoLength => (
             format!("the curve of beam {name} has no length"),
@@ -265,17 +274,30 @@ fn flawed(
             String::new(),
         ),
         Flaw::NotFinite { s } => (
-            format!("the curve of beam {name} is not finite at s = {}", shown(s)),
+            format!("the curve of beam {name} is not finite at {}", at(s)),
             String::new(),
-            String::from("x, y, z and their derivatives must be finite from the first s to the last"),
+            String::from(match is_spline {
+                true => "the points are too far apart to compute with",
+                false => "x, y, z and their derivatives must be finite from the first s to the last",
+            }),
+        ),
+        Flaw::Unmeasured { s } => (
+            format!("the length of the curve of beam {name} could not be found"),
+            format!("it is not finite, or the curve is too wild, near {}", at(s)),
+            String::from("a curve may not reach a pole, nor oscillate faster than its elements can follow"),
         ),
         Flaw::Cusp { s } => (
-            format!("the curve of beam {name} has no tangent at s = {}", shown(s)),
+            format!("the curve of beam {name} has no tangent at {}", at(s)),
             String::from("it stands still there"),
-            String::from("a cusp, or a parameter that stands still: x, y and z must not all have the derivative 0"),
+            String::from(match is_spline {
+                true => {
+                    "a spline through points that lead back the way they came turns on the spot: move them, or add others"
+                }
+                false => "a cusp, or a parameter that stands still: x, y and z must not all have the derivative 0",
+            }),
         ),
         Flaw::Jump { s, size, length } => (
-            format!("the curve of beam {name} jumps at s = {}", shown(s)),
+            format!("the curve of beam {name} jumps at {}", at(s)),
             format!("by {} m", shown(size)),
             format!(
                 "pieces must meet to {} % of an element's length, here {} m",
@@ -284,7 +306,7 @@ fn flawed(
             ),
         ),
         Flaw::Corner { s, angle } => (
-            format!("the curve of beam {name} has a corner at s = {}", shown(s)),
+            format!("the curve of beam {name} has a corner at {}", at(s)),
             format!("of {} degrees", shown(angle.to_degrees())),
             format!(
                 "a smooth beam may have corners of {} degrees; with polyline = true straight pieces are welded at corners",
@@ -293,7 +315,8 @@ fn flawed(
         ),
         Flaw::Bend { range, angle } => {
             let message = format!("an element of beam {name} turns by {:.1} degrees", angle.to_degrees());
-            let label = format!("from s = {} to s = {}", shown(range[0]), shown(range[1]));
+            let [from, to] = range.map(|s| shown_in(curve.range, s));
+            let label = format!("from s = {from} to s = {to}");
             let most = format!("an element can follow {} degrees", LARGEST_BEND.to_degrees().round());
             let help = match enough(curve, written.spacing, elements, angle) {
                 Some(count) => format!("{most}: with elements = {count} all do"),
@@ -303,6 +326,66 @@ fn flawed(
         }
     };
     mistake(document, written.place, &message, &label, &help)
+}
+
+/// A parameter as a message shows it: what is nothing beside the range is 0.
+fn shown_in([begin, end]: [f64; 2], s: f64) -> String {
+    super::shown(if s.abs() < NOTHING * (end - begin) { 0.0 } else { s })
+}
+
+/// The point, or the points between which a spline has the parameter `s`, its chord length, m.
+fn point_near(document: &Document, points: &[[Number; 3]], s: f64) -> String {
+    let places: Vec<Vec3> = points.iter().map(|point| Vec3::from(document.vector(*point))).collect();
+    let mut chords = vec![0.0];
+    chords.extend(places.windows(2).scan(0.0, |sum, pair| {
+        *sum += (pair[1] - pair[0]).norm();
+        Some(*sum)
+    }));
+    let near = NOTHING * chords[chords.len() - 1];
+    match chords.iter().position(|chord| (chord - s).abs() <= near) {
+        Some(k) => format!("point {}", k + 1),
+        None => {
+            let k = chords.partition_point(|chord| *chord < s).clamp(1, chords.len() - 1);
+            format!("a place between points {k} and {}", k + 1)
+        }
+    }
+}
+
+/// The mistake of a beam that has an element with too much pretwist.
+pub fn overtwisted(document: &Document, beam: &Beam, line: &Centreline) -> Option<Diagnostic> {
+    let pretwist = document.value(beam.pretwist);
+    let angle = most_twisted(pretwist, line);
+    if !pretwist.is_finite() || angle <= LARGEST_TWIST {
+        return None;
+    }
+    let elements = line.spans.len();
+    let message = format!("an element of beam {} is pretwisted by {:.1} degrees", beam.name, angle.to_degrees());
+    let label = format!("{} rad over {elements} elements", super::shown(pretwist));
+    let most = format!("an element can have {} degrees", LARGEST_BEND.to_degrees().round());
+    let help = match enough_for_twist(document, beam, pretwist, elements, angle) {
+        Some(count) => format!("{most}: with elements = {count} none has more; pretwist is in rad, from start to end"),
+        None => format!("{most}; pretwist is in rad, from start to end"),
+    };
+    Some(document.diagnostic(document.place(beam.pretwist), &message, &label, &help))
+}
+
+/// The largest share of a pretwist, which grows with the arc length, that an element has, rad.
+fn most_twisted(pretwist: f64, line: &Centreline) -> f64 {
+    let share = |span: &Span| line.nodes[span.node + 1].fraction - line.nodes[span.node].fraction;
+    line.spans.iter().map(|span| (pretwist * share(span)).abs()).fold(0.0, f64::max)
+}
+
+/// A number of elements, more than `elements`, none of which has too much pretwist; with so many one has `angle`, rad.
+fn enough_for_twist(document: &Document, beam: &Beam, pretwist: f64, elements: usize, mut angle: f64) -> Option<usize> {
+    let mut count = elements;
+    while angle > LARGEST_TWIST {
+        count = usize::max(count + 1, (count as f64 * angle / LARGEST_TWIST).ceil() as usize);
+        if count > MOST_PROPOSED {
+            return None;
+        }
+        angle = most_twisted(pretwist, &line(document, beam, count).ok()??);
+    }
+    Some(count)
 }
 
 /// A number of elements, more than `elements`, none of which turns too far; with so many one turns by `angle`, rad.

@@ -17,7 +17,7 @@ use super::entries::spring::Spring;
 use super::entries::{load, output};
 use super::number::Number;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::centreline::Centreline;
+use crate::mechanics::centreline::{Centreline, Spacing};
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
 const SMALLEST_SINE: f64 = 0.017_452_4;
@@ -96,15 +96,19 @@ impl Checker<'_> {
         };
         if let Some(y_axis) = vector(document, beam.y_axis) {
             let sine = line.nodes[0].tangent.cross(&y_axis).norm() / y_axis.norm();
-            // A y_axis of length 0 gives NaN, which is a mistake too.
-            if sine.is_nan() || sine < SMALLEST_SINE {
+            if y_axis.norm() == 0.0 || !y_axis.norm().is_finite() {
+                let message = format!("the y_axis of beam {} has no direction", beam.name);
+                self.mistake(document.place(beam.y_axis[0]), &message, "a vector other than zero was expected", "");
+            } else if sine < SMALLEST_SINE {
                 let message = format!("the y_axis of beam {} is along the beam", beam.name);
                 let place = document.place(beam.y_axis[0]);
                 let help = format!("give {} a y_axis that is more than 1 degree off its direction", beam.name);
                 self.mistake(place, &message, "the section's y must be across the beam", &help);
             }
         }
-        elements.map(|_| line)
+        elements?;
+        self.mistakes.extend(lines::overtwisted(document, beam, &line));
+        Some(line)
     }
 
     /// Beam and fraction of its length; none for the ground, or after a mistake.
@@ -137,10 +141,18 @@ impl Checker<'_> {
             let nearest = [element, element + 1].map(|end| division.fraction(end).unwrap_or(1.0));
             let message = format!("there is no node of beam {} at the fraction {fraction}", written.name);
             let label = format!("the nearest nodes are at {} and {}", nearest[0], nearest[1]);
+            let closer = element + usize::from(nearest[1] - fraction < fraction - nearest[0]);
             let fits = |count: &usize| lines::fits(document, written, *count, fraction);
             let counts: Vec<String> = (1..=100).filter(fits).take(5).map(|count| count.to_string()).collect();
             let help = match counts.is_empty() {
-                true => String::from("joints hold on to nodes: no count up to 100 has one there"),
+                true => {
+                    let name = format!("take the node {}.node[{closer}]", written.name);
+                    let uneven =
+                        matches!(&written.line, Some(Line::Curved(curve)) if curve.spacing == Spacing::Parameter);
+                    let even =
+                        if uneven { ", or spacing = \"arc\" and a count of elements that has one there" } else { "" };
+                    format!("joints hold on to nodes, and no count up to 100 has one there: {name}{even}")
+                }
                 false => format!("joints hold on to nodes; with elements = {} there is one there", counts.join(", ")),
             };
             self.mistake(anchor.place, &message, &label, &help);
@@ -275,5 +287,8 @@ impl Checker<'_> {
 /// A number with as many digits as tell it from its neighbours in a message.
 fn shown(value: f64) -> String {
     // Through the text of six digits: 2.0325, not 2.0325000000000002.
-    format!("{value:.5e}").parse::<f64>().map_or_else(|_| value.to_string(), |value| value.to_string())
+    let text = format!("{value:.5e}");
+    let Ok(value) = text.parse::<f64>() else { return text };
+    let is_plain = value == 0.0 || !value.is_finite() || (1e-5..1e9).contains(&value.abs());
+    if is_plain { (value + 0.0).to_string() } else { format!("{value:e}") }
 }
