@@ -142,7 +142,7 @@ fn warnings(system: &System, found: &modes::Modes, moving: bool) -> Vec<String> 
     if found.skewness > SYMMETRIC {
         warnings.push(format!(
             "loads that turn with the machine, or moments about axes that stand still, have no potential: the skew part of the stiffness, \
-             {:.2e} of it in these modes, is left out. Frequencies and kinds of the modes that these loads change are not to be trusted: \
+             {:.2e} of it in the softest motions, is left out. Frequencies and kinds of the modes that these loads change are not to be trusted: \
              what is called unstable may be stable, and flutter is not found; a run in time shows both",
             found.skewness
         ));

@@ -77,8 +77,8 @@ pub struct Modes {
     pub freedoms: usize,
     /// How far from the state the nearest equilibrium is by its stiffness: lengths over the machine's size, slopes, rad.
     pub imbalance: f64,
-    /// Largest skew part of the stiffness between two modes (follower loads, moments about axes that stand still), as a share of
-    /// the larger of their `|ω²|`. Modes are those of the symmetric part.
+    /// Largest skew part of the stiffness (follower loads, moments about axes that stand still) between two of the softest motions, also
+    /// beyond those asked for, as a share of the larger of their `|ω²|`. Modes are those of the symmetric part.
     pub skewness: f64,
 }
 
@@ -139,8 +139,9 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     let mut modes: Vec<Mode> = block.vectors().iter().map(|shape| mode(&symmetric, shape, forced)).collect();
     modes.sort_by(|a, b| a.eigenvalue.total_cmp(&b.eigenvalue));
     sort_out(system, &mut modes);
-    modes.truncate(wanted);
+    // Of all vectors: one mode alone has no skew part.
     let skewness = skewness(&stiffness, &modes);
+    modes.truncate(wanted);
     Ok(Modes { modes, freedoms, imbalance, skewness })
 }
 

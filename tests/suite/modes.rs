@@ -308,7 +308,7 @@ fn loads_without_potential_are_told() {
 fn regression_kinds_are_not_to_be_trusted_under_follower_loads() {
     let text = include_str!("../../models/cantilever.toml");
     let load = "[load.push]\nat = \"arm.end\"\nforce = [-1e3, 0, 0]\nfollower = true\n\n[simulation]";
-    let found = start(&text.replace("[simulation]", load)).modes(4).unwrap();
+    let found = start(&text.replace("[simulation]", load)).modes(1).unwrap();
     assert!(
         found.warnings.iter().any(|warning| warning.contains("what is called unstable may be stable")),
         "{:?}",
