@@ -169,13 +169,24 @@ pub fn positive_shift(
     Ok(shift)
 }
 
-/// The least `μ` that makes a difference to `K`, 1/s².
-pub fn least_shift(system: &System, stiffness: &Blocks) -> f64 {
-    let size = |index| if system.is_place(index) { system.size } else { 1.0 };
-    let vector: Vec<f64> = (0..system.coordinates()).map(|index| irregular(index) * size(index)).collect();
+/// The `μ` to begin with where nothing is known but the stiffness, 1/s².
+pub fn first_shift(system: &System, stiffness: &Blocks) -> f64 {
+    let (vector, mass) = without_pattern(system);
+    FIRST_SHIFT * stiffness.magnitude(&vector) / mass
+}
+
+/// A motion without pattern, and `xᵀ M x` of it.
+fn without_pattern(system: &System) -> (Vec<f64>, f64) {
+    let vector: Vec<f64> = (0..system.coordinates()).map(|index| irregular(index) * size(system, index)).collect();
     let mut mass = vec![0.0; vector.len()];
     system.mass_times(&vector, &mut mass);
-    FIRST_SHIFT * stiffness.magnitude(&vector) / dot(&vector, &mass)
+    let mass = dot(&vector, &mass);
+    (vector, mass)
+}
+
+/// What coordinate `index` is measured in: the machine's size, m, or 1.
+fn size(system: &System, index: usize) -> f64 {
+    if system.is_place(index) { system.size } else { 1.0 }
 }
 
 /// Sets the blocks of `kkt` to stiffness and constraints at `state`, whose constraints transmit `multipliers`; returns them.
@@ -195,14 +206,11 @@ fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt)
 /// `ω²` of a motion without pattern, if nothing cancelled, 1/s²: by the stiffness, and by what the forces that act, of constraints and
 /// of inertia, would do in such a motion: a stiffness far below that is round-off of theirs.
 fn scales(system: &System, stiffness: &Blocks, response: &Response) -> [f64; 2] {
-    let size = |index| if system.is_place(index) { system.size } else { 1.0 };
-    let vector: Vec<f64> = (0..system.coordinates()).map(|index| irregular(index) * size(index)).collect();
-    let (mut mass, mut inertia) = (vec![0.0; vector.len()], vec![0.0; vector.len()]);
-    system.mass_times(&vector, &mut mass);
+    let (vector, mass) = without_pattern(system);
+    let mut inertia = vec![0.0; vector.len()];
     system.mass_times(&response.acceleration, &mut inertia);
-    let mass = dot(&vector, &mass);
     let transmitted: f64 = response.multipliers.iter().map(|force| force.abs() * system.size).sum();
-    let accelerating: f64 = inertia.iter().enumerate().map(|(index, force)| force.abs() * size(index)).sum();
+    let accelerating: f64 = inertia.iter().enumerate().map(|(index, force)| force.abs() * size(system, index)).sum();
     [stiffness.magnitude(&vector) / mass, (transmitted + accelerating) / mass]
 }
 
@@ -250,10 +258,9 @@ fn sort_out(system: &System, modes: &mut [Mode]) {
 
 /// Turns shapes among themselves so that the first has all of the coordinate that they move most.
 fn turn_to_largest(system: &System, group: &mut [Mode]) {
-    let size = |index| if system.is_place(index) { system.size } else { 1.0 };
     let mut largest = (0, 0.0);
     for index in 0..system.coordinates() {
-        let sum = group.iter().map(|mode| mode.shape[index].powi(2)).sum::<f64>().sqrt() / size(index);
+        let sum = group.iter().map(|mode| mode.shape[index].powi(2)).sum::<f64>().sqrt() / size(system, index);
         // What is larger by round-off only does not count.
         if sum > (1.0 + SAME) * largest.1 {
             largest = (index, sum);

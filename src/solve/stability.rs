@@ -109,7 +109,7 @@ fn moved(system: &System, state: &State, softest: &Softest) -> String {
 /// The softest motion of the machine whose matrix `kkt` has and has factorized; it then has another one. None where it is not found.
 pub fn softest(system: &System, kkt: &mut Kkt, time: f64) -> Option<Softest> {
     let stiffness = kkt.blocks.symmetric_part();
-    modes::positive_shift(system, kkt, &stiffness, modes::least_shift(system, &stiffness), time).ok()?;
+    modes::positive_shift(system, kkt, &stiffness, modes::first_shift(system, &stiffness), time).ok()?;
     let freedoms = system.coordinates().saturating_sub(system.constraints());
     let mut block = Subspace::new(system, BLOCK.min(freedoms));
     for sweep in 0..MOST_SWEEPS {
