@@ -19,3 +19,20 @@ pub fn shape_xx(xi: f64, length: f64) -> [f64; 4] {
     let square = length * length;
     [(12.0 * xi - 6.0) / square, (6.0 * xi - 4.0) / length, (6.0 - 12.0 * xi) / square, (6.0 * xi - 2.0) / length]
 }
+
+/// `∫ N_a dx` over the element: m, m², m, m².
+pub fn integrals(length: f64) -> [f64; 4] {
+    [6.0, length, 6.0, -length].map(|integral| length / 12.0 * integral)
+}
+
+/// `∫ N_a N_b dx` over the element.
+pub fn products(length: f64) -> [[f64; 4]; 4] {
+    let l = length;
+    [
+        [156.0, 22.0 * l, 54.0, -13.0 * l],
+        [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
+        [54.0, 13.0 * l, 156.0, -22.0 * l],
+        [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
+    ]
+    .map(|row| row.map(|product| l / 420.0 * product))
+}

@@ -11,6 +11,7 @@ pub mod jet;
 pub mod quadrature;
 pub mod rotation;
 pub mod spline;
+pub mod vectors;
 
 /// A vector in space.
 pub type Vec3 = nalgebra::Vector3<f64>;

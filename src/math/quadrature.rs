@@ -7,6 +7,18 @@ pub const GAUSS_POINTS: [f64; 3] = [0.5 - SQRT_15 / 10.0, 0.5, 0.5 + SQRT_15 / 1
 /// Weights of the 3-point Gauss rule.
 pub const GAUSS_WEIGHTS: [f64; 3] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
 
+/// Points of the 5-point Gauss rule.
+pub const FIVE_POINTS: [f64; 5] =
+    [0.046_910_077_030_668_004, 0.230_765_344_947_158_45, 0.5, 0.769_234_655_052_841_6, 0.953_089_922_969_332];
+/// Weights of the 5-point Gauss rule.
+pub const FIVE_WEIGHTS: [f64; 5] = [
+    0.118_463_442_528_094_54,
+    0.239_314_335_249_683_23,
+    64.0 / 225.0,
+    0.239_314_335_249_683_23,
+    0.118_463_442_528_094_54,
+];
+
 /// Points of the 3-point Lobatto rule: both ends and the middle.
 pub const LOBATTO_POINTS: [f64; 3] = [0.0, 0.5, 1.0];
 /// Weights of the 3-point Lobatto rule.

@@ -1,118 +1,45 @@
 //! Puts a machine together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
-use super::beam::coordinates::{NODE, P, THETA, set_vec3};
-use super::beam::element::{BendingPoint, Element};
-use super::beam::frame::{NodeFrame, Triad};
-use super::beam::quadratic_twist::Twist;
-use super::beam::strain::{Stiffness, Strain};
-use super::centreline::Centreline;
+use super::ancf14::frame::{NodeFrame, Triad};
+use super::beam_design::{BeamDesign, Elements};
+use super::centreline::Station;
 use super::configuration::Configuration;
+use super::formulation::Element;
 use super::gauge::{Gauge, Measure};
 use super::joint::Joint;
 use super::joint::driven::Driven;
 use super::joint::weld;
 use super::load::{Excitation, Load};
 use super::marker::Marker;
-use super::material::Material;
+use super::node::Node;
 use super::pose::Pose;
 use super::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed, Targets};
 use super::rigid_body::{BodyDesign, RigidBody};
-use super::section::Section;
 use super::sensor::Sensor;
 use super::spring::Spring;
 use super::state::{Accelerations, State, Statistics};
 use super::system::{Beam, System};
 use super::transmission::Transmission;
+use super::{ancf14, ancf24};
 use crate::math::jet::Jet;
+use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
-
-/// Saint-Venant stiffness is multiplied by this where torsion is suppressed (MECHANICS 3.6).
-const SUPPRESSED_TORSION: f64 = 1e4;
-
-/// Whether a beam may twist.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Torsion {
-    /// It may.
-    Free,
-    /// The section follows the Bishop frame, the paper's "torsional effects disregarded".
-    Suppressed,
-}
-
-/// A beam as drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BeamDesign {
-    /// Name in the model file.
-    pub name: String,
-    /// Its nodes and elements.
-    pub line: Centreline,
-    /// Direction of the section's y at the start; made perpendicular to the tangent, then carried along without twist.
-    pub y_axis: Vec3,
-    /// Additional turn of the section from start to end, rad.
-    pub pretwist: f64,
-    /// Material.
-    pub material: Material,
-    /// Cross-section.
-    pub section: Section,
-    /// Strain measure.
-    pub strain: Strain,
-    /// How the twist runs inside an element.
-    pub twist: Twist,
-    /// Whether it may twist.
-    pub torsion: Torsion,
-    /// Initial velocity of the start, m/s.
-    pub velocity: Vec3,
-    /// Initial angular velocity about the start, rad/s.
-    pub angular_velocity: Vec3,
-}
-
-impl BeamDesign {
-    fn stiffness(&self) -> Stiffness {
-        let (material, section) = (&self.material, &self.section);
-        let torsion_factor = match self.torsion {
-            Torsion::Free => 1.0,
-            Torsion::Suppressed => SUPPRESSED_TORSION,
-        };
-        let couples = self.strain != Strain::Small && self.torsion == Torsion::Free;
-        Stiffness {
-            strain: self.strain,
-            twist: self.twist,
-            axial: material.young * section.area,
-            bending_y: material.young * section.second_moment_y,
-            bending_z: material.young * section.second_moment_z,
-            torsion: material.shear * section.torsion_constant * torsion_factor,
-            wagner: if couples { material.young * section.polar_moment } else { 0.0 },
-            fourth: match self.strain {
-                Strain::Large => section.fourth_moments.map(|moment| material.young * moment),
-                _ => [0.0; 3],
-            },
-            damping: material.damping,
-        }
-    }
-
-    /// `tau_c = sqrt(4 G Jt A / (E Ip²))`, rad/m: above it the truncated energy has no lower bound (MECHANICS, trap 9).
-    fn twist_limit(&self) -> f64 {
-        let (material, section) = (&self.material, &self.section);
-        match (self.strain, self.torsion) {
-            (Strain::LargeTruncated, Torsion::Free) => (4.0 * material.shear * section.torsion_constant * section.area
-                / (material.young * section.polar_moment.powi(2)))
-            .sqrt(),
-            _ => f64::INFINITY,
-        }
-    }
-}
 
 /// A machine in the making.
 ///
 /// Beams come first, then bodies: coordinates are in this order. Drives come after all joints.
 #[derive(Clone, Debug, Default)]
 pub struct Assembly {
-    /// Its parts so far; joints without those of corners, bodies and drives.
+    /// Its parts so far; joints without inner ones, bodies' and drives'.
     system: System,
     start: f64,
     q: Vec<f64>,
     velocity: Vec<f64>,
     triads: Vec<Triad>,
-    corner_joints: Vec<Joint>,
+    /// Welds of corners, rigidity of tied sections.
+    inner_joints: Vec<Joint>,
+    /// Nodes whose sections have been made rigid.
+    stiff_nodes: Vec<usize>,
     drive_joints: Vec<Joint>,
     prescribed: Prescribed,
     targets: Targets,
@@ -128,7 +55,8 @@ impl Assembly {
     pub fn add_beam(&mut self, design: &BeamDesign) -> usize {
         let line = &design.line;
         let start = line.nodes[0];
-        let first_node = self.triads.len();
+        let first_node = self.system.mesh.nodes.len();
+        let first_frame = self.triads.len();
         let mut triad = Triad::new(&start.tangent, &design.y_axis);
         let mut tangent = start.tangent;
         for station in &line.nodes {
@@ -137,31 +65,14 @@ impl Assembly {
                 triad = triad.carried(&station.tangent);
                 tangent = station.tangent;
             }
-            let mut q = [0.0; NODE];
-            set_vec3(&mut q, 0, &station.place);
-            set_vec3(&mut q, P, &tangent);
-            q[THETA] = design.pretwist * station.fraction + station.turn;
-            let mut velocity = [0.0; NODE];
-            let turning = design.angular_velocity;
-            set_vec3(&mut velocity, 0, &(design.velocity + turning.cross(&(station.place - start.place))));
-            set_vec3(&mut velocity, P, &turning.cross(&tangent));
-            velocity[THETA] = turning.dot(&tangent);
-            self.q.extend(q);
-            self.velocity.extend(velocity);
-            self.triads.push(triad);
+            let velocity = design.velocity + design.angular_velocity.cross(&(station.place - start.place));
+            self.add_node(design, station, &triad, &velocity);
         }
-        let first_element = self.system.elements.len();
-        let density =
-            [design.material.density * design.section.area, design.material.density * design.section.polar_moment];
+        let first_element = self.system.mesh.elements.len();
         for span in &line.spans {
-            let node = first_node + span.node;
-            let reference = &self.q[NODE * node..NODE * (node + 2)];
-            let [first, second] = [&self.triads[node], &self.triads[node + 1]];
-            let frames = [NodeFrame::new(&reference[..NODE], first), NodeFrame::new(&reference[NODE..], second)];
-            // The holonomy of the drawing is 0: triads go from node to node by one minimal rotation.
-            let element =
-                Element::new(node, span.length, design.stiffness(), density, reference, [&frames[0], &frames[1]], 0.0);
-            self.system.elements.push(element);
+            let (node, frame) = (first_node + span.node, first_frame + span.node);
+            let element = self.element(design, node, frame, span.length);
+            self.system.mesh.elements.push(element);
         }
         self.system.beams.push(Beam {
             name: design.name.clone(),
@@ -177,20 +88,86 @@ impl Assembly {
         self.system.beams.len() - 1
     }
 
+    /// Adds a node; its section is turned from `triad` as `station` and the pretwist say.
+    fn add_node(&mut self, design: &BeamDesign, station: &Station, triad: &Triad, velocity: &Vec3) {
+        let (start, spin) = (self.q.len(), design.angular_velocity);
+        let theta = design.pretwist * station.fraction + station.turn;
+        let mut push = |place: &Vec3, velocity: &Vec3| {
+            self.q.extend(place);
+            self.velocity.extend(velocity);
+        };
+        push(&station.place, velocity);
+        push(&station.tangent, &spin.cross(&station.tangent));
+        self.system.mesh.nodes.push(match design.elements {
+            Elements::Ancf14 { .. } => {
+                self.q.push(theta);
+                self.velocity.push(spin.dot(&station.tangent));
+                self.triads.push(*triad);
+                self.system.mesh.framed.push(start);
+                Node::Ancf14 { start, frame: self.triads.len() - 1 }
+            }
+            Elements::Ancf24 { .. } => {
+                let (sin, cos) = theta.sin_cos();
+                let v = triad.t.cross(&triad.u);
+                for axis in [triad.u * cos + v * sin, v * cos - triad.u * sin] {
+                    push(&axis, &spin.cross(&axis));
+                }
+                Node::Ancf24 { start }
+            }
+        });
+    }
+
+    /// The element of length `length`, m, that begins at node `node`; where nodes have frames, with number `frame`.
+    fn element(&mut self, design: &BeamDesign, node: usize, frame: usize, length: f64) -> Element {
+        let mesh = &mut self.system.mesh;
+        let start = mesh.nodes[node].coordinates().start;
+        let reference = &self.q[start..mesh.nodes[node + 1].coordinates().end];
+        match design.elements {
+            Elements::Ancf14 { strain, twist, torsion } => {
+                let (first, second) = reference.split_at(ancf14::coordinates::NODE);
+                let [first, second] =
+                    [(first, frame), (second, frame + 1)].map(|(q, frame)| NodeFrame::new(q, &self.triads[frame]));
+                let place = ancf14::element::Place { start, frame, branch: mesh.branches };
+                mesh.branches += 1;
+                let stiffness = design.stiffness(strain, twist, torsion);
+                let (densities, frames) = (design.densities(), [&first, &second]);
+                // The holonomy of the drawing is 0: triads go from node to node by one minimal rotation.
+                let element =
+                    ancf14::element::Element::new(place, length, stiffness, densities, reference, frames, 0.0);
+                Element::Ancf14(element)
+            }
+            Elements::Ancf24 { poisson, shear } => {
+                let properties = design.properties(poisson, shear);
+                let reference = std::array::from_fn(|index| reference[index]);
+                Element::Ancf24(ancf24::element::Element::new(start, length, properties, &reference))
+            }
+        }
+    }
+
+    /// Makes the section of a node rigid, if it is not by its formulation, once.
+    fn stiffen(&mut self, node: usize) {
+        let Node::Ancf24 { start } = self.system.mesh.nodes[node] else { return };
+        if !self.stiff_nodes.contains(&node) {
+            self.stiff_nodes.push(node);
+            let name = format!("the section at {}", self.system.describe_node(node));
+            self.inner_joints.push(ancf24::frame::rigidity(name, start));
+        }
+    }
+
     /// Welds the two nodes at each corner of a beam.
     fn weld_corners(&mut self, beam: usize) {
-        let beam = &self.system.beams[beam];
-        let welds = beam.corners.iter().map(|end| {
-            let node = beam.node(*end);
+        for place in 0..self.system.beams[beam].corners.len() {
+            let beam = &self.system.beams[beam];
+            let end = beam.corners[place];
+            let (name, node) = (format!("the corner {}.node[{end}]", beam.name), beam.node(end));
             let [a, b] = [node, node + 1].map(|node| {
-                let frame = NodeFrame::new(&self.q[NODE * node..NODE * (node + 1)], &self.triads[node]);
+                self.stiffen(node);
                 // The global axes as drawn, as the section sees them.
-                Marker::Node { node, offset: Vec3::zeros(), axes: frame.section.transpose() }
+                let axes = self.drawn(&self.node(node)).axes.transpose();
+                Marker::Node { node, offset: Vec3::zeros(), axes }
             });
-            let name = format!("the corner {}.node[{end}]", beam.name);
-            Joint { name, a, b, primitives: weld::PRIMITIVES, drive: None }
-        });
-        self.corner_joints.extend(welds);
+            self.inner_joints.push(Joint { name, a, b, primitives: weld::PRIMITIVES, drive: None });
+        }
     }
 
     /// The node of beam `beam` at the fraction `fraction` of its length, if there is one; at a corner the side towards the start.
@@ -209,18 +186,14 @@ impl Assembly {
         Marker::Section { element: beam.first_element + element, xi }
     }
 
-    /// The quadrature points of a whole beam with their weights `w l`, m: where a load per length acts.
-    ///
-    /// Of the arc length, as mass and weight are: not `w l J0`, the length of the interpolated curve, which strains have.
+    /// The points of a whole beam with their shares of its length, m: where a load per length acts.
     pub fn sections_of(&self, beam: usize) -> Vec<(Marker, f64)> {
         let beam = &self.system.beams[beam];
-        beam.element_range()
-            .flat_map(|number| {
-                let points = self.system.elements[number].bending.iter();
-                let arc = |point: &BendingPoint| point.weight / point.reference_stretch;
-                points.map(move |point| (Marker::Section { element: number, xi: point.xi }, arc(point)))
-            })
-            .collect()
+        let points = |number: usize| {
+            let points = self.system.mesh.elements[number].load_points().into_iter();
+            points.map(move |(xi, share)| (Marker::Section { element: number, xi }, share))
+        };
+        beam.element_range().flat_map(points).collect()
     }
 
     /// Adds a rigid body and returns its number. The design is sound: positive mass, a possible inertia, orthonormal axes.
@@ -257,7 +230,12 @@ impl Assembly {
     }
 
     /// The marker at `pose`, in space as drawn, that is tied to whatever `anchor` is tied to: a node, a body, a frame, the ground.
-    pub fn tied(&self, anchor: &Marker, pose: &Pose) -> Marker {
+    ///
+    /// What is tied to a node of ANCF24 makes its section rigid.
+    pub fn tied(&mut self, anchor: &Marker, pose: &Pose) -> Marker {
+        if let Marker::Node { node, .. } = anchor {
+            self.stiffen(*node);
+        }
         let own = self.drawn(&anchor.bare());
         let (offset, axes) = own.relative(pose);
         match anchor.bare() {
@@ -270,7 +248,7 @@ impl Assembly {
 
     /// Place and axes of a marker as drawn.
     pub fn drawn(&self, marker: &Marker) -> Pose {
-        let holonomy = vec![0.0; self.system.elements.len()];
+        let holonomy = vec![0.0; self.system.mesh.branches];
         marker.pose(&self.configuration(&self.frames(), &holonomy))
     }
 
@@ -326,7 +304,7 @@ impl Assembly {
 
     /// Adds a sensor on `marker` and returns its number; `on_beam` is the beam and the fraction of its length where it is a point of one.
     pub fn watch(&mut self, marker: Marker, on_beam: Option<(usize, f64)>) -> usize {
-        let holonomy = vec![0.0; self.system.elements.len()];
+        let holonomy = vec![0.0; self.system.mesh.branches];
         let sensor = Sensor::new(&self.system, &self.configuration(&self.frames(), &holonomy), marker, on_beam);
         self.system.sensors.push(sensor);
         self.system.sensors.len() - 1
@@ -335,11 +313,11 @@ impl Assembly {
     /// Largest extent of nodes, bodies and joints as drawn, m, or of a body's own size; 1 of nothing at all.
     fn extent(&self) -> f64 {
         let frames = self.frames();
-        let holonomy = vec![0.0; self.system.elements.len()];
+        let holonomy = vec![0.0; self.system.mesh.branches];
         let configuration = self.configuration(&frames, &holonomy);
         let (mut low, mut high) = (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY));
-        let nodes = self.q[..NODE * self.triads.len()].chunks_exact(NODE).map(|q| super::beam::coordinates::vec3(q, 0));
-        let bodies = self.system.bodies.iter().map(|body| super::beam::coordinates::vec3(&self.q, body.start));
+        let nodes = self.system.mesh.nodes.iter().map(|node| node.place(&self.q));
+        let bodies = self.system.bodies.iter().map(|body| vec3(&self.q, body.start));
         let joints = self.system.joints.iter().map(|joint| joint.b.pose(&configuration).place);
         for place in nodes.chain(bodies).chain(joints) {
             low = low.inf(&place);
@@ -351,7 +329,9 @@ impl Assembly {
     }
 
     fn frames(&self) -> Vec<NodeFrame> {
-        self.q.chunks_exact(NODE).zip(&self.triads).map(|(q, triad)| NodeFrame::new(q, triad)).collect()
+        let mut frames = Vec::new();
+        self.system.mesh.set_frames(&self.q, &self.triads, &mut frames);
+        frames
     }
 
     fn configuration<'a>(&'a self, frames: &'a [NodeFrame], holonomy: &'a [f64]) -> Configuration<'a> {
@@ -361,19 +341,20 @@ impl Assembly {
             holonomy,
             readings: &[],
             prescribed: &self.prescribed,
-            elements: &self.system.elements,
+            mesh: &self.system.mesh,
         }
     }
 
     /// The machine and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
     pub fn finish(self, gravity: Vec3) -> (System, State) {
         let size = self.extent();
-        let Self { mut system, start, q, velocity, triads, corner_joints, drive_joints, mut prescribed, targets } =
-            self;
+        let Self {
+            mut system, start, q, velocity, triads, inner_joints, drive_joints, mut prescribed, targets, ..
+        } = self;
         system.size = size;
         system.gravity = gravity;
         // Behind the joints of the file, which keep their numbers; drives come last.
-        system.joints.extend(corner_joints);
+        system.joints.extend(inner_joints);
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
@@ -384,7 +365,7 @@ impl Assembly {
             multipliers: vec![0.0; system.constraints()],
             strays: vec![0.0; system.constraints()],
             accelerations: Accelerations::default(),
-            holonomy: vec![0.0; system.elements.len()],
+            holonomy: vec![0.0; system.mesh.branches],
             readings: vec![0.0; system.gauges.len()],
             rotations: vec![Vec3::zeros(); system.sensors.len()],
             q,

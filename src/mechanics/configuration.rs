@@ -1,9 +1,7 @@
 //! The machine at one instant, and how it passes through it: what every part computes from.
 
-use super::beam::coordinates::NODE;
-use super::beam::element::Element;
-use super::beam::frame::NodeFrame;
-use super::beam::kinematics::Kinematics;
+use super::ancf14::frame::NodeFrame;
+use super::mesh::Mesh;
 use super::prescribed::Prescribed;
 
 /// The machine at one instant: what every part computes from.
@@ -11,35 +9,16 @@ use super::prescribed::Prescribed;
 pub struct Configuration<'a> {
     /// All coordinates.
     pub q: &'a [f64],
-    /// Frames of all nodes at `q`.
+    /// Frames at `q` of all nodes that have one: ANCF14's.
     pub frames: &'a [NodeFrame],
-    /// Holonomy angles of all elements at the last accepted state, rad.
+    /// Holonomy angles of all elements that have one at the last accepted state, rad.
     pub holonomy: &'a [f64],
     /// Readings of all gauges at the last accepted state: angles go on from there.
     pub readings: &'a [f64],
     /// What drives and moving frames prescribe.
     pub prescribed: &'a Prescribed,
-    /// All elements.
-    pub elements: &'a [Element],
-}
-
-impl<'a> Configuration<'a> {
-    /// Coordinates (14) of an element.
-    pub fn element_q(&self, element: &Element) -> &'a [f64] {
-        &self.q[NODE * element.node..NODE * (element.node + 2)]
-    }
-
-    /// Frames of an element's two nodes.
-    pub fn element_frames(&self, element: &Element) -> [&'a NodeFrame; 2] {
-        [&self.frames[element.node], &self.frames[element.node + 1]]
-    }
-
-    /// In-element kinematics of element `number`.
-    pub fn kinematics(&self, number: usize) -> Kinematics {
-        let element = &self.elements[number];
-        let [first, second] = self.element_frames(element);
-        Kinematics::new(element, self.element_q(element), first, second, self.holonomy[number])
-    }
+    /// All nodes and elements.
+    pub mesh: &'a Mesh,
 }
 
 /// How fast the machine passes through the configuration in which its forces are taken: what dampers ask.

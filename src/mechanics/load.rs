@@ -1,11 +1,10 @@
 //! Forces and moments on markers: at one point, or spread over a beam; in global directions or turning with the section.
 
 use super::configuration::Configuration;
-use super::marker::{ByCoordinates, Marker, MarkerMatrix};
+use super::marker::{ByCoordinates, Marker, MarkerMatrix, MarkerVector};
 use super::pose::axis_place;
 use crate::math::Vec3;
 use crate::math::jet::Jet;
-use nalgebra::SVector;
 use std::fmt;
 use std::sync::Arc;
 
@@ -133,14 +132,14 @@ impl Load {
         }
     }
 
-    /// Generalized force of point `number` under the components `wrench`, 14×1, in the marker's coordinates.
-    pub fn force(&self, c: &Configuration, number: usize, wrench: &Wrench) -> SVector<f64, 14> {
+    /// Generalized force of point `number` under the components `wrench`, 24×1, in the marker's coordinates.
+    pub fn force(&self, c: &Configuration, number: usize, wrench: &Wrench) -> MarkerVector {
         let (force, moment) = self.in_space(c, number, wrench);
         let motion = self.points[number].0.motion(c);
         motion.place_q.tr_mul(&force) + motion.turn_q.tr_mul(&moment)
     }
 
-    /// `∂(generalized force)/∂q` of point `number` under the components `wrench`, 14×14.
+    /// `∂(generalized force)/∂q` of point `number` under the components `wrench`, 24×24.
     pub fn force_q(&self, c: &Configuration, number: usize, wrench: &Wrench) -> MarkerMatrix {
         let marker = &self.points[number].0;
         let (force, moment) = self.in_space(c, number, wrench);

@@ -3,32 +3,55 @@
 //! Loads ask a marker for its pose, how it moves with the coordinates (`motion`), and how the generalized force of a wrench
 //! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` and `pose_qq`.
 
-use super::beam::coordinates::{NODE, P, R, THETA, vec3};
-use super::beam::element::Element;
-use super::beam::frame::NodeFrame;
 use super::configuration::Configuration;
+use super::mesh::Mesh;
 use super::pose::{Pose, PoseGradient, PoseVector, axis_place, moment};
 use super::rigid_body;
-use super::section_point::SectionPoint;
 use crate::math::{Mat3, Vec3};
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 use std::ops::Range;
 
-/// Most coordinates a marker can depend on: two nodes.
-pub const MARKER: usize = 14;
+/// Most coordinates a marker can depend on: two nodes of ANCF24.
+pub const MARKER: usize = 24;
 
-/// A vector quantity by a marker's coordinates, 3×14; columns past the marker's own count are zero.
+/// A number for each of a marker's coordinates; those past the marker's own count are zero, here and in all that follows.
+pub type MarkerVector = SVector<f64, MARKER>;
+/// A vector quantity by a marker's coordinates, 3×24.
 pub type ByCoordinates = SMatrix<f64, 3, MARKER>;
-/// Stiffness in a marker's coordinates, 14×14.
+/// Stiffness in a marker's coordinates, 24×24.
 pub type MarkerMatrix = SMatrix<f64, MARKER, MARKER>;
 
 /// How a marker moves with its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
-    /// `∂place/∂q`, 3×14.
+    /// `∂place/∂q`, 3×24.
     pub place_q: ByCoordinates,
-    /// `∂φ/∂q`, 3×14: the turn in space, rad.
+    /// `∂φ/∂q`, 3×24: the turn in space, rad.
     pub turn_q: ByCoordinates,
+}
+
+impl Motion {
+    /// Of a point at the end of `arm` (m, in space) on what turns by `turn_q` and is placed by the first three of `count` coordinates.
+    pub fn of_arm(arm: &Vec3, turn_q: ByCoordinates, count: usize) -> Self {
+        let mut place_q = ByCoordinates::zeros();
+        for column in 0..count {
+            place_q.set_column(column, &turn_q.column(column).cross(arm));
+        }
+        (0..3).for_each(|axis| place_q[(axis, axis)] += 1.0);
+        Self { place_q, turn_q }
+    }
+}
+
+/// `turn_qᵀ block turn_q` over `count` coordinates.
+fn turned(turn_q: &ByCoordinates, block: &Mat3, count: usize) -> MarkerMatrix {
+    let mut sum = MarkerMatrix::zeros();
+    for column in 0..count {
+        let right: Vec3 = block * turn_q.column(column);
+        for row in 0..count {
+            sum[(row, column)] = turn_q.column(row).dot(&right);
+        }
+    }
+    sum
 }
 
 /// A point and a frame of the machine.
@@ -87,15 +110,12 @@ impl Marker {
     }
 
     /// The coordinates that the marker depends on.
-    pub fn coordinates(&self, elements: &[Element]) -> Range<usize> {
+    pub fn coordinates(&self, mesh: &Mesh) -> Range<usize> {
         match self {
             Self::Ground(_) | Self::Frame { .. } => 0..0,
             Self::Body { start, .. } => *start..start + rigid_body::BODY,
-            Self::Node { node, .. } => NODE * node..NODE * (node + 1),
-            Self::Section { element, .. } => {
-                let node = elements[*element].node;
-                NODE * node..NODE * (node + 2)
-            }
+            Self::Node { node, .. } => mesh.nodes[*node].coordinates(),
+            Self::Section { element, .. } => mesh.elements[*element].coordinates(),
         }
     }
 
@@ -105,11 +125,8 @@ impl Marker {
             Self::Ground(pose) => *pose,
             Self::Frame { frame, offset, axes } => c.prescribed.frames[*frame].pose.carried(offset, axes),
             Self::Body { start, offset, axes } => rigid_body::pose(c.q, *start).carried(offset, axes),
-            Self::Node { node, offset, axes } => {
-                let section = &c.frames[*node].section;
-                Pose { place: vec3(c.q, NODE * node + R) + section * offset, axes: section * axes }
-            }
-            Self::Section { element, xi } => SectionPoint::new(c, *element, *xi).pose(c),
+            Self::Node { node, offset, axes } => c.mesh.nodes[*node].pose(c).carried(offset, axes),
+            Self::Section { element, xi } => c.mesh.elements[*element].section_pose(c, *xi),
         }
     }
 
@@ -131,40 +148,50 @@ impl Marker {
                 Motion { place_q: ByCoordinates::zeros(), turn_q: ByCoordinates::zeros() }
             }
             Self::Body { start, offset, .. } => rigid_body::motion(c.q, *start, offset),
-            Self::Node { node, offset, .. } => node_motion(&c.frames[*node], offset),
-            Self::Section { element, xi } => SectionPoint::new(c, *element, *xi).motion(c),
+            Self::Node { node, offset, .. } => c.mesh.nodes[*node].motion(c, offset),
+            Self::Section { element, xi } => c.mesh.elements[*element].section_motion(c, *xi),
         }
     }
 
-    /// `∂(place_qᵀ f + turn_qᵀ m)/∂q`, 14×14, of a force (N) and a moment (N m) frozen in space.
+    /// `∂(place_qᵀ f + turn_qᵀ m)/∂q`, 24×24, of a force (N) and a moment (N m) frozen in space.
     pub fn wrench_stiffness(&self, c: &Configuration, force: &Vec3, moment: &Vec3) -> MarkerMatrix {
         match self {
             Self::Ground(_) | Self::Frame { .. } => MarkerMatrix::zeros(),
             Self::Body { .. } => rigid_body::wrench_stiffness(moment),
-            Self::Node { node, offset, .. } => node_wrench_stiffness(&c.frames[*node], offset, force, moment),
-            Self::Section { element, xi } => SectionPoint::new(c, *element, *xi).moment_stiffness(c, moment),
+            Self::Node { node, offset, .. } => {
+                let node = &c.mesh.nodes[*node];
+                let arm = node.pose(c).axes * offset;
+                let frozen = node.moment_stiffness(c, &(moment + arm.cross(force)));
+                // The arm turns: d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ.
+                let turning = arm * force.transpose() - Mat3::identity() * arm.dot(force);
+                frozen + turned(&node.motion(c, offset).turn_q, &turning, node.coordinates().len())
+            }
+            Self::Section { element, xi } => c.mesh.elements[*element].section_moment_stiffness(c, *xi, moment),
         }
     }
 
-    /// `∂pose/∂q`, 12×14.
+    /// `∂pose/∂q`, 12×24.
     pub fn pose_q(&self, c: &Configuration) -> PoseGradient {
         match self {
             Self::Ground(_) | Self::Frame { .. } => PoseGradient::zeros(),
             Self::Body { offset, axes, .. } => rigid_body::pose_q(offset, axes),
             Self::Node { .. } | Self::Section { .. } => {
                 let (pose, motion) = (self.pose(c), self.motion(c));
+                let axes = [0, 1, 2].map(|axis| pose.axis(axis));
                 let mut sum = PoseGradient::zeros();
-                sum.fixed_rows_mut::<3>(0).copy_from(&motion.place_q);
-                for axis in 0..3 {
-                    let turned = -pose.axis(axis).cross_matrix() * motion.turn_q;
-                    sum.fixed_rows_mut::<3>(axis_place(axis)).copy_from(&turned);
+                for column in 0..self.coordinates(c.mesh).len() {
+                    let turn = motion.turn_q.column(column);
+                    sum.fixed_view_mut::<3, 1>(0, column).copy_from(&motion.place_q.column(column));
+                    for (number, axis) in axes.iter().enumerate() {
+                        sum.fixed_view_mut::<3, 1>(axis_place(number), column).copy_from(&turn.cross(axis));
+                    }
                 }
                 sum
             }
         }
     }
 
-    /// `∂(pose_qᵀ f)/∂q`, 14×14, of frozen forces `f` on the numbers of the pose.
+    /// `∂(pose_qᵀ f)/∂q`, 24×24, of frozen forces `f` on the numbers of the pose.
     pub fn pose_qq(&self, c: &Configuration, force: &PoseVector) -> MarkerMatrix {
         match self {
             Self::Ground(_) | Self::Frame { .. } | Self::Body { .. } => MarkerMatrix::zeros(),
@@ -179,30 +206,8 @@ impl Marker {
                         axis * force.transpose() - Mat3::identity() * axis.dot(&force)
                     })
                     .sum();
-                let turn_q = self.motion(c).turn_q;
-                frozen + turn_q.tr_mul(&(turning * turn_q))
+                frozen + turned(&self.motion(c).turn_q, &turning, self.coordinates(c.mesh).len())
             }
         }
     }
-}
-
-fn node_motion(frame: &NodeFrame, offset: &Vec3) -> Motion {
-    let mut turn_q = ByCoordinates::zeros();
-    turn_q.fixed_columns_mut::<3>(P).copy_from(&frame.turn_p());
-    turn_q.set_column(THETA, &frame.t);
-    let arm = frame.section * offset;
-    let mut place_q = -arm.cross_matrix() * turn_q;
-    place_q.fixed_columns_mut::<3>(R).copy_from(&Mat3::identity());
-    Motion { place_q, turn_q }
-}
-
-fn node_wrench_stiffness(frame: &NodeFrame, offset: &Vec3, force: &Vec3, moment: &Vec3) -> MarkerMatrix {
-    let arm = frame.section * offset;
-    let (by_p, along_p) = frame.moment_force_p(&(moment + arm.cross(force)));
-    let mut sum = MarkerMatrix::zeros();
-    sum.fixed_view_mut::<3, 3>(P, P).copy_from(&by_p);
-    sum.fixed_view_mut::<1, 3>(THETA, P).copy_from(&along_p.transpose());
-    // The arm turns: d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ.
-    let turn_q = node_motion(frame, offset).turn_q;
-    sum + turn_q.transpose() * (arm * force.transpose() - Mat3::identity() * arm.dot(force)) * turn_q
 }

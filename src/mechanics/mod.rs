@@ -1,4 +1,4 @@
-//! Sections, the ANCF14 element, bodies, joints, drives, springs and loads: no FMI, no files, no clock, no solver.
+//! Sections, the ANCF14 element and its comparator ANCF24, bodies, joints, drives, springs and loads: no FMI, no files, no clock, no solver.
 //!
 //! Numbers behind "MECHANICS" and in parentheses refer to docs/mechanics.md. NOTATION of the code, SI throughout:
 //!
@@ -15,22 +15,26 @@
 //! | `lambda`, `phi` | multipliers and conditions of joints |
 //! | `_x`, `_q`, `_qq`, `_p` | derivative by length, coordinates (twice), slope |
 
+pub mod ancf14;
+pub mod ancf24;
 pub mod assembly;
-pub mod beam;
+pub mod beam_design;
 pub mod centreline;
 pub mod configuration;
 pub mod division;
+pub mod formulation;
 pub mod gauge;
 pub mod joint;
 pub mod load;
 pub mod marker;
 pub mod material;
+pub mod mesh;
+pub mod node;
 pub mod pose;
 pub mod prescribed;
 pub mod resultants;
 pub mod rigid_body;
 pub mod section;
-pub mod section_point;
 pub mod sensor;
 pub mod spring;
 pub mod state;

@@ -12,7 +12,7 @@ pub const POSE: usize = 12;
 
 /// One number for each number of a pose: place, first, second and third axis.
 pub type PoseVector = SVector<f64, POSE>;
-/// The numbers of a pose by a marker's coordinates, 12×14; columns past the marker's own count are zero.
+/// The numbers of a pose by a marker's coordinates, 12×24; columns past the marker's own count are zero.
 pub type PoseGradient = SMatrix<f64, POSE, MARKER>;
 /// One number for each number of two poses: side a, then side b.
 pub type PairVector = SVector<f64, 24>;

@@ -2,18 +2,25 @@
 //!
 //! The mass matrix is constant. That the directors stay orthonormal are six conditions of the machine, like those of a joint.
 
-use super::beam::coordinates::{set_vec3, vec3};
 use super::joint::Joint;
 use super::joint::primitive::Primitive;
 use super::marker::{Marker, MarkerMatrix, Motion};
 use super::pose::{POSE, Pose, PoseGradient, axis_place};
+use crate::math::vectors::{set_vec3, vec3};
 use crate::math::{Mat3, Vec3};
 
 /// Coordinates of a body: those of its pose.
 pub const BODY: usize = POSE;
 
 /// Conditions of a rigid body: its directors are orthonormal.
-pub const PRIMITIVES: &[Primitive] = &[Primitive::Orthonormal];
+pub const PRIMITIVES: &[Primitive] = &[
+    Primitive::Rigid(0, 0),
+    Primitive::Rigid(1, 1),
+    Primitive::Rigid(2, 2),
+    Primitive::Rigid(0, 1),
+    Primitive::Rigid(0, 2),
+    Primitive::Rigid(1, 2),
+];
 
 /// A rigid body.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,9 +5,8 @@
 use super::configuration::{Configuration, Passage, Rates};
 use super::gauge::Gauge;
 use super::joint::{own_velocity, pull_back};
-use super::marker::{MARKER, MarkerMatrix};
+use super::marker::{MarkerMatrix, MarkerVector};
 use super::pose::{POSE, PairVector};
-use nalgebra::SVector;
 
 /// A spring with a damper.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,10 +54,10 @@ impl Spring {
         }
     }
 
-    /// Generalized forces against the motion of both sides, 14×1 each: the gradient of the energy, and the damper's part.
-    pub fn gradient(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> [SVector<f64, MARKER>; 2] {
+    /// Generalized forces against the motion of both sides, 24×1 each: the gradient of the energy, and the damper's part.
+    pub fn gradient(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> [MarkerVector; 2] {
         if self.is_idle() {
-            return [SVector::zeros(); 2];
+            return [MarkerVector::zeros(); 2];
         }
         let tension = self.tension(gauge, c, passage);
         reading_q(gauge, c).map(|by_side| by_side * tension)
@@ -114,8 +113,8 @@ impl Spring {
     }
 }
 
-/// Reading of a gauge by the coordinates of both its sides, 14×1 each.
-pub fn reading_q(gauge: &Gauge, c: &Configuration) -> [SVector<f64, MARKER>; 2] {
+/// Reading of a gauge by the coordinates of both its sides, 24×1 each.
+pub fn reading_q(gauge: &Gauge, c: &Configuration) -> [MarkerVector; 2] {
     let by_poses = gauge.measure.gradient(&gauge.a.pose(c), &gauge.b.pose(c));
     let side = |side: usize| by_poses.fixed_rows::<POSE>(POSE * side).into_owned();
     [gauge.a.pose_q(c).tr_mul(&side(0)), gauge.b.pose_q(c).tr_mul(&side(1))]
@@ -136,8 +135,8 @@ pub fn reading_rate(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> f64 {
     gauge.measure.gradient(&gauge.a.pose(c), &gauge.b.pose(c)).dot(&pose_rates(gauge, c, velocity))
 }
 
-/// Derivative of the rate of the reading by the coordinates of both sides at fixed velocities, 14×1 each.
-fn reading_rate_q(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> [SVector<f64, MARKER>; 2] {
+/// Derivative of the rate of the reading by the coordinates of both sides at fixed velocities, 24×1 each.
+fn reading_rate_q(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> [MarkerVector; 2] {
     let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
     let by_poses = gauge.measure.gradient(&a, &b);
     let turned = gauge.measure.hessian(&a, &b) * pose_rates(gauge, c, velocity);

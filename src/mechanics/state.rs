@@ -1,6 +1,6 @@
 //! What changes in time, as plain data: to save, restore and repeat is to clone this.
 
-use super::beam::frame::Triad;
+use super::ancf14::frame::Triad;
 use super::load::Excitation;
 use super::prescribed::{Prescribed, Targets};
 use crate::math::Vec3;

@@ -10,16 +10,16 @@ mod words;
 pub use equations::copy_corner;
 pub use motion::{Extreme, PlaceMotion};
 
-use super::beam::coordinates::{NODE, P};
-use super::beam::element::{Element, Evaluation};
-use super::beam::frame::{NodeFrame, Triad};
-use super::beam::kinematics::Holonomy;
+use super::ancf14::frame::{NodeFrame, Triad};
+use super::ancf14::kinematics::Holonomy;
 use super::configuration::Configuration;
 use super::division::Division;
+use super::formulation::Element;
 use super::gauge::Gauge;
 use super::joint::Joint;
 use super::load::{Excitation, Load};
-use super::pose::axis_place;
+use super::mesh::Mesh;
+use super::node::Node;
 use super::prescribed::{Drive, MovingFrame, Prescribed, Targets};
 use super::rigid_body::{BODY, RigidBody};
 use super::section::Outline;
@@ -29,6 +29,9 @@ use super::state::State;
 use super::transmission::Transmission;
 use crate::math::Vec3;
 use std::ops::Range;
+
+/// Coordinates of a place, the first ones of every node and body.
+const PLACE: usize = 3;
 
 /// A beam: a run of nodes and elements.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,8 +98,8 @@ impl Beam {
 pub struct System {
     /// Beams in file order.
     pub beams: Vec<Beam>,
-    /// Elements of all beams.
-    pub elements: Vec<Element>,
+    /// Nodes and elements of all beams.
+    pub mesh: Mesh,
     /// Rigid bodies in file order.
     pub bodies: Vec<RigidBody>,
     /// Moving frames in file order.
@@ -173,22 +176,18 @@ impl System {
     /// Whether a spring or a material has damping.
     pub fn is_damped(&self) -> bool {
         self.springs.iter().any(|spring| spring.damping != 0.0)
-            || self.elements.iter().any(|element| element.stiffness.damping != 0.0)
+            || self.mesh.elements.iter().any(|element| element.damping() != 0.0)
     }
 
-    /// Number of nodes.
-    pub fn nodes(&self) -> usize {
-        self.beams.iter().map(|beam| beam.node_range().len()).sum()
-    }
-
-    /// Number of coordinates of the nodes; those of bodies follow.
-    pub fn node_coordinates(&self) -> usize {
-        NODE * self.nodes()
-    }
-
-    /// Number of coordinates.
+    /// Number of coordinates: those of the nodes, then those of the bodies.
     pub fn coordinates(&self) -> usize {
-        self.node_coordinates() + BODY * self.bodies.len()
+        self.mesh.coordinates() + BODY * self.bodies.len()
+    }
+
+    /// The coordinates of each node, then of each body; the first three of each are its place.
+    fn parts(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        let bodies = self.bodies.iter().map(|body| body.start..body.start + BODY);
+        self.mesh.nodes.iter().map(Node::coordinates).chain(bodies)
     }
 
     /// Number of constraint conditions.
@@ -196,10 +195,9 @@ impl System {
         self.joints.iter().map(Joint::rows).sum()
     }
 
-    /// Frames of all nodes at `q` relative to the reference `triads`.
+    /// Frames at `q`, relative to the reference `triads`, of the nodes that have one.
     pub fn frames(&self, q: &[f64], triads: &[Triad], frames: &mut Vec<NodeFrame>) {
-        frames.clear();
-        frames.extend(q.chunks_exact(NODE).zip(triads).map(|(q, triad)| NodeFrame::new(q, triad)));
+        self.mesh.set_frames(q, triads, frames);
     }
 
     /// The instant that `q`, `frames` and `prescribed` describe, after the accepted `state`.
@@ -211,7 +209,7 @@ impl System {
         prescribed: &'a Prescribed,
     ) -> Configuration<'a> {
         let (holonomy, readings) = (&state.holonomy, &state.readings);
-        Configuration { q, frames, holonomy, readings, prescribed, elements: &self.elements }
+        Configuration { q, frames, holonomy, readings, prescribed, mesh: &self.mesh }
     }
 
     /// Ends a step at the coordinates and the prescribed motion in `state`: references and holonomy angles (2.6, 2.7), the
@@ -228,9 +226,12 @@ impl System {
             *reading = gauge.reading(&configuration, *reading);
         }
         (state.rotations, state.readings) = (rotations, readings);
-        for (number, element) in self.elements.iter().enumerate() {
-            let [first, second] = [&frames[element.node], &frames[element.node + 1]];
-            state.holonomy[number] = Holonomy::new(first, second, state.holonomy[number]).angle;
+        for element in &self.mesh.elements {
+            if let Element::Ancf14(element) = element {
+                let [first, second] = [&frames[element.place.frame], &frames[element.place.frame + 1]];
+                let angle = &mut state.holonomy[element.place.branch];
+                *angle = Holonomy::new(first, second, *angle).angle;
+            }
         }
         for (triad, frame) in state.triads.iter_mut().zip(frames) {
             *triad = frame.carried();
@@ -245,34 +246,27 @@ impl System {
 
     /// Whether coordinate `index` is a place, m; the others are slopes, angles and directors.
     pub fn is_place(&self, index: usize) -> bool {
-        let nodes = self.node_coordinates();
-        if index < nodes { index % NODE < P } else { (index - nodes) % BODY < axis_place(0) }
+        let nodes = self.mesh.coordinates();
+        if index < nodes {
+            index - self.mesh.nodes[self.mesh.node_of(index)].coordinates().start < PLACE
+        } else {
+            (index - nodes) % BODY < PLACE
+        }
     }
 
     /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the machine's size, slopes,
     /// angles and directors as they are.
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
         let mut largest = (0.0, 0);
-        for (index, value) in correction[..self.coordinates()].iter().enumerate() {
-            let size = if self.is_place(index) { value.abs() / self.size } else { value.abs() };
-            // Not-a-number must win: `>` alone would let it pass.
-            if size > largest.0 || size.is_nan() {
-                largest = (size, index);
+        for part in self.parts() {
+            for (local, index) in part.enumerate() {
+                let size = correction[index].abs() / if local < PLACE { self.size } else { 1.0 };
+                // Not-a-number must win: `>` alone would let it pass.
+                if size > largest.0 || size.is_nan() {
+                    largest = (size, index);
+                }
             }
         }
         largest
     }
-}
-
-/// Strains of element `number`.
-pub fn evaluation<'a>(c: &Configuration<'a>, number: usize, increment: Option<&[f64]>) -> Evaluation<'a> {
-    let element = &c.elements[number];
-    let own = increment.map(|increment| &increment[NODE * element.node..NODE * (element.node + 2)]);
-    Evaluation::new(element, c.element_q(element), own, c.element_frames(element), c.holonomy[number])
-}
-
-/// Strains of element `number` with linear twist, whatever the element's is: those that material damping sees.
-pub fn linear_evaluation<'a>(c: &Configuration<'a>, number: usize) -> Evaluation<'a> {
-    let element = &c.elements[number];
-    Evaluation::with_linear_twist(element, c.element_q(element), None, c.element_frames(element), c.holonomy[number])
 }

@@ -2,8 +2,7 @@
 
 use super::simulation::{Simulation, failure};
 use crate::fmi::Failure;
-use crate::math::hermite;
-use crate::mechanics::beam::coordinates::{NODE, interpolate, vec3};
+use crate::math::vectors::vec3;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::system::{Beam, System};
 use crate::solve::modes;
@@ -93,7 +92,7 @@ impl Simulation {
         let configuration = snapshot.of(system, state);
         let name = |beam: &Beam, node: usize| format!("{}.node[{}]", beam.name, beam.end_of(node));
         let names = system.beams.iter().flat_map(|beam| beam.node_range().map(move |node| name(beam, node)));
-        let nodes = state.q.chunks(NODE).map(|q| vec3(q, 0));
+        let nodes = system.mesh.nodes.iter().map(|node| node.place(&state.q));
         let mut places: Vec<Place> =
             names.zip(nodes).map(|(name, place)| Place { name, position: place.into() }).collect();
         let nodes = places.len();
@@ -160,10 +159,9 @@ fn warnings(system: &System, found: &modes::Modes, moving: bool) -> Vec<String> 
 fn lines(system: &System, q: &[f64]) -> Vec<Vec<[f64; 3]>> {
     let line = |first: usize, count: usize| {
         let points = (0..=count * POINTS).map(|point| {
-            let element = &system.elements[first + (point / POINTS).min(count - 1)];
+            let element = &system.mesh.elements[first + (point / POINTS).min(count - 1)];
             let xi = point as f64 / POINTS as f64 - (point / POINTS).min(count - 1) as f64;
-            let own = &q[NODE * element.node..NODE * (element.node + 2)];
-            interpolate(&hermite::shape(xi, element.length), own).into()
+            element.axis_point(xi, q).into()
         });
         points.collect()
     };

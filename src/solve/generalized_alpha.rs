@@ -17,7 +17,7 @@ use super::response::{Responder, Response};
 use super::start::Dynamics;
 use super::stepping::Integrator;
 use crate::error::Error;
-use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Passage, Rates};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
@@ -246,8 +246,8 @@ impl Problem for Step<'_> {
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
         system.add_damping_matrix(&configuration, scale * by_q[0], tangent);
         system.add_mass(1.0, tangent);
-        gyroscopic::add_rate_forces(&scratch.frames, &scratch.velocity, &scratch.momentum, forces);
-        gyroscopic::add_chart_forces(&scratch.frames, &scratch.momentum_rate, forces);
+        gyroscopic::add_rate_forces(system, &scratch.frames, &scratch.velocity, &scratch.momentum, forces);
+        gyroscopic::add_chart_forces(system, &scratch.frames, &scratch.momentum_rate, forces);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
         gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);
 

@@ -1,4 +1,5 @@
-//! The two gyroscopic terms of the midpoint integrators (MECHANICS 7.2, 7.3, 7.5), and those of an instant.
+//! The two gyroscopic terms of the midpoint integrators (MECHANICS 7.2, 7.3, 7.5), and those of an instant, of ANCF14's nodes: those of
+//! ANCF24 have a constant mass matrix in plain coordinates, and no such terms.
 //!
 //! `theta` is measured in the chart carried from `t_k`, so that the discrete spin depends on both configurations. One half of
 //! its variation acts in the step (`C` of 7.3), the other when the momentum changes charts (7.5). Either alone is unstable
@@ -6,15 +7,19 @@
 
 use crate::math::blocks::Blocks;
 use crate::math::rotation::{half_turn, half_turn_by_second};
+use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::coordinates::{ELEMENT, NODE, P, THETA, add_vec3, vec3};
-use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::ancf14::coordinates::{ELEMENT, NODE, P, THETA};
+use crate::mechanics::ancf14::frame::NodeFrame;
+use crate::mechanics::formulation::Element;
+use crate::mechanics::node::Node;
 use crate::mechanics::system::System;
 
-/// `target += factor C`, `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node (7.3), N.
+/// `target += factor C`, `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node that has a frame (7.3), N.
 ///
 /// `frames` are those at the start, middle and end of the step, `mass_increment` is `M Dq`, `forces` is `dU/dq − F`.
 pub fn add_forces(
+    system: &System,
     frames: [&[NodeFrame]; 3],
     mass_increment: &[f64],
     forces: &[f64],
@@ -23,13 +28,13 @@ pub fn add_forces(
     target: &mut [f64],
 ) {
     let [start, middle, end] = frames;
-    for (node, (first, last)) in start.iter().zip(end).enumerate() {
+    for ((own, middle), (first, last)) in system.mesh.framed.iter().zip(middle).zip(start.iter().zip(end)) {
         // The start's chart is centred: its reference tangent is t_k itself, so that k of the end is kb(t_k, t_{k+1}).
         let kap = half_turn(&first.t, &last.t);
-        let km = half_turn(&first.t, &middle[node].t);
-        let theta = NODE * node + THETA;
+        let km = half_turn(&first.t, &middle.t);
+        let theta = own + THETA;
         let force = kap * (mass_increment[theta] / step) - (kap * 0.5 - km) * (step * forces[theta]);
-        add_vec3(target, NODE * node + P, &(force * (factor / first.stretch)));
+        add_vec3(target, own + P, &(force * (factor / first.stretch)));
     }
 }
 
@@ -42,10 +47,10 @@ pub fn add_tangent(
     step: f64,
     blocks: &mut Blocks,
 ) {
-    add_by_node(system, blocks, |node| {
-        let (first, last) = (&start[node], &end[node]);
+    add_by_node(system, blocks, |own, frame| {
+        let (first, last) = (&start[frame], &end[frame]);
         let kap = half_turn(&first.t, &last.t);
-        let spin_momentum = mass_increment[NODE * node + THETA] / step;
+        let spin_momentum = mass_increment[own + THETA] / step;
         let kap_p = half_turn_by_second(&first.t, &last.t, &kap) * last.t_p();
         (kap_p * (-step * spin_momentum / first.stretch), -kap / first.stretch)
     });
@@ -53,10 +58,12 @@ pub fn add_tangent(
 
 /// Adds what the force on the slope of each node has as derivatives to the element blocks of `blocks`: by the node's own slope,
 /// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbours through M.
-fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize) -> (Mat3, Vec3)) {
+/// `derivatives` is asked with the first coordinate and the frame of a node.
+fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize, usize) -> (Mat3, Vec3)) {
     for beam in &system.beams {
         for node in beam.node_range() {
-            let (by_slope, by_spin) = derivatives(node);
+            let Node::Ancf14 { start, frame } = system.mesh.nodes[node] else { continue };
+            let (by_slope, by_spin) = derivatives(start, frame);
             let neighbours = beam.elements_at(node);
             let [before, after] = neighbours;
             let Some((element, local)) = after.map(|after| (after, 0)).or(before.map(|before| (before, NODE))) else {
@@ -69,12 +76,13 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize)
                 }
             }
             for (element, local) in neighbours.into_iter().zip([NODE, 0]) {
-                let Some(element) = element else { continue };
-                let mass = &system.elements[element].mass;
-                let block = blocks.block_mut(element);
+                let Some(number) = element else { continue };
+                let Element::Ancf14(element) = &system.mesh.elements[number] else { continue };
+                let block = blocks.block_mut(number);
                 for column in [THETA, NODE + THETA] {
                     for row in 0..3 {
-                        block[column * ELEMENT + local + P + row] += by_spin[row] * mass[(local + THETA, column)];
+                        block[column * ELEMENT + local + P + row] +=
+                            by_spin[row] * element.mass[(local + THETA, column)];
                     }
                 }
             }
@@ -84,19 +92,19 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize)
 
 /// Takes the momentum from the charts of the step's start to charts centred at its end: `P_p += P_theta kap/|p_{k+1}|` (7.5).
 /// `frames` at the end, still relative to the references of the start.
-pub fn change_charts(frames: &[NodeFrame], momentum: &mut [f64]) {
-    for (frame, momentum) in frames.iter().zip(momentum.chunks_exact_mut(NODE)) {
-        let spin = momentum[THETA];
-        add_vec3(momentum, P, &(frame.k * (spin / frame.stretch)));
+pub fn change_charts(system: &System, frames: &[NodeFrame], momentum: &mut [f64]) {
+    for (own, frame) in system.mesh.framed.iter().zip(frames) {
+        let spin = momentum[own + THETA];
+        add_vec3(momentum, own + P, &(frame.k * (spin / frame.stretch)));
     }
 }
 
 /// Adds the gyroscopic force of an instant, `m_n (p' × p)/|p|³` with the spin momentum `m_n = (M v)_theta`, to the left-hand
 /// side of the equations of `p` (MECHANICS 7.2); `momentum` is `M v`. It is the same in every chart.
-pub fn add_rate_forces(frames: &[NodeFrame], velocity: &[f64], momentum: &[f64], forces: &mut [f64]) {
-    for (node, frame) in frames.iter().enumerate() {
-        let spin = momentum[NODE * node + THETA];
-        add_vec3(forces, NODE * node + P, &(spin_force(frame, &vec3(velocity, NODE * node + P)) * spin));
+pub fn add_rate_forces(system: &System, frames: &[NodeFrame], velocity: &[f64], momentum: &[f64], forces: &mut [f64]) {
+    for (own, frame) in system.mesh.framed.iter().zip(frames) {
+        let spin = momentum[own + THETA];
+        add_vec3(forces, own + P, &(spin_force(frame, &vec3(velocity, own + P)) * spin));
     }
 }
 
@@ -108,10 +116,10 @@ fn spin_force(frame: &NodeFrame, slope_rate: &Vec3) -> Vec3 {
 /// Adds `−m_n' k/|p|` with `m_n' = (M v')_theta` to the left-hand side of the equations of `p`, in charts that are not centred
 /// (MECHANICS 7.2): a turn of the tangent alone turns the section too there, so that forces along `theta` count along `p`, and
 /// the spin's inertia with them. `momentum_rate` is `M v'`.
-pub fn add_chart_forces(frames: &[NodeFrame], momentum_rate: &[f64], forces: &mut [f64]) {
-    for (node, frame) in frames.iter().enumerate() {
-        let rate = momentum_rate[NODE * node + THETA];
-        add_vec3(forces, NODE * node + P, &(frame.k * (-rate / frame.stretch)));
+pub fn add_chart_forces(system: &System, frames: &[NodeFrame], momentum_rate: &[f64], forces: &mut [f64]) {
+    for (own, frame) in system.mesh.framed.iter().zip(frames) {
+        let rate = momentum_rate[own + THETA];
+        add_vec3(forces, own + P, &(frame.k * (-rate / frame.stretch)));
     }
 }
 
@@ -125,11 +133,11 @@ pub fn add_rate_tangent(
     scale: f64,
     blocks: &mut Blocks,
 ) {
-    add_by_node(system, blocks, |node| {
-        let frame = &frames[node];
+    add_by_node(system, blocks, |own, frame| {
+        let frame = &frames[frame];
         let (t, stretch) = (&frame.t, frame.stretch);
-        let [spin, spin_rate] = [momentum, momentum_rate].map(|momentum| momentum[NODE * node + THETA]);
-        let slope_rate = vec3(velocity, NODE * node + P);
+        let [spin, spin_rate] = [momentum, momentum_rate].map(|momentum| momentum[own + THETA]);
+        let slope_rate = vec3(velocity, own + P);
         let force = spin_force(frame, &slope_rate);
         let force_p = slope_rate.cross_matrix() / stretch.powi(3) - force * t.transpose() * (3.0 / stretch);
         let force_v = -t.cross_matrix() / (stretch * stretch);

@@ -69,7 +69,7 @@ impl Kkt {
         let (mut blocks, joints) = constraint_layout(system);
         let mut curvatures = Vec::new();
         for joint in &system.joints {
-            let (a, b) = (joint.a.coordinates(&system.elements), joint.b.coordinates(&system.elements));
+            let (a, b) = (joint.a.coordinates(&system.mesh), joint.b.coordinates(&system.mesh));
             for (number, (rows, columns)) in [(&a, &a), (&a, &b), (&b, &a), (&b, &b)].into_iter().enumerate() {
                 let block = Block { row: rows.start, column: columns.start, rows: rows.len(), columns: columns.len() };
                 let place = blocks.push(block);
@@ -92,8 +92,7 @@ impl Kkt {
     pub fn set_constraints(&mut self, system: &System, columns: &[JointGradient], rows: &[JointGradient], scale: f64) {
         for (number, joint) in system.joints.iter().enumerate() {
             let start = self.joints[number];
-            let (count_a, count_b) =
-                (joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len());
+            let (count_a, count_b) = (joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len());
             let conditions = joint.rows();
             let (right, below) = (&columns[number], &rows[number]);
             copy_corner(self.blocks.block_mut(start), count_a, conditions, |row, column| {
@@ -113,7 +112,7 @@ impl Kkt {
         for (joint, first) in system.joints.iter().zip(&self.curvatures) {
             let own = &multipliers[row..row + joint.rows()];
             row += joint.rows();
-            let [a, b] = [joint.a.coordinates(&system.elements).len(), joint.b.coordinates(&system.elements).len()];
+            let [a, b] = [joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len()];
             let parts = joint.phi_qq(c, own);
             for (place, ((rows, columns), part)) in [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(&parts).enumerate()
             {
@@ -247,7 +246,7 @@ fn constraint_layout(system: &System) -> (Blocks, Vec<usize>) {
     let mut joints = Vec::new();
     let mut row = system.coordinates();
     for joint in &system.joints {
-        let (a, b) = (joint.a.coordinates(&system.elements), joint.b.coordinates(&system.elements));
+        let (a, b) = (joint.a.coordinates(&system.mesh), joint.b.coordinates(&system.mesh));
         let conditions = joint.rows();
         joints.push(blocks.push(Block { row: a.start, column: row, rows: a.len(), columns: conditions }));
         blocks.push(Block { row: b.start, column: row, rows: b.len(), columns: conditions });

@@ -17,7 +17,7 @@ use super::projection::Projection;
 use super::start::Dynamics;
 use super::stepping::Integrator;
 use crate::error::Error;
-use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Configuration, Passage, Rates};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
@@ -199,8 +199,8 @@ impl Scratch {
             *momentum = 2.0 * mass_increment / step - *momentum;
         }
         let frames = [&self.frames_start[..], &self.frames_middle, &self.frames_end];
-        gyroscopic::add_forces(frames, &self.mass_increment, &self.forces, step, -1.0, &mut state.momentum);
-        gyroscopic::change_charts(&self.frames_end, &mut state.momentum);
+        gyroscopic::add_forces(system, frames, &self.mass_increment, &self.forces, step, -1.0, &mut state.momentum);
+        gyroscopic::change_charts(system, &self.frames_end, &mut state.momentum);
         for (multiplier, impulse) in state.multipliers.iter_mut().zip(&self.impulses) {
             *multiplier = 2.0 * impulse / step;
         }
@@ -282,7 +282,7 @@ impl Problem for Step<'_> {
             *residual = h * state.momentum[index] - scratch.mass_increment[index] - 0.5 * h * h * scratch.forces[index];
         }
         let frames = [&scratch.frames_start[..], &scratch.frames_middle, &scratch.frames_end];
-        gyroscopic::add_forces(frames, &scratch.mass_increment, &scratch.forces, h, h, residual);
+        gyroscopic::add_forces(system, frames, &scratch.mass_increment, &scratch.forces, h, h, residual);
         gyroscopic::add_tangent(system, frames[0], frames[2], &scratch.mass_increment, h, &mut kkt.blocks);
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;

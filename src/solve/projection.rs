@@ -2,7 +2,7 @@
 
 use super::kkt::Kkt;
 use crate::error::Error;
-use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;

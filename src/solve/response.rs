@@ -5,7 +5,7 @@
 use super::gyroscopic;
 use super::kkt::Kkt;
 use crate::error::Error;
-use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Passage, Rates};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
@@ -77,7 +77,7 @@ impl Responder {
         let (forces, conditions) = self.right.split_at_mut(state.q.len());
         system.forces(&configuration, &passage, &self.excitation, forces);
         system.mass_times(&state.velocity, &mut self.momentum);
-        gyroscopic::add_rate_forces(&self.frames, &state.velocity, &self.momentum, forces);
+        gyroscopic::add_rate_forces(system, &self.frames, &state.velocity, &self.momentum, forces);
         system.constraint_accelerations(&configuration, &state.velocity, conditions);
         self.right.iter_mut().for_each(|value| *value = -*value);
 

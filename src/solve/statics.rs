@@ -12,7 +12,7 @@ use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
 use super::stability::{self, Judgement, Stability};
 use super::stepping::Integrator;
 use crate::error::Error;
-use crate::mechanics::beam::frame::NodeFrame;
+use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::Passage;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
@@ -54,6 +54,7 @@ struct Scratch {
     forces: Vec<f64>,
     conditions: Vec<f64>,
     frames: Vec<NodeFrame>,
+    frames_before: Vec<NodeFrame>,
     gradients: Vec<JointGradient>,
 }
 
@@ -258,9 +259,11 @@ impl Statics {
         state.statistics.iterations = iterations;
         self.convergence = Some(solved?);
         let scratch = &mut self.scratch;
-        system.check_twist_change(state, &scratch.q, &mut scratch.frames, time)?;
+        system.frames(&state.q, &state.triads, &mut scratch.frames_before);
         system.frames(&scratch.q, &state.triads, &mut scratch.frames);
+        let before = system.configuration(&state.q, &scratch.frames_before, state, &state.prescribed);
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, &self.current_motion);
+        system.check_twist_change(&before, &configuration, time)?;
         system.check(&configuration, state, LARGEST_TURN, time)?;
         state.q.copy_from_slice(&scratch.q);
         state.multipliers.copy_from_slice(&scratch.multipliers);

@@ -56,7 +56,7 @@ fn parabola(s: f64) -> f64 {
 
 /// Lengths of the elements of the first beam.
 fn lengths(simulation: &Simulation) -> Vec<f64> {
-    simulation.system().elements.iter().map(|element| element.length).collect()
+    simulation.system().mesh.elements.iter().map(|element| element.length()).collect()
 }
 
 #[test]

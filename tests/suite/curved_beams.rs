@@ -3,14 +3,16 @@
 //! section's axes renamed, it must bend alike to round-off. A frame that is carried differently from the two ends, a reference
 //! curvature with a wrong sign or not divided by `J0`, a strain output that forgets the reference: each fails here.
 
+use crate::machines::{ancf14, ancf14_elements};
 use crate::machines::{clamp, design, energies};
 use ancf14::math::curve::Curve;
 use ancf14::math::jet::Jet;
 use ancf14::math::quadrature::GAUSS_POINTS;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::quadratic_twist::Twist;
-use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::centreline::{Centreline, Spacing};
 use ancf14::mechanics::joint::{Joint, weld};
 use ancf14::mechanics::load::{Direction, Load, Signal};
@@ -19,7 +21,7 @@ use ancf14::mechanics::pose::Pose;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
-use ancf14::mechanics::system::{System, evaluation};
+use ancf14::mechanics::system::System;
 use ancf14::solve::statics::Statics;
 use std::sync::Arc;
 
@@ -76,7 +78,13 @@ const IN_PLANE: Loads = Loads {
 /// A strip along a curve: its width and height are not exchangeable.
 fn strip(strain: Strain, spacing: Spacing, curve: &Curve, elements: usize, loads: &Loads) -> BeamDesign {
     let line = Centreline::curved(curve, spacing, elements).unwrap();
-    BeamDesign { line, y_axis: Vec3::from(loads.y_axis), pretwist: loads.pretwist, strain, ..design("strip", elements) }
+    BeamDesign {
+        line,
+        y_axis: Vec3::from(loads.y_axis),
+        pretwist: loads.pretwist,
+        elements: ancf14(strain, Twist::Linear),
+        ..design("strip", elements)
+    }
 }
 
 /// The axes of the section at the end, as drawn.
@@ -136,7 +144,7 @@ fn curved_beams_are_free_of_stress_as_drawn() {
         for spacing in [Spacing::Arc, Spacing::Parameter] {
             let mut beam = strip(strain, spacing, &curve(false), 9, &IN_SPACE);
             if spacing == Spacing::Parameter {
-                beam.twist = Twist::Quadratic;
+                beam.elements = ancf14(strain, Twist::Quadratic);
             }
             let mut assembly = Assembly::default();
             let number = assembly.add_beam(&beam);
@@ -149,8 +157,8 @@ fn curved_beams_are_free_of_stress_as_drawn() {
             assert_eq!(elastic, 0.0);
             let mut snapshot = Snapshot::default();
             let c = snapshot.of(&system, &state);
-            for (number, element) in system.elements.iter().enumerate() {
-                let forces = evaluation(&c, number, None).gradient();
+            for (number, element) in ancf14_elements(&system).enumerate() {
+                let forces = element.evaluation(&c, None).gradient();
                 assert_eq!(forces.amax(), 0.0, "element {number}");
                 assert!(element.bending.iter().any(|point| point.reference[0].abs() > 0.1), "it is not curved at all");
                 assert!(element.reference_twist.abs() > 0.1, "it is not twisted at all");
@@ -191,7 +199,7 @@ fn references_are_those_of_the_curve() {
         // The end's normal points to the axis: exact, for nodes are where the curve is.
         assert!((tip.column(1) - Vec3::new(-turns.cos(), -turns.sin(), 0.0)).norm() < 1e-12);
         let (system, _) = assembly.finish(Vec3::zeros());
-        let points = system.elements.iter().flat_map(|element| element.bending);
+        let points = ancf14_elements(&system).flat_map(|element| element.bending);
         let worst = points.fold(0.0, |worst: f64, point| {
             let [gamma1, gamma2, tau] = point.reference;
             worst.max((gamma1 / curvature - 1.0).abs()).max(gamma2.abs() / curvature).max((tau / torsion - 1.0).abs())
@@ -287,14 +295,15 @@ fn sensors_see_the_strains_of_the_energy() {
         let mut snapshot = Snapshot::default();
         let c = snapshot.of(&system, &state);
         for (k, sensor) in system.sensors.iter().enumerate() {
-            let expected = evaluation(&c, k / 3, None).strains[k % 3];
+            let element = ancf14_elements(&system).nth(k / 3).unwrap();
+            let expected = element.evaluation(&c, None).strains[k % 3];
             let found = sensor.strains(&c);
             assert!(expected.norm() > 1e-3, "hardly strained");
             let differences =
                 [found.curvature[1] - expected[0], -found.curvature[0] - expected[1], found.torsion - expected[2]];
             assert!(differences.iter().all(|difference| difference.abs() < 1e-12), "{differences:?}");
             // The drawn stretch is not 1 between the nodes of a coarse mesh: dividing by it must show.
-            assert!((system.elements[k / 3].bending[1].reference_stretch - 1.0).abs() > 1e-4);
+            assert!((element.bending[1].reference_stretch - 1.0).abs() > 1e-4);
         }
     }
 }

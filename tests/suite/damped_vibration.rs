@@ -2,12 +2,15 @@
 //! cantilever's first bending, torsional and axial vibration must be that of theory, with both integrators. What moves rigidly must
 //! not be damped: a damping of coordinates instead of strains would bring a spinning beam to rest.
 
+use crate::machines::ancf14;
 use crate::machines::{clamp, design, energies, integrate};
 use crate::oscillation::{period_and_decrement, theory};
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::coordinates::{NODE, P, R, THETA};
-use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::ancf14::coordinates::{NODE, P, R, THETA};
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::material::Material;
 use ancf14::solve::midpoint::AxialRule;
 use std::f64::consts::PI;
@@ -70,7 +73,7 @@ const BENDING: f64 = 1.875_104_068_711_961;
 #[test]
 fn vibrations_decay_as_theory_says() {
     for (rule, strain) in RULES {
-        let still = BeamDesign { strain, ..design("beam", ELEMENTS) };
+        let still = BeamDesign { elements: ancf14(strain, Twist::Linear), ..design("beam", ELEMENTS) };
         for mode in modes(&still) {
             let material = Material { damping: 2.0 * RATIO / mode.omega, ..still.material };
             let mut assembly = Assembly::default();
@@ -111,7 +114,7 @@ fn a_spinning_beam_is_not_damped() {
         // A damping ratio of 0.5 of the first bending vibration, of 107 rad/s.
         let material = Material { damping: 0.01, ..base.material };
         let beam = BeamDesign {
-            strain,
+            elements: ancf14(strain, Twist::Linear),
             material,
             velocity: Vec3::new(0.4, 0.1, -0.3) - spin.cross(&Vec3::x()) * 0.5,
             angular_velocity: spin,

@@ -6,10 +6,10 @@ use crate::element_derivatives::{curved, random_element_state, stiffness, straig
 use crate::oracle::{self, Scalar};
 use crate::random::Random;
 use ancf14::math::{Vec3, rotation};
-use ancf14::mechanics::beam::damping::{self, StrainVector};
-use ancf14::mechanics::beam::element::{Element, Evaluation};
-use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
-use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::ancf14::damping::{self, StrainVector};
+use ancf14::mechanics::ancf14::element::{Element, Evaluation};
+use ancf14::mechanics::ancf14::frame::{NodeFrame, Triad};
+use ancf14::mechanics::ancf14::strain::Strain;
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual, Dual2SVec64, DualSVec64, HyperDualSVec64};
 

@@ -1,9 +1,12 @@
 //! Time integration: what physics conserves, the steps that break weaker integrators, and the measured order.
 
+use crate::machines::ancf14;
 use crate::machines::{design, energies, hold, integrate};
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::joint::{spherical, weld};
 use ancf14::mechanics::material::Material;
@@ -44,7 +47,7 @@ fn spinning_design() -> BeamDesign {
 fn free_spinning_beam_keeps_momentum_and_energy() {
     for (rule, twist) in RULES.into_iter().flat_map(|rule| [Twist::Linear, Twist::Quadratic].map(|twist| (rule, twist)))
     {
-        let (system, mut state) = free(&BeamDesign { twist, ..spinning_design() });
+        let (system, mut state) = free(&BeamDesign { elements: ancf14(Strain::Small, twist), ..spinning_design() });
         let mut start = None;
         let (mut drift, mut low, mut high) = ([0.0_f64; 2], f64::INFINITY, f64::NEG_INFINITY);
         integrate(&system, &mut state, rule, (1e-3, 4000), |state| {

@@ -4,10 +4,10 @@
 use crate::oracle;
 use crate::random::Random;
 use ancf14::math::{Vec3, rotation};
-use ancf14::mechanics::beam::element::{Element, Evaluation};
-use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
-use ancf14::mechanics::beam::quadratic_twist::Twist;
-use ancf14::mechanics::beam::strain::{Stiffness, Strain};
+use ancf14::mechanics::ancf14::element::{Element, Evaluation, Place};
+use ancf14::mechanics::ancf14::frame::{NodeFrame, Triad};
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::{Stiffness, Strain};
 use nalgebra::SVector;
 use num_dual::Dual2SVec64;
 
@@ -63,14 +63,14 @@ pub fn straight(length: f64, stiffness: Stiffness) -> Element {
     (q[3], q[7], q[10]) = (1.0, length, 1.0);
     let triad = Triad { t: Vec3::x(), u: Vec3::y() };
     let frames = [NodeFrame::new(&q[..7], &triad), NodeFrame::new(&q[7..], &triad)];
-    Element::new(0, length, stiffness, [1.0, 0.1], &q, [&frames[0], &frames[1]], 0.0)
+    Element::new(Place::default(), length, stiffness, [1.0, 0.1], &q, [&frames[0], &frames[1]], 0.0)
 }
 
 /// An element whose undeformed shape is bent and twisted at random.
 pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element {
     let (q, triads, previous) = random_element_state(random, length, 0.3, 0.5);
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];
-    Element::new(0, length, stiffness, [1.0, 0.1], q.as_slice(), [&frames[0], &frames[1]], previous)
+    Element::new(Place::default(), length, stiffness, [1.0, 0.1], q.as_slice(), [&frames[0], &frames[1]], previous)
 }
 
 fn compare(element: &Element, q: &SVector<f64, 14>, triads: &[Triad; 2], previous: f64) {
@@ -166,7 +166,7 @@ fn tangent_over_a_step() {
 /// Work of the axial force by the increment of the slopes must be the increment of the axial energy (MECHANICS 7.6).
 #[test]
 fn axial_work_over_a_step_is_the_energy_increment() {
-    use ancf14::mechanics::beam::axial::{Slope, small};
+    use ancf14::mechanics::ancf14::axial::{Slope, small};
     let mut random = Random(5);
     let stiffness = stiffness(Strain::Small);
     for _ in 0..100 {

@@ -3,7 +3,8 @@
 use crate::machines::design;
 use ancf14::math::Vec3;
 use ancf14::math::blocks::Blocks;
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::configuration::Passage;
 use ancf14::mechanics::load::Excitation;
 use ancf14::mechanics::sensor::Snapshot;

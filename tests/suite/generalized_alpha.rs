@@ -8,8 +8,9 @@ use crate::machines::{clamp, design, energies, hold, integrate, march};
 use crate::random::Random;
 use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::coordinates::{NODE, P};
+use ancf14::mechanics::ancf14::coordinates::{NODE, P};
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::driven::Driven;
@@ -241,7 +242,9 @@ fn axial_vibration_is_damped_as_theory_says() {
             if speed == 1e3 {
                 // Three like eigenvalues far beyond the step: `n²` counts too in the power of the matrix, and its square in the energy.
                 assert!((found - radius).abs() < 0.015, "{radius}: {found}");
-                assert!(left < 1e4 * radius.powi(80) + 1e-20, "{radius}: {left:e}");
+                // What round-off of the length stretches, a unit of it, beside the velocity at the start.
+                let round_off = (f64::EPSILON * speed / 1e-3).powi(2);
+                assert!(left < 1e4 * radius.powi(80) + round_off, "{radius}: {left:e}");
             }
             if radius == 1.0 {
                 assert!((found - 1.0).abs() < 1e-7 && left > 0.1, "{found}, {left:e}");

@@ -5,11 +5,14 @@
 //! the curvature `w sin(psi)` and the geometric torsion `w cos(psi)`. Kirchhoff's rod stands in equilibrium with the material torsion
 //! `tau` under the force `n = w (GJ tau − EI w cos(psi)) e/(1 + eps)`, `eps = n·t/EA`, and the moment `GJ tau t + EI w sin(psi) b` at its end.
 
+use crate::machines::ancf14;
 use crate::machines::{clamp, design};
 use ancf14::math::jet::Jet;
 use ancf14::math::{Vec3, rotation};
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::load::{Direction, Load, Signal};
 use ancf14::mechanics::section::Section;
 use ancf14::solve::statics::Statics;
@@ -69,7 +72,11 @@ impl Helix {
 
 /// Distance of the end from where it should be, m.
 fn error(elements: usize, twist: Twist) -> f64 {
-    let design = BeamDesign { section: Section::circle(1e-3), twist, ..design("rod", elements) };
+    let design = BeamDesign {
+        section: Section::circle(1e-3),
+        elements: ancf14(Strain::Small, twist),
+        ..design("rod", elements)
+    };
     let helix = Helix::of(&design);
     let mut assembly = Assembly::default();
     let beam = assembly.add_beam(&design);

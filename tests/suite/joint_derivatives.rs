@@ -34,10 +34,8 @@ fn weighted_conditions<D: Scalar>(machine: &Machine, joint: &Joint, lambda: &[f6
                     if matches!(kind, Measure::Angle(_)) { (value.re() / std::f64::consts::TAU).round() } else { 0.0 };
                 rows.push(value - std::f64::consts::TAU * turns);
             }
-            Primitive::Orthonormal => {
-                rows.extend((1..4).map(|i| (oracle::dot(&b[i], &b[i]) - 1.0) * 0.5));
-                rows.extend([(1, 2), (1, 3), (2, 3)].map(|(i, j)| oracle::dot(&b[i], &b[j])));
-            }
+            Primitive::Rigid(i, j) if i == j => rows.push((oracle::dot(&b[1 + i], &b[1 + i]) - 1.0) * 0.5),
+            Primitive::Rigid(i, j) => rows.push(oracle::dot(&b[1 + i], &b[1 + j])),
         }
     }
     assert_eq!(rows.len(), lambda.len());
@@ -58,7 +56,7 @@ fn check_joint(machine: &Machine, joint: &Joint, random: &mut Random) {
     let own = joint.phi_q(&c);
     let mut closed = SVector::<f64, COUNT>::zeros();
     for (marker, block) in [(&joint.a, own.a), (&joint.b, own.b)] {
-        for (local, index) in marker.coordinates(&machine.elements).enumerate() {
+        for (local, index) in marker.coordinates(&machine.mesh).enumerate() {
             closed[index] += (0..rows).map(|row| lambda[row] * block[(row, local)]).sum::<f64>();
         }
     }

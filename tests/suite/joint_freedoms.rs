@@ -7,7 +7,8 @@ use crate::machines::integrate;
 use crate::parts::{KINDS, Kind, Pair, Part, Twist, coordinate_velocity};
 use crate::random::Random;
 use ancf14::math::Vec3;
-use ancf14::mechanics::beam::coordinates::{P, set_vec3, vec3};
+use ancf14::math::vectors::{set_vec3, vec3};
+use ancf14::mechanics::ancf14::coordinates::P;
 use ancf14::mechanics::joint::Joint;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::sensor::Snapshot;
@@ -38,7 +39,7 @@ fn jacobian(system: &System, state: &State) -> DMatrix<f64> {
     let mut row = 0;
     for (joint, gradient) in system.joints.iter().zip(&gradients) {
         for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
-            for (local, column) in marker.coordinates(&system.elements).enumerate() {
+            for (local, column) in marker.coordinates(&system.mesh).enumerate() {
                 for condition in 0..joint.rows() {
                     sum[(row + condition, column)] += block[(condition, local)];
                 }
@@ -72,7 +73,7 @@ fn expected(pair: &Pair, kind: &Kind) -> Vec<Vec<f64>> {
         if let Marker::Node { .. } = side {
             // The slope of a beam may always stretch.
             let mut stretch = vec![0.0; state.q.len()];
-            let start = side.coordinates(&system.elements).start + P;
+            let start = side.coordinates(&system.mesh).start + P;
             set_vec3(&mut stretch, start, &vec3(&state.q, start));
             list.push(stretch);
         }
@@ -89,7 +90,7 @@ fn singular_values(matrix: &DMatrix<f64>) -> Vec<f64> {
 /// The smallest singular value of the rows, and the largest rate of a condition under a motion that must be free.
 fn check(pair: &Pair, kind: &Kind) -> (f64, f64) {
     let Pair { system, state, sides } = pair;
-    let columns: Vec<usize> = sides.iter().flat_map(|side| side.coordinates(&system.elements)).collect();
+    let columns: Vec<usize> = sides.iter().flat_map(|side| side.coordinates(&system.mesh)).collect();
     let whole = jacobian(system, state);
     let restricted = whole.select_columns(&columns);
     let rows = restricted.nrows();

@@ -7,8 +7,6 @@ use crate::machines::{energies, integrate};
 use crate::parts::{FRAME_VELOCITY, KINDS, Kind, Pair, Part, gap};
 use crate::random::Random;
 use ancf14::math::Vec3;
-use ancf14::mechanics::beam::coordinates::NODE;
-use ancf14::mechanics::rigid_body::BODY;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::solve::midpoint::AxialRule;
@@ -20,8 +18,8 @@ const HELD: [[Part; 2]; 4] =
 /// Energy as seen from what moves with `speed`, J: velocities, and the fall of the observer.
 fn energy_seen(system: &System, state: &State, speed: &Vec3) -> [f64; 2] {
     let mut seen = state.clone();
-    let nodes = system.node_coordinates();
-    let places = (0..nodes).step_by(NODE).chain((nodes..state.q.len()).step_by(BODY));
+    let nodes = system.mesh.nodes.iter().map(|node| node.coordinates().start);
+    let places = nodes.chain(system.bodies.iter().map(|body| body.start));
     for place in places {
         for axis in 0..3 {
             seen.velocity[place + axis] -= speed[axis];

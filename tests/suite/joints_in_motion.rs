@@ -4,7 +4,8 @@
 use crate::machines::{design, energies, integrate};
 use crate::random::Random;
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, revolute, spherical, weld};
 use ancf14::mechanics::marker::Marker;
@@ -36,12 +37,13 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
     let (first, second) = (beam("first", random), beam("second", random));
     let axes = random.rotation();
     let hook = assembly.drawn(&assembly.section_at(first, 0.0)).place + random.vector() * 0.1;
-    let node = |beam, fraction| assembly.node_at(beam, fraction).unwrap();
+    let node = |beam, fraction| assembly.node(assembly.node_at(beam, fraction).unwrap());
+    let [start, end, next] = [node(first, 0.0), node(first, 1.0), node(second, 0.0)];
     let joints = [
         Joint {
             name: "hook".into(),
             a: Marker::Ground(Pose { place: hook, axes }),
-            b: assembly.tied(&assembly.node(node(first, 0.0)), &Pose { place: hook, axes }),
+            b: assembly.tied(&start, &Pose { place: hook, axes }),
             primitives: spherical::PRIMITIVES,
             drive: None,
         },
@@ -50,8 +52,8 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
             let place = random.vector();
             Joint {
                 name: "elbow".into(),
-                a: assembly.tied(&assembly.node(node(first, 1.0)), &Pose { place, axes }),
-                b: assembly.tied(&assembly.node(node(second, 0.0)), &Pose { place, axes }),
+                a: assembly.tied(&end, &Pose { place, axes }),
+                b: assembly.tied(&next, &Pose { place, axes }),
                 primitives,
                 drive: None,
             }

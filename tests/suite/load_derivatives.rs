@@ -73,7 +73,7 @@ fn check_load_derivatives() {
             Direction::Follower => (along_axes(&force, k), along_axes(&moment, k)),
         };
         let c = machine.configuration();
-        let range = marker.coordinates(&machine.elements);
+        let range = marker.coordinates(&machine.mesh);
         let (own, own_q) = (load.force(&c, 0, &load.at(0.0)), load.force_q(&c, 0, &load.at(0.0)));
         for (i, j) in range.clone().enumerate() {
             assert!(

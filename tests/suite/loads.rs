@@ -3,10 +3,12 @@
 
 use crate::machines::{clamp, design};
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
-use ancf14::mechanics::beam::coordinates::{THETA, vec3};
-use ancf14::mechanics::beam::quadratic_twist::Twist;
-use ancf14::mechanics::beam::strain::Strain;
+use ancf14::math::vectors::vec3;
+use ancf14::mechanics::ancf14::coordinates::THETA;
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::{BeamDesign, Elements, Torsion};
 use ancf14::mechanics::load::{Direction, Load, Signal};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::section::Section;
@@ -96,7 +98,10 @@ fn followers_turn_with_the_section() {
 #[test]
 fn suppressed_torsion_does_not_twist() {
     let free = design("beam", 4);
-    let stiff = BeamDesign { torsion: Torsion::Suppressed, ..free.clone() };
+    let stiff = BeamDesign {
+        elements: Elements::Ancf14 { strain: Strain::Small, twist: Twist::Linear, torsion: Torsion::Suppressed },
+        ..free.clone()
+    };
     let torque = Vec3::x() * 1e-2;
     let (_, turned) = tip(&free, at(1.0), Vec3::zeros(), torque, DEAD);
     let (_, held) = tip(&stiff, at(1.0), Vec3::zeros(), torque, DEAD);
@@ -109,9 +114,7 @@ fn suppressed_torsion_does_not_twist() {
 fn suppressed_torsion_goes_with_every_strain_and_twist() {
     let strip = |torsion, strain, twist| BeamDesign {
         section: Section::rectangle(0.004, 0.012),
-        torsion,
-        strain,
-        twist,
+        elements: Elements::Ancf14 { strain, twist, torsion },
         ..design("beam", 8)
     };
     let force = Vec3::new(0.0, 2.0, 12.0);
@@ -132,10 +135,7 @@ fn suppressed_torsion_goes_with_every_strain_and_twist() {
 /// is refused (MECHANICS 3.7). tau_c is 153 rad/m for the Princeton beam.
 #[test]
 fn truncated_strain_has_its_limit() {
-    let beam = BeamDesign {
-        strain: Strain::LargeTruncated,
-        ..crate::princeton::beam(4, Strain::LargeTruncated, Twist::Linear)
-    };
+    let beam = crate::princeton::beam(4, Strain::LargeTruncated, Twist::Linear);
     let check = |rate: f64| {
         let mut assembly = Assembly::default();
         assembly.add_beam(&beam);

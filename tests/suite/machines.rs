@@ -3,10 +3,13 @@
 use ancf14::error::Error;
 use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::assembly::{Assembly, BeamDesign, Torsion};
-use ancf14::mechanics::beam::quadratic_twist::Twist;
-use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::ancf14::element;
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::{BeamDesign, Elements, Torsion};
 use ancf14::mechanics::centreline::Centreline;
+use ancf14::mechanics::formulation::Element;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, weld};
 use ancf14::mechanics::load::{Direction, Load, Signal};
 use ancf14::mechanics::marker::Marker;
@@ -21,6 +24,19 @@ use ancf14::solve::start::{self, Dynamics};
 use ancf14::solve::stepping::Integrator;
 use std::sync::Arc;
 
+/// ANCF14 that may twist.
+pub fn ancf14(strain: Strain, twist: Twist) -> Elements {
+    Elements::Ancf14 { strain, twist, torsion: Torsion::Free }
+}
+
+/// The elements of a machine that has only those of ANCF14.
+pub fn ancf14_elements(system: &System) -> impl Iterator<Item = &element::Element> {
+    system.mesh.elements.iter().map(|element| match element {
+        Element::Ancf14(element) => element,
+        Element::Ancf24(_) => panic!("an element of ANCF24"),
+    })
+}
+
 /// A steel-like beam of 1 m along x.
 pub fn design(name: &str, elements: usize) -> BeamDesign {
     BeamDesign {
@@ -30,9 +46,7 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
         pretwist: 0.0,
         material: Material { young: 2e11, shear: 8e10, density: 7800.0, damping: 0.0 },
         section: Section::rectangle(0.01, 0.02),
-        strain: Strain::Small,
-        twist: Twist::Linear,
-        torsion: Torsion::Free,
+        elements: ancf14(Strain::Small, Twist::Linear),
         velocity: Vec3::zeros(),
         angular_velocity: Vec3::zeros(),
     }

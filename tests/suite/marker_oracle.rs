@@ -6,13 +6,16 @@ use crate::oracle::{self, Scalar};
 use crate::random::Random;
 use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::beam::coordinates::NODE;
-use ancf14::mechanics::beam::element::Element;
-use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
-use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::ancf14::coordinates::NODE;
+use ancf14::mechanics::ancf14::element::{Element, Place};
+use ancf14::mechanics::ancf14::frame::{NodeFrame, Triad};
+use ancf14::mechanics::ancf14::strain::Strain;
 use ancf14::mechanics::configuration::Configuration;
+use ancf14::mechanics::formulation;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::marker::{Marker, MarkerMatrix};
+use ancf14::mechanics::mesh::Mesh;
+use ancf14::mechanics::node::Node;
 use ancf14::mechanics::pose::Pose;
 use ancf14::mechanics::prescribed::{MovingPose, Prescribed};
 use nalgebra::{SMatrix, SVector};
@@ -31,6 +34,7 @@ pub type Dual = Dual2SVec64<ALL>;
 /// Two elements of two beams (nodes 0, 1 and 2, 3), a body whose directors are not orthonormal, a moving frame and a drive, in a random state.
 pub struct Machine {
     pub elements: [Element; 2],
+    pub mesh: Mesh,
     pub q: SVector<f64, COUNT>,
     pub velocity: SVector<f64, COUNT>,
     pub triads: [Triad; 4],
@@ -56,7 +60,10 @@ impl Machine {
         let frames =
             std::array::from_fn(|node| NodeFrame::new(&q.as_slice()[NODE * node..NODE * (node + 1)], &triads[node]));
         let first = straight(0.7, stiffness(Strain::Small));
-        let second = Element { node: 2, ..first.clone() };
+        let second = Element { place: Place { start: 14, frame: 2, branch: 1 }, ..first.clone() };
+        let nodes = (0..4).map(|frame| Node::Ancf14 { start: NODE * frame, frame }).collect();
+        let both = [&first, &second].map(|element| formulation::Element::Ancf14(element.clone())).to_vec();
+        let mesh = Mesh { nodes, elements: both, framed: (0..4).map(|frame| NODE * frame).collect(), branches: 2 };
         let mut any = || Pose { place: random.vector(), axes: Mat3::from_fn(|_, _| random.signed()) };
         let (velocity, acceleration) = (any(), any());
         let pose = Pose { place: random.vector(), axes: random.rotation() };
@@ -64,7 +71,7 @@ impl Machine {
         let drive = Jet { value: random.signed(), first: random.signed(), second: random.signed() };
         let prescribed = Prescribed { drives: vec![drive], frames: vec![frame] };
         let velocity = SVector::from_fn(|_, _| random.signed());
-        Self { elements: [first, second], q, velocity, triads, holonomy, frames, prescribed }
+        Self { elements: [first, second], mesh, q, velocity, triads, holonomy, frames, prescribed }
     }
 
     pub fn configuration(&self) -> Configuration<'_> {
@@ -74,7 +81,7 @@ impl Machine {
             holonomy: &self.holonomy,
             readings: &[0.0],
             prescribed: &self.prescribed,
-            elements: &self.elements,
+            mesh: &self.mesh,
         }
     }
 
@@ -130,8 +137,8 @@ impl Machine {
             }
             Marker::Section { element, xi } => {
                 let part = &self.elements[*element];
-                let own = &q[NODE * part.node..NODE * (part.node + 2)];
-                let triads = [self.triads[part.node], self.triads[part.node + 1]];
+                let own = &q[part.place.start..part.place.start + 14];
+                let triads = [self.triads[part.place.frame], self.triads[part.place.frame + 1]];
                 let (t, y, _) = oracle::inside(part, own, D::from(0.0), &triads, self.holonomy[*element], *xi);
                 let shape = ancf14::math::hermite::shape(*xi, part.length);
                 let place = std::array::from_fn(|i| {
@@ -187,7 +194,7 @@ pub fn measure<D: Scalar>(kind: Measure, a: &[[D; 3]; 4], b: &[[D; 3]; 4]) -> D 
 
 /// Blocks `aa, ab, ba, bb` in their places.
 pub fn spread(machine: &Machine, sides: [&Marker; 2], blocks: &[MarkerMatrix; 4]) -> SMatrix<f64, COUNT, COUNT> {
-    let ranges = sides.map(|marker| marker.coordinates(&machine.elements));
+    let ranges = sides.map(|marker| marker.coordinates(&machine.mesh));
     let mut sum = SMatrix::zeros();
     for (place, block) in blocks.iter().enumerate() {
         for (i, row) in ranges[place / 2].clone().enumerate() {

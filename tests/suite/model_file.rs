@@ -3,7 +3,9 @@
 
 use ancf14::fmi::Value;
 use ancf14::fmi::variable::{Causality, Variability, Variable};
-use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::beam_design::{Elements, Torsion};
 use ancf14::model::document::Document;
 use ancf14::model::drawing::{ArrowKind, Drawing, MarkKind};
 use ancf14::model::entries::anchor::{Along, Spot};
@@ -55,7 +57,8 @@ fn the_princeton_beam_arrives_as_written() {
     let arm = &document.beams[0];
     assert_eq!(document.model.identifier, "PrincetonBeam");
     assert_eq!(ends(&document), [[0.0; 3], [0.508, 0.0, 0.0]]);
-    assert_eq!((arm.strain, arm.torsion, arm.material, arm.section), (Strain::Small, true, 0, 0));
+    assert_eq!((arm.material, arm.section), (0, 0));
+    assert_eq!(arm.formulation, crate::machines::ancf14(Strain::Small, Twist::Linear));
     assert_eq!(document.value(arm.elements), 8.0);
     assert!(matches!(document.sections[0].shape, Shape::Rectangle { width, .. } if document.value(width) == 3.2024e-3));
     assert_eq!(document.sections[0].torsion_constant.map(|number| document.value(number)), Some(113.3872e-12));
@@ -198,7 +201,8 @@ fn overrides_reach_every_key() {
     assert_eq!(document.vector(document.model.gravity), [0.0, 0.0, -9.81]);
     assert_eq!(document.value(arm.pretwist), 0.1);
     assert_eq!(ends(&document), [[0.0; 3], [2.0, 0.0, 0.5]]);
-    assert_eq!((arm.strain, arm.torsion), (Strain::LargeTruncated, false));
+    let torsion = Torsion::Suppressed;
+    assert_eq!(arm.formulation, Elements::Ancf14 { strain: Strain::LargeTruncated, twist: Twist::Linear, torsion });
     assert_eq!(document.function(document.loads[0].force[0]).value(3.0), 12.0);
     assert_eq!(row(&document, "P").max, Some(20.0), "the table around a value stays");
     let names: Vec<_> = document.parameters().iter().map(|parameter| parameter.variable.name.as_str()).collect();

@@ -4,7 +4,11 @@
 use crate::machines::{clamp, design, integrate, load};
 use crate::running::start;
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
+use ancf14::mechanics::beam_design::Elements;
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::rigid_body::BodyDesign;
 use ancf14::mechanics::section::Section;
@@ -320,9 +324,12 @@ fn regression_kinds_are_not_to_be_trusted_under_follower_loads() {
 /// Without torsion the bending modes stay what they are, and no mode of torsion is near.
 #[test]
 fn beams_without_torsion_have_bending_modes() {
-    use ancf14::mechanics::assembly::Torsion;
+    use ancf14::mechanics::beam_design::Torsion;
     let [free, stiff] = [Torsion::Free, Torsion::Suppressed].map(|torsion| {
-        let (system, state) = cantilever(&BeamDesign { torsion, ..design("beam", 4) });
+        let (system, state) = cantilever(&BeamDesign {
+            elements: Elements::Ancf14 { strain: Strain::Small, twist: Twist::Linear, torsion },
+            ..design("beam", 4)
+        });
         frequencies(&modes(&system, &state, 4).unwrap())
     });
     for (free, stiff) in free.iter().zip(stiff) {

@@ -4,9 +4,11 @@
 use crate::machines::design;
 use crate::random::Random;
 use ancf14::math::jet::Jet;
+use ancf14::math::vectors::{set_vec3, vec3};
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::coordinates::{P, R, THETA, set_vec3, vec3};
+use ancf14::mechanics::ancf14::coordinates::{P, R, THETA};
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::primitive::Primitive;
@@ -247,7 +249,7 @@ pub fn coordinate_velocity(system: &System, state: &State, marker: &Marker, twis
             }
         }
         Marker::Node { .. } => {
-            let start = marker.coordinates(&system.elements).start;
+            let start = marker.coordinates(&system.mesh).start;
             let slope = vec3(&state.q, start + P);
             set_vec3(&mut velocity, start + R, &twist.at(&vec3(&state.q, start + R)));
             set_vec3(&mut velocity, start + P, &twist.angular.cross(&slope));

@@ -1,11 +1,13 @@
 //! The Princeton beam: a thin aluminium cantilever under a dead tip load at 7 angles and 3 sizes, against the exact rod solution
 //! in tests/references/princeton_beam.csv. What is left with 8 elements is the discretization error of the linear twist, of order 2.
 
+use crate::machines::ancf14;
 use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::quadratic_twist::Twist;
-use ancf14::mechanics::beam::strain::Strain;
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
@@ -43,8 +45,7 @@ pub fn beam(elements: usize, strain: Strain, twist: Twist) -> BeamDesign {
         line: Centreline::straight(Vec3::zeros(), Vec3::x() * LENGTH, elements),
         section,
         material,
-        strain,
-        twist,
+        elements: ancf14(strain, twist),
         ..design("beam", elements)
     }
 }

@@ -3,15 +3,17 @@
 //! A dropped or wrong term shows at 1e-3 or more; the bound is rounding.
 
 use crate::element_derivatives::{curved, random_element_state, stiffness, straight};
+use crate::machines::ancf14;
 use crate::machines::{clamp, design, load};
 use crate::oracle;
 use crate::random::Random;
 use ancf14::math::{Vec3, rotation};
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::element::{Element, Evaluation};
-use ancf14::mechanics::beam::frame::{NodeFrame, Triad};
-use ancf14::mechanics::beam::quadratic_twist::Twist;
-use ancf14::mechanics::beam::strain::{Stiffness, Strain};
+use ancf14::mechanics::ancf14::element::{Element, Evaluation};
+use ancf14::mechanics::ancf14::frame::{NodeFrame, Triad};
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::{Stiffness, Strain};
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::configuration::{Passage, Rates};
 use ancf14::mechanics::load::Excitation;
 use ancf14::mechanics::material::Material;
@@ -153,7 +155,11 @@ fn twist_and_torsion_inside_the_elements() {
     let measure = |twist: Twist, elements: usize, fraction: f64| {
         let mut assembly = Assembly::default();
         let section = ancf14::mechanics::section::Section::rectangle(0.004, 0.012);
-        let beam = assembly.add_beam(&BeamDesign { twist, section, ..design("beam", elements) });
+        let beam = assembly.add_beam(&BeamDesign {
+            elements: ancf14(Strain::Small, twist),
+            section,
+            ..design("beam", elements)
+        });
         clamp(&mut assembly, beam);
         load(&mut assembly, beam, 1.0, force, Vec3::zeros());
         assembly.add_sensor(beam, fraction);
@@ -188,7 +194,11 @@ fn twist_and_torsion_inside_the_elements() {
 #[test]
 fn angular_velocity_inside_the_elements() {
     let mut assembly = Assembly::default();
-    let beam = assembly.add_beam(&BeamDesign { twist: Twist::Quadratic, pretwist: 0.7, ..design("beam", 1) });
+    let beam = assembly.add_beam(&BeamDesign {
+        elements: ancf14(Strain::Small, Twist::Quadratic),
+        pretwist: 0.7,
+        ..design("beam", 1)
+    });
     assembly.add_sensor(beam, 0.3);
     let (system, mut state) = assembly.finish(Vec3::zeros());
     let mut random = Random(16);
@@ -208,7 +218,7 @@ fn angular_velocity_inside_the_elements() {
     let rate = (turn(width) - turn(-width)) / (2.0 * width) * turn(0.0).transpose();
     let difference = Vec3::new(rate[(2, 1)], rate[(0, 2)], rate[(1, 0)]) - angular;
     assert!(difference.norm() < 1e-8, "{difference}");
-    let linear = BeamDesign { twist: Twist::Linear, pretwist: 0.7, ..design("beam", 1) };
+    let linear = BeamDesign { elements: ancf14(Strain::Small, Twist::Linear), pretwist: 0.7, ..design("beam", 1) };
     let mut assembly = Assembly::default();
     let beam = assembly.add_beam(&linear);
     assembly.add_sensor(beam, 0.3);
@@ -224,7 +234,12 @@ fn damping_is_that_of_the_linear_twist() {
     let material = Material { damping: 1e-3, ..design("beam", 1).material };
     let machine = |twist| {
         let mut assembly = Assembly::default();
-        assembly.add_beam(&BeamDesign { twist, material, pretwist: 0.7, ..design("beam", 1) });
+        assembly.add_beam(&BeamDesign {
+            elements: ancf14(Strain::Small, twist),
+            material,
+            pretwist: 0.7,
+            ..design("beam", 1)
+        });
         assembly.finish(Vec3::zeros())
     };
     let (_, mut state) = machine(Twist::Linear);

@@ -2,10 +2,11 @@
 
 use crate::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};
 use crate::random::Random;
-use ancf14::mechanics::beam::coordinates::NODE;
-use ancf14::mechanics::beam::frame::NodeFrame;
+use ancf14::mechanics::ancf14::coordinates::NODE;
+use ancf14::mechanics::ancf14::frame::NodeFrame;
 use ancf14::mechanics::configuration::{Passage, Rates};
 use ancf14::mechanics::gauge::{Gauge, Measure};
+use ancf14::mechanics::marker::MarkerVector;
 use ancf14::mechanics::spring::{self, Spring};
 use nalgebra::SVector;
 
@@ -48,10 +49,10 @@ fn check_spring_derivatives() {
             };
             let (value, gradient, hessian) = num_dual::hessian(energy, &machine.all());
             assert!((spring.energy(&gauge, &c) - value).abs() < ROUNDING, "{kind:?} {sides:?}: {value}");
-            let scatter = |parts: [SVector<f64, 14>; 2]| {
+            let scatter = |parts: [MarkerVector; 2]| {
                 let mut sum = SVector::<f64, COUNT>::zeros();
                 for (marker, part) in [&a, &b].into_iter().zip(&parts) {
-                    for (local, index) in marker.coordinates(&machine.elements).enumerate() {
+                    for (local, index) in marker.coordinates(&machine.mesh).enumerate() {
                         sum[index] += part[local];
                     }
                 }

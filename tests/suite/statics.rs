@@ -1,9 +1,10 @@
 //! Equilibria with closed forms: elastica, roll-up to a circle, bar in tension.
 
 use crate::machines::{clamp, design, hold, load};
+use ancf14::math::vectors::vec3;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::assembly::{Assembly, BeamDesign};
-use ancf14::mechanics::beam::coordinates::vec3;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::joint::{revolute, spherical};
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;

@@ -4,7 +4,8 @@
 use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
 use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::sensor::{SectionStrains, Snapshot};
+use ancf14::mechanics::resultants::SectionStrains;
+use ancf14::mechanics::sensor::Snapshot;
 use ancf14::solve::statics::Statics;
 
 /// Strains at a fraction of a cantilever along x under a small force and moment at its end.

@@ -159,7 +159,7 @@ fn results(text: &str, overrides: &[(String, String)], count: u32) -> (Vec<Vec<(
         rows.push(all(&simulation));
     }
     let system = simulation.system();
-    let rigidity = system.elements.iter().map(|element| element.stiffness.axial).fold(0.0, f64::max);
+    let rigidity = crate::machines::ancf14_elements(system).map(|element| element.stiffness.axial).fold(0.0, f64::max);
     let young = system.beams.iter().map(|beam| beam.young).fold(0.0, f64::max);
     (rows, [rigidity, young])
 }

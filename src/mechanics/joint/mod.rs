@@ -14,7 +14,7 @@ pub mod universal;
 pub mod weld;
 
 use super::configuration::Configuration;
-use super::marker::{MARKER, Marker, MarkerMatrix};
+use super::marker::{MARKER, Marker, MarkerMatrix, MarkerVector};
 use super::pose::{POSE, PairMatrix, PairVector, Pose, PoseVector};
 use crate::math::jet::Jet;
 use nalgebra::SMatrix;
@@ -38,7 +38,7 @@ pub struct Joint {
     pub drive: Option<usize>,
 }
 
-/// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×14 each; unused rows are zero.
+/// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×24 each; unused rows are zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointGradient {
     /// By the coordinates of side a.
@@ -85,11 +85,15 @@ impl Joint {
     /// `∂phi/∂q` of both sides.
     pub fn phi_q(&self, c: &Configuration) -> JointGradient {
         let (gradients, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
-        let (a_q, b_q) = (self.a.pose_q(c), self.b.pose_q(c));
         let mut gradient = JointGradient { a: SMatrix::zeros(), b: SMatrix::zeros() };
-        for (row, phi_x) in gradients[..rows].iter().enumerate() {
-            gradient.a.set_row(row, &a_q.tr_mul(&phi_x.fixed_rows::<POSE>(0)).transpose());
-            gradient.b.set_row(row, &b_q.tr_mul(&phi_x.fixed_rows::<POSE>(POSE)).transpose());
+        for (side, (marker, target)) in [(&self.a, &mut gradient.a), (&self.b, &mut gradient.b)].into_iter().enumerate()
+        {
+            let pose_q = marker.pose_q(c);
+            for column in 0..marker.coordinates(c.mesh).len() {
+                for (row, phi_x) in gradients[..rows].iter().enumerate() {
+                    target[(row, column)] = phi_x.fixed_rows::<POSE>(POSE * side).dot(&pose_q.column(column));
+                }
+            }
         }
         gradient
     }
@@ -111,7 +115,7 @@ impl Joint {
         gradients[..rows].iter().zip(lambda).map(|(gradient, lambda)| gradient * *lambda).sum()
     }
 
-    /// `∂²(lambda·phi)/∂q²` as the blocks `aa, ab, ba, bb`, 14×14 each.
+    /// `∂²(lambda·phi)/∂q²` as the blocks `aa, ab, ba, bb`, 24×24 each.
     pub fn phi_qq(&self, c: &Configuration, lambda: &[f64]) -> [MarkerMatrix; 4] {
         let (gradient, hessian) = self.weighted(&self.a.pose(c), &self.b.pose(c), lambda);
         pull_back(c, [&self.a, &self.b], &gradient, &hessian)
@@ -168,9 +172,9 @@ impl Joint {
 }
 
 /// The velocities of a marker's own coordinates, padded with zeros.
-pub fn own_velocity(c: &Configuration, marker: &Marker, velocity: &[f64]) -> nalgebra::SVector<f64, MARKER> {
-    let range = marker.coordinates(c.elements);
-    let mut own = nalgebra::SVector::<f64, MARKER>::zeros();
+pub fn own_velocity(c: &Configuration, marker: &Marker, velocity: &[f64]) -> MarkerVector {
+    let range = marker.coordinates(c.mesh);
+    let mut own = MarkerVector::zeros();
     own.as_mut_slice()[..range.len()].copy_from_slice(&velocity[range]);
     own
 }
@@ -184,15 +188,23 @@ pub fn pull_back(
 ) -> [MarkerMatrix; 4] {
     let sides = [a, b];
     let gradients = sides.map(|side| side.pose_q(c));
+    // Ground and frames have no coordinates.
+    let counts = sides.map(|side| side.coordinates(c.mesh).len());
     let mut blocks = [0, 1, 2, 3].map(|number: usize| {
-        let (row, column) = (number / 2, number % 2);
-        let block = hessian.fixed_view::<POSE, POSE>(POSE * row, POSE * column);
-        // Ground and frames have no coordinates, and most conditions do not bend all sides.
-        let is_empty = [row, column].into_iter().any(|side| sides[side].coordinates(c.elements).is_empty());
-        if is_empty || block.iter().all(|value| *value == 0.0) {
-            return MarkerMatrix::zeros();
+        let (left, right) = (number / 2, number % 2);
+        let block = hessian.fixed_view::<POSE, POSE>(POSE * left, POSE * right);
+        let mut product = MarkerMatrix::zeros();
+        // Most conditions do not bend all sides.
+        if counts[left] == 0 || block.iter().all(|value| *value == 0.0) {
+            return product;
         }
-        gradients[row].tr_mul(&(block * gradients[column]))
+        for column in 0..counts[right] {
+            let bent: PoseVector = block * gradients[right].column(column);
+            for row in 0..counts[left] {
+                product[(row, column)] = gradients[left].column(row).dot(&bent);
+            }
+        }
+        product
     });
     for (side, marker) in sides.into_iter().enumerate() {
         let force: PoseVector = gradient.fixed_rows::<POSE>(POSE * side).into_owned();

@@ -8,7 +8,7 @@ use crate::mechanics::gauge::{Measure, add_symmetric, near};
 use crate::mechanics::pose::{POSE, PairMatrix, PairVector, Pose, axis_place};
 
 /// Most rows a primitive has.
-pub const MOST_ROWS: usize = 6;
+pub const MOST_ROWS: usize = 3;
 
 /// A condition between the poses of a joint's two sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,12 +24,9 @@ pub enum Primitive {
     Perpendicular(usize, usize),
     /// A measure has the value that a drive prescribes, 0 without a drive: 1 row, m or rad.
     Measured(Measure),
-    /// The axes of b are orthonormal: `(|T_b[i]|² − 1)/2 = 0`, `T_b[i]·T_b[j] = 0`, 6 rows.
-    Orthonormal,
+    /// Axes `i` and `j` of b are perpendicular, or, where they are one, of length 1: `T_b[i]·T_b[j] = 0` or `(|T_b[i]|² − 1)/2 = 0`, 1 row.
+    Rigid(usize, usize),
 }
-
-/// Axes of the rows of [`Primitive::Orthonormal`].
-const AXES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl Primitive {
     /// Number of rows.
@@ -37,8 +34,7 @@ impl Primitive {
         match self {
             Self::Coincident => 3,
             Self::Parallel(_) => 2,
-            Self::Unturned(_) | Self::Perpendicular(..) | Self::Measured(_) => 1,
-            Self::Orthonormal => MOST_ROWS,
+            Self::Unturned(_) | Self::Perpendicular(..) | Self::Measured(_) | Self::Rigid(..) => 1,
         }
     }
 
@@ -48,7 +44,7 @@ impl Primitive {
             Self::Parallel(i) => Some((i, (i + 1 + row) % 3)),
             Self::Unturned(i) => Some(((i + 1) % 3, (i + 2) % 3)),
             Self::Perpendicular(i, j) => Some((i, j)),
-            Self::Coincident | Self::Measured(_) | Self::Orthonormal => None,
+            Self::Coincident | Self::Measured(_) | Self::Rigid(..) => None,
         }
     }
 
@@ -65,11 +61,9 @@ impl Primitive {
                 phi[0] = near(measure.value(a, b, 0.0) - prescribed, 0.0);
             }
             Self::Measured(measure) => phi[0] = measure.value(a, b, 0.0) - prescribed,
-            Self::Orthonormal => {
-                for (phi, (i, j)) in phi.iter_mut().zip(AXES) {
-                    let product = b.axis(i).dot(&b.axis(j));
-                    *phi = if i == j { 0.5 * (product - 1.0) } else { product };
-                }
+            Self::Rigid(i, j) => {
+                let product = b.axis(i).dot(&b.axis(j));
+                phi[0] = if i == j { 0.5 * (product - 1.0) } else { product };
             }
             _ => {
                 for (row, phi) in phi.iter_mut().enumerate() {
@@ -86,8 +80,7 @@ impl Primitive {
         match self {
             Self::Coincident => sum = -Measure::Distance(row).gradient(a, b),
             Self::Measured(measure) => sum = measure.gradient(a, b),
-            Self::Orthonormal => {
-                let (i, j) = AXES[row];
+            Self::Rigid(i, j) => {
                 put(POSE + axis_place(i), b.axis(j));
                 put(POSE + axis_place(j), b.axis(i));
             }
@@ -110,11 +103,9 @@ impl Primitive {
                 }
             }
             Self::Measured(measure) => *sum += measure.hessian(a, b) * lambda[0],
-            Self::Orthonormal => {
-                for (lambda, (i, j)) in lambda.iter().zip(AXES) {
-                    let (row, column) = (POSE + axis_place(i), POSE + axis_place(j));
-                    add_symmetric(sum, row, column, if i == j { 0.5 * lambda } else { *lambda });
-                }
+            Self::Rigid(i, j) => {
+                let (row, column) = (POSE + axis_place(i), POSE + axis_place(j));
+                add_symmetric(sum, row, column, if i == j { 0.5 * lambda[0] } else { lambda[0] });
             }
             _ => {
                 for (row, lambda) in lambda.iter().enumerate() {
@@ -132,7 +123,7 @@ impl Primitive {
         match self {
             Self::Parallel(i) => along(i),
             Self::Unturned(i) => along((i + 1) % 3),
-            Self::Coincident | Self::Perpendicular(..) | Self::Measured(_) | Self::Orthonormal => true,
+            Self::Coincident | Self::Perpendicular(..) | Self::Measured(_) | Self::Rigid(..) => true,
         }
     }
 }

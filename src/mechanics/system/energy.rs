@@ -1,28 +1,22 @@
 //! Energies and momenta of a machine.
 
 use crate::math::Vec3;
-use crate::mechanics::beam::coordinates::{ELEMENT, NODE, P, R, THETA, vec3};
-use crate::mechanics::beam::element::Element;
+use crate::math::vectors::vec3;
 use crate::mechanics::configuration::Configuration;
 use crate::mechanics::pose::axis_place;
 use crate::mechanics::rigid_body::BODY;
-use crate::mechanics::system::{System, evaluation};
+use crate::mechanics::system::System;
 
 impl System {
     /// Strain energy of beams and energy of springs, J.
     pub fn elastic_energy(&self, c: &Configuration) -> f64 {
-        let beams: f64 = (0..self.elements.len()).map(|number| evaluation(c, number, None).energy()).sum();
+        let beams: f64 = self.mesh.elements.iter().map(|element| element.energy(c)).sum();
         self.springs.iter().fold(beams, |sum, spring| sum + spring.energy(&self.gauges[spring.gauge], c))
     }
 
     /// `vᵀ M v / 2`, J.
     pub fn kinetic_energy(&self, velocity: &[f64]) -> f64 {
-        let product = |element: &Element| {
-            let start = NODE * element.node;
-            let own = nalgebra::SVector::<f64, ELEMENT>::from_column_slice(&velocity[start..start + ELEMENT]);
-            own.dot(&(element.mass * own))
-        };
-        let beams: f64 = self.elements.iter().map(product).sum();
+        let beams: f64 = self.mesh.elements.iter().map(|element| element.mass_form(velocity)).sum();
         let bodies = self.bodies.iter().flat_map(|body| {
             let own = velocity[body.start..body.start + BODY].iter().enumerate();
             own.map(|(local, velocity)| body.inertia(local) * velocity * velocity)
@@ -32,24 +26,18 @@ impl System {
 
     /// `−Σ m g·r`, J; zero at the origin.
     pub fn gravity_energy(&self, q: &[f64]) -> f64 {
-        let lift = |element: &Element| {
-            let own = &q[NODE * element.node..NODE * (element.node + 2)];
-            own.iter().zip(&element.weight(&self.gravity)).map(|(q, weight)| q * weight).sum::<f64>()
-        };
         // From +0: without gravity the energy is 0, not −0.
-        let beams = self.elements.iter().fold(0.0, |sum, element| sum - lift(element));
+        let beams = self.mesh.elements.iter().fold(0.0, |sum, element| sum - element.weight_form(&self.gravity, q));
         self.bodies.iter().fold(beams, |sum, body| sum - body.mass * self.gravity.dot(&vec3(q, body.start)))
     }
 
-    /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s): `Σ P_r`, `Σ r × P_r + p × P_p + P_θ t`
-    /// (MECHANICS 7.2); of a body `Σ r × P_r + d × P_d`.
+    /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s): `Σ P_r`, `Σ r × P_r` and what nodes add by their
+    /// slopes and sections (MECHANICS 7.2); of a body `Σ r × P_r + d × P_d`.
     pub fn momentum(&self, q: &[f64], momentum: &[f64]) -> (Vec3, Vec3) {
         let (mut linear, mut angular) = (Vec3::zeros(), Vec3::zeros());
-        let nodes = self.node_coordinates();
-        for (q, momentum) in q[..nodes].chunks_exact(NODE).zip(momentum[..nodes].chunks_exact(NODE)) {
-            let (force, slope) = (vec3(momentum, R), vec3(q, P));
-            linear += force;
-            angular += vec3(q, R).cross(&force) + slope.cross(&vec3(momentum, P)) + slope.normalize() * momentum[THETA];
+        for node in &self.mesh.nodes {
+            linear += node.place(momentum);
+            angular += node.angular_momentum(q, momentum);
         }
         for body in &self.bodies {
             linear += vec3(momentum, body.start);

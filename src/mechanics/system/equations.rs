@@ -1,13 +1,12 @@
 //! The equations of a machine: forces, tangent, mass and constraints, summed over its parts in file order.
 
 use crate::math::blocks::{Block, Blocks};
-use crate::mechanics::beam::coordinates::{ELEMENT, NODE};
 use crate::mechanics::configuration::{Configuration, Passage};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::marker::{MARKER, Marker};
 use crate::mechanics::rigid_body::BODY;
-use crate::mechanics::system::{System, evaluation};
+use crate::mechanics::system::System;
 
 impl System {
     /// Appends the blocks of the tangent: one an element, one a body, one a load point, four a spring.
@@ -15,22 +14,21 @@ impl System {
         let mut push = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
             blocks.push(Block { row: rows.start, column: columns.start, rows: rows.len(), columns: columns.len() });
         };
-        for element in &self.elements {
-            let range = NODE * element.node..NODE * element.node + ELEMENT;
-            push(range.clone(), range);
+        for element in &self.mesh.elements {
+            push(element.coordinates(), element.coordinates());
         }
         for body in &self.bodies {
             let range = body.start..body.start + BODY;
             push(range.clone(), range);
         }
         for (marker, _) in self.loads.iter().flat_map(|load| &load.points) {
-            let range = marker.coordinates(&self.elements);
+            let range = marker.coordinates(&self.mesh);
             push(range.clone(), range);
         }
         for spring in &self.springs {
             let sides = self.sides(spring.gauge);
             for number in 0..4 {
-                push(sides[number / 2].coordinates(&self.elements), sides[number % 2].coordinates(&self.elements));
+                push(sides[number / 2].coordinates(&self.mesh), sides[number % 2].coordinates(&self.mesh));
             }
         }
     }
@@ -43,9 +41,8 @@ impl System {
     /// `∂U/∂q − F`: internal minus external forces, as `passage` says.
     pub fn forces(&self, c: &Configuration, passage: &Passage, excitation: &Excitation, forces: &mut [f64]) {
         self.add_external(c, excitation, forces);
-        for (number, element) in self.elements.iter().enumerate() {
-            let gradient = evaluation(c, number, passage.increment).gradient();
-            add(forces, NODE * element.node, gradient.as_slice());
+        for element in &self.mesh.elements {
+            element.add_gradient(c, passage.increment, forces);
         }
         self.add_material_damping(c, passage, forces);
         self.add_springs(c, passage, forces);
@@ -63,18 +60,14 @@ impl System {
         tangent: &mut Blocks,
     ) {
         self.add_external(c, excitation, forces);
-        for (number, element) in self.elements.iter().enumerate() {
-            let (gradient, hessian) = evaluation(c, number, passage.increment).gradient_and_hessian();
-            add(forces, NODE * element.node, gradient.as_slice());
-            for (target, value) in tangent.block_mut(number).iter_mut().zip(hessian.as_slice()) {
-                *target = scale * value;
-            }
+        for (number, element) in self.mesh.elements.iter().enumerate() {
+            element.add_gradient_and_set_hessian(c, passage.increment, scale, forces, tangent.block_mut(number));
         }
         self.add_material_damping_and_tangent(c, passage, scale, forces, tangent);
-        let mut block = self.elements.len() + self.bodies.len();
+        let mut block = self.mesh.elements.len() + self.bodies.len();
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for (number, (marker, _)) in load.points.iter().enumerate() {
-                let count = marker.coordinates(&self.elements).len();
+                let count = marker.coordinates(&self.mesh).len();
                 let force_q = load.force_q(c, number, wrench) * -scale;
                 copy_corner(tangent.block_mut(block), count, count, |row, column| force_q[(row, column)]);
                 block += 1;
@@ -82,7 +75,7 @@ impl System {
         }
         self.add_springs(c, passage, forces);
         for spring in &self.springs {
-            let counts = self.sides(spring.gauge).map(|marker| marker.coordinates(&self.elements).len());
+            let counts = self.sides(spring.gauge).map(|marker| marker.coordinates(&self.mesh).len());
             let parts = spring.hessian(&self.gauges[spring.gauge], c, passage);
             for (number, part) in parts.iter().enumerate() {
                 let (rows, columns) = (counts[number / 2], counts[number % 2]);
@@ -96,7 +89,7 @@ impl System {
         for spring in &self.springs {
             let parts = spring.gradient(&self.gauges[spring.gauge], c, passage);
             for (marker, part) in self.sides(spring.gauge).into_iter().zip(&parts) {
-                let range = marker.coordinates(&self.elements);
+                let range = marker.coordinates(&self.mesh);
                 add(forces, range.start, &part.as_slice()[..range.len()]);
             }
         }
@@ -105,15 +98,15 @@ impl System {
     /// Sets `forces` to minus the external forces.
     fn add_external(&self, c: &Configuration, excitation: &Excitation, forces: &mut [f64]) {
         forces.fill(0.0);
-        for element in &self.elements {
-            add(forces, NODE * element.node, (-element.weight(&excitation.gravity)).as_slice());
+        for element in &self.mesh.elements {
+            element.add_weight(&excitation.gravity, -1.0, forces);
         }
         for body in &self.bodies {
             add(forces, body.start, (excitation.gravity * -body.mass).as_slice());
         }
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for (number, (marker, _)) in load.points.iter().enumerate() {
-                let range = marker.coordinates(&self.elements);
+                let range = marker.coordinates(&self.mesh);
                 let force = -load.force(c, number, wrench);
                 add(forces, range.start, &force.as_slice()[..range.len()]);
             }
@@ -122,13 +115,11 @@ impl System {
 
     /// Adds `factor` times the mass matrix to the blocks of elements and bodies in `tangent`.
     pub fn add_mass(&self, factor: f64, tangent: &mut Blocks) {
-        for (number, element) in self.elements.iter().enumerate() {
-            for (target, mass) in tangent.block_mut(number).iter_mut().zip(element.mass.as_slice()) {
-                *target += factor * mass;
-            }
+        for (number, element) in self.mesh.elements.iter().enumerate() {
+            element.add_mass(factor, tangent.block_mut(number));
         }
         for (number, body) in self.bodies.iter().enumerate() {
-            let block = tangent.block_mut(self.elements.len() + number);
+            let block = tangent.block_mut(self.mesh.elements.len() + number);
             for local in 0..BODY {
                 block[local * BODY + local] += factor * body.inertia(local);
             }
@@ -138,10 +129,8 @@ impl System {
     /// `product = M vector`.
     pub fn mass_times(&self, vector: &[f64], product: &mut [f64]) {
         product.fill(0.0);
-        for element in &self.elements {
-            let start = NODE * element.node;
-            let own = nalgebra::SVector::<f64, ELEMENT>::from_column_slice(&vector[start..start + ELEMENT]);
-            add(product, start, (element.mass * own).as_slice());
+        for element in &self.mesh.elements {
+            element.add_mass_times(vector, product);
         }
         for body in &self.bodies {
             for local in 0..BODY {
@@ -194,7 +183,7 @@ impl System {
         let mut row = 0;
         for (joint, gradient) in self.joints.iter().zip(gradients) {
             for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
-                let range = marker.coordinates(&self.elements);
+                let range = marker.coordinates(&self.mesh);
                 for (local, coordinate) in range.enumerate() {
                     for condition in 0..joint.rows() {
                         forces[coordinate] += factor * block[(condition, local)] * multipliers[row + condition];

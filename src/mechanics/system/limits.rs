@@ -1,22 +1,17 @@
 //! What elements, bodies and joints can bear in a step (MECHANICS 2.6, 6, 7.4).
 
 use crate::error::Error;
-use crate::mechanics::beam::coordinates::NODE;
-use crate::mechanics::beam::frame::NodeFrame;
-use crate::mechanics::beam::kinematics::{Holonomy, Kinematics};
 use crate::mechanics::configuration::Configuration;
 use crate::mechanics::gauge::Measure;
 use crate::mechanics::pose::Pose;
 use crate::mechanics::rigid_body;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
-use crate::mechanics::system::{System, evaluation};
+use crate::mechanics::system::System;
 
 /// Slopes `|r'|` in which the element means something: outside it is stretched or squeezed beyond any beam theory (MECHANICS 7.4).
 const STRETCHES: std::ops::RangeInclusive<f64> = 0.3..=3.0;
-/// Smallest `1 + t_0·t_1` of an element's ends: 143 degrees between them, near the singularity of the minimal rotation (MECHANICS 2.6).
-const SMALLEST_COSINE: f64 = 0.2;
-/// Largest change of the holonomy angle or of the twist of an element in a step, rad: the branch is safe below pi (MECHANICS 2.6).
+/// Largest change of the twist of an element in a step, rad: the branch is safe below pi (MECHANICS 2.6).
 const LARGEST_TWIST_CHANGE: f64 = 2.0;
 /// Largest change of a joint's angle in a step, rad: beyond pi its turns could not be counted.
 const LARGEST_ANGLE_CHANGE: f64 = 2.0;
@@ -38,32 +33,20 @@ impl System {
         limited.peek()?;
         let configuration = snapshot.of(self, state);
         limited.find_map(|beam| {
-            let rates =
-                beam.element_range().map(|number| evaluation(&configuration, number, None).largest_torsion().abs());
+            let elements = &self.mesh.elements[beam.element_range()];
+            let rates = elements.iter().map(|element| element.largest_torsion(&configuration).abs());
             let largest = rates.fold(0.0, f64::max);
             (largest > 0.5 * beam.twist_limit).then_some((beam.name.as_str(), largest, beam.twist_limit))
         })
     }
 
-    /// Checks that no element twists further than the branch is safe for, from `state` to the coordinates `q`; `frames` is scratch memory.
+    /// Checks that no element twists further than the branch is safe for, from `before` to `after`.
     ///
     /// # Errors
     /// An element twists too far: an increment that large may end on another branch of equilibria.
-    pub fn check_twist_change(
-        &self,
-        state: &State,
-        q: &[f64],
-        frames: &mut Vec<NodeFrame>,
-        time: f64,
-    ) -> Result<(), Error> {
-        for (number, element) in self.elements.iter().enumerate() {
-            let mut twist = |q: &[f64]| {
-                let nodes = element.node..element.node + 2;
-                self.frames(&q[NODE * nodes.start..NODE * nodes.end], &state.triads[nodes.clone()], frames);
-                let own = &q[NODE * nodes.start..NODE * nodes.end];
-                Kinematics::new(element, own, &frames[0], &frames[1], state.holonomy[number]).twist
-            };
-            if (twist(q) - twist(&state.q)).abs() > LARGEST_TWIST_CHANGE {
+    pub fn check_twist_change(&self, before: &Configuration, after: &Configuration, time: f64) -> Result<(), Error> {
+        for (number, element) in self.mesh.elements.iter().enumerate() {
+            if (element.twist(after, 1.0) - element.twist(before, 1.0)).abs() > LARGEST_TWIST_CHANGE {
                 let (beam, place) = self.beam_of(number);
                 return Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what: "twisted" });
             }
@@ -85,12 +68,14 @@ impl System {
     }
 
     fn check_nodes(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
-        for (node, (frame, triad)) in c.frames.iter().zip(&state.triads).enumerate() {
-            let place = || self.describe_node(node);
-            if !frame.stretch.is_finite() || !STRETCHES.contains(&frame.stretch) {
-                return Err(Error::Stretched { time, place: place(), stretch: frame.stretch });
+        for (number, node) in self.mesh.nodes.iter().enumerate() {
+            let place = || self.describe_node(number);
+            let [before, slope] = [node.slope(&state.q), node.slope(c.q)];
+            let stretch = slope.norm();
+            if !stretch.is_finite() || !STRETCHES.contains(&stretch) {
+                return Err(Error::Stretched { time, place: place(), stretch });
             }
-            let angle = frame.t.cross(&triad.t).norm().atan2(frame.t.dot(&triad.t));
+            let angle = slope.cross(&before).norm().atan2(slope.dot(&before));
             if angle > turn {
                 return Err(Error::Turned { time, place: format!("the tangent at {}", place()), angle, limit: turn });
             }
@@ -99,22 +84,13 @@ impl System {
     }
 
     fn check_elements(&self, c: &Configuration, time: f64) -> Result<(), Error> {
-        for (number, element) in self.elements.iter().enumerate() {
-            let [first, second] = c.element_frames(element);
-            let distorted = |what| {
-                let (beam, place) = self.beam_of(number);
-                Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what })
-            };
-            if 1.0 + first.t.dot(&second.t) < SMALLEST_COSINE {
-                return distorted("bent");
-            }
-            let holonomy = Holonomy::new(first, second, c.holonomy[number]);
-            if (holonomy.angle - c.holonomy[number]).abs() > LARGEST_TWIST_CHANGE {
-                return distorted("twisted");
-            }
+        for (number, element) in self.mesh.elements.iter().enumerate() {
             let (beam, place) = self.beam_of(number);
+            if let Some(what) = element.distortion(c) {
+                return Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what });
+            }
             if beam.twist_limit.is_finite() {
-                let rate = evaluation(c, number, None).largest_torsion();
+                let rate = element.largest_torsion(c);
                 if rate.abs() > beam.twist_limit {
                     let limit = beam.twist_limit;
                     return Err(Error::TwistBeyondTruncation {

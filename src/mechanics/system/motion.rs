@@ -2,7 +2,6 @@
 
 use super::System;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::coordinates::{NODE, THETA};
 use crate::mechanics::configuration::Configuration;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::pose::axis_place;
@@ -35,12 +34,12 @@ impl System {
     /// What the small change `motion` of the coordinates does at all nodes, then at all bodies.
     pub fn place_motions(&self, c: &Configuration, motion: &[f64]) -> Vec<PlaceMotion> {
         let (offset, axes) = (Vec3::zeros(), Mat3::identity());
-        let nodes = (0..self.nodes()).map(|node| Marker::Node { node, offset, axes });
+        let nodes = (0..self.mesh.nodes.len()).map(|node| Marker::Node { node, offset, axes });
         let markers = nodes.chain(self.bodies.iter().map(|body| body.marker()));
         let moved = |marker: Marker| {
             let by_coordinates = marker.motion(c);
             let mut sum = PlaceMotion { displacement: Vec3::zeros(), turn: Vec3::zeros() };
-            for (local, index) in marker.coordinates(&self.elements).enumerate() {
+            for (local, index) in marker.coordinates(&self.mesh).enumerate() {
                 sum.displacement += by_coordinates.place_q.column(local) * motion[index];
                 sum.turn += by_coordinates.turn_q.column(local) * motion[index];
             }
@@ -60,7 +59,7 @@ impl System {
             }
         }
         let (vector, place, size) = largest;
-        let where_ = match place.checked_sub(self.nodes()) {
+        let where_ = match place.checked_sub(self.mesh.nodes.len()) {
             None => self.describe_node(place),
             Some(body) => self.bodies.get(body).map_or_else(String::new, |body| body.name.clone()),
         };
@@ -79,14 +78,17 @@ impl System {
     fn turning_share(&self, motion: &[f64]) -> f64 {
         let mut momentum = vec![0.0; motion.len()];
         self.mass_times(motion, &mut momentum);
-        let nodes = self.node_coordinates();
-        let is_turn = |index: usize| {
-            if index < nodes { index % NODE == THETA } else { (index - nodes) % BODY >= axis_place(0) }
-        };
         let (mut turning, mut whole) = (0.0, 0.0);
-        for (index, (rate, momentum)) in motion.iter().zip(&momentum).enumerate() {
-            whole += rate * momentum;
-            turning += if is_turn(index) { rate * momentum } else { 0.0 };
+        let mut count = |index: usize, is_turn: bool| {
+            let energy = motion[index] * momentum[index];
+            whole += energy;
+            turning += if is_turn { energy } else { 0.0 };
+        };
+        for node in &self.mesh.nodes {
+            node.coordinates().enumerate().for_each(|(local, index)| count(index, node.is_turn(local)));
+        }
+        for body in &self.bodies {
+            (0..BODY).for_each(|local| count(body.start + local, local >= axis_place(0)));
         }
         if whole > 0.0 { turning / whole } else { 0.0 }
     }

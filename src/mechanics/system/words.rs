@@ -1,6 +1,5 @@
 //! What the unknowns of a machine are, in words: for messages.
 
-use crate::mechanics::beam::coordinates::{NODE, THETA};
 use crate::mechanics::rigid_body::BODY;
 use crate::mechanics::system::{Beam, System};
 
@@ -8,16 +7,16 @@ impl System {
     /// What unknown `index` of the linear system is, in words: coordinates first, then constraint conditions.
     pub fn describe_unknown(&self, index: usize) -> String {
         let axis = |place: usize| ["x", "y", "z"][place];
-        if index < self.node_coordinates() {
-            let node = self.describe_node(index / NODE);
-            return match index % NODE {
-                place @ 0..3 => format!("{node} (along {})", axis(place)),
-                THETA => format!("{node} (turning about the beam)"),
-                _ => format!("{node} (its slope)"),
+        if index < self.mesh.coordinates() {
+            let number = self.mesh.node_of(index);
+            let (name, node) = (self.describe_node(number), &self.mesh.nodes[number]);
+            return match index - node.coordinates().start {
+                place @ 0..3 => format!("{name} (along {})", axis(place)),
+                local => format!("{name} ({})", node.describe(local)),
             };
         }
         if index < self.coordinates() {
-            let local = index - self.node_coordinates();
+            let local = index - self.mesh.coordinates();
             let body = &self.bodies[local / BODY].name;
             return match local % BODY {
                 place @ 0..3 => format!("{body} (along {})", axis(place)),

@@ -47,7 +47,7 @@ impl Builder<'_> {
     }
 
     /// The two sides of a joint: at its place, with its axes.
-    fn sides(&self, written: &Joint) -> [Marker; 2] {
+    fn sides(&mut self, written: &Joint) -> [Marker; 2] {
         let document = self.document;
         let own = if written.b.spot == Spot::Ground { &written.a } else { &written.b };
         let place =
@@ -58,7 +58,10 @@ impl Builder<'_> {
             (Some(axis), None) => triad_along(&axis),
             (Some(axis), Some(axis2)) => triad_of(&axis, &axis2),
         };
-        [&written.a, &written.b].map(|anchor| self.assembly.tied(&self.anchored(anchor), &Pose { place, axes }))
+        [&written.a, &written.b].map(|anchor| {
+            let anchored = self.anchored(anchor);
+            self.assembly.tied(&anchored, &Pose { place, axes })
+        })
     }
 
     pub(super) fn add_drive(&mut self, written: &Drive) {

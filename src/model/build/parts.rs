@@ -2,7 +2,7 @@
 
 use super::{Builder, signal, tune, vector};
 use crate::math::Mat3;
-use crate::mechanics::assembly::{BeamDesign, Torsion};
+use crate::mechanics::beam_design::BeamDesign;
 use crate::mechanics::centreline::Centreline;
 use crate::mechanics::load::{self, Direction};
 use crate::mechanics::material::Material;
@@ -36,9 +36,7 @@ impl Builder<'_> {
             pretwist: document.value(beam.pretwist),
             material: Material { young, shear, density, damping },
             section: self.section(&document.sections[beam.section]),
-            strain: beam.strain,
-            twist: beam.twist,
-            torsion: if beam.torsion { Torsion::Free } else { Torsion::Suppressed },
+            elements: beam.formulation,
             velocity: vector(document, beam.velocity),
             angular_velocity: vector(document, beam.angular_velocity),
         });

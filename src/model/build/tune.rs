@@ -59,8 +59,8 @@ pub fn retune(document: &Document, system: &mut System) {
     }
     for (beam, written) in system.beams.iter().zip(&document.beams) {
         let damping = document.value(document.materials[written.material].damping);
-        for element in &mut system.elements[beam.element_range()] {
-            element.stiffness.damping = damping;
+        for element in &mut system.mesh.elements[beam.element_range()] {
+            element.set_damping(damping);
         }
     }
     let two_point = document.springs.iter().map(spring);

@@ -1,8 +1,10 @@
 //! `[beam.NAME]`: a beam and how it is divided and formulated; its line is in curve.rs.
 
 use super::curve::Line;
-use crate::mechanics::beam::quadratic_twist::Twist;
-use crate::mechanics::beam::strain::Strain;
+use crate::mechanics::ancf14::quadratic_twist::Twist;
+use crate::mechanics::ancf14::strain::Strain;
+use crate::mechanics::ancf24::law::Shear;
+use crate::mechanics::beam_design::{Elements, Torsion};
 use crate::model::diagnostic::Place;
 use crate::model::names::Kind;
 use crate::model::number::Number;
@@ -26,12 +28,8 @@ pub struct Beam {
     pub y_axis: [Number; 3],
     /// Number of elements.
     pub elements: Number,
-    /// Which strains the energy knows.
-    pub strain: Strain,
-    /// How the twist runs inside an element.
-    pub twist: Twist,
-    /// false: the twist is left out.
-    pub torsion: bool,
+    /// How its elements are formulated.
+    pub formulation: Elements,
     /// Additional turn of the section from start to end, rad.
     pub pretwist: Number,
     /// Initial velocity of the start, m/s.
@@ -47,6 +45,51 @@ const STRAINS: [(&str, Strain); 3] =
 /// The words of `twist`.
 const TWISTS: [(&str, Twist); 2] = [("linear", Twist::Linear), ("quadratic", Twist::Quadratic)];
 
+/// The words of `ancf24_shear`.
+const SHEARS: [(&str, Shear); 2] = [("section", Shear::Section), ("continuum", Shear::Continuum)];
+
+/// The words of `element`.
+const ELEMENTS: [(&str, Word); 2] = [("ancf14", Word::Ancf14), ("ancf24", Word::Ancf24)];
+
+#[derive(Clone, Copy)]
+enum Word {
+    Ancf14,
+    Ancf24,
+}
+
+/// Reads how the elements of a beam are formulated. Keys of the other formulation are mistakes; those of the file go with its `element`,
+/// where an override gives another one.
+fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
+    let is_overridden = reader.is_overridden("element");
+    let foreign = |reader: &mut Reader<'_, '_>, keys: &[&str], own: &str, other: &str| {
+        for key in keys {
+            if is_overridden {
+                reader.set_aside(key);
+            }
+            let message = format!("`{key}` belongs to element = \"{own}\"");
+            reader.refuse(key, &message, &format!("element = \"{other}\" has none: remove it"));
+        }
+    };
+    let (own14, own24) = (["strain", "twist", "torsion"], ["ancf24_poisson", "ancf24_shear"]);
+    match reader.word("element", &ELEMENTS, Some(Word::Ancf14)).unwrap_or(Word::Ancf14) {
+        Word::Ancf14 => {
+            foreign(reader, &own24, "ancf24", "ancf14");
+            Elements::Ancf14 {
+                strain: reader.word("strain", &STRAINS, Some(Strain::Large)).unwrap_or(Strain::Large),
+                twist: reader.word("twist", &TWISTS, Some(Twist::Linear)).unwrap_or(Twist::Linear),
+                torsion: if reader.boolean("torsion", true) { Torsion::Free } else { Torsion::Suppressed },
+            }
+        }
+        Word::Ancf24 => {
+            foreign(reader, &own14, "ancf14", "ancf24");
+            Elements::Ancf24 {
+                poisson: reader.boolean("ancf24_poisson", false),
+                shear: reader.word("ancf24_shear", &SHEARS, Some(Shear::Section)).unwrap_or(Shear::Section),
+            }
+        }
+    }
+}
+
 impl Beam {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         // The first ones stand in for what is reported: the beam must keep its place in the list.
@@ -55,10 +98,7 @@ impl Beam {
         let line = Line::read(&mut reader);
         let y_axis = reader.vector_or(&schema::Y_AXIS, [0.0, 1.0, 0.0]);
         let elements = reader.number(&schema::ELEMENTS);
-        reader.word("element", &[("ancf14", ())], &["ancf24"], Some(()));
-        let strain = reader.word("strain", &STRAINS, &[], Some(Strain::Large)).unwrap_or(Strain::Large);
-        let twist = reader.word("twist", &TWISTS, &[], Some(Twist::Linear)).unwrap_or(Twist::Linear);
-        let torsion = reader.boolean("torsion", true);
+        let formulation = formulation(&mut reader);
         let pretwist = reader.number_or(&schema::PRETWIST, 0.0);
         let velocity = reader.vector_or(&schema::VELOCITY, [0.0; 3]);
         let angular_velocity = reader.vector_or(&schema::ANGULAR_VELOCITY, [0.0; 3]);
@@ -72,9 +112,7 @@ impl Beam {
             line,
             y_axis,
             elements,
-            strain,
-            twist,
-            torsion,
+            formulation,
             pretwist,
             velocity,
             angular_velocity,

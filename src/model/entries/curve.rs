@@ -90,7 +90,7 @@ impl Curve {
             let label = "between points elements are shared by length";
             reader.refuse("spacing", "`spacing` does not belong to a polyline of points", label);
         }
-        let spacing = reader.word("spacing", &SPACINGS, &[], Some(Spacing::Arc)).unwrap_or(Spacing::Arc);
+        let spacing = reader.word("spacing", &SPACINGS, Some(Spacing::Arc)).unwrap_or(Spacing::Arc);
         shape.map(|shape| Self { place, shape, polyline, spacing })
     }
 }

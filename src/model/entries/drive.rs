@@ -61,7 +61,7 @@ impl Drive {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[Joint]) -> Option<Self> {
         let joint = reader.reference("joint", Kind::Joint);
         let place = reader.place_of("coordinate");
-        let coordinate = reader.word("coordinate", &COORDINATES, &[], None);
+        let coordinate = reader.word("coordinate", &COORDINATES, None);
         // Without the coordinate nobody knows what the numbers are.
         let Some(coordinate) = coordinate else {
             reader.abandon();
@@ -114,7 +114,7 @@ fn written(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion
 
 /// `value` or `rate`, as the host gives it: the file has its start value, default 0.
 fn given(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion> {
-    let Some(word) = reader.word("input", &INPUTS, &[], None) else {
+    let Some(word) = reader.word("input", &INPUTS, None) else {
         // Which of the two belongs here is unknown: neither is reported.
         for (_, word) in INPUTS {
             reader.optional(word.rule(coordinate));

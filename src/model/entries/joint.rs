@@ -150,7 +150,7 @@ pub(super) const COORDINATES: &str = "angle: revolute, cylindrical; distance: cy
 
 impl Joint {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
-        let kind = reader.word("type", &KINDS, &[], None);
+        let kind = reader.word("type", &KINDS, None);
         let a = Anchor::read(&mut reader, "a", &SIDES);
         let b = Anchor::read(&mut reader, "b", &SIDES);
         let at = reader.optional_vector(&schema::AT);

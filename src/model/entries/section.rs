@@ -70,7 +70,7 @@ impl Section {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let place = reader.place;
         // Without the shape nobody knows which keys belong here.
-        let Some(word) = reader.word("shape", &SHAPES, &[], None) else {
+        let Some(word) = reader.word("shape", &SHAPES, None) else {
             reader.abandon();
             return None;
         };

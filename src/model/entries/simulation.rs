@@ -81,8 +81,8 @@ const SPECTRAL_RADIUS: f64 = 0.9;
 
 impl Simulation {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
-        let analysis = reader.word("analysis", &ANALYSES, &[], Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
-        let initial = reader.word("initial", &INITIALS, &[], Some(Initial::AsDrawn));
+        let analysis = reader.word("analysis", &ANALYSES, Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
+        let initial = reader.word("initial", &INITIALS, Some(Initial::AsDrawn));
         let stop = reader.number(&schema::STOP);
         let step = reader.number(&schema::STEP);
         let output_step = reader.optional(&schema::OUTPUT_STEP).unwrap_or(step);
@@ -106,7 +106,7 @@ impl Simulation {
 
 fn integrator(reader: &mut Reader<'_, '_>) -> Integrator {
     let default = (!reader.has("integrator")).then_some(Word::Conserving);
-    let integrator = match reader.word("integrator", &INTEGRATORS, &[], default) {
+    let integrator = match reader.word("integrator", &INTEGRATORS, default) {
         Some(Word::Conserving) => Integrator::Conserving,
         Some(Word::Variational) => Integrator::Variational,
         Some(Word::GeneralizedAlpha) => {

@@ -144,6 +144,18 @@ impl<'c, 'a> Reader<'c, 'a> {
         }
     }
 
+    /// Whether an override gives the value of a key.
+    pub fn is_overridden(&self, key: &str) -> bool {
+        self.place_of(key).source > 0
+    }
+
+    /// Leaves out a key unless an override gives it: one that an override of another key has robbed of its meaning.
+    pub fn set_aside(&mut self, key: &str) {
+        if !self.is_overridden(key) {
+            self.entries.retain(|entry| entry.key != key);
+        }
+    }
+
     /// Where the value of a key stands; the section's name where it does not.
     pub fn place_of(&self, key: &str) -> Place {
         self.entries.iter().find(|entry| entry.key == key).map_or(self.place, |entry| entry.item.place)
@@ -306,14 +318,8 @@ impl<'c, 'a> Reader<'c, 'a> {
         }
     }
 
-    /// A word out of a table; `later` are words of the format that this version cannot take yet.
-    pub fn word<T: Copy>(
-        &mut self,
-        key: &'static str,
-        words: &[(&'static str, T)],
-        later: &[&'static str],
-        default: Option<T>,
-    ) -> Option<T> {
+    /// A word out of a table.
+    pub fn word<T: Copy>(&mut self, key: &'static str, words: &[(&'static str, T)], default: Option<T>) -> Option<T> {
         let Some(entry) = self.take(key) else {
             if default.is_none() {
                 self.missing(key, &format!("one of {}", listing(words.iter().map(|(word, _)| *word))));
@@ -329,14 +335,9 @@ impl<'c, 'a> Reader<'c, 'a> {
         if let Some((_, value)) = words.iter().find(|(known, _)| known == word) {
             return Some(*value);
         }
-        if later.contains(&word.as_str()) {
-            let message = format!("{key} \"{word}\" is not available in this version");
-            self.context.report.error(entry.item.place, &message, &format!("available: {listing}"), "");
-        } else {
-            let message = format!("unknown {key} \"{word}\"");
-            let near = suggestion(word, words.iter().map(|(word, _)| *word));
-            self.context.report.error(entry.item.place, &message, &near, &format!("known here: {listing}"));
-        }
+        let message = format!("unknown {key} \"{word}\"");
+        let near = suggestion(word, words.iter().map(|(word, _)| *word));
+        self.context.report.error(entry.item.place, &message, &near, &format!("known here: {listing}"));
         default
     }
 

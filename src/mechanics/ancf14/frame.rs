@@ -1,8 +1,10 @@
 //! The frame of a node: a reference triad carried in time, turned by the slope and by `theta` (MECHANICS 2.1-2.6).
 
-use super::coordinates::{P, THETA, vec3};
+use super::coordinates::{P, THETA};
 use crate::math::rotation::{carry, half_turn, half_turn_by_second, normal_projector};
+use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
+use crate::mechanics::marker::{ByCoordinates, MarkerMatrix};
 
 /// A node's reference triad, constant during a step: tangent `t` and normal `u`, orthonormal; the third axis is `t × u`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,6 +70,23 @@ impl NodeFrame {
     /// `∂φ/∂p`, 3×3: turn of the section by the slope, `([t]× − t kᵀ)/|p|` (2.5). By `theta` it is `t`.
     pub fn turn_p(&self) -> Mat3 {
         (self.t.cross_matrix() - self.t * self.k.transpose()) / self.stretch
+    }
+
+    /// `∂φ/∂q`, 3×7 and columns of zeros: turn of the section.
+    pub fn turn_q(&self) -> ByCoordinates {
+        let mut turn_q = ByCoordinates::zeros();
+        turn_q.fixed_columns_mut::<3>(P).copy_from(&self.turn_p());
+        turn_q.set_column(THETA, &self.t);
+        turn_q
+    }
+
+    /// `∂(turn_qᵀ m)/∂q`, 7×7 and zeros, of the moment `moment` (N m) frozen in space.
+    pub fn moment_stiffness(&self, moment: &Vec3) -> MarkerMatrix {
+        let (by_p, along_p) = self.moment_force_p(moment);
+        let mut sum = MarkerMatrix::zeros();
+        sum.fixed_view_mut::<3, 3>(P, P).copy_from(&by_p);
+        sum.fixed_view_mut::<1, 3>(THETA, P).copy_from(&along_p.transpose());
+        sum
     }
 
     /// `[Q_p, Q_theta]`: generalized force of the spatial moment `moment`, N m (MECHANICS 3.5).

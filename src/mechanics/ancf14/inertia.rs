@@ -1,30 +1,23 @@
 //! Inertia: constant mass matrix and the weight (MECHANICS 3.3). Rotary inertia of bending is neglected, as in the paper.
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, NODE, SHAPE_PLACES, THETA};
-use crate::math::Vec3;
+use crate::math::{Vec3, hermite};
 
 /// `M = ρA ∫ N_a N_b dx ⊗ I + ρIp l/6 [2 1; 1 2]`, 14×14; `line_density` ρA in kg/m, `spin_inertia` ρIp in kg m, `length` in m.
 pub fn mass(line_density: f64, spin_inertia: f64, length: f64) -> ElementMatrix {
-    let l = length;
-    // 420/l times the integrals of the products of the cubic Hermite polynomials.
-    let products = [
-        [156.0, 22.0 * l, 54.0, -13.0 * l],
-        [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
-        [54.0, 13.0 * l, 156.0, -22.0 * l],
-        [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
-    ];
+    let products = hermite::products(length);
     let mut sum = ElementMatrix::zeros();
     for (a, row) in SHAPE_PLACES.into_iter().enumerate() {
         for (b, column) in SHAPE_PLACES.into_iter().enumerate() {
             for axis in 0..3 {
-                sum[(row + axis, column + axis)] = line_density * l / 420.0 * products[a][b];
+                sum[(row + axis, column + axis)] = line_density * products[a][b];
             }
         }
     }
     let thetas = [THETA, NODE + THETA];
     for row in thetas {
         for column in thetas {
-            sum[(row, column)] = spin_inertia * l / 6.0 * if row == column { 2.0 } else { 1.0 };
+            sum[(row, column)] = spin_inertia * length / 6.0 * if row == column { 2.0 } else { 1.0 };
         }
     }
     debug_assert_eq!(sum.nrows(), ELEMENT);
@@ -34,8 +27,8 @@ pub fn mass(line_density: f64, spin_inertia: f64, length: f64) -> ElementMatrix 
 /// Generalized weight, 14×1: `ρA l/12 [6, l, 6, −l] ⊗ gravity`, gravity in m/s².
 pub fn weight(line_density: f64, length: f64, gravity: &Vec3) -> ElementVector {
     let mut sum = ElementVector::zeros();
-    for (place, factor) in SHAPE_PLACES.into_iter().zip([6.0, length, 6.0, -length]) {
-        sum.fixed_rows_mut::<3>(place).copy_from(&(gravity * (line_density * length / 12.0 * factor)));
+    for (place, integral) in SHAPE_PLACES.into_iter().zip(hermite::integrals(length)) {
+        sum.fixed_rows_mut::<3>(place).copy_from(&(gravity * (line_density * integral)));
     }
     sum
 }

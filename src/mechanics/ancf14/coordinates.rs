@@ -1,5 +1,6 @@
 //! Order of the coordinates (MECHANICS 3.3): a node is `r` (3), `p = r'` (3), `theta` (1); an element is its two nodes.
 
+use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
 
@@ -21,23 +22,6 @@ pub const SHAPE_PLACES: [usize; 4] = [R, P, NODE + R, NODE + P];
 pub type ElementVector = SVector<f64, ELEMENT>;
 /// One number per pair of coordinates of an element.
 pub type ElementMatrix = SMatrix<f64, ELEMENT, ELEMENT>;
-
-/// The three numbers of `q` from `place` on.
-pub fn vec3(q: &[f64], place: usize) -> Vec3 {
-    Vec3::new(q[place], q[place + 1], q[place + 2])
-}
-
-/// Writes three numbers into `q` from `place` on.
-pub fn set_vec3(q: &mut [f64], place: usize, value: &Vec3) {
-    q[place..place + 3].copy_from_slice(value.as_slice());
-}
-
-/// Adds three numbers to `q` from `place` on.
-pub fn add_vec3(q: &mut [f64], place: usize, value: &Vec3) {
-    for (target, value) in q[place..place + 3].iter_mut().zip(value) {
-        *target += value;
-    }
-}
 
 /// `Σ_a weight_a X_a` of the element coordinates `q` (14).
 pub fn interpolate(weights: &[f64; 4], q: &[f64]) -> Vec3 {

@@ -12,6 +12,7 @@ use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 use super::{axial, bending, fourth_moments, inertia, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
+use crate::mechanics::configuration::Configuration;
 use nalgebra::SMatrix;
 
 /// A Lobatto point: stretching is taken here.
@@ -50,13 +51,24 @@ pub struct BendingPoint {
     pub reference: [f64; 3],
 }
 
-/// One element of a beam; never changes.
+/// Where an element's numbers are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Place {
+    /// First coordinate of its first node; those of the second node follow.
+    pub start: usize,
+    /// Number of its first node's frame; the second one's is the next.
+    pub frame: usize,
+    /// Number of its holonomy angle.
+    pub branch: usize,
+}
+
+/// One element of a beam; never changes but for its damping.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Element {
+    /// Where its numbers are.
+    pub place: Place,
     /// Undeformed length l, m.
     pub length: f64,
-    /// Number of its first node; the second is the next.
-    pub node: usize,
     /// Section stiffness.
     pub stiffness: Stiffness,
     /// The three Lobatto points.
@@ -78,7 +90,7 @@ impl Element {
     ///
     /// `density` is `[ρA, ρIp]` in kg/m and kg m; `holonomy` the holonomy angle of the reference's branch, rad.
     pub fn new(
-        node: usize,
+        place: Place,
         length: f64,
         stiffness: Stiffness,
         density: [f64; 2],
@@ -114,8 +126,8 @@ impl Element {
             }
         });
         let mut element = Self {
+            place,
             length,
-            node,
             stiffness,
             axial,
             bending,
@@ -135,6 +147,33 @@ impl Element {
             point.reference_torsion = twist / (length * point.reference_stretch);
         }
         element
+    }
+
+    /// Its coordinates (14) among those `q` of the whole machine.
+    pub fn own<'a>(&self, q: &'a [f64]) -> &'a [f64] {
+        &q[self.place.start..self.place.start + ELEMENT]
+    }
+
+    /// The frames of its two nodes.
+    pub fn frames<'a>(&self, c: &Configuration<'a>) -> [&'a NodeFrame; 2] {
+        [&c.frames[self.place.frame], &c.frames[self.place.frame + 1]]
+    }
+
+    /// In-element kinematics.
+    pub fn kinematics(&self, c: &Configuration) -> Kinematics {
+        let [first, second] = self.frames(c);
+        Kinematics::new(self, self.own(c.q), first, second, c.holonomy[self.place.branch])
+    }
+
+    /// Strains, over a step whose middle is `c` with the `increment` of all coordinates.
+    pub fn evaluation<'a>(&'a self, c: &Configuration<'a>, increment: Option<&[f64]>) -> Evaluation<'a> {
+        let own = increment.map(|increment| self.own(increment));
+        Evaluation::new(self, self.own(c.q), own, self.frames(c), c.holonomy[self.place.branch])
+    }
+
+    /// Strains with linear twist, whatever the element's is: those that material damping sees.
+    pub fn linear_evaluation<'a>(&'a self, c: &Configuration<'a>) -> Evaluation<'a> {
+        Evaluation::with_linear_twist(self, self.own(c.q), None, self.frames(c), c.holonomy[self.place.branch])
     }
 
     /// Generalized weight in the gravity field `gravity` (m/s²), 14×1.

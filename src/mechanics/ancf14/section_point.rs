@@ -1,16 +1,20 @@
 //! A section inside an element, as a point to hold on to (MECHANICS 2.13, 2.17).
 
-use super::beam::coordinates::{P, SHAPE_PLACES, THETA, interpolate};
-use super::beam::kinematics::Kinematics;
-use super::configuration::Configuration;
-use super::marker::{ByCoordinates, MARKER, MarkerMatrix, Motion};
-use super::pose::Pose;
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, THETA, interpolate};
+use super::element::Element;
+use super::kinematics::Kinematics;
 use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second, normal_projector};
 use crate::math::{Mat3, Vec3, hermite, quadrature};
+use crate::mechanics::configuration::Configuration;
+use crate::mechanics::pose::Pose;
+use nalgebra::SMatrix;
+
+/// A vector by the element's coordinates, 3×14.
+type ByElement = SMatrix<f64, 3, ELEMENT>;
 
 /// A section inside an element.
-pub struct SectionPoint {
-    element: usize,
+pub struct SectionPoint<'a> {
+    element: &'a Element,
     xi: f64,
     kinematics: Kinematics,
     shape: [f64; 4],
@@ -23,32 +27,30 @@ pub struct SectionPoint {
     k: Vec3,
 }
 
-impl SectionPoint {
-    /// At the place `xi` (0 to 1) of element `number`.
-    pub fn new(c: &Configuration, number: usize, xi: f64) -> Self {
-        let element = &c.elements[number];
+impl<'a> SectionPoint<'a> {
+    /// At the place `xi` (0 to 1) of `element`.
+    pub fn new(c: &Configuration, element: &'a Element, xi: f64) -> Self {
         let shape_x = hermite::shape_x(xi, element.length);
-        let p = interpolate(&shape_x, c.element_q(element));
+        let p = interpolate(&shape_x, element.own(c.q));
         let stretch = p.norm();
         let t = p / stretch;
         Self {
-            element: number,
+            element,
             xi,
-            kinematics: c.kinematics(number),
+            kinematics: element.kinematics(c),
             shape: hermite::shape(xi, element.length),
             shape_x,
             collocation: quadrature::collocation(xi).map(|a| a * element.length),
             stretch,
             t,
-            k: half_turn(&c.frames[element.node].t, &t),
+            k: half_turn(&c.frames[element.place.frame].t, &t),
         }
     }
 
     /// Place and section axes.
     pub fn pose(&self, c: &Configuration) -> Pose {
-        let element = &c.elements[self.element];
-        let q = c.element_q(element);
-        let first = &c.frames[element.node];
+        let q = self.element.own(c.q);
+        let [first, _] = self.element.frames(c);
         let u = carry(&first.t, &self.t, &first.u);
         let v = self.t.cross(&u);
         let (sin, cos) = self.kinematics.alpha_at(q, self.xi, &self.collocation).sin_cos();
@@ -57,9 +59,9 @@ impl SectionPoint {
     }
 
     /// Spin about the tangent by the coordinates, 1×14 as a column: `dα + s_0·dt_0 − kb(t_0, t)·(dt_0 + dt)` (2.17).
-    fn spin_q(&self, c: &Configuration) -> nalgebra::SVector<f64, MARKER> {
-        let element = &c.elements[self.element];
-        let [first, second] = c.element_frames(element);
+    fn spin_q(&self, c: &Configuration) -> ElementVector {
+        let element = self.element;
+        let [first, second] = element.frames(c);
         let points = self.kinematics.point_gradients(element);
         let mut spin = self.kinematics.twist_gradient(element, first, second, &points) * self.xi
             - self.kinematics.rate_gradient(&self.collocation, &points);
@@ -74,8 +76,8 @@ impl SectionPoint {
     }
 
     /// Derivatives of place and turn by the coordinates of the element.
-    pub fn motion(&self, c: &Configuration) -> Motion {
-        let mut place_q = ByCoordinates::zeros();
+    pub fn motion(&self, c: &Configuration) -> (ByElement, ByElement) {
+        let mut place_q = ByElement::zeros();
         let mut turn_q = self.t * self.spin_q(c).transpose();
         let tilt = self.t.cross_matrix() / self.stretch;
         for (a, place) in SHAPE_PLACES.into_iter().enumerate() {
@@ -83,18 +85,18 @@ impl SectionPoint {
             let mut columns = turn_q.fixed_columns_mut::<3>(place);
             columns += tilt * self.shape_x[a];
         }
-        Motion { place_q, turn_q }
+        (place_q, turn_q)
     }
 
     /// `∂(turn_qᵀ m)/∂q`, 14×14, of a moment frozen in space; a force at an interior point has none: places are linear in q.
-    pub fn moment_stiffness(&self, c: &Configuration, moment: &Vec3) -> MarkerMatrix {
-        let element = &c.elements[self.element];
-        let [first, second] = c.element_frames(element);
+    pub fn moment_stiffness(&self, c: &Configuration, moment: &Vec3) -> ElementMatrix {
+        let element = self.element;
+        let [first, second] = element.frames(c);
         let along = moment.dot(&self.t);
         let t_p = normal_projector(&self.t) / self.stretch;
         let tilt = moment.cross(&self.t) / self.stretch;
         let tilt_p = (moment.cross_matrix() * t_p - tilt * self.t.transpose()) / self.stretch;
-        let mut sum = MarkerMatrix::zeros();
+        let mut sum = ElementMatrix::zeros();
         // Second derivatives of the spin's exact part, α.
         for (g, point) in element.bending.iter().enumerate() {
             let rate = along * (self.xi * element.rate_weights[g] - self.collocation[g]);

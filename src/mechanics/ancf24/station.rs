@@ -1,0 +1,139 @@
+//! A section at which the energy is evaluated: four fibres, whose strains follow from the section's five directors.
+
+use super::coordinates::{DirectorMatrix, Directors, Interpolation, part};
+use super::strain::{ByBase, Voigt, VoigtMatrix, products, products_g, tensor, to_local};
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::ancf14::frame::Triad;
+
+/// Fibres of a section: two by two.
+pub const FIBRES: usize = 4;
+
+/// Where the fibres of a section are: symmetric, so that they have its area and second moments (Gauss points of a rectangle).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fibres {
+    /// Area of all of them, m².
+    pub area: f64,
+    /// Their distance from the axis along y, `sqrt(Iz/A)`, m.
+    pub y: f64,
+    /// Their distance from the axis along z, `sqrt(Iy/A)`, m.
+    pub z: f64,
+}
+
+/// A fibre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Fibre {
+    y: f64,
+    z: f64,
+    /// Stresses by strains in the undeformed base vectors, quadrature weight included.
+    stiffness: VoigtMatrix,
+    /// Half the scalar products of the undeformed base vectors.
+    reference: Voigt,
+}
+
+/// A section with its fibres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// How its directors follow from the coordinates.
+    pub interpolation: Interpolation,
+    fibres: [Fibre; FIBRES],
+}
+
+/// One number per strain of a station.
+pub type Strains = [Voigt; FIBRES];
+
+impl Fibre {
+    /// `g` of the directors `d`.
+    fn base(&self, d: &Directors) -> [Vec3; 3] {
+        [part(d, 0) + part(d, 3) * self.y + part(d, 4) * self.z, part(d, 1), part(d, 2)]
+    }
+}
+
+impl Station {
+    /// At `xi` of an element of this length (m) whose undeformed coordinates are `reference` (24), with the material `law`, Pa;
+    /// `weight` is the share of the length, m.
+    pub fn new(xi: f64, length: f64, reference: &[f64], fibres: &Fibres, law: &VoigtMatrix, weight: f64) -> Self {
+        let interpolation = Interpolation::new(xi, length);
+        let directors = interpolation.directors(reference);
+        let fibre = |number: usize| {
+            let sign = |is_plus: bool| if is_plus { 1.0 } else { -1.0 };
+            let (y, z) = (fibres.y * sign(number % 2 == 1), fibres.z * sign(number / 2 == 1));
+            let mut fibre = Fibre { y, z, stiffness: VoigtMatrix::zeros(), reference: Voigt::zeros() };
+            let base = fibre.base(&directors);
+            fibre.reference = products(&base);
+            let triad = Triad::new(&base[0], &base[1]);
+            let local =
+                Mat3::from_columns(&[triad.t, triad.u, triad.t.cross(&triad.u)]).tr_mul(&Mat3::from_columns(&base));
+            // A base without volume has no stiffness: such a beam is refused where it is drawn.
+            let local_by_base = to_local(&local).unwrap_or_else(VoigtMatrix::zeros);
+            let volume = weight * fibres.area / FIBRES as f64 * local.determinant();
+            fibre.stiffness = local_by_base.tr_mul(&(law * local_by_base)) * volume;
+            fibre
+        };
+        Self { interpolation, fibres: std::array::from_fn(fibre) }
+    }
+
+    /// Strains at the directors `d`; over a step, in which they change by `change`, the mean of both ends'.
+    pub fn strains(&self, d: &Directors, change: &Directors) -> Strains {
+        self.fibres
+            .each_ref()
+            .map(|fibre| products(&fibre.base(d)) + products(&fibre.base(change)) * 0.25 - fibre.reference)
+    }
+
+    /// Rates of the strains at the rates `rate` of the directors.
+    pub fn strain_rates(&self, d: &Directors, rate: &Directors) -> Strains {
+        self.fibres.each_ref().map(|fibre| {
+            let g = fibre.base(rate);
+            let rates = nalgebra::SVector::<f64, 9>::from_fn(|i, _| g[i / 3][i % 3]);
+            products_g(&fibre.base(d)) * rates
+        })
+    }
+
+    /// Stresses of the strains `strains`, quadrature weights included.
+    pub fn stresses(&self, strains: &Strains) -> Strains {
+        std::array::from_fn(|i| self.fibres[i].stiffness * strains[i])
+    }
+
+    /// Forces of the stresses on the directors `d`: what works on their variations.
+    pub fn forces(&self, d: &Directors, stresses: &Strains) -> Directors {
+        let mut sum = Directors::zeros();
+        for (fibre, stress) in self.fibres.iter().zip(stresses) {
+            let base = Mat3::from_columns(&fibre.base(d)) * tensor(stress);
+            let along = base.column(0);
+            for (director, force) in [
+                along.into(),
+                base.column(1).into_owned(),
+                base.column(2).into_owned(),
+                along * fibre.y,
+                along * fibre.z,
+            ]
+            .into_iter()
+            .enumerate()
+            {
+                let mut rows = sum.fixed_rows_mut::<3>(3 * director);
+                rows += force;
+            }
+        }
+        sum
+    }
+
+    /// `Σ [stress : ∂²strain + factor (∂strain(d))ᵀ C ∂strain(other)]` by the directors: what the forces of the stresses change by, where
+    /// the stresses change by `factor C ∂strain(other)`.
+    pub fn stiffness(&self, d: &Directors, stresses: &Strains, other: &Directors, factor: f64) -> DirectorMatrix {
+        let mut sum = DirectorMatrix::zeros();
+        for (fibre, stress) in self.fibres.iter().zip(stresses) {
+            let right: ByBase = fibre.stiffness * products_g(&fibre.base(other)) * factor;
+            let by_base = products_g(&fibre.base(d)).tr_mul(&right);
+            let stress = tensor(stress);
+            // What each director gives to the base vectors, by its number.
+            let shares = [(0, 1.0), (1, 1.0), (2, 1.0), (0, fibre.y), (0, fibre.z)];
+            for (column, (b, right)) in shares.into_iter().enumerate() {
+                for (row, (a, left)) in shares.into_iter().enumerate() {
+                    let block = by_base.fixed_view::<3, 3>(3 * a, 3 * b) + Mat3::from_diagonal_element(stress[(a, b)]);
+                    let mut target = sum.fixed_view_mut::<3, 3>(3 * row, 3 * column);
+                    target += block * (left * right);
+                }
+            }
+        }
+        sum
+    }
+}
