@@ -5,7 +5,7 @@
 
 use crate::math::vectors::vec3;
 use crate::math::{Vec3, hermite};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 /// Coordinates of a node.
 pub const NODE: usize = 12;
@@ -29,10 +29,12 @@ pub const Z_PLACES: [usize; 2] = [Z, NODE + Z];
 
 /// One number per coordinate of an element.
 pub type ElementVector = SVector<f64, ELEMENT>;
+/// Numbers of a section's directors.
+pub const DIRECTORS: usize = 15;
 /// The directors of a section: `r_x`, `r_y`, `r_z` (1), `r_xy`, `r_xz` (1/m), 3 each.
-pub type Directors = SVector<f64, 15>;
-/// Stiffness in the directors of a section.
-pub type DirectorMatrix = SMatrix<f64, 15, 15>;
+pub type Directors = SVector<f64, DIRECTORS>;
+/// Stiffness in the directors of a section, row after row.
+pub type DirectorMatrix = [[f64; DIRECTORS]; DIRECTORS];
 
 /// How the directors of a section are interpolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,20 +89,18 @@ impl Interpolation {
     /// Adds `scale` times the stiffness `matrix` of the directors to the column-major `block`, 24×24.
     pub fn add_spread(&self, matrix: &DirectorMatrix, scale: f64, block: &mut [f64]) {
         let shares = self.shares();
-        for (column_place, columns) in shares {
-            for (row_place, rows) in shares {
-                for (column_director, right) in columns {
-                    for (row_director, left) in rows {
-                        let factor = scale * left * right;
-                        if factor == 0.0 {
-                            continue;
-                        }
-                        for column in 0..3 {
-                            for row in 0..3 {
-                                block[(column_place + column) * ELEMENT + row_place + row] +=
-                                    factor * matrix[(3 * row_director + row, 3 * column_director + column)];
-                            }
-                        }
+        // Columns first: what each vector of the element moves all directors' forces by.
+        for (column_place, [(first, a), (second, b)]) in shares {
+            for column in 0..3 {
+                let mut forces = [0.0; DIRECTORS];
+                for (force, row) in forces.iter_mut().zip(matrix) {
+                    *force = scale * (a * row[3 * first + column] + b * row[3 * second + column]);
+                }
+                let start = (column_place + column) * ELEMENT;
+                let target = &mut block[start..start + ELEMENT];
+                for (row_place, [(first, a), (second, b)]) in shares {
+                    for row in 0..3 {
+                        target[row_place + row] += a * forces[3 * first + row] + b * forces[3 * second + row];
                     }
                 }
             }

@@ -1,7 +1,7 @@
 //! A section at which the energy is evaluated: four fibres, whose strains follow from the section's five directors.
 
-use super::coordinates::{DirectorMatrix, Directors, Interpolation, part};
-use super::strain::{ByBase, Voigt, VoigtMatrix, products, products_g, tensor, to_local};
+use super::coordinates::{DIRECTORS, DirectorMatrix, Directors, Interpolation, part};
+use super::strain::{STRAINS_OF, Voigt, VoigtMatrix, products, products_g, tensor, to_local};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::ancf14::frame::Triad;
 
@@ -45,6 +45,39 @@ impl Fibre {
     /// `g` of the directors `d`.
     fn base(&self, d: &Directors) -> [Vec3; 3] {
         [part(d, 0) + part(d, 3) * self.y + part(d, 4) * self.z, part(d, 1), part(d, 2)]
+    }
+
+    /// [`Station::stiffness`] of this fibre, by the base vectors.
+    fn stiffness_by_base(&self, d: &Directors, stress: &Voigt, other: &Directors, factor: f64) -> [[f64; 9]; 9] {
+        let (g, h) = (self.base(d), self.base(other));
+        let mut stresses_by = [[0.0; 9]; 6];
+        for (b, strains) in STRAINS_OF.iter().enumerate() {
+            for (strain, partner) in strains {
+                for (place, row) in stresses_by.iter_mut().enumerate() {
+                    let modulus = factor * self.stiffness[(place, *strain)];
+                    for axis in 0..3 {
+                        row[3 * b + axis] += modulus * h[*partner][axis];
+                    }
+                }
+            }
+        }
+        let mut sum = [[0.0; 9]; 9];
+        let stress = tensor(stress);
+        for (a, strains) in STRAINS_OF.iter().enumerate() {
+            for axis in 0..3 {
+                let row = &mut sum[3 * a + axis];
+                for (strain, partner) in strains {
+                    let lever = g[*partner][axis];
+                    for (target, value) in row.iter_mut().zip(&stresses_by[*strain]) {
+                        *target += lever * value;
+                    }
+                }
+                for b in 0..3 {
+                    row[3 * b + axis] += stress[(a, b)];
+                }
+            }
+        }
+        sum
     }
 }
 
@@ -119,21 +152,30 @@ impl Station {
     /// `Σ [stress : ∂²strain + factor (∂strain(d))ᵀ C ∂strain(other)]` by the directors: what the forces of the stresses change by, where
     /// the stresses change by `factor C ∂strain(other)`.
     pub fn stiffness(&self, d: &Directors, stresses: &Strains, other: &Directors, factor: f64) -> DirectorMatrix {
-        let mut sum = DirectorMatrix::zeros();
+        let mut sum = [[0.0; DIRECTORS]; DIRECTORS];
         for (fibre, stress) in self.fibres.iter().zip(stresses) {
-            let right: ByBase = fibre.stiffness * products_g(&fibre.base(other)) * factor;
-            let by_base = products_g(&fibre.base(d)).tr_mul(&right);
-            let stress = tensor(stress);
-            // What each director gives to the base vectors, by its number.
-            let shares = [(0, 1.0), (1, 1.0), (2, 1.0), (0, fibre.y), (0, fibre.z)];
-            for (column, (b, right)) in shares.into_iter().enumerate() {
-                for (row, (a, left)) in shares.into_iter().enumerate() {
-                    let block = by_base.fixed_view::<3, 3>(3 * a, 3 * b) + Mat3::from_diagonal_element(stress[(a, b)]);
-                    let mut target = sum.fixed_view_mut::<3, 3>(3 * row, 3 * column);
-                    target += block * (left * right);
-                }
-            }
+            add_fibre(&mut sum, &fibre.stiffness_by_base(d, stress, other, factor), fibre);
         }
         sum
+    }
+}
+
+/// Adds the stiffness `by_base` of a fibre in its base vectors, 9×9: the first of them has `r_xy` and `r_xz` in it too.
+fn add_fibre(sum: &mut DirectorMatrix, by_base: &[[f64; 9]; 9], fibre: &Fibre) {
+    for (row, own) in by_base.iter().enumerate() {
+        let add = |target: &mut [f64; DIRECTORS], share: f64| {
+            for (target, value) in target.iter_mut().zip(own) {
+                *target += share * value;
+            }
+            for axis in 0..3 {
+                target[9 + axis] += share * fibre.y * own[axis];
+                target[12 + axis] += share * fibre.z * own[axis];
+            }
+        };
+        add(&mut sum[row], 1.0);
+        if row < 3 {
+            add(&mut sum[9 + row], fibre.y);
+            add(&mut sum[12 + row], fibre.z);
+        }
     }
 }

@@ -15,6 +15,10 @@ pub type ByBase = SMatrix<f64, 6, 9>;
 /// Which base vectors multiply in each place.
 pub const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
 
+/// The strains that each base vector is in, and which one it multiplies there.
+pub const STRAINS_OF: [[(usize, usize); 3]; 3] =
+    [[(0, 0), (4, 2), (5, 1)], [(1, 1), (3, 2), (5, 0)], [(2, 2), (3, 1), (4, 0)]];
+
 /// Half the scalar products of the base vectors `g`.
 pub fn products(g: &[Vec3; 3]) -> Voigt {
     Voigt::from_fn(|i, _| {
