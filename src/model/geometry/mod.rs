@@ -13,10 +13,12 @@ use super::entries::beam::Beam;
 use super::entries::body::{Body, Inertia};
 use super::entries::curve::Line;
 use super::entries::joint::Joint;
+use super::entries::material::Lateral;
 use super::entries::spring::Spring;
 use super::entries::{load, output};
 use super::number::Number;
 use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam_design::Elements;
 use crate::mechanics::centreline::{Centreline, Spacing};
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
@@ -106,9 +108,30 @@ impl Checker<'_> {
                 self.mistake(place, &message, "the section's y must be across the beam", &help);
             }
         }
+        self.check_law(beam);
         elements?;
         self.mistakes.extend(lines::overtwisted(document, beam, &line));
         Some(line)
+    }
+
+    /// Hooke's law in three dimensions needs a Poisson's ratio below 0.5, also where the moduli alone are given.
+    fn check_law(&mut self, beam: &Beam) {
+        let document = self.document;
+        let Some(material) = document.materials.get(beam.material) else { return };
+        let (Elements::Ancf24 { poisson: true, .. }, Lateral::Shear(shear)) = (beam.formulation, material.lateral)
+        else {
+            return;
+        };
+        let (young, modulus) = (document.value(material.young), document.value(shear));
+        let poisson = 0.5 * young / modulus - 1.0;
+        if poisson >= 0.5 {
+            let message =
+                format!("the moduli of {} are those of a Poisson's ratio of {}", material.name, shown(poisson));
+            let label = format!("ancf24_poisson = true of beam {} needs one below 0.5", beam.name);
+            let help =
+                format!("take a shear modulus above young/3 = {} Pa, or ancf24_poisson = false", shown(young / 3.0));
+            self.mistake(document.place(shear), &message, &label, &help);
+        }
     }
 
     /// Beam and fraction of its length; none for the ground, or after a mistake.
