@@ -144,12 +144,13 @@ impl Assembly {
         }
     }
 
-    /// Makes the section of a node rigid, if it is not by its formulation, once.
-    fn stiffen(&mut self, node: usize) {
-        let Node::Ancf24 { start } = self.system.mesh.nodes[node] else { return };
-        if !self.stiff_nodes.contains(&node) {
-            self.stiff_nodes.push(node);
-            let name = format!("the section at {}", self.system.describe_node(node));
+    /// Makes the section of a marker at a node rigid, if it is not by its formulation: what acts there acts on all of it.
+    pub fn stiffen(&mut self, marker: &Marker) {
+        let Marker::Node { node, .. } = marker else { return };
+        let Node::Ancf24 { start } = self.system.mesh.nodes[*node] else { return };
+        if !self.stiff_nodes.contains(node) {
+            self.stiff_nodes.push(*node);
+            let name = format!("the section at {}", self.system.describe_node(*node));
             self.inner_joints.push(ancf24::frame::rigidity(name, start));
         }
     }
@@ -161,9 +162,10 @@ impl Assembly {
             let end = beam.corners[place];
             let (name, node) = (format!("the corner {}.node[{end}]", beam.name), beam.node(end));
             let [a, b] = [node, node + 1].map(|node| {
-                self.stiffen(node);
+                let section = self.node(node);
+                self.stiffen(&section);
                 // The global axes as drawn, as the section sees them.
-                let axes = self.drawn(&self.node(node)).axes.transpose();
+                let axes = self.drawn(&section).axes.transpose();
                 Marker::Node { node, offset: Vec3::zeros(), axes }
             });
             self.inner_joints.push(Joint { name, a, b, primitives: weld::PRIMITIVES, drive: None });
@@ -231,11 +233,9 @@ impl Assembly {
 
     /// The marker at `pose`, in space as drawn, that is tied to whatever `anchor` is tied to: a node, a body, a frame, the ground.
     ///
-    /// What is tied to a node of ANCF24 makes its section rigid.
+    /// What is tied to a node makes its section rigid.
     pub fn tied(&mut self, anchor: &Marker, pose: &Pose) -> Marker {
-        if let Marker::Node { node, .. } = anchor {
-            self.stiffen(*node);
-        }
+        self.stiffen(anchor);
         let own = self.drawn(&anchor.bare());
         let (offset, axes) = own.relative(pose);
         match anchor.bare() {

@@ -120,7 +120,11 @@ impl Builder<'_> {
 
     pub(super) fn add_load(&mut self, written: &Load) {
         let points = match &written.target {
-            Target::At(anchor) => vec![(self.anchored(anchor), 1.0)],
+            Target::At(anchor) => {
+                let marker = self.anchored(anchor);
+                self.assembly.stiffen(&marker);
+                vec![(marker, 1.0)]
+            }
             Target::On(beam) => self.assembly.sections_of(*beam),
         };
         let signals = |numbers: [Number; 3]| numbers.map(|number| signal(self.document, number));
