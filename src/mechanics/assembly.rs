@@ -172,6 +172,12 @@ impl Assembly {
         }
     }
 
+    /// The first element of beam `beam` whose undeformed shape has no meaning, if there is one.
+    pub fn impossible_element(&self, beam: usize) -> Option<usize> {
+        let elements = &self.system.mesh.elements[self.system.beams[beam].element_range()];
+        elements.iter().position(|element| !element.is_possible())
+    }
+
     /// The node of beam `beam` at the fraction `fraction` of its length, if there is one; at a corner the side towards the start.
     pub fn node_at(&self, beam: usize, fraction: f64) -> Option<usize> {
         let beam = &self.system.beams[beam];

@@ -26,6 +26,11 @@ pub trait Formulation {
     /// Its coordinates.
     fn coordinates(&self) -> Range<usize>;
 
+    /// Whether its undeformed shape is one that its energy has a meaning for.
+    fn is_possible(&self) -> bool {
+        true
+    }
+
     /// Undeformed length, m.
     fn length(&self) -> f64;
 

@@ -244,3 +244,21 @@ fn an_unloaded_coil_shows_nothing() {
         assert!(curves.last("energy.elastic").abs() < 1e-20);
     }
 }
+
+/// A section of ANCF24 is solid: wound more sharply than its fibres, at 1/√12 of its width, are off the axis, it is refused; just below, it is
+/// not. The line of ANCF14 has no fibres.
+#[test]
+fn a_solid_section_cannot_be_wound_more_sharply_than_it_is_wide() {
+    // Elements of 5.6 degrees: linear between their ends a section is off the curve by less than 1e-3 of itself.
+    let arc = "elements = 32\ny_axis = [1, 0, 0]\ncurve = { x = \"0.01*cos(s)\", y = \"0.01*sin(s)\", z = 0, s = [0, \"pi\"] }";
+    let loaded = |width: f64, element: &str| {
+        let line = format!("{arc}\nelement = \"{element}\"");
+        let text = model(&line, ROOT, STATIC).replace("width = 0.03", &format!("width = {width}"));
+        Simulation::load("wound.toml", &text, &[]).map(|_| ()).map_err(|failure| failure.message)
+    };
+    let limit = 0.01 * 12.0_f64.sqrt();
+    loaded(0.98 * limit, "ancf24").unwrap();
+    let message = loaded(1.02 * limit, "ancf24").unwrap_err();
+    assert!(message.contains("beam arm is bent or pretwisted more sharply than its section is wide"), "{message}");
+    loaded(1.02 * limit, "ancf14").unwrap();
+}

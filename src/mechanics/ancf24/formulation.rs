@@ -3,6 +3,7 @@
 use super::coordinates::{AXIS_PLACES, ELEMENT, Interpolation, NODE, Y_PLACES, Z_PLACES};
 use super::element::Element;
 use super::frame::SectionFrame;
+use super::station::Station;
 use super::{damping, section};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS};
 use crate::math::rotation::carry;
@@ -38,6 +39,10 @@ impl Element {
 impl Formulation for Element {
     fn coordinates(&self) -> Range<usize> {
         self.start..self.start + ELEMENT
+    }
+
+    fn is_possible(&self) -> bool {
+        self.stations.iter().all(Station::is_possible)
     }
 
     fn length(&self) -> f64 {

@@ -24,6 +24,8 @@ pub struct Fibres {
 struct Fibre {
     y: f64,
     z: f64,
+    /// Undeformed volume, m³: its quadrature weight.
+    volume: f64,
     /// Stresses by strains in the undeformed base vectors, quadrature weight included.
     stiffness: VoigtMatrix,
     /// Half the scalar products of the undeformed base vectors.
@@ -90,19 +92,24 @@ impl Station {
         let fibre = |number: usize| {
             let sign = |is_plus: bool| if is_plus { 1.0 } else { -1.0 };
             let (y, z) = (fibres.y * sign(number % 2 == 1), fibres.z * sign(number / 2 == 1));
-            let mut fibre = Fibre { y, z, stiffness: VoigtMatrix::zeros(), reference: Voigt::zeros() };
+            let mut fibre = Fibre { y, z, volume: 0.0, stiffness: VoigtMatrix::zeros(), reference: Voigt::zeros() };
             let base = fibre.base(&directors);
             fibre.reference = products(&base);
             let triad = Triad::new(&base[0], &base[1]);
             let local =
                 Mat3::from_columns(&[triad.t, triad.u, triad.t.cross(&triad.u)]).tr_mul(&Mat3::from_columns(&base));
-            // A base without volume has no stiffness: such a beam is refused where it is drawn.
+            fibre.volume = weight * fibres.area / FIBRES as f64 * local.determinant();
+            // A base without volume has no stiffness.
             let local_by_base = to_local(&local).unwrap_or_else(VoigtMatrix::zeros);
-            let volume = weight * fibres.area / FIBRES as f64 * local.determinant();
-            fibre.stiffness = local_by_base.tr_mul(&(law * local_by_base)) * volume;
+            fibre.stiffness = local_by_base.tr_mul(&(law * local_by_base)) * fibre.volume;
             fibre
         };
         Self { interpolation, fibres: std::array::from_fn(fibre) }
+    }
+
+    /// Whether all of it has a volume, as undeformed: a section thicker than its bend has not.
+    pub fn is_possible(&self) -> bool {
+        self.fibres.iter().all(|fibre| fibre.volume > 0.0)
     }
 
     /// Strains at the directors `d`; over a step, in which they change by `change`, the mean of both ends'.

@@ -29,7 +29,7 @@ impl Builder<'_> {
             Lateral::Shear(shear) => document.value(shear),
         };
         let (density, damping) = (document.value(material.density), document.value(material.damping));
-        self.assembly.add_beam(&BeamDesign {
+        let number = self.assembly.add_beam(&BeamDesign {
             name: beam.name.clone(),
             line: line.clone(),
             y_axis: vector(document, beam.y_axis),
@@ -40,6 +40,13 @@ impl Builder<'_> {
             velocity: vector(document, beam.velocity),
             angular_velocity: vector(document, beam.angular_velocity),
         });
+        if let Some(element) = self.assembly.impossible_element(number) {
+            let message = format!("beam {} is bent or pretwisted more sharply than its section is wide", beam.name);
+            let label = format!("element {element}, counted from 0, has fibres without length");
+            let help =
+                "element = \"ancf24\" has a solid section: take a slimmer one, more elements, or element = \"ancf14\"";
+            self.mistakes.push(document.diagnostic(beam.place, &message, &label, help));
+        }
     }
 
     /// Integrals of the shape, those that are written instead of the shape's own.
