@@ -3,6 +3,8 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod allocations;
+mod ancf24_derivatives;
+mod ancf24_oracle;
 mod ancf24_unit_element;
 mod architecture;
 mod bend_45;
