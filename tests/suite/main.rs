@@ -4,7 +4,9 @@
 
 mod allocations;
 mod ancf24_derivatives;
+mod ancf24_motion;
 mod ancf24_oracle;
+mod ancf24_statics;
 mod ancf24_unit_element;
 mod architecture;
 mod bend_45;
