@@ -4,6 +4,7 @@
 
 mod allocations;
 mod ancf24_derivatives;
+mod ancf24_machines;
 mod ancf24_motion;
 mod ancf24_oracle;
 mod ancf24_statics;
