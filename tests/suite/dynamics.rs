@@ -23,13 +23,13 @@ pub fn spinning() -> (System, State) {
 }
 
 /// One beam, held by nothing.
-fn free(design: &BeamDesign) -> (System, State) {
+pub fn free(design: &BeamDesign) -> (System, State) {
     let mut assembly = Assembly::default();
     assembly.add_beam(design);
     assembly.finish(Vec3::zeros())
 }
 
-fn spinning_design() -> BeamDesign {
+pub fn spinning_design() -> BeamDesign {
     let section = Section { polar_moment: 4e-4, torsion_constant: 1e-6, ..Section::rectangle(0.02, 0.03) };
     BeamDesign {
         line: Centreline::straight(Vec3::zeros(), Vec3::new(1.2, 0.3, -0.4), 4),

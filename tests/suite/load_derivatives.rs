@@ -33,7 +33,7 @@ fn generalized_force(
     force_k.dot(&by(0, j)) + force.dot(&twice(0, j, k)) + moment_k.dot(&turn) + moment.dot(&turn_k)
 }
 
-/// Dead and follower forces and moments, at nodes, bodies and inside elements: generalized force and its derivative.
+/// Dead and follower forces and moments, at nodes, bodies and inside elements of both formulations: generalized force and its derivative.
 #[test]
 fn load_derivatives() {
     deep(check_load_derivatives);
@@ -41,15 +41,17 @@ fn load_derivatives() {
 
 fn check_load_derivatives() {
     let mut random = Random(8);
-    for case in 0..16 {
+    for case in 0..24 {
         let machine = Machine::new(&mut random);
-        let marker = match case % 4 {
+        let marker = match case % 6 {
             0 => Marker::Node { node: 1, offset: Vec3::zeros(), axes: Mat3::identity() },
             1 => Marker::Node { node: 3, offset: Vec3::zeros(), axes: Mat3::identity() },
             2 => Marker::Body { start: BODY, offset: random.vector(), axes: random.rotation() },
-            _ => Marker::Section { element: case / 4 % 2, xi: 0.5 + 0.49 * random.signed() },
+            3 => Marker::Section { element: case / 6 % 2, xi: 0.5 + 0.49 * random.signed() },
+            4 => Marker::Node { node: 5, offset: random.vector(), axes: random.rotation() },
+            _ => Marker::Section { element: 2, xi: 0.5 + 0.49 * random.signed() },
         };
-        let direction = if case / 8 == 0 { Direction::Global } else { Direction::Follower };
+        let direction = if case / 12 == 0 { Direction::Global } else { Direction::Follower };
         let (force, moment) = (random.vector(), random.vector());
         let signals = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
         let load = Load {

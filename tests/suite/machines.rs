@@ -6,6 +6,7 @@ use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::ancf14::element;
 use ancf14::mechanics::ancf14::quadratic_twist::Twist;
 use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::ancf24;
 use ancf14::mechanics::assembly::Assembly;
 use ancf14::mechanics::beam_design::{BeamDesign, Elements, Torsion};
 use ancf14::mechanics::centreline::Centreline;
@@ -34,6 +35,14 @@ pub fn ancf14_elements(system: &System) -> impl Iterator<Item = &element::Elemen
     system.mesh.elements.iter().map(|element| match element {
         Element::Ancf14(element) => element,
         Element::Ancf24(_) => panic!("an element of ANCF24"),
+    })
+}
+
+/// The elements of a machine that has only those of ANCF24.
+pub fn ancf24_elements(system: &System) -> impl Iterator<Item = &ancf24::element::Element> {
+    system.mesh.elements.iter().map(|element| match element {
+        Element::Ancf24(element) => element,
+        Element::Ancf14(_) => panic!("an element of ANCF14"),
     })
 }
 

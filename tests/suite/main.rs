@@ -3,6 +3,12 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod allocations;
+mod ancf24_derivatives;
+mod ancf24_machines;
+mod ancf24_motion;
+mod ancf24_oracle;
+mod ancf24_statics;
+mod ancf24_unit_element;
 mod architecture;
 mod bend_45;
 mod bodies_on_springs;
@@ -20,6 +26,7 @@ mod element_derivatives;
 mod fmi;
 mod four_bar;
 mod frequencies;
+mod gauss;
 mod generalized_alpha;
 mod generalized_alpha_steps;
 mod golden;

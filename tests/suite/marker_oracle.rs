@@ -1,6 +1,7 @@
 //! A machine in a random state, and its markers and measures written a second time over any dual number: the oracle for the
 //! derivatives of joints, drives, springs and loads. A dropped term shows at 1e-2 or more; the bound is rounding.
 
+use crate::ancf24_oracle;
 use crate::element_derivatives::{random_element_state, stiffness, straight};
 use crate::oracle::{self, Scalar};
 use crate::random::Random;
@@ -10,6 +11,7 @@ use ancf14::mechanics::ancf14::coordinates::NODE;
 use ancf14::mechanics::ancf14::element::{Element, Place};
 use ancf14::mechanics::ancf14::frame::{NodeFrame, Triad};
 use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::ancf24;
 use ancf14::mechanics::configuration::Configuration;
 use ancf14::mechanics::formulation;
 use ancf14::mechanics::gauge::Measure;
@@ -22,17 +24,21 @@ use nalgebra::{SMatrix, SVector};
 use num_dual::Dual2SVec64;
 
 pub const ROUNDING: f64 = 1e-9;
-/// Coordinates: two elements and a body.
-pub const COUNT: usize = 40;
+/// Coordinates: two elements of ANCF14, one of ANCF24, a body.
+pub const COUNT: usize = 64;
+/// Where those of ANCF24 start.
+const SECTIONS: usize = 28;
 /// Where the body's start.
-pub const BODY: usize = 28;
+pub const BODY: usize = 52;
 /// Coordinates, and time as the last one.
 pub const ALL: usize = COUNT + 1;
 pub type All<D> = SVector<D, ALL>;
 pub type Dual = Dual2SVec64<ALL>;
 
-/// Two elements of two beams (nodes 0, 1 and 2, 3), a body whose directors are not orthonormal, a moving frame and a drive, in a random state.
+/// Two elements of two beams (nodes 0, 1 and 2, 3), one of ANCF24 (nodes 4, 5) with sheared and stretched sections, a body whose directors are
+/// not orthonormal, a moving frame and a drive, in a random state.
 pub struct Machine {
+    /// Of ANCF14.
     pub elements: [Element; 2],
     pub mesh: Mesh,
     pub q: SVector<f64, COUNT>,
@@ -54,6 +60,7 @@ impl Machine {
             triads[2 * beam..2 * beam + 2].copy_from_slice(&own_triads);
             holonomy[beam] = previous;
         }
+        q.fixed_rows_mut::<24>(SECTIONS).copy_from(&ancf24_oracle::deformed(random, 0.4));
         let directors = random.rotation() + Mat3::from_fn(|_, _| 0.1 * random.signed());
         q.fixed_rows_mut::<3>(BODY).copy_from(&random.vector());
         q.fixed_rows_mut::<9>(BODY + 3).copy_from_slice(directors.as_slice());
@@ -61,9 +68,14 @@ impl Machine {
             std::array::from_fn(|node| NodeFrame::new(&q.as_slice()[NODE * node..NODE * (node + 1)], &triads[node]));
         let first = straight(0.7, stiffness(Strain::Small));
         let second = Element { place: Place { start: 14, frame: 2, branch: 1 }, ..first.clone() };
-        let nodes = (0..4).map(|frame| Node::Ancf14 { start: NODE * frame, frame }).collect();
-        let both = [&first, &second].map(|element| formulation::Element::Ancf14(element.clone())).to_vec();
-        let mesh = Mesh { nodes, elements: both, framed: (0..4).map(|frame| NODE * frame).collect(), branches: 2 };
+        let third = ancf24_oracle::element(ancf24_oracle::LAWS[0], &ancf24_oracle::straight());
+        let third = ancf24::element::Element { start: SECTIONS, ..third };
+        let framed = (0..4).map(|frame| Node::Ancf14 { start: NODE * frame, frame });
+        let unframed = (0..2).map(|node| Node::Ancf24 { start: SECTIONS + ancf24::coordinates::NODE * node });
+        let nodes = framed.chain(unframed).collect();
+        let mut all = [&first, &second].map(|element| formulation::Element::Ancf14(element.clone())).to_vec();
+        all.push(formulation::Element::Ancf24(third));
+        let mesh = Mesh { nodes, elements: all, framed: (0..4).map(|frame| NODE * frame).collect(), branches: 2 };
         let mut any = || Pose { place: random.vector(), axes: Mat3::from_fn(|_, _| random.signed()) };
         let (velocity, acceleration) = (any(), any());
         let pose = Pose { place: random.vector(), axes: random.rotation() };
@@ -131,26 +143,53 @@ impl Machine {
                 tied(part(0), [part(3), part(6), part(9)], offset, axes)
             }
             Marker::Node { node, offset, axes } => {
-                let own = &q[NODE * node..NODE * (node + 1)];
-                let frame = oracle::node(own, &self.triads[*node]);
-                tied([own[0], own[1], own[2]], [frame.t, frame.y, frame.z], offset, axes)
+                let (place, columns) = match self.mesh.nodes[*node] {
+                    Node::Ancf14 { start, frame } => {
+                        let frame = oracle::node(&q[start..start + NODE], &self.triads[frame]);
+                        (start, [frame.t, frame.y, frame.z])
+                    }
+                    Node::Ancf24 { start } => {
+                        (start, ancf24_oracle::axes(&vector(q, start + 6), &vector(q, start + 9)))
+                    }
+                };
+                tied(vector(q, place), columns, offset, axes)
             }
-            Marker::Section { element, xi } => {
-                let part = &self.elements[*element];
-                let own = &q[part.place.start..part.place.start + 14];
-                let triads = [self.triads[part.place.frame], self.triads[part.place.frame + 1]];
-                let (t, y, _) = oracle::inside(part, own, D::from(0.0), &triads, self.holonomy[*element], *xi);
-                let shape = ancf14::math::hermite::shape(*xi, part.length);
-                let place = std::array::from_fn(|i| {
-                    own[i] * shape[0] + own[3 + i] * shape[1] + own[7 + i] * shape[2] + own[10 + i] * shape[3]
-                });
-                [place, t, y, oracle::cross(&t, &y)]
-            }
+            Marker::Section { element, xi } => match &self.mesh.elements[*element] {
+                formulation::Element::Ancf14(part) => {
+                    let own = &q[part.place.start..part.place.start + 14];
+                    let triads = [self.triads[part.place.frame], self.triads[part.place.frame + 1]];
+                    let (t, y, _) = oracle::inside(part, own, D::from(0.0), &triads, self.holonomy[*element], *xi);
+                    let place = interpolated(own, [0, 3, 7, 10], &ancf14::math::hermite::shape(*xi, part.length));
+                    [place, t, y, oracle::cross(&t, &y)]
+                }
+                formulation::Element::Ancf24(part) => {
+                    let own = &q[part.start..part.start + 24];
+                    let axis = interpolated(own, [0, 3, 12, 15], &ancf14::math::hermite::shape(*xi, part.length));
+                    let linear =
+                        |first: usize| interpolated(own, [first, first + 12, 0, 0], &[1.0 - xi, *xi, 0.0, 0.0]);
+                    let [t, y, z] = ancf24_oracle::axes(&linear(6), &linear(9));
+                    [axis, t, y, z]
+                }
+            },
         }
     }
 }
 
-/// Runs a test with room for arrays of dual numbers on its stack: one with its Hessian takes 14 kB.
+fn vector<D: Scalar>(q: &[D], place: usize) -> [D; 3] {
+    std::array::from_fn(|i| q[place + i])
+}
+
+/// The sum of the vectors that start at `places` with these weights.
+fn interpolated<D: Scalar>(q: &[D], places: [usize; 4], weights: &[f64; 4]) -> [D; 3] {
+    std::array::from_fn(|i| {
+        q[places[0] + i] * weights[0]
+            + q[places[1] + i] * weights[1]
+            + q[places[2] + i] * weights[2]
+            + q[places[3] + i] * weights[3]
+    })
+}
+
+/// Runs a test with room for arrays of dual numbers on its stack: one with its Hessian takes 35 kB.
 pub fn deep(test: fn()) {
     std::thread::Builder::new().stack_size(1 << 28).spawn(test).unwrap().join().unwrap();
 }
@@ -163,12 +202,16 @@ pub fn any_marker(random: &mut Random, kind: usize) -> Marker {
         1 => Marker::Node { node: 1, offset, axes },
         2 => Marker::Node { node: 2, offset, axes },
         3 => Marker::Body { start: BODY, offset, axes },
-        _ => Marker::Frame { frame: 0, offset, axes },
+        4 => Marker::Frame { frame: 0, offset, axes },
+        5 => Marker::Node { node: 4, offset, axes },
+        6 => Marker::Node { node: 5, offset, axes },
+        _ => Marker::Section { element: 2, xi: 0.5 + 0.49 * random.signed() },
     }
 }
 
-/// Pairs of kinds that may be joined.
-pub const SIDES: [[usize; 2]; 9] = [[0, 2], [1, 2], [3, 2], [4, 2], [0, 3], [1, 3], [4, 3], [2, 4], [3, 0]];
+/// Pairs of kinds that may be joined; the last ones are of ANCF24, a section inside an element among them, which springs hold on to.
+pub const SIDES: [[usize; 2]; 13] =
+    [[0, 2], [1, 2], [3, 2], [4, 2], [0, 3], [1, 3], [4, 3], [2, 4], [3, 0], [5, 2], [3, 5], [6, 5], [7, 1]];
 
 /// A measure over any dual number, straight from its definition.
 pub fn measure<D: Scalar>(kind: Measure, a: &[[D; 3]; 4], b: &[[D; 3]; 4]) -> D {

@@ -7,8 +7,10 @@ use ancf14::math::jet::Jet;
 use ancf14::math::vectors::{set_vec3, vec3};
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::ancf14::coordinates::{P, R, THETA};
+use ancf14::mechanics::ancf24::coordinates as ancf24;
+use ancf14::mechanics::ancf24::law::Shear;
 use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
+use ancf14::mechanics::beam_design::{BeamDesign, Elements};
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::primitive::Primitive;
@@ -16,6 +18,7 @@ use ancf14::mechanics::joint::{Joint, cylindrical, inline, inplane, prismatic, r
 use ancf14::mechanics::load::Signal;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::material::Material;
+use ancf14::mechanics::node::Node;
 use ancf14::mechanics::pose::{Pose, axis_place};
 use ancf14::mechanics::prescribed::FrameGuide;
 use ancf14::mechanics::rigid_body::BodyDesign;
@@ -65,6 +68,14 @@ pub enum Part {
     Body,
     /// One of the three nodes of a beam.
     Beam,
+    /// The same, of ANCF24.
+    Ancf24,
+}
+
+impl Part {
+    pub fn is_beam(self) -> bool {
+        matches!(self, Self::Beam | Self::Ancf24)
+    }
 }
 
 pub const FRAME_VELOCITY: Vec3 = Vec3::new(0.7, -0.4, 0.5);
@@ -155,8 +166,11 @@ fn add(assembly: &mut Assembly, name: &str, part: Part, twist: &Twist, random: &
             let body = assembly.add_body(&BodyDesign { velocity, angular_velocity: twist.angular, ..still });
             assembly.body(body)
         }
-        Part::Beam => {
-            let still = beam(name, random);
+        Part::Beam | Part::Ancf24 => {
+            let mut still = beam(name, random);
+            if part == Part::Ancf24 {
+                still.elements = Elements::Ancf24 { poisson: false, shear: Shear::Section };
+            }
             let velocity = twist.at(&still.line.nodes[0].place);
             let beam = assembly.add_beam(&BeamDesign { velocity, angular_velocity: twist.angular, ..still });
             let node = ((random.signed() + 1.0) * 1.5).floor();
@@ -220,7 +234,7 @@ impl Pair {
         let mut sides = [Marker::Ground(Pose::default()); 2];
         for beams in [true, false] {
             for side in [0, 1] {
-                if (parts[side] == Part::Beam) == beams {
+                if parts[side].is_beam() == beams {
                     let name = ["first", "second"][side];
                     sides[side] = add(&mut assembly, name, parts[side], &twists[side], random);
                 }
@@ -248,12 +262,17 @@ pub fn coordinate_velocity(system: &System, state: &State, marker: &Marker, twis
                 set_vec3(&mut velocity, place, &twist.angular.cross(&vec3(&state.q, place)));
             }
         }
-        Marker::Node { .. } => {
+        Marker::Node { node, .. } => {
             let start = marker.coordinates(&system.mesh).start;
-            let slope = vec3(&state.q, start + P);
+            let mut turn = |place: usize| set_vec3(&mut velocity, place, &twist.angular.cross(&vec3(&state.q, place)));
+            turn(start + P);
+            match system.mesh.nodes[*node] {
+                Node::Ancf14 { .. } => {
+                    velocity[start + THETA] = twist.angular.dot(&vec3(&state.q, start + P).normalize());
+                }
+                Node::Ancf24 { .. } => [ancf24::Y, ancf24::Z].into_iter().for_each(|place| turn(start + place)),
+            }
             set_vec3(&mut velocity, start + R, &twist.at(&vec3(&state.q, start + R)));
-            set_vec3(&mut velocity, start + P, &twist.angular.cross(&slope));
-            velocity[start + THETA] = twist.angular.dot(&slope.normalize());
         }
         _ => {}
     }

@@ -5,6 +5,7 @@ use crate::random::Random;
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::Causality;
 use ancf14::math::{Mat3, Vec3};
+use ancf14::mechanics::formulation::Element;
 use ancf14::model::simulation::Simulation;
 use toml::{Table, Value};
 
@@ -159,7 +160,11 @@ fn results(text: &str, overrides: &[(String, String)], count: u32) -> (Vec<Vec<(
         rows.push(all(&simulation));
     }
     let system = simulation.system();
-    let rigidity = crate::machines::ancf14_elements(system).map(|element| element.stiffness.axial).fold(0.0, f64::max);
+    let axial = |element: &Element| match element {
+        Element::Ancf14(element) => element.stiffness.axial,
+        Element::Ancf24(element) => element.properties.law[(0, 0)] * element.properties.fibres.area,
+    };
+    let rigidity = system.mesh.elements.iter().map(axial).fold(0.0, f64::max);
     let young = system.beams.iter().map(|beam| beam.young).fold(0.0, f64::max);
     (rows, [rigidity, young])
 }
@@ -179,61 +184,80 @@ fn turned_models_give_turned_results() {
     assert!(files.len() >= 3);
     for file in files {
         let text = std::fs::read_to_string(&file).unwrap();
-        let (turn, shift) = (random.rotation(), random.vector());
-        let count = 10;
-        let (plain, rigidity) = results(&text, &[("simulation.tolerance".into(), "1e-12".into())], count);
-        let model: Table = text.parse().unwrap();
-        let mut o = overrides(&model, &turn, &shift);
-        o.push(("simulation.tolerance".into(), "1e-12".into()));
-        let (other, _) = results(&turned_text(model, &turn, &shift), &o, count);
-        let mut compared = 0;
-        let mut largest = (0.0_f64, String::new());
-        for (row, turned_row) in plain.iter().zip(&other) {
-            for name in row.iter().filter_map(|entry| entry.0.strip_suffix("[1]")) {
-                let quantity = name.rsplit('.').next().unwrap();
-                let moves = match quantity {
-                    "position" => shift,
-                    "displacement" | "velocity" | "rotation" | "angular_velocity" | "linear" | "acceleration"
-                    | "reaction_force" | "reaction_moment" => Vec3::zeros(),
-                    _ => continue,
-                };
-                let (own, turned) = (vector(row, name).unwrap(), vector(turned_row, name).unwrap());
-                let difference = (turn * own + moves - turned).norm() / own.norm().max(least_size(quantity, rigidity));
+        check(&mut random, &file.display().to_string(), &text, &[], 10);
+    }
+}
+
+/// With elements of ANCF24, alone and beside those of ANCF14: a shaft, a mechanism, a curve.
+#[test]
+fn turned_models_of_ancf24_give_turned_results() {
+    let mut random = Random(13);
+    let models: [(&str, &str, &[&str]); 3] = [
+        ("rotating_shaft", include_str!("../../models/rotating_shaft.toml"), &["shaft"]),
+        ("lateral_buckling", include_str!("../../models/lateral_buckling.toml"), &["strip", "crank"]),
+        ("bend_45", include_str!("../../models/bend_45.toml"), &["arc"]),
+    ];
+    for (name, text, beams) in models {
+        let elements: Vec<_> = beams.iter().map(|beam| (format!("{beam}.element"), "ancf24".to_owned())).collect();
+        check(&mut random, name, text, &elements, 10);
+    }
+}
+
+/// Runs a model with these overrides for `count` output steps, as it is and turned.
+fn check(random: &mut Random, name: &str, text: &str, more: &[(String, String)], count: u32) {
+    let (turn, shift) = (random.rotation(), random.vector());
+    let more = [more, &[("simulation.tolerance".to_owned(), "1e-12".to_owned())]].concat();
+    let (plain, rigidity) = results(text, &more, count);
+    let model: Table = text.parse().unwrap();
+    let o = [overrides(&model, &turn, &shift), more].concat();
+    let (other, _) = results(&turned_text(model, &turn, &shift), &o, count);
+    let mut compared = 0;
+    let mut largest = (0.0_f64, String::new());
+    for (row, turned_row) in plain.iter().zip(&other) {
+        for name in row.iter().filter_map(|entry| entry.0.strip_suffix("[1]")) {
+            let quantity = name.rsplit('.').next().unwrap();
+            let moves = match quantity {
+                "position" => shift,
+                "displacement" | "velocity" | "rotation" | "angular_velocity" | "linear" | "acceleration"
+                | "reaction_force" | "reaction_moment" => Vec3::zeros(),
+                _ => continue,
+            };
+            let (own, turned) = (vector(row, name).unwrap(), vector(turned_row, name).unwrap());
+            let difference = (turn * own + moves - turned).norm() / own.norm().max(least_size(quantity, rigidity));
+            if difference > largest.0 {
+                largest = (difference, name.to_owned());
+            }
+            compared += 1;
+        }
+        for (name, own) in row {
+            let same = [
+                "twist",
+                "axial_strain",
+                "torsion",
+                "kinetic",
+                "elastic",
+                "curvature[1]",
+                "curvature[2]",
+                "angle",
+                "distance",
+                "effort",
+                "section_force",
+                "section_moment[1]",
+                "section_moment[2]",
+                "section_moment[3]",
+                "stress",
+            ];
+            if same.iter().any(|end| name.ends_with(end)) {
+                let turned = turned_row.iter().find(|entry| entry.0 == *name).unwrap().1;
+                let size = least_size(name.rsplit('.').next().unwrap(), rigidity);
+                let difference = (own - turned).abs() / own.abs().max(size);
                 if difference > largest.0 {
-                    largest = (difference, name.to_owned());
+                    largest = (difference, name.clone());
                 }
                 compared += 1;
             }
-            for (name, own) in row {
-                let same = [
-                    "twist",
-                    "axial_strain",
-                    "torsion",
-                    "kinetic",
-                    "elastic",
-                    "curvature[1]",
-                    "curvature[2]",
-                    "angle",
-                    "distance",
-                    "effort",
-                    "section_force",
-                    "section_moment[1]",
-                    "section_moment[2]",
-                    "section_moment[3]",
-                    "stress",
-                ];
-                if same.iter().any(|end| name.ends_with(end)) {
-                    let turned = turned_row.iter().find(|entry| entry.0 == *name).unwrap().1;
-                    let size = least_size(name.rsplit('.').next().unwrap(), rigidity);
-                    let difference = (own - turned).abs() / own.abs().max(size);
-                    if difference > largest.0 {
-                        largest = (difference, name.clone());
-                    }
-                    compared += 1;
-                }
-            }
         }
-        println!("{}: {compared} values, largest difference {:.1e} in {}", file.display(), largest.0, largest.1);
-        assert!(compared > 50 && largest.0 < 1e-8, "{}: {largest:?}", file.display());
     }
+    println!("{name}: {compared} values, largest difference {:.1e} in {}", largest.0, largest.1);
+    assert!(compared > 50 && largest.0 < 1e-8, "{name}: {largest:?}");
 }

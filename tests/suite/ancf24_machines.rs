@@ -1,0 +1,282 @@
+//! ANCF24 in machines: welded to ANCF14, round a corner, what its clamp and its sections bear, each against statics by hand in the small.
+//! Sections that turn linearly make deflections of order 2, without any error at nodes in torsion and tension; what is extrapolated from two
+//! meshes is of order 4, the square of the coarser error.
+
+use crate::curves::{Curves, load};
+use crate::machines::{self, ancf14, clamp, design};
+use crate::running::{value, vector};
+use ancf14::fmi::Model;
+use ancf14::math::rotation::rotation_vector_near;
+use ancf14::math::{Mat3, Vec3};
+use ancf14::mechanics::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::ancf24::law::Shear;
+use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::beam_design::{BeamDesign, Elements};
+use ancf14::mechanics::centreline::Centreline;
+use ancf14::mechanics::joint::{Joint, weld};
+use ancf14::mechanics::pose::Pose;
+use ancf14::mechanics::sensor::Snapshot;
+use ancf14::model::simulation::Simulation;
+use ancf14::solve::statics::Statics;
+use std::process::Command;
+
+const ANCF24: Elements = Elements::Ancf24 { poisson: false, shear: Shear::Section };
+
+/// Displacement and turn of the end of a beam of 1 m along x of two halves welded end to end, the first one clamped, under a force and moment there.
+fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) -> (Vec3, Vec3) {
+    let mut assembly = Assembly::default();
+    let [first, second] = [0, 1].map(|half| {
+        let from = Vec3::x() * (0.5 * half as f64);
+        let line = Centreline::straight(from, from + Vec3::x() * 0.5, elements);
+        assembly.add_beam(&BeamDesign { line, elements: kinds[half], ..design(["first", "second"][half], 1) })
+    });
+    clamp(&mut assembly, first);
+    let pose = Pose { place: Vec3::x() * 0.5, axes: Mat3::identity() };
+    let [a, b] =
+        [assembly.section_at(first, 1.0), assembly.section_at(second, 0.0)].map(|side| assembly.tied(&side, &pose));
+    assembly.add_joint(Joint { name: "seam".into(), a, b, primitives: weld::PRIMITIVES, drive: None });
+    // What is tied is rigid: on a section that is not, a torque works on r_y alone and turns it against r_z (MECHANICS 10.7).
+    assembly.tied(&assembly.section_at(second, 1.0), &pose);
+    machines::load(&mut assembly, second, 1.0, force, moment);
+    assembly.add_sensor(second, 1.0);
+    let (system, mut state) = assembly.finish(Vec3::zeros());
+    Statics::new(&system, 1e-12).unwrap().find(&system, &mut state, 1.0).unwrap();
+    let mut snapshot = Snapshot::default();
+    let pose = system.sensors[0].marker.pose(&snapshot.of(&system, &state));
+    (pose.place - Vec3::x(), rotation_vector_near(&pose.axes, &Vec3::zeros()))
+}
+
+/// Half ANCF14, half ANCF24, either first: the end moves and turns as that of one beam, whose second half shears besides, `F/(2 G' A)` where it is ANCF24.
+#[test]
+fn beams_of_both_kinds_bend_as_one() {
+    let straight = ancf14(Strain::Small, Twist::Linear);
+    let BeamDesign { material, section, .. } = design("beam", 1);
+    let torsion = material.shear * section.torsion_constant;
+    let shear = torsion * section.area / (section.second_moment_y + section.second_moment_z);
+    let (of_y, of_z) = (material.young * section.second_moment_z, material.young * section.second_moment_y);
+    // Strains of 1e-8, whose squares are lost in the tolerances.
+    let size = 1e-3;
+    for kinds in [[straight, ANCF24], [ANCF24, straight]] {
+        let extrapolated = |force: Vec3, moment: Vec3| {
+            let [coarse, fine] = [4, 8].map(|elements| end_of_two(kinds, elements, force, moment));
+            (
+                (fine.0 * 4.0 - coarse.0) / 3.0,
+                (fine.1 * 4.0 - coarse.1) / 3.0,
+                (coarse.0 - fine.0).norm() / fine.0.norm(),
+            )
+        };
+        let zero = Vec3::zeros();
+        for (axis, bending) in [(1, of_y), (2, of_z)] {
+            let (moved, _, change) = extrapolated(Vec3::ith(axis, size), zero);
+            let expected = size / (3.0 * bending) + 0.5 * size / shear;
+            println!("{:?}: along {axis}: {:.1e}, meshes {change:.1e}", kinds[0], moved[axis] / expected - 1.0);
+            assert!(change > 1e-4 && (moved[axis] / expected - 1.0).abs() < 2.0 * change * change);
+        }
+        let (_, turned, _) = extrapolated(zero, Vec3::x() * size);
+        let (_, bent, _) = extrapolated(zero, Vec3::y() * size);
+        let (pulled, ..) = extrapolated(Vec3::x(), zero);
+        let found = [turned[0] * torsion / size, bent[1] * of_z / size, pulled[0] * material.young * section.area];
+        println!("turned, bent, pulled: {found:?}");
+        // Linear, constant, cubic: exact at nodes; Newton's 1e-12 of turns of 1e-6 and of a displacement of 2.5e-8 m.
+        assert!(found.iter().all(|found| (found - 1.0).abs() < 1e-4), "{found:?}");
+    }
+}
+
+/// A clamped arm of ANCF24 with 8 elements, a load at its end and what is put out of it.
+fn arm(line: &str, load: &str, tolerance: &str) -> String {
+    format!(
+        r#"format = 1
+[model]
+name = "Arm"
+[material.steel]
+young = 2e11
+shear = 8e10
+density = 7800
+[section.bar]
+shape = "rectangle"
+width = 0.01
+height = 0.02
+[beam.arm]
+material = "steel"
+section = "bar"
+element = "ancf24"
+{line}
+[joint.root]
+type = "weld"
+a = "ground"
+b = "arm.start"
+[load.tip]
+at = "arm.end"
+{load}
+[output.end]
+at = "arm.end"
+quantities = ["displacement", "rotation", "twist", "position"]
+[output.inside]
+at = "arm@0.3125"
+quantities = ["section_force", "section_moment", "curvature", "torsion", "axial_strain"]
+[output.foot]
+at = "arm.start"
+quantities = ["section_moment"]
+[output.clamp]
+at = "root"
+quantities = ["reaction_force", "reaction_moment"]
+[simulation]
+analysis = "static"
+stop = 1.0
+step = 0.25
+output_step = 0.25
+tolerance = {tolerance}
+"#
+    )
+}
+
+const STRAIGHT: &str = "elements = 8\nfrom = [0, 0, 0]\nto = [1, 0, 0]";
+
+/// The clamp bears the load and its moment about it, at the deformed place, 7 cm away from where it was drawn: loads are in balance with the reactions,
+/// whatever the mesh. The tolerance is the round-off of places, 1e-16 m, times the 1e7 N/m of an element's shear, and some.
+#[test]
+fn a_clamp_bears_the_loads() {
+    let (force, moment) = (Vec3::new(30.0, 60.0, -80.0), Vec3::new(8.0, -5.0, 6.0));
+    let text = arm(STRAIGHT, "force = [\"30*t\", \"60*t\", \"-80*t\"]\nmoment = [\"8*t\", \"-5*t\", \"6*t\"]", "1e-11");
+    let mut simulation = load(&text, &[]);
+    for share in [0.25, 0.5, 0.75, 1.0] {
+        simulation.advance(share).unwrap();
+        let place = vector(&simulation, "end.position");
+        let [own_force, own_moment] =
+            ["force", "moment"].map(|what| vector(&simulation, &format!("clamp.reaction_{what}")));
+        let demanded = (place.cross(&force) + moment) * share;
+        let errors = [(own_force + force * share).norm(), (own_moment + demanded).norm()];
+        println!("{share}: end at {:.3?}, errors {errors:?}", place.as_slice());
+        assert!(errors[0] < 1e-8 && errors[1] < 1e-8, "{errors:?}");
+    }
+    assert!((vector(&simulation, "end.position") - Vec3::x()).norm() > 0.05);
+}
+
+/// In the small: force and moments at the middle of an element, where linear sections have the moment of the load exactly, and of pure moments anywhere;
+/// and their strains by the law. The bound is the square of the end's turn, 1e-3, and Newton's.
+#[test]
+fn sections_bear_the_loads() {
+    let (e, g) = (2e11, 8e10);
+    let torsion = {
+        let section = ancf14::mechanics::section::Section::rectangle(0.01, 0.02);
+        g * section.torsion_constant
+    };
+    let (of_y, of_z) = (e * 0.01 * 0.02_f64.powi(3) / 12.0, e * 0.02 * 0.01_f64.powi(3) / 12.0);
+    let lever = 1.0 - 0.3125;
+    // Load; axial force, torque, moments about y and z.
+    let cases = [
+        ("force = [\"100*t\", 0, 0]", [100.0, 0.0, 0.0, 0.0]),
+        ("moment = [\"0.1*t\", 0, 0]", [0.0, 0.1, 0.0, 0.0]),
+        ("force = [0, \"0.2*t\", 0]", [0.0, 0.0, 0.0, 0.2 * lever]),
+        ("force = [0, 0, \"0.2*t\"]", [0.0, 0.0, -0.2 * lever, 0.0]),
+        ("moment = [0, \"0.2*t\", 0]", [0.0, 0.0, 0.2, 0.0]),
+        ("moment = [0, 0, \"0.2*t\"]", [0.0, 0.0, 0.0, 0.2]),
+    ];
+    for (text, expected) in cases {
+        let mut simulation = load(&arm(STRAIGHT, text, "1e-13"), &[]);
+        simulation.advance(1.0).unwrap();
+        let moment = vector(&simulation, "inside.section_moment");
+        let found = [value(&simulation, "inside.section_force"), moment[0], moment[1], moment[2]];
+        let strains = [
+            value(&simulation, "inside.axial_strain") * e * 2e-4,
+            value(&simulation, "inside.torsion") * torsion,
+            value(&simulation, "inside.curvature[1]") * of_y,
+            value(&simulation, "inside.curvature[2]") * of_z,
+        ];
+        println!("{text}: {found:?}, by strains {strains:?}");
+        let scale = expected.iter().fold(0.2, |size, own| f64::max(size, f64::abs(*own)));
+        for list in [found, strains] {
+            for (found, expected) in list.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-3 * scale, "{text}: {list:?}");
+            }
+        }
+        if text.starts_with("moment") {
+            let foot = vector(&simulation, "foot.section_moment");
+            assert!((foot - moment).norm() < 1e-3 * scale, "{text}: {foot}");
+        }
+    }
+}
+
+/// Two pieces, 1 m along x and 3 m along y, with a load across their plane at the end: bending, torsion of the first, shear of both, by hand.
+#[test]
+fn a_corner_carries_its_load() {
+    let (force, e) = (1e-3, 2e11);
+    let section = ancf14::mechanics::section::Section::rectangle(0.01, 0.02);
+    let torsion = 8e10 * section.torsion_constant;
+    let bending = e * section.second_moment_y;
+    let shear = torsion * section.area / (section.second_moment_y + section.second_moment_z);
+    let (a, b) = (1.0_f64, 3.0_f64);
+    let expected = force * ((a.powi(3) + b.powi(3)) / (3.0 * bending) + a * b * b / torsion + (a + b) / shear);
+    let [coarse, fine] = [16, 32].map(|elements| {
+        let line =
+            format!("elements = {elements}\ncurve = {{ points = [[0, 0, 0], [1, 0, 0], [1, 3, 0]], polyline = true }}");
+        let curves = Curves::run(&arm(&line, "force = [0, 0, \"1e-3*t\"]", "1e-13"), &[]);
+        let reaction = [curves.last("clamp.reaction_moment[1]"), curves.last("clamp.reaction_moment[2]")];
+        // Places that the load moves by 1e-4 m.
+        assert!((reaction[0] + force * b).abs() < 1e-6 && (reaction[1] - force * a).abs() < 1e-6, "{reaction:?}");
+        let turn = curves.last("end.twist") * torsion / (force * a * b) - 1.0;
+        assert!(turn.abs() < 1e-4, "{turn:e}");
+        curves.last("end.displacement[3]")
+    });
+    let (limit, change) = ((4.0 * fine - coarse) / 3.0, (fine - coarse) / fine);
+    println!("corner: {:.1e} beside the limit, meshes {change:.1e}", limit / expected - 1.0);
+    // The squares of turns of 1e-3 beside.
+    assert!(change > 1e-4 && (limit / expected - 1.0).abs() < 2.0 * change * change + 1e-6);
+}
+
+const CANTILEVER: &str = include_str!("../../models/cantilever.toml");
+
+/// `--set arm.element=ancf24` leaves aside what the file says for the other kind; what the file itself says of both, or what is set of both, is a mistake.
+#[test]
+fn the_element_is_set_from_outside() {
+    let text =
+        CANTILEVER.replace("elements = 8", "elements = 8\nstrain = \"small\"\ntwist = \"quadratic\"\ntorsion = false");
+    let load = |text: &str, overrides: &[(&str, &str)]| {
+        let list: Vec<_> = overrides.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
+        Simulation::load("m.toml", text, &list).map_err(|failure| failure.message)
+    };
+    let simulation = load(&text, &[("arm.element", "ancf24")]).unwrap();
+    assert_eq!(machines::ancf24_elements(simulation.system()).count(), 8);
+    let back = text.replace("elements = 8", "elements = 8\nelement = \"ancf24\"\nancf24_poisson = true");
+    let mistakes = [
+        (load(&back, &[]), "`strain` belongs to element = \"ancf14\""),
+        (load(&text, &[("arm.element", "ancf24"), ("arm.twist", "linear")]), "`twist` belongs to element = \"ancf14\""),
+        (load(&text, &[("arm.ancf24_shear", "continuum")]), "`ancf24_shear` belongs to element = \"ancf24\""),
+    ];
+    for (result, expected) in mistakes {
+        let message = result.map(|_| ()).unwrap_err();
+        assert!(message.contains(expected), "{message}");
+    }
+    let back = back.replace("strain = \"small\"\ntwist = \"quadratic\"\ntorsion = false", "");
+    let simulation = load(&back, &[("arm.element", "ancf14")]).unwrap();
+    assert_eq!(machines::ancf14_elements(simulation.system()).count(), 8);
+}
+
+/// `ancf14 modes` with `--set arm.element=ancf24`: the first mode's frequency and its shape, moving by one at the end and turning there by 1.3765/L (Euler and
+/// Bernoulli), within the 3e-3 of eight elements of order 2 and of shear, 1e-5.
+#[test]
+fn the_modes_command_knows_sections() {
+    let directory = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_ancf14"))
+        .current_dir(directory.path())
+        .arg("modes")
+        .arg(format!("{}/models/cantilever.toml", env!("CARGO_MANIFEST_DIR")))
+        .args(["--set", "arm.element=ancf24", "--count", "2", "--out", "."])
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = |name: &str| {
+        let text = std::fs::read_to_string(directory.path().join(name)).unwrap();
+        text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect::<Vec<Vec<String>>>()
+    };
+    let (list, shapes) = (read("modes.csv"), read("shapes.csv"));
+    let exact = 1.875_104_f64.powi(2) * (2.1e11 * 0.005_f64.powi(2) / 12.0 / 7850.0).sqrt();
+    let omega: f64 = list[1][3].parse().unwrap();
+    // Nine nodes; the last one's displacement along z and turn about y.
+    assert_eq!((shapes.len(), shapes[9][1].as_str()), (1 + 2 * 9, "arm.node[8]"));
+    let [moved, turned]: [f64; 2] = [7, 9].map(|place| shapes[9][place].parse().unwrap());
+    println!("frequency {:.1e}, moves by {moved}, turns by {turned}", omega / exact - 1.0);
+    assert!((omega / exact - 1.0).abs() < 1e-2 && (moved.abs() - 1.0).abs() < 1e-12);
+    assert!((turned / moved / -1.3765 - 1.0).abs() < 1e-2);
+}
