@@ -16,6 +16,7 @@ use ancf14::mechanics::beam_design::{BeamDesign, Elements};
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::joint::{Joint, weld};
 use ancf14::mechanics::pose::Pose;
+use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::statics::Statics;
@@ -114,7 +115,7 @@ at = "arm.end"
 quantities = ["displacement", "rotation", "twist", "position"]
 [output.inside]
 at = "arm@0.3125"
-quantities = ["section_force", "section_moment", "curvature", "torsion", "axial_strain"]
+quantities = ["section_force", "section_moment", "curvature", "torsion", "axial_strain", "stress"]
 [output.foot]
 at = "arm.start"
 quantities = ["section_moment"]
@@ -158,10 +159,8 @@ fn a_clamp_bears_the_loads() {
 #[test]
 fn sections_bear_the_loads() {
     let (e, g) = (2e11, 8e10);
-    let torsion = {
-        let section = ancf14::mechanics::section::Section::rectangle(0.01, 0.02);
-        g * section.torsion_constant
-    };
+    let section = Section::rectangle(0.01, 0.02);
+    let torsion = g * section.torsion_constant;
     let (of_y, of_z) = (e * 0.01 * 0.02_f64.powi(3) / 12.0, e * 0.02 * 0.01_f64.powi(3) / 12.0);
     let lever = 1.0 - 0.3125;
     // Load; axial force, torque, moments about y and z.
@@ -191,6 +190,12 @@ fn sections_bear_the_loads() {
                 assert!((found - expected).abs() < 1e-3 * scale, "{text}: {list:?}");
             }
         }
+        // The largest stress of the outline: tension and bending by the section's moduli, torque by its own times √3 (von Mises).
+        let [force, torque, about_y, about_z] = expected.map(f64::abs);
+        let normal =
+            force / section.area + about_y * 0.01 / section.second_moment_y + about_z * 0.005 / section.second_moment_z;
+        let stress = normal.hypot(3.0_f64.sqrt() * torque / section.outline.torsion_modulus().unwrap());
+        assert!((value(&simulation, "inside.stress") / stress - 1.0).abs() < 1e-3, "{text}");
         if text.starts_with("moment") {
             let foot = vector(&simulation, "foot.section_moment");
             assert!((foot - moment).norm() < 1e-3 * scale, "{text}: {foot}");
@@ -198,11 +203,30 @@ fn sections_bear_the_loads() {
     }
 }
 
+/// A load along the beam against its weight cancels it to round-off, in all coordinates; and the weight is that of its mass.
+#[test]
+fn a_load_along_a_beam_cancels_its_weight() {
+    let weight = 7800.0 * 2e-4 * 9.81;
+    let gravity = |text: String| text.replace("name = \"Arm\"", "name = \"Arm\"\ngravity = [0, 0, -9.81]");
+    let hanging = gravity(arm(STRAIGHT, "force = [0, 0, 0]", "1e-13"));
+    let lifted =
+        hanging.replace("at = \"arm.end\"\nforce = [0, 0, 0]", &format!("on = \"arm\"\nforce = [0, 0, {weight}]"));
+    let [hanging, lifted] = [hanging, lifted].map(|text| {
+        let mut simulation = load(&text, &[]);
+        simulation.advance(1.0).unwrap();
+        ["end.displacement", "clamp.reaction_force"].map(|name| vector(&simulation, name))
+    });
+    println!("hanging {hanging:?}, lifted {lifted:?}");
+    // Clamped, at the deformed place: the reaction is all of the weight. Round-off of 15 N, on a compliance of 2.5e-4 m/N.
+    assert!(hanging[0].norm() > 1e-4 && (hanging[1] - Vec3::z() * weight).norm() < 1e-9);
+    assert!(lifted[0].norm() < 1e-13 && lifted[1].norm() < 1e-9);
+}
+
 /// Two pieces, 1 m along x and 3 m along y, with a load across their plane at the end: bending, torsion of the first, shear of both, by hand.
 #[test]
 fn a_corner_carries_its_load() {
     let (force, e) = (1e-3, 2e11);
-    let section = ancf14::mechanics::section::Section::rectangle(0.01, 0.02);
+    let section = Section::rectangle(0.01, 0.02);
     let torsion = 8e10 * section.torsion_constant;
     let bending = e * section.second_moment_y;
     let shear = torsion * section.area / (section.second_moment_y + section.second_moment_z);

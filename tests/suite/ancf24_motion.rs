@@ -3,13 +3,15 @@
 
 use crate::ancf24_oracle::{self as oracle, DAMPING, LAWS};
 use crate::dynamics::{free, spinning_design};
-use crate::machines::{energies, integrate, march};
+use crate::machines::{design, energies, integrate, march};
 use crate::random::Random;
 use ancf14::math::rotation::rotation_matrix;
+use ancf14::math::vectors::{set_vec3, vec3};
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::ancf24::damping;
 use ancf14::mechanics::ancf24::law::Shear;
 use ancf14::mechanics::beam_design::{BeamDesign, Elements};
+use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::solve::generalized_alpha::GeneralizedAlpha;
@@ -181,6 +183,28 @@ fn generalized_alpha_loses_little() {
         });
         for (coarse, fine) in found[0].into_iter().zip(found[1]) {
             assert!((2.0..6.0).contains(&(coarse / fine)), "{found:?}");
+        }
+    }
+}
+
+/// A section that is turned by more than 143 degrees, `1 + cos = 0.2`, against the other end of its element is told, before what is linear between them
+/// vanishes in the middle: bent or twisted, whichever it is.
+#[test]
+fn too_much_turning_in_an_element_is_told() {
+    let (system, drawn) = free(&BeamDesign { elements: KINDS[0], ..design("beam", 1) });
+    let told = |turn: &Vec3| {
+        let mut state = drawn.clone();
+        for place in [15, 18, 21] {
+            let turned = rotation_matrix(turn) * vec3(&state.q, place);
+            set_vec3(&mut state.q, place, &turned);
+        }
+        system.mesh.elements[0].distortion(&Snapshot::default().of(&system, &state))
+    };
+    let limit = (-0.8_f64).acos();
+    for (axis, word) in [(Vec3::x(), "twisted"), (Vec3::y(), "bent"), (Vec3::z(), "bent")] {
+        for sign in [1.0, -1.0] {
+            assert_eq!(told(&(axis * sign * (limit - 0.01))), None);
+            assert_eq!(told(&(axis * sign * (limit + 0.01))), Some(word));
         }
     }
 }

@@ -38,8 +38,6 @@ pub type Dual = Dual2SVec64<ALL>;
 /// Two elements of two beams (nodes 0, 1 and 2, 3), one of ANCF24 (nodes 4, 5) with sheared and stretched sections, a body whose directors are
 /// not orthonormal, a moving frame and a drive, in a random state.
 pub struct Machine {
-    /// Of ANCF14.
-    pub elements: [Element; 2],
     pub mesh: Mesh,
     pub q: SVector<f64, COUNT>,
     pub velocity: SVector<f64, COUNT>,
@@ -73,9 +71,12 @@ impl Machine {
         let framed = (0..4).map(|frame| Node::Ancf14 { start: NODE * frame, frame });
         let unframed = (0..2).map(|node| Node::Ancf24 { start: SECTIONS + ancf24::coordinates::NODE * node });
         let nodes = framed.chain(unframed).collect();
-        let mut all = [&first, &second].map(|element| formulation::Element::Ancf14(element.clone())).to_vec();
-        all.push(formulation::Element::Ancf24(third));
-        let mesh = Mesh { nodes, elements: all, framed: (0..4).map(|frame| NODE * frame).collect(), branches: 2 };
+        let elements = vec![
+            formulation::Element::Ancf14(first),
+            formulation::Element::Ancf14(second),
+            formulation::Element::Ancf24(third),
+        ];
+        let mesh = Mesh { nodes, elements, framed: (0..4).map(|frame| NODE * frame).collect(), branches: 2 };
         let mut any = || Pose { place: random.vector(), axes: Mat3::from_fn(|_, _| random.signed()) };
         let (velocity, acceleration) = (any(), any());
         let pose = Pose { place: random.vector(), axes: random.rotation() };
@@ -83,7 +84,7 @@ impl Machine {
         let drive = Jet { value: random.signed(), first: random.signed(), second: random.signed() };
         let prescribed = Prescribed { drives: vec![drive], frames: vec![frame] };
         let velocity = SVector::from_fn(|_, _| random.signed());
-        Self { elements: [first, second], mesh, q, velocity, triads, holonomy, frames, prescribed }
+        Self { mesh, q, velocity, triads, holonomy, frames, prescribed }
     }
 
     pub fn configuration(&self) -> Configuration<'_> {
