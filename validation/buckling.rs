@@ -4,8 +4,8 @@ use super::{Section, dots, line, plot, points, shapes, study};
 use crate::curves::{Curves, largest};
 use std::fmt::Write;
 
-const MODEL: &str = include_str!("../models/lateral_buckling.toml");
-const REFERENCE: &str = include_str!("../models/lateral_buckling.csv");
+pub const MODEL: &str = include_str!("../models/lateral_buckling.toml");
+pub const REFERENCE: &str = include_str!("../models/lateral_buckling.csv");
 const NO_TORSION: &str = include_str!("../models/lateral_buckling_no_torsion.csv");
 
 /// The step of the runs that count elements, s.
@@ -19,7 +19,7 @@ fn run(elements: u32, overrides: &[(&str, &str)]) -> Curves {
 }
 
 /// When a curve first exceeds a size, between two rows by a line, s.
-fn passes(time: &[f64], values: &[f64], size: f64) -> f64 {
+pub fn passes(time: &[f64], values: &[f64], size: f64) -> f64 {
     let after = values.iter().position(|value| value.abs() > size).unwrap();
     let (low, high) = (values[after - 1].abs(), values[after].abs());
     time[after - 1] + (time[after] - time[after - 1]) * (size - low) / (high - low)

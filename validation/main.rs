@@ -13,10 +13,24 @@ fn main() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     let pictures = docs.join("validation");
     std::fs::create_dir_all(&pictures).unwrap();
-    // Sections named on the command line are printed, and the page is left alone.
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
+    let file = docs.join("validation.md");
+    let present = std::fs::read_to_string(&file).unwrap_or_default();
+    // Sections named on the command line, or all but the timed ones; the others stay as the page has them.
+    let named: Vec<String> = std::env::args().skip(1).collect();
+    for title in &named {
+        assert!(page::CASES.iter().any(|case| case.title == title), "no section is called {title}");
+    }
+    let wanted = |case: &page::Case| match named.is_empty() {
+        true => case.runs != page::Runs::Timed,
+        false => named.iter().any(|title| title == case.title),
+    };
     let mut sections = Vec::new();
-    for case in page::CASES.iter().filter(|case| wanted.is_empty() || wanted.iter().any(|title| title == case.title)) {
+    for case in &page::CASES {
+        let kept = page::part(&present, case.title).filter(|_| !wanted(case));
+        if let Some(text) = kept {
+            sections.push(text.to_owned());
+            continue;
+        }
         println!("{} ...", case.title);
         let section = case.section();
         for (name, chart) in &section.charts {
@@ -24,10 +38,6 @@ fn main() {
         }
         sections.push(section.text);
     }
-    if wanted.is_empty() {
-        std::fs::write(docs.join("validation.md"), page::page(&sections)).unwrap();
-        println!("docs/validation.md and docs/validation/*.svg are written");
-    } else {
-        println!("{}", sections.concat());
-    }
+    std::fs::write(&file, page::page(&sections)).unwrap();
+    println!("docs/validation.md and docs/validation/*.svg are written");
 }

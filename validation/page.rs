@@ -6,6 +6,7 @@ pub mod chart;
 
 mod bend;
 mod buckling;
+mod comparison;
 mod critical;
 mod elastica;
 mod frames;
@@ -33,25 +34,38 @@ pub struct Section {
 pub struct Case {
     /// Its title.
     pub title: &'static str,
-    /// Whether its runs are short: those are repeated by a test.
-    #[allow(dead_code, reason = "a test asks")]
-    pub short: bool,
+    /// What becomes of its runs.
+    pub runs: Runs,
     write: fn(&mut Section),
 }
 
+/// Which runs a section is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Runs {
+    /// Short ones: a test repeats them.
+    Short,
+    /// Long ones.
+    Long,
+    /// Timed ones: no two come out the same, so that they run only where the section is asked for by its title.
+    Timed,
+}
+
 /// All sections in the order of the page.
-pub const CASES: [Case; 11] = [
-    Case { title: "Frames along a curve", short: true, write: frames::write },
-    Case { title: "Helical spring", short: true, write: spring::write },
-    Case { title: "Princeton beam", short: true, write: princeton::write },
-    Case { title: "Unbalanced rotating shaft", short: false, write: shaft::write },
-    Case { title: "Lateral torsional buckling", short: false, write: buckling::write },
-    Case { title: "45-degree bend", short: true, write: bend::write },
-    Case { title: "Elastica", short: true, write: elastica::write },
-    Case { title: "Rolling up to a circle", short: true, write: roll_up::write },
-    Case { title: "Critical torque and force", short: true, write: static_buckling::write },
-    Case { title: "Twisted ring", short: true, write: ring::write },
-    Case { title: "Natural frequencies", short: true, write: frequencies::write },
+pub const CASES: [Case; 14] = [
+    Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
+    Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
+    Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
+    Case { title: "Unbalanced rotating shaft", runs: Runs::Long, write: shaft::write },
+    Case { title: "Lateral torsional buckling", runs: Runs::Long, write: buckling::write },
+    Case { title: "Two elements: equilibria", runs: Runs::Short, write: comparison::equilibria::write },
+    Case { title: "Two elements: motion", runs: Runs::Long, write: comparison::motion::write },
+    Case { title: "Two elements: time", runs: Runs::Timed, write: comparison::time::write },
+    Case { title: "45-degree bend", runs: Runs::Short, write: bend::write },
+    Case { title: "Elastica", runs: Runs::Short, write: elastica::write },
+    Case { title: "Rolling up to a circle", runs: Runs::Short, write: roll_up::write },
+    Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
+    Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
+    Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
 ];
 
 impl Case {
@@ -102,9 +116,18 @@ fn points(across: &[f64], along: &[f64], every: usize) -> Vec<(f64, f64)> {
     across.iter().copied().zip(along.iter().copied()).step_by(every).collect()
 }
 
+/// The section of this title, as a page has it.
+#[allow(dead_code, reason = "the generator asks")]
+pub fn part<'a>(page: &'a str, title: &str) -> Option<&'a str> {
+    let start = page.find(&format!("## {title}\n"))?;
+    let length = page[start..].find("\n## ").map_or(page.len() - start, |end| end + 1);
+    Some(&page[start..start + length])
+}
+
 /// The page of the texts of all sections.
 pub fn page(sections: &[String]) -> String {
-    format!("{HEAD}\n{}", sections.concat().trim_end().to_owned() + "\n")
+    let texts: Vec<&str> = sections.iter().map(|text| text.trim_end()).collect();
+    format!("{HEAD}\n{}\n", texts.join("\n\n"))
 }
 
 /// What stands before the sections.

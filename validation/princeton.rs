@@ -3,17 +3,21 @@
 use super::{Section, dots, line, plot, study};
 use crate::curves::Curves;
 
-const MODEL: &str = include_str!("../models/princeton_beam.toml");
+pub const MODEL: &str = include_str!("../models/princeton_beam.toml");
 const REFERENCE: &str = include_str!("../tests/references/princeton_beam.csv");
 
-struct Tip {
-    weak: f64,
-    stiff: f64,
-    twist: f64,
+/// Where the tip is.
+pub struct Tip {
+    /// In the weak direction, m.
+    pub weak: f64,
+    /// In the stiff direction, m.
+    pub stiff: f64,
+    /// Its twist, rad.
+    pub twist: f64,
 }
 
 /// Rows of the reference: load, angle in degrees, tip.
-fn reference() -> Vec<(f64, f64, Tip)> {
+pub fn reference() -> Vec<(f64, f64, Tip)> {
     let table = Curves::read(REFERENCE);
     let [loads, angles, weak, stiff, twist] =
         ["load", "angle_deg", "y_weak", "z_stiff", "twist_bishop"].map(|name| table.column(name));
@@ -21,23 +25,50 @@ fn reference() -> Vec<(f64, f64, Tip)> {
     (0..loads.len()).map(|k| (loads[k], angles[k], tip(k))).collect()
 }
 
-fn tip(load: f64, angle: f64, elements: u32, twist: &str) -> Tip {
-    let curves = Curves::run(
-        MODEL,
-        &[
-            ("P", &load.to_string()),
-            ("angle_deg", &angle.to_string()),
-            ("arm.elements", &elements.to_string()),
-            ("arm.twist", twist),
-            ("simulation.step", "1"),
-            ("simulation.output_step", "1"),
-        ],
-    );
-    Tip {
-        weak: curves.last("tip.displacement[2]"),
-        stiff: curves.last("tip.displacement[3]"),
-        twist: curves.last("tip.twist"),
+/// The keys of a load, in one step.
+pub fn weight(load: f64, angle: f64) -> [(&'static str, String); 4] {
+    let one = || String::from("1");
+    [
+        ("P", load.to_string()),
+        ("angle_deg", angle.to_string()),
+        ("simulation.step", one()),
+        ("simulation.output_step", one()),
+    ]
+}
+
+impl Tip {
+    /// At the end of a run.
+    pub fn of(curves: &Curves) -> Self {
+        Self {
+            weak: curves.last("tip.displacement[2]"),
+            stiff: curves.last("tip.displacement[3]"),
+            twist: curves.last("tip.twist"),
+        }
     }
+}
+
+/// A component of the tip: its short name, its name, its unit, its value.
+pub type Component = (&'static str, &'static str, &'static str, fn(&Tip) -> f64);
+
+/// What is compared.
+pub const COMPONENTS: [Component; 3] = [
+    ("weak", "displacement in the weak direction", "m", |tip| tip.weak),
+    ("stiff", "displacement in the stiff direction", "m", |tip| tip.stiff),
+    ("twist", "twist", "rad", |tip| tip.twist),
+];
+
+/// Largest error of a component over all cases of the reference, relative to its largest value.
+pub fn error(tips: &[Tip], value: fn(&Tip) -> f64) -> f64 {
+    let reference = reference();
+    let largest = reference.iter().map(|row| value(&row.2).abs()).fold(0.0, f64::max);
+    let errors = reference.iter().zip(tips).map(|(row, tip)| (value(tip) - value(&row.2)).abs() / largest);
+    errors.fold(0.0, f64::max)
+}
+
+fn tip(load: f64, angle: f64, elements: u32, twist: &str) -> Tip {
+    let (elements, weight) = (elements.to_string(), weight(load, angle));
+    let weight = weight.each_ref().map(|(key, value)| (*key, value.as_str()));
+    Tip::of(&Curves::run(MODEL, &[&[("arm.elements", elements.as_str()), ("arm.twist", twist)], &weight[..]].concat()))
 }
 
 pub fn write(section: &mut Section) {
@@ -53,13 +84,7 @@ pub fn write(section: &mut Section) {
     let angles: Vec<f64> = (0..=18).map(|k| 5.0 * f64::from(k)).collect();
     let runs: Vec<Vec<Tip>> =
         loads.iter().map(|load| angles.iter().map(|angle| tip(*load, *angle, 8, "quadratic")).collect()).collect();
-    type Component = (&'static str, &'static str, &'static str, fn(&Tip) -> f64);
-    let components: [Component; 3] = [
-        ("weak", "displacement in the weak direction", "m", |tip| tip.weak),
-        ("stiff", "displacement in the stiff direction", "m", |tip| tip.stiff),
-        ("twist", "twist", "rad", |tip| tip.twist),
-    ];
-    for (name, label, unit, value) in components {
+    for (name, label, unit, value) in COMPONENTS {
         let mut lines = Vec::new();
         for (colour, (load, runs)) in loads.iter().zip(&runs).enumerate() {
             let own = reference.iter().filter(|row| row.0 == *load);
@@ -71,14 +96,11 @@ pub fn write(section: &mut Section) {
         section.picture(&format!("princeton_{name}"), plot(&format!("Princeton beam: {label}"), axes, lines));
     }
     section.say("Largest error over all 21 cases, relative to the largest value of the same component:");
-    for (_, label, _, value) in components {
-        let largest = reference.iter().map(|row| value(&row.2).abs()).fold(0.0, f64::max);
+    for (_, label, _, value) in COMPONENTS {
         section.say(&format!("*{label}*"));
         let error = |elements: u32, twist: &str| {
-            let errors = reference.iter().map(|(load, angle, exact)| {
-                (value(&tip(*load, *angle, elements, twist)) - value(exact)).abs() / largest
-            });
-            errors.fold(0.0, f64::max)
+            let tips: Vec<Tip> = reference.iter().map(|(load, angle, _)| tip(*load, *angle, elements, twist)).collect();
+            error(&tips, value)
         };
         section.say(&study::twists(&[2, 4, 8, 16], error));
     }

@@ -4,8 +4,8 @@ use super::{Section, dots, line, plot, points, study};
 use crate::curves::{Curves, largest};
 use std::f64::consts::PI;
 
-const MODEL: &str = include_str!("../models/rotating_shaft.toml");
-const REFERENCE: &str = include_str!("../models/rotating_shaft.csv");
+pub const MODEL: &str = include_str!("../models/rotating_shaft.toml");
+pub const REFERENCE: &str = include_str!("../models/rotating_shaft.csv");
 
 /// The step of the runs that count elements, s: fine enough to leave the elements' own error.
 const STEP: &str = "2.5e-4";
@@ -15,7 +15,7 @@ fn run(elements: u32, overrides: &[(&str, &str)]) -> Curves {
 }
 
 /// Largest difference of y and z up to `until`, over the larger range of the two.
-fn error(curves: &Curves, reference: &Curves, until: f64) -> f64 {
+pub fn error(curves: &Curves, reference: &Curves, until: f64) -> f64 {
     let range = f64::max(largest(&reference.column("y")), largest(&reference.column("z")));
     let difference =
         |own: &str, other: &str| curves.difference(&curves.column(own), &reference.column(other), until) / range;

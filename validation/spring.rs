@@ -5,7 +5,7 @@ use crate::curves::Curves;
 use ancf14::math::Vec3;
 use ancf14::math::integral::integral;
 
-const MODEL: &str = include_str!("../models/helical_spring.toml");
+pub const MODEL: &str = include_str!("../models/helical_spring.toml");
 const REFERENCE: &str = include_str!("../tests/references/helical_spring.csv");
 
 /// Breaks of the printed curve.
@@ -56,18 +56,18 @@ fn stiffness(model: &str, overrides: &[(&str, &str)]) -> f64 {
     2.0 * secant("5e-5") - secant("1e-4")
 }
 
-/// Pull and force at the pulls of the reference.
-fn pulled(elements: u32, twist: &str) -> Curves {
-    let elements = elements.to_string();
-    Curves::run(
-        MODEL,
-        &[
-            ("coil.elements", &elements),
-            ("coil.twist", twist),
-            ("simulation.step", "0.125"),
-            ("simulation.output_step", "0.125"),
-        ],
-    )
+/// Steps that meet the pulls of the reference.
+pub const STEPS: [(&str, &str); 2] = [("simulation.step", "0.125"), ("simulation.output_step", "0.125")];
+
+/// Largest error of the force, relative, at the pulls that both have.
+pub fn force_error(curves: &Curves) -> f64 {
+    let reference = Curves::read(REFERENCE);
+    let (own, found) = (curves.column("puller_force.distance"), curves.column("puller_force.effort"));
+    let errors = reference.time.iter().zip(reference.column("force_N")).filter_map(|(pull, force)| {
+        let row = own.iter().position(|own| (own - pull).abs() < 1e-9)?;
+        Some((found[row] / force - 1.0).abs())
+    });
+    errors.fold(0.0, f64::max)
 }
 
 pub fn write(section: &mut Section) {
@@ -112,13 +112,11 @@ pub fn write(section: &mut Section) {
     section.say(&study::twists(&[20, 40, 80], error));
     section.say("Largest error of the force, relative, from 5 to 40 mm:");
     let error = |elements: u32, twist: &str| {
-        let curves = pulled(elements, twist);
-        let (own, found) = (curves.column("puller_force.distance"), curves.column("puller_force.effort"));
-        let errors = pulls.iter().zip(&forces).filter_map(|(pull, force)| {
-            let row = own.iter().position(|own| (own - pull).abs() < 1e-9)?;
-            Some((found[row] / force - 1.0).abs())
-        });
-        errors.fold(0.0, f64::max)
+        let elements = elements.to_string();
+        force_error(&Curves::run(
+            MODEL,
+            &[&[("coil.elements", elements.as_str()), ("coil.twist", twist)], &STEPS[..]].concat(),
+        ))
     };
     section.say(&study::twists(&[20, 40], error));
     section.say("Straight elements, welded at the corners (`polyline = true`), are an inscribed polygon. Error of the initial stiffness, relative:");

@@ -34,18 +34,22 @@ impl Curves {
 
     /// A model file, run with overrides to its stop time, a row per output step.
     pub fn run(text: &str, overrides: &[(&str, &str)]) -> Self {
-        let mut simulation = load(text, overrides);
+        Self::record(&mut load(text, overrides))
+    }
+
+    /// An initialized simulation, run to its stop time, a row per output step.
+    pub fn record(simulation: &mut Simulation) -> Self {
         let names = simulation.variables().iter().map(|variable| variable.name.clone()).collect();
         let (stop, step) = (simulation.about().stop, simulation.about().output_step);
         let row = |simulation: &Simulation| -> Vec<f64> {
             (0..simulation.variables().len()).map(|reference| simulation.value(reference).number()).collect()
         };
-        let mut curves = Self { names, time: vec![0.0], rows: vec![row(&simulation)] };
+        let mut curves = Self { names, time: vec![0.0], rows: vec![row(simulation)] };
         for number in 1..=(stop / step).round() as u32 {
             let time = f64::from(number) * step;
             simulation.advance(time).unwrap_or_else(|failure| panic!("{}", failure.message));
             curves.time.push(time);
-            curves.rows.push(row(&simulation));
+            curves.rows.push(row(simulation));
         }
         curves
     }
