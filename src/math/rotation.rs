@@ -29,6 +29,11 @@ pub fn normal_projector(t: &Vec3) -> Mat3 {
     Mat3::identity() - t * t.transpose()
 }
 
+/// Angle of the turn between two triads, rad, 0 to pi.
+pub fn rotation_angle(a: &Mat3, b: &Mat3) -> f64 {
+    (0.5 * (a.tr_mul(b).trace() - 1.0)).clamp(-1.0, 1.0).acos()
+}
+
 /// The rotation matrix of a rotation vector, rad.
 pub fn rotation_matrix(vector: &Vec3) -> Mat3 {
     Rotation3::from_scaled_axis(*vector).into_inner()

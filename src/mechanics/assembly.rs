@@ -1,6 +1,6 @@
 //! Puts a machine together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
-use super::ancf14::frame::{NodeFrame, Triad};
+use super::ancf14::frame::NodeFrame;
 use super::beam_design::{BeamDesign, Elements};
 use super::centreline::Station;
 use super::configuration::Configuration;
@@ -20,6 +20,7 @@ use super::spring::Spring;
 use super::state::{Accelerations, State, Statistics};
 use super::system::{Beam, System};
 use super::transmission::Transmission;
+use super::triad::Triad;
 use super::{ancf14, ancf24};
 use crate::math::jet::Jet;
 use crate::math::vectors::vec3;

@@ -1,9 +1,10 @@
 //! The nodes and elements of all beams, and where their coordinates are.
 
 use super::ancf14::coordinates::NODE;
-use super::ancf14::frame::{NodeFrame, Triad};
+use super::ancf14::frame::NodeFrame;
 use super::formulation::Element;
 use super::node::Node;
+use super::triad::Triad;
 
 /// Nodes and elements.
 #[derive(Clone, Debug, Default, PartialEq)]

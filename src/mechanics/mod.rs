@@ -40,3 +40,4 @@ pub mod spring;
 pub mod state;
 pub mod system;
 pub mod transmission;
+pub mod triad;

@@ -7,6 +7,7 @@ use super::configuration::Configuration;
 use super::marker::{MarkerMatrix, Motion};
 use super::pose::Pose;
 use crate::math::Vec3;
+use crate::math::rotation::rotation_angle;
 use crate::math::vectors::vec3;
 use std::ops::Range;
 
@@ -53,6 +54,17 @@ impl Node {
             Self::Ancf24 { start } => SectionFrame::of_node(&c.q[start..]).axes,
         };
         Pose { place: self.place(c.q), axes }
+    }
+
+    /// How far the section has turned from the coordinates `before` to `after`, rad; 0 where no coordinate but an angle turns it.
+    pub fn section_turn(&self, before: &[f64], after: &[f64]) -> f64 {
+        match *self {
+            Self::Ancf14 { .. } => 0.0,
+            Self::Ancf24 { start } => {
+                let [before, after] = [before, after].map(|q| SectionFrame::of_node(&q[start..]).axes);
+                rotation_angle(&before, &after)
+            }
+        }
     }
 
     /// How a point `offset` (section axes, m) away moves.

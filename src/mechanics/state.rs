@@ -1,8 +1,8 @@
 //! What changes in time, as plain data: to save, restore and repeat is to clone this.
 
-use super::ancf14::frame::Triad;
 use super::load::Excitation;
 use super::prescribed::{Prescribed, Targets};
+use super::triad::Triad;
 use crate::math::Vec3;
 
 /// Everything that persists from one step to the next.

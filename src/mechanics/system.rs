@@ -10,7 +10,7 @@ mod words;
 pub use equations::copy_corner;
 pub use motion::{Extreme, PlaceMotion};
 
-use super::ancf14::frame::{NodeFrame, Triad};
+use super::ancf14::frame::NodeFrame;
 use super::ancf14::kinematics::Holonomy;
 use super::configuration::Configuration;
 use super::division::Division;
@@ -27,6 +27,7 @@ use super::sensor::Sensor;
 use super::spring::Spring;
 use super::state::State;
 use super::transmission::Transmission;
+use super::triad::Triad;
 use crate::math::Vec3;
 use std::ops::Range;
 

@@ -8,8 +8,9 @@ use crate::random::Random;
 use ancf14::math::{Vec3, rotation};
 use ancf14::mechanics::ancf14::damping::{self, StrainVector};
 use ancf14::mechanics::ancf14::element::{Element, Evaluation};
-use ancf14::mechanics::ancf14::frame::{NodeFrame, Triad};
+use ancf14::mechanics::ancf14::frame::NodeFrame;
 use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::triad::Triad;
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual, Dual2SVec64, DualSVec64, HyperDualSVec64};
 

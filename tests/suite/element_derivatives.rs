@@ -5,9 +5,10 @@ use crate::oracle;
 use crate::random::Random;
 use ancf14::math::{Vec3, rotation};
 use ancf14::mechanics::ancf14::element::{Element, Evaluation, Place};
-use ancf14::mechanics::ancf14::frame::{NodeFrame, Triad};
+use ancf14::mechanics::ancf14::frame::NodeFrame;
 use ancf14::mechanics::ancf14::quadratic_twist::Twist;
 use ancf14::mechanics::ancf14::strain::{Stiffness, Strain};
+use ancf14::mechanics::triad::Triad;
 use nalgebra::SVector;
 use num_dual::Dual2SVec64;
 

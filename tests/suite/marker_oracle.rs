@@ -9,7 +9,7 @@ use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::ancf14::coordinates::NODE;
 use ancf14::mechanics::ancf14::element::{Element, Place};
-use ancf14::mechanics::ancf14::frame::{NodeFrame, Triad};
+use ancf14::mechanics::ancf14::frame::NodeFrame;
 use ancf14::mechanics::ancf14::strain::Strain;
 use ancf14::mechanics::ancf24;
 use ancf14::mechanics::configuration::Configuration;
@@ -20,6 +20,7 @@ use ancf14::mechanics::mesh::Mesh;
 use ancf14::mechanics::node::Node;
 use ancf14::mechanics::pose::Pose;
 use ancf14::mechanics::prescribed::{MovingPose, Prescribed};
+use ancf14::mechanics::triad::Triad;
 use nalgebra::{SMatrix, SVector};
 use num_dual::Dual2SVec64;
 

@@ -3,8 +3,8 @@
 //! vectors in space instead of components, no derivative by hand.
 
 use ancf14::mechanics::ancf14::element::Element;
-use ancf14::mechanics::ancf14::frame::Triad;
 use ancf14::mechanics::ancf14::strain::Strain;
+use ancf14::mechanics::triad::Triad;
 use num_dual::DualNum;
 
 /// Any dual number over f64.

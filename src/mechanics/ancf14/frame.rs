@@ -5,29 +5,7 @@ use crate::math::rotation::{carry, half_turn, half_turn_by_second, normal_projec
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::marker::{ByCoordinates, MarkerMatrix};
-
-/// A node's reference triad, constant during a step: tangent `t` and normal `u`, orthonormal; the third axis is `t × u`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Triad {
-    /// Reference tangent, unit.
-    pub t: Vec3,
-    /// Reference normal, unit.
-    pub u: Vec3,
-}
-
-impl Triad {
-    /// The triad with the tangent along `tangent` and `u` as near to `normal` as can be.
-    pub fn new(tangent: &Vec3, normal: &Vec3) -> Self {
-        let t = tangent.normalize();
-        Self { t, u: (normal - t * t.dot(normal)).normalize() }
-    }
-
-    /// The triad at the unit tangent `tangent`, carried there by one minimal rotation (2.3).
-    #[must_use]
-    pub fn carried(&self, tangent: &Vec3) -> Self {
-        Self::new(tangent, &carry(&self.t, tangent, &self.u))
-    }
-}
+use crate::mechanics::triad::Triad;
 
 /// The frame of a node at a configuration, relative to its reference triad.
 #[derive(Clone, Copy, Debug, PartialEq)]

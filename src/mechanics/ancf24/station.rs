@@ -3,7 +3,7 @@
 use super::coordinates::{DIRECTORS, DirectorMatrix, Directors, Interpolation, part};
 use super::strain::{STRAINS_OF, Voigt, VoigtMatrix, products, products_g, tensor, to_local};
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::ancf14::frame::Triad;
+use crate::mechanics::triad::Triad;
 
 /// Fibres of a section: two by two.
 pub const FIBRES: usize = 4;

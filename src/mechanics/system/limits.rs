@@ -1,9 +1,9 @@
 //! What elements, bodies and joints can bear in a step (MECHANICS 2.6, 6, 7.4).
 
 use crate::error::Error;
+use crate::math::rotation::rotation_angle;
 use crate::mechanics::configuration::Configuration;
 use crate::mechanics::gauge::Measure;
-use crate::mechanics::pose::Pose;
 use crate::mechanics::rigid_body;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
@@ -20,11 +20,6 @@ const DRIVE_GAP: f64 = 0.1;
 
 /// Largest turn of a bushing, degrees: its rotation vector has no direction at half a turn.
 const LARGEST_BUSHING_ANGLE: f64 = 170.0;
-
-/// Angle of the turn between two poses, rad.
-fn rotation_angle(a: &Pose, b: &Pose) -> f64 {
-    (0.5 * (a.axes.tr_mul(&b.axes).trace() - 1.0)).clamp(-1.0, 1.0).acos()
-}
 
 impl System {
     /// The first beam with truncated strain that is twisted beyond half of what that energy bears: its name, twist rate and bound, rad/m.
@@ -55,10 +50,10 @@ impl System {
     }
 
     /// Checks what elements, bodies and joints can bear at the end `c` of a step or increment from `state`; `turn` is the
-    /// largest turn of a tangent or a body, rad.
+    /// largest turn of a tangent, a section or a body, rad.
     ///
     /// # Errors
-    /// A tangent, a body or an angle turned too far, an element is bent or twisted too far, a slope is out of range, a joint
+    /// A tangent, a section, a body or an angle turned too far, an element is bent or twisted too far, a slope is out of range, a joint
     /// stands the wrong way round.
     pub fn check(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
         self.check_nodes(c, state, turn, time)?;
@@ -78,6 +73,11 @@ impl System {
             let angle = slope.cross(&before).norm().atan2(slope.dot(&before));
             if angle > turn {
                 return Err(Error::Turned { time, place: format!("the tangent at {}", place()), angle, limit: turn });
+            }
+            let angle = node.section_turn(&state.q, c.q);
+            // Not-a-number must fail: `>` alone would let it pass.
+            if angle > turn || angle.is_nan() {
+                return Err(Error::Turned { time, place: format!("the section at {}", place()), angle, limit: turn });
             }
         }
         Ok(())
@@ -109,7 +109,7 @@ impl System {
     fn check_bodies(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
         for body in &self.bodies {
             let (start, end) = (rigid_body::pose(&state.q, body.start), rigid_body::pose(c.q, body.start));
-            let angle = rotation_angle(&start, &end);
+            let angle = rotation_angle(&start.axes, &end.axes);
             // Not-a-number must fail: `>` alone would let it pass.
             if angle > turn || angle.is_nan() {
                 return Err(Error::Turned { time, place: format!("body {}", body.name), angle, limit: turn });
@@ -137,7 +137,7 @@ impl System {
             if !matches!(gauge.measure, Measure::Rotation(_)) {
                 continue;
             }
-            let angle = rotation_angle(&gauge.a.pose(c), &gauge.b.pose(c)).to_degrees();
+            let angle = rotation_angle(&gauge.a.pose(c).axes, &gauge.b.pose(c).axes).to_degrees();
             if angle > LARGEST_BUSHING_ANGLE {
                 return Err(Error::BushingTurned { time, bushing: spring.name.clone(), angle });
             }
