@@ -121,9 +121,14 @@ impl Benchmark {
         self.keys(element, elements, more).iter().map(|keys| Curves::run(self.model, &borrowed(keys))).collect()
     }
 
+    /// The first of its runs, at its start.
+    pub fn start(&self, element: &str, elements: u32, more: &[(&str, &str)]) -> Simulation {
+        load(self.model, &borrowed(&self.keys(element, elements, more)[0]))
+    }
+
     /// How many unknowns it has.
-    pub fn sizes(&self, element: &str, elements: u32) -> Sizes {
-        let simulation: Simulation = load(self.model, &borrowed(&self.keys(element, elements, &[])[0]));
+    pub fn sizes(&self, element: &str, elements: u32, more: &[(&str, &str)]) -> Sizes {
+        let simulation = self.start(element, elements, more);
         let system = simulation.system();
         Sizes { coordinates: system.coordinates(), unknowns: system.coordinates() + system.constraints() }
     }
@@ -141,7 +146,7 @@ fn borrowed(keys: &[(String, String)]) -> Vec<(&str, &str)> {
 
 /// A row of the table of the same mesh; `runs` are those of both elements.
 pub fn same_mesh(benchmark: &Benchmark, runs: [&[Curves]; 2]) -> String {
-    let sizes = ELEMENTS.map(|element| benchmark.sizes(element, benchmark.mesh));
+    let sizes = ELEMENTS.map(|element| benchmark.sizes(element, benchmark.mesh, &[]));
     let [own, other] = runs.map(|runs| (iterations(benchmark, runs), (benchmark.error)(runs)));
     format!(
         "\n| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
