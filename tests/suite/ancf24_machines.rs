@@ -304,3 +304,48 @@ fn the_modes_command_knows_sections() {
     assert!((omega / exact - 1.0).abs() < 1e-2 && (moved.abs() - 1.0).abs() < 1e-12);
     assert!((turned / moved / -1.3765 - 1.0).abs() < 1e-2);
 }
+
+/// A section that turns by more than half a radian in a step could end on another root of its joints: the step is halved, and the turn that the
+/// drive prescribes is reached all the same. The tangent of this beam, along the axis of its spin, does not turn at all.
+#[test]
+fn sections_that_turn_too_far_in_a_step_make_it_smaller() {
+    let text = r#"format = 1
+[model]
+name = "Spin"
+[material.steel]
+young = 2.1e11
+poisson = 0.3
+density = 7850
+[section.flat]
+shape = "rectangle"
+width = 0.02
+height = 0.03
+[beam.bar]
+material = "steel"
+section = "flat"
+from = [0, 0, 0]
+to = [0.5, 0, 0]
+elements = 2
+element = "ancf24"
+angular_velocity = [400, 0, 0]
+[joint.pivot]
+type = "revolute"
+a = "ground"
+b = "bar.start"
+axis = [1, 0, 0]
+[drive.motor]
+joint = "pivot"
+coordinate = "angle"
+value = "400*t"
+[output.turn]
+at = "motor"
+quantities = ["angle"]
+[simulation]
+stop = 0.02
+"#;
+    let run = |step: &str| Curves::run(&format!("{text}step = {step}\noutput_step = 2e-3"), &[]);
+    let (slow, fast) = (run("1e-3"), run("2e-3"));
+    assert_eq!(slow.last("statistics.rejected"), 0.0);
+    assert!(fast.last("statistics.rejected") > 0.0 && fast.last("statistics.steps") > 10.0);
+    assert!((fast.last("turn.angle") - 8.0).abs() < 1e-9);
+}
