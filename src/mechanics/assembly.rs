@@ -39,8 +39,8 @@ pub struct Assembly {
     triads: Vec<Triad>,
     /// Welds of corners, rigidity of tied sections.
     inner_joints: Vec<Joint>,
-    /// Nodes whose sections have been made rigid.
-    stiff_nodes: Vec<usize>,
+    /// Whether the section of a node has been made rigid, by its number; beyond the end: not.
+    stiff_nodes: Vec<bool>,
     drive_joints: Vec<Joint>,
     prescribed: Prescribed,
     targets: Targets,
@@ -149,8 +149,10 @@ impl Assembly {
     pub fn stiffen(&mut self, marker: &Marker) {
         let Marker::Node { node, .. } = marker else { return };
         let Node::Ancf24 { start } = self.system.mesh.nodes[*node] else { return };
-        if !self.stiff_nodes.contains(node) {
-            self.stiff_nodes.push(*node);
+        if self.stiff_nodes.len() <= *node {
+            self.stiff_nodes.resize(node + 1, false);
+        }
+        if !std::mem::replace(&mut self.stiff_nodes[*node], true) {
             let name = format!("the section at {}", self.system.describe_node(*node));
             self.inner_joints.push(ancf24::frame::rigidity(name, start));
         }

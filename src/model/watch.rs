@@ -19,6 +19,8 @@ const ROUND_OFF: f64 = 1e-9;
 pub struct Watch {
     twist_warned: bool,
     energy_warned: bool,
+    /// The integrator damps by itself: the energy may fall.
+    damps: bool,
     /// Total energy at the start, J.
     start: Option<f64>,
     /// Largest kinetic and strain energy so far, J.
@@ -26,10 +28,10 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// Of a run of `document`: an integrator that damps by itself is not watched for its energy.
+    /// Of a run of `document`.
     pub fn new(document: &Document) -> Self {
         let damps = matches!(document.simulation.integrator, Integrator::GeneralizedAlpha { .. });
-        Self { energy_warned: damps, ..Self::default() }
+        Self { damps, ..Self::default() }
     }
 
     /// Looks at a new state with its kinetic, elastic, gravity and total `energies`, J, and says what is odd.
@@ -66,7 +68,9 @@ impl Watch {
             return None;
         }
         let change = total - start;
-        if change.abs() <= ENERGY_BAND * self.largest + ROUND_OFF * (gravity.abs() + total.abs()) {
+        if self.damps && change < 0.0
+            || change.abs() <= ENERGY_BAND * self.largest + ROUND_OFF * (gravity.abs() + total.abs())
+        {
             return None;
         }
         self.energy_warned = true;

@@ -259,6 +259,6 @@ fn a_solid_section_cannot_be_wound_more_sharply_than_it_is_wide() {
     let limit = 0.01 * 12.0_f64.sqrt();
     loaded(0.98 * limit, "ancf24").unwrap();
     let message = loaded(1.02 * limit, "ancf24").unwrap_err();
-    assert!(message.contains("beam arm is bent or pretwisted more sharply than its section is wide"), "{message}");
+    assert!(message.contains("beam arm is bent or pretwisted too sharply for a solid section"), "{message}");
     loaded(1.02 * limit, "ancf14").unwrap();
 }

@@ -201,10 +201,11 @@ impl Formulation for Element {
         let own = self.own(c.q);
         let [first, second] = [0, NODE].map(|node| SectionFrame::of_node(&own[node..]).axes);
         let [t_0, t_1] = [&first, &second].map(|axes| axes.column(0).into_owned());
-        if 1.0 + t_0.dot(&t_1) < SMALLEST_COSINE {
+        let is_far = |cosine: f64| cosine.is_nan() || 1.0 + cosine < SMALLEST_COSINE;
+        if is_far(t_0.dot(&t_1)) {
             return Some("bent");
         }
         let carried = carry(&t_0, &t_1, &first.column(1).into_owned());
-        (1.0 + carried.dot(&second.column(1)) < SMALLEST_COSINE).then_some("twisted")
+        is_far(carried.dot(&second.column(1))).then_some("twisted")
     }
 }

@@ -41,7 +41,7 @@ impl Builder<'_> {
             angular_velocity: vector(document, beam.angular_velocity),
         });
         if let Some(element) = self.assembly.impossible_element(number) {
-            let message = format!("beam {} is bent or pretwisted more sharply than its section is wide", beam.name);
+            let message = format!("beam {} is bent or pretwisted too sharply for a solid section", beam.name);
             let label = format!("element {element}, counted from 0, has fibres without length");
             let help =
                 "element = \"ancf24\" has a solid section: take a slimmer one, more elements, or element = \"ancf14\"";
@@ -129,7 +129,14 @@ impl Builder<'_> {
         let points = match &written.target {
             Target::At(anchor) => {
                 let marker = self.anchored(anchor);
-                self.assembly.stiffen(&marker);
+                // A force acts on the axis alone.
+                let is_zero = |number: &Number| {
+                    let function = self.document.function(*number);
+                    function.is_constant() && function.value(0.0) == 0.0
+                };
+                if written.input || !written.moment.iter().all(is_zero) {
+                    self.assembly.stiffen(&marker);
+                }
                 vec![(marker, 1.0)]
             }
             Target::On(beam) => self.assembly.sections_of(*beam),
