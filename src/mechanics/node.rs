@@ -95,6 +95,15 @@ impl Node {
         }
     }
 
+    /// Those of its coordinates that are directions fixed to its section; none where an angle turns it.
+    pub fn directors(&self) -> Range<usize> {
+        let range = self.coordinates();
+        match self {
+            Self::Ancf14 { .. } => range.end..range.end,
+            Self::Ancf24 { .. } => range.start + ancf24::Y..range.end,
+        }
+    }
+
     /// What its coordinate `local` beyond its place is, in words.
     pub fn describe(&self, local: usize) -> &'static str {
         match self {

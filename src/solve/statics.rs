@@ -17,6 +17,7 @@ use crate::mechanics::configuration::Passage;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
+use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
@@ -156,7 +157,9 @@ impl Statics {
         if self.linearize(system, stable).is_err() {
             return;
         }
-        let other = self.kkt.blocks.form(&softest.shape, &softest.shape);
+        let (mut here, mut there) = (Snapshot::default(), Snapshot::default());
+        let shape = system.motion_about(&softest.shape, &here.of(system, unstable), &there.of(system, stable));
+        let other = self.kkt.blocks.form(&shape, &shape);
         self.stability.remark(system, unstable, before, &softest, other);
     }
 

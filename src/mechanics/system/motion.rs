@@ -1,11 +1,13 @@
 //! What a small motion of the machine does at its nodes and bodies, and where it is largest.
 
 use super::System;
+use crate::math::vectors::{set_vec3, vec3};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::configuration::Configuration;
-use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::{Marker, MarkerVector};
 use crate::mechanics::pose::axis_place;
 use crate::mechanics::rigid_body::BODY;
+use std::ops::Range;
 
 /// Components that are larger than this share of the largest one are named with it.
 const ALSO: f64 = 0.5;
@@ -46,6 +48,33 @@ impl System {
             sum
         };
         markers.map(moved).collect()
+    }
+
+    /// The small motion `motion` about `from`, seen about `to`: places move and parts turn alike. Coordinates that are directions fixed to a
+    /// part, of bodies and of sections that are not turned by an angle, turn with the part from one to the other.
+    pub fn motion_about(&self, motion: &[f64], from: &Configuration, to: &Configuration) -> Vec<f64> {
+        let mut carried = motion.to_vec();
+        let (offset, axes) = (Vec3::zeros(), Mat3::identity());
+        let mut carry = |marker: Marker, directors: Range<usize>| {
+            let [before, after] = [from, to].map(|c| marker.pose(c).axes);
+            let range = marker.coordinates(&self.mesh);
+            let own =
+                MarkerVector::from_fn(|local, _| if local < range.len() { motion[range.start + local] } else { 0.0 });
+            let (turn, turned): (Vec3, Mat3) = (marker.motion(from).turn_q * own, after * before.transpose());
+            for place in directors.step_by(3) {
+                let strain = vec3(motion, place) - turn.cross(&vec3(from.q, place));
+                set_vec3(&mut carried, place, &(turn.cross(&vec3(to.q, place)) + turned * strain));
+            }
+        };
+        for (number, node) in self.mesh.nodes.iter().enumerate() {
+            if !node.directors().is_empty() {
+                carry(Marker::Node { node: number, offset, axes }, node.directors());
+            }
+        }
+        for body in &self.bodies {
+            carry(Marker::Body { start: body.start, offset, axes }, body.start + axis_place(0)..body.start + BODY);
+        }
+        carried
     }
 
     /// What `motion` moves most: by displacement, or by turning where most of its kinetic energy is in that.
