@@ -5,6 +5,7 @@
 //! do; after it only an earlier FMU state or a reset goes on. Log lines are collected in order and fetched by
 //! [`Instance::take_entries`]. Reading, writing and stepping allocate nothing here.
 
+mod derivatives;
 mod serialized;
 mod state;
 mod values;
@@ -285,15 +286,6 @@ impl<M: Model> Instance<M> {
     pub fn other_status(&self, call: Call, kind: StatusKind) -> Result<(), Error> {
         self.check(call)?;
         Err(no_such_status(kind))
-    }
-
-    /// A part of the standard that this version does not offer.
-    ///
-    /// # Errors
-    /// Always.
-    pub fn not_supported(&self, call: Call, reason: &'static str) -> Result<(), Error> {
-        self.check(call)?;
-        Err(Error::NotSupported { reason })
     }
 
     /// The initial state that belongs to the values as set.

@@ -135,6 +135,18 @@ pub trait Model: Sized {
     /// A step that does not converge even at the smallest internal step; the model is as it was before the call.
     fn advance(&mut self, end: f64) -> Result<(), Failure>;
 
+    /// The derivative by time of output `reference`, a Real, 1/s of its unit.
+    ///
+    /// # Errors
+    /// It is that of the last step, and there is none.
+    fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure>;
+
+    /// The derivative of output `output`, a Real, at the end of the last step by input `input` of that step.
+    ///
+    /// # Errors
+    /// There is no such step, or its derivatives cannot be computed.
+    fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure>;
+
     /// Warnings since the last call of this function, oldest first.
     fn take_warnings(&mut self) -> Vec<String>;
 

@@ -2,6 +2,7 @@
 
 mod c_example;
 mod c_header;
+mod derivatives;
 mod description;
 mod ffi;
 mod guard;

@@ -202,6 +202,20 @@ impl Model for Toy {
         Ok(())
     }
 
+    fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure> {
+        match reference as u32 {
+            POSITION => Ok(self.plain.gain * self.plain.force),
+            _ => Err(failure("no derivative")),
+        }
+    }
+
+    fn partial_derivative(&mut self, _output: usize, _input: usize) -> Result<f64, Failure> {
+        match self.plain.count {
+            0 => Err(failure("no step")),
+            _ => Ok(self.plain.gain),
+        }
+    }
+
     fn take_warnings(&mut self) -> Vec<String> {
         std::mem::take(&mut self.warnings)
     }
