@@ -1,8 +1,14 @@
 #!/bin/sh
-# Builds the command line and the library that goes into FMUs, both with all optimization, into target/fmu.
+# Builds the command line and the library that goes into FMUs, both with all optimization, into target/fmu. On Linux they run on
+# every x86-64 system since 2012 (glibc 2.17): scripts/linker.sh.
 set -eu
 
 cd "$(dirname "$0")/.."
-cargo build --locked --profile fmu --bin ancf14
+set --
+if [ "$(uname -sm)" = "Linux x86_64" ]; then
+    scripts/python-env.sh
+    set -- -C linker=scripts/linker.sh -C linker-features=-lld
+fi
+cargo rustc --locked --profile fmu --bin ancf14 -- "$@"
 # On its own: together with the rlib, cargo would silently drop the link-time optimization.
-cargo rustc --locked --profile fmu --lib --crate-type cdylib
+cargo rustc --locked --profile fmu --lib --crate-type cdylib -- "$@"

@@ -243,8 +243,8 @@ pub enum Error {
     Identifier(String),
     /// The shared library that goes into every FMU was not found.
     #[error(
-        "the library {name} was not found; looked at {looked}. Build it with `cargo rustc --lib --crate-type cdylib \
-         --profile fmu` and pass `--library PATH`, or put it beside the executable or in ../lib"
+        "the library {name} was not found; looked at {looked}. Build it with scripts/build.sh and pass `--library PATH`, \
+         or put it beside the executable or in ../lib"
     )]
     NoLibrary {
         /// File name of the library.

@@ -1,10 +1,10 @@
 """Host tests: every FMU goes through real hosts and checkers.
 
+    scripts/build.sh
     scripts/python-env.sh
-    cargo build --release
     target/python-env/bin/python -m pytest -q tests/fmpy
 
-ANCF14       the executable; default target/release/ancf14
+ANCF14       the executable; default target/fmu/ancf14
 ANCF14_FMUS  a folder with FMUs to test; default: all of models/*.toml and of tests/suite/fmi/, packed by the executable
 """
 
@@ -21,7 +21,7 @@ SOURCES = [*sorted(ROOT.glob("models/*.toml")), *sorted(ROOT.glob("tests/suite/f
 
 
 def executable() -> Path:
-    return Path(os.environ.get("ANCF14", ROOT / "target/release/ancf14"))
+    return Path(os.environ.get("ANCF14", ROOT / "target/fmu/ancf14"))
 
 
 def run(*words) -> list[str]:
