@@ -311,18 +311,18 @@ fmi2Status fmi2FreeFMUstate(fmi2Component c,
                             fmi2FMUstate *FMUstate);
 
 /*
- Not offered: canSerializeFMUstate is false (section 2.1.8).
+ The number of bytes that a copy is serialized to (section 2.1.8).
 
  # Safety
- `c` is a live instance.
+ `c` is a live instance; `FMUstate` is a copy made by this library; `size` can be written to.
  */
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate FMUstate, size_t *size);
 
 /*
- Not offered: canSerializeFMUstate is false (section 2.1.8).
+ Writes a copy as bytes that any process can read (section 2.1.8).
 
  # Safety
- `c` is a live instance.
+ `c` is a live instance; `FMUstate` is a copy made by this library; `serializedState` has room for `size` bytes.
  */
 fmi2Status fmi2SerializeFMUstate(fmi2Component c,
                                  fmi2FMUstate FMUstate,
@@ -330,10 +330,10 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component c,
                                  size_t size);
 
 /*
- Not offered: canSerializeFMUstate is false (section 2.1.8).
+ Makes a copy from bytes, over an earlier copy if there is one (section 2.1.8).
 
  # Safety
- `c` is a live instance.
+ `c` is a live instance; `serializedState` has `size` bytes; `FMUstate` points to NULL or to a copy made by this library.
  */
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component c,
                                    const fmi2Byte *serializedState,

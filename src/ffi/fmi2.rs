@@ -13,7 +13,7 @@ use std::{
 use super::{
     component::{self, Component, Host},
     fault,
-    guard::{self, place, slice, text},
+    guard::{self, place, slice, slice_mut, text},
     types::*,
 };
 use crate::{
@@ -208,7 +208,7 @@ pub unsafe extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
     // SAFETY: the caller's promise.
-    unsafe { guard(c, Call::GetFMUstate, |instance| guard::store_state(instance, FMUstate)) }
+    unsafe { guard(c, Call::GetFMUstate, |instance| guard::hand_out_state(FMUstate, || instance.state())) }
 }
 
 /// Goes back to a copy, also after an error (section 2.1.8).
@@ -231,53 +231,58 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(c: fmi2Component, FMUstate: *mut fmi2F
     unsafe { guard(c, Call::FreeFMUstate, |instance| guard::free_state(instance, FMUstate)) }
 }
 
-/// Why states are not serialized.
-const NOT_SERIALIZED: &str =
-    "canSerializeFMUstate is false; use fmi2GetFMUstate and fmi2SetFMUstate within one process";
-
-/// Not offered: canSerializeFMUstate is false (section 2.1.8).
+/// The number of bytes that a copy is serialized to (section 2.1.8).
 ///
 /// # Safety
-/// `c` is a live instance.
+/// `c` is a live instance; `FMUstate` is a copy made by this library; `size` can be written to.
 #[unsafe(no_mangle)]
-#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     c: fmi2Component,
     FMUstate: fmi2FMUstate,
     size: *mut usize,
 ) -> fmi2Status {
+    const CALL: Call = Call::SerializedFMUstateSize;
     // SAFETY: the caller's promise.
     unsafe {
-        guard(c, Call::SerializedFMUstateSize, |instance| {
-            instance.not_supported(Call::SerializedFMUstateSize, NOT_SERIALIZED)
+        guard(c, CALL, |instance| {
+            let bytes = guard::serialize(instance, CALL, FMUstate)?;
+            *place(size, "size")? = bytes.len();
+            Ok(())
         })
     }
 }
 
-/// Not offered: canSerializeFMUstate is false (section 2.1.8).
+/// Writes a copy as bytes that any process can read (section 2.1.8).
 ///
 /// # Safety
-/// `c` is a live instance.
+/// `c` is a live instance; `FMUstate` is a copy made by this library; `serializedState` has room for `size` bytes.
 #[unsafe(no_mangle)]
-#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2SerializeFMUstate(
     c: fmi2Component,
     FMUstate: fmi2FMUstate,
     serializedState: *mut fmi2Byte,
     size: usize,
 ) -> fmi2Status {
+    const CALL: Call = Call::SerializeFMUstate;
     // SAFETY: the caller's promise.
     unsafe {
-        guard(c, Call::SerializeFMUstate, |instance| instance.not_supported(Call::SerializeFMUstate, NOT_SERIALIZED))
+        guard(c, CALL, |instance| {
+            let bytes = guard::serialize(instance, CALL, FMUstate)?;
+            let target = slice_mut(serializedState.cast::<u8>(), size, "serializedState")?;
+            if target.len() != bytes.len() {
+                return Err(Error::SerializedSize { needed: bytes.len(), given: size });
+            }
+            target.copy_from_slice(&bytes);
+            Ok(())
+        })
     }
 }
 
-/// Not offered: canSerializeFMUstate is false (section 2.1.8).
+/// Makes a copy from bytes, over an earlier copy if there is one (section 2.1.8).
 ///
 /// # Safety
-/// `c` is a live instance.
+/// `c` is a live instance; `serializedState` has `size` bytes; `FMUstate` points to NULL or to a copy made by this library.
 #[unsafe(no_mangle)]
-#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     c: fmi2Component,
     serializedState: *const fmi2Byte,
@@ -287,7 +292,8 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     // SAFETY: the caller's promise.
     unsafe {
         guard(c, Call::DeSerializeFMUstate, |instance| {
-            instance.not_supported(Call::DeSerializeFMUstate, NOT_SERIALIZED)
+            let bytes = slice(serializedState.cast::<u8>(), size, "serializedState")?;
+            guard::hand_out_state(FMUstate, || instance.deserialize(bytes))
         })
     }
 }

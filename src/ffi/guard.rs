@@ -131,14 +131,17 @@ pub unsafe fn text<'a>(text: fmi2String, argument: &'static str) -> Result<&'a s
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| Error::NotUtf8 { argument })
 }
 
-/// Puts a copy of the instance into `state`, over an earlier copy if there is one.
+/// Puts a copy that `make` makes into `state`, over an earlier copy if there is one.
 ///
 /// # Safety
 /// `state` is NULL or points to NULL or to a state of this library with the same model type.
-pub unsafe fn store_state<M: Model>(instance: &Instance<M>, state: *mut *mut c_void) -> Result<(), Error> {
+pub unsafe fn hand_out_state<M: Model>(
+    state: *mut *mut c_void,
+    make: impl FnOnce() -> Result<FmuState<M>, Error>,
+) -> Result<(), Error> {
     // SAFETY: the caller's promise.
     let handle = unsafe { place(state, "FMUstate") }?;
-    let fresh = instance.state()?;
+    let fresh = make()?;
     // SAFETY: the caller's promise.
     match unsafe { handle.cast::<FmuState<M>>().as_mut() } {
         Some(earlier) => *earlier = fresh,
@@ -158,17 +161,28 @@ pub unsafe fn load_state<M: Model>(instance: &mut Instance<M>, state: *mut c_voi
     instance.set_state(state)
 }
 
+/// The bytes of a copy.
+///
+/// # Safety
+/// `state` is NULL or a state of this library with the same model type.
+pub unsafe fn serialize<M: Model>(instance: &Instance<M>, call: Call, state: *mut c_void) -> Result<Vec<u8>, Error> {
+    instance.check(call)?;
+    // SAFETY: the caller's promise.
+    let state = unsafe { state.cast::<FmuState<M>>().as_ref() }.ok_or(Error::Null { argument: "FMUstate" })?;
+    instance.serialize(call, state)
+}
+
 /// Gives a copy back and forgets it; NULL is fine (FMI 2.0, section 2.1.8).
 ///
 /// # Safety
-/// As [`store_state`]; the copy is not used again.
+/// As [`hand_out_state`]; the copy is not used again.
 pub unsafe fn free_state<M: Model>(instance: &Instance<M>, state: *mut *mut c_void) -> Result<(), Error> {
     instance.check(Call::FreeFMUstate)?;
     // SAFETY: the caller's promise.
     if let Some(handle) = unsafe { state.as_mut() }
         && !handle.is_null()
     {
-        // SAFETY: the copy was made by `store_state`, and the caller does not use it again.
+        // SAFETY: the copy was made by `hand_out_state`, and the caller does not use it again.
         drop(unsafe { Box::from_raw(handle.cast::<FmuState<M>>()) });
         *handle = std::ptr::null_mut();
     }

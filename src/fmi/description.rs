@@ -104,7 +104,7 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
     Ok(())
 }
 
-/// What the unit can do. False or 0: asynchronous steps, serialized states, directional derivatives, output derivatives.
+/// What the unit can do. False or 0: asynchronous steps, directional derivatives, output derivatives.
 fn co_simulation(xml: &mut Xml, about: &About) -> io::Result<()> {
     let flags = [
         ("needsExecutionTool", "false"),
@@ -115,7 +115,7 @@ fn co_simulation(xml: &mut Xml, about: &About) -> io::Result<()> {
         ("canBeInstantiatedOnlyOncePerProcess", "false"),
         ("canNotUseMemoryManagementFunctions", "true"),
         ("canGetAndSetFMUstate", "true"),
-        ("canSerializeFMUstate", "false"),
+        ("canSerializeFMUstate", "true"),
         ("providesDirectionalDerivative", "false"),
     ];
     let element = xml.create_element("CoSimulation").with_attribute(("modelIdentifier", about.identifier.as_str()));

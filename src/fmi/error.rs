@@ -185,6 +185,24 @@ pub enum Error {
         /// GUID of this model.
         own: String,
     },
+    /// Bytes that are no serialized state.
+    #[error(
+        "the bytes are not a serialized FMU state of this library: {problem}; pass those of fmi2SerializeFMUstate, all of them"
+    )]
+    Serialized {
+        /// What is wrong with them.
+        problem: String,
+    },
+    /// The host's memory is not as large as the serialized state.
+    #[error(
+        "the serialized state has {needed} bytes, the host offers {given}; ask fmi2SerializedFMUstateSize for this very state"
+    )]
+    SerializedSize {
+        /// Bytes of the state.
+        needed: usize,
+        /// Bytes of the host's memory.
+        given: usize,
+    },
     /// The model failed.
     #[error("{}", .0.message)]
     Model(Failure),

@@ -5,10 +5,13 @@
 //! do; after it only an earlier FMU state or a reset goes on. Log lines are collected in order and fetched by
 //! [`Instance::take_entries`]. Reading, writing and stepping allocate nothing here.
 
+mod serialized;
 mod state;
 mod values;
 
 pub use state::FmuState;
+
+use serde::{Deserialize, Serialize};
 
 use super::{
     LogCategory, Model, Status, Value,
@@ -33,7 +36,7 @@ pub struct Instance<M: Model> {
 }
 
 /// What changes between two calls, apart from the model.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct Control {
     mode: Mode,
     /// Start time, s.

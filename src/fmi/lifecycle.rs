@@ -3,12 +3,13 @@
 //! Steps are synchronous and never discarded, so the standard's modes stepInProgress, stepFailed and stepCanceled do
 //! not occur.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 use super::error::Error;
 
 /// Where an instance stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
     /// After `fmi2Instantiate` or `fmi2Reset`.
     Instantiated,

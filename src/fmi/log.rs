@@ -1,5 +1,6 @@
 //! Log lines: their categories (FMI 2.0, section 2.2.4) and the form in which a host's printf-like logger takes them.
 
+use serde::{Deserialize, Serialize};
 use std::ffi::{CStr, CString};
 
 use super::{LogCategory, Status};
@@ -66,7 +67,7 @@ pub struct Entry {
 }
 
 /// Which debug messages the host wants. Warnings and errors are always logged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Switch {
     on: bool,
     selected: [bool; CATEGORIES.len()],

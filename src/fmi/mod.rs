@@ -146,4 +146,13 @@ pub trait Model: Sized {
 
     /// Goes back to a snapshot of this model.
     fn restore(&mut self, snapshot: &Self::Snapshot);
+
+    /// Writes a snapshot of this model behind `bytes`, such that [`Self::read`] of the same model in any process reads it.
+    fn write(&self, snapshot: &Self::Snapshot, bytes: Vec<u8>) -> Vec<u8>;
+
+    /// The snapshot that [`Self::write`] wrote. Any bytes may come; those that were written are undamaged, and of a model with this guid.
+    ///
+    /// # Errors
+    /// They are not a snapshot of this model.
+    fn read(&self, bytes: &[u8]) -> Result<Self::Snapshot, Failure>;
 }

@@ -3,10 +3,11 @@
 //! Chain rule: `g(f)' = g_f f'`, `g(f)'' = g_f f'' + g_ff f'²`. Where `f` does not change (`f' = f'' = 0`) the result does not
 //! either, also where `g_f` is infinite: `sqrt(0)` is a constant.
 
+use serde::{Deserialize, Serialize};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Value, first and second derivative by the variable of an expression.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Jet {
     /// `f`.
     pub value: f64,

@@ -9,7 +9,7 @@ use super::gauge::{Gauge, Measure};
 use super::joint::Joint;
 use super::joint::driven::Driven;
 use super::joint::weld;
-use super::load::{Excitation, Load};
+use super::load::{Excitation, HostWrench, Load};
 use super::marker::Marker;
 use super::node::Node;
 use super::pose::Pose;
@@ -304,6 +304,7 @@ impl Assembly {
     /// Adds a load.
     pub fn add_load(&mut self, load: Load) {
         self.system.loads.push(load);
+        self.targets.loads.push(HostWrench::default());
     }
 
     /// Adds a sensor on the section of beam `beam` at `fraction` and returns its number.

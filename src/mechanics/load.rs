@@ -5,6 +5,7 @@ use super::marker::{ByCoordinates, Marker, MarkerMatrix, MarkerVector};
 use super::pose::axis_place;
 use crate::math::Vec3;
 use crate::math::jet::Jet;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -54,7 +55,7 @@ pub enum Direction {
 }
 
 /// Components of a load at one instant, in the load's own axes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Wrench {
     /// Force, N, or N/m along a beam.
     pub force: Vec3,
@@ -69,8 +70,44 @@ impl Wrench {
     }
 }
 
+/// Components of a load that a host gives: held from the time it gave them, or linear in time from there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct HostWrench {
+    /// Components at `since`.
+    pub value: Wrench,
+    /// Their derivatives by time, 1/s of their units.
+    pub rate: Wrench,
+    /// When they were given, s.
+    pub since: f64,
+}
+
+impl HostWrench {
+    /// The components at `time`, s.
+    pub fn at(&self, time: f64) -> Wrench {
+        let passed = time - self.since;
+        Wrench {
+            force: self.value.force + self.rate.force * passed,
+            moment: self.value.moment + self.rate.moment * passed,
+        }
+    }
+}
+
+/// Where a load has its components from.
+#[derive(Clone, Debug)]
+pub enum LoadGuide {
+    /// They are functions of time.
+    Signals {
+        /// Force, N, or N/m along a beam.
+        force: [Signal; 3],
+        /// Moment, N m, or N along a beam.
+        moment: [Signal; 3],
+    },
+    /// A host gives them.
+    Host,
+}
+
 /// What acts on a machine from outside at one instant.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Excitation {
     /// Gravity, m/s².
     pub gravity: Vec3,
@@ -104,19 +141,22 @@ pub struct Load {
     pub name: String,
     /// Where it acts, each marker with its share: 1 at a point, quadrature weights (m) along a beam.
     pub points: Vec<(Marker, f64)>,
-    /// Force, N, or N/m along a beam.
-    pub force: [Signal; 3],
-    /// Moment, N m, or N along a beam.
-    pub moment: [Signal; 3],
+    /// Where its components come from.
+    pub guide: LoadGuide,
     /// Axes of the components.
     pub direction: Direction,
 }
 
 impl Load {
-    /// Its components at `time`, s.
-    pub fn at(&self, time: f64) -> Wrench {
-        let value = |signals: &[Signal; 3]| Vec3::from_fn(|i, _| signals[i].at(time));
-        Wrench { force: value(&self.force), moment: value(&self.moment) }
+    /// Its components at `time`, s; `target` is what a host gives.
+    pub fn at(&self, time: f64, target: &HostWrench) -> Wrench {
+        match &self.guide {
+            LoadGuide::Signals { force, moment } => {
+                let value = |signals: &[Signal; 3]| Vec3::from_fn(|i, _| signals[i].at(time));
+                Wrench { force: value(force), moment: value(moment) }
+            }
+            LoadGuide::Host => target.at(time),
+        }
     }
 
     /// The share of point `number` in the components `wrench`, in space: N, N m.

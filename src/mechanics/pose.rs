@@ -6,6 +6,7 @@
 use super::marker::MARKER;
 use crate::math::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
+use serde::{Deserialize, Serialize};
 
 /// Numbers of a pose: place, then the three axes.
 pub const POSE: usize = 12;
@@ -20,7 +21,7 @@ pub type PairVector = SVector<f64, 24>;
 pub type PairMatrix = SMatrix<f64, 24, 24>;
 
 /// Place and axes, or their derivatives by time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Position, m.
     pub place: Vec3,

@@ -3,15 +3,16 @@
 //! What a host gives is reached at the end of its communication step, linearly from the value last reached; rotations take
 //! the shortest arc. A rate that a function gives is integrated to round-off, one that a host gives exactly.
 
-use super::load::Signal;
+use super::load::{HostWrench, Signal};
 use super::pose::Pose;
 use crate::math::integral::integral;
 use crate::math::jet::Jet;
 use crate::math::rotation::{rotation_matrix, rotation_matrix_jet, rotation_vector_near};
 use crate::math::{Mat3, Vec3};
+use serde::{Deserialize, Serialize};
 
 /// What is prescribed at one instant.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Prescribed {
     /// Values of the drives with their rates and accelerations, rad or m.
     pub drives: Vec<Jet>,
@@ -20,7 +21,7 @@ pub struct Prescribed {
 }
 
 /// A pose with its first two derivatives by time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MovingPose {
     /// Place and axes.
     pub pose: Pose,
@@ -30,8 +31,8 @@ pub struct MovingPose {
     pub acceleration: Pose,
 }
 
-/// What a host wants to be reached, and when.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// What a host wants: drives and frames to be reached, and when; loads to act.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Targets {
     /// End of the communication step, s.
     pub end: f64,
@@ -39,6 +40,8 @@ pub struct Targets {
     pub drives: Vec<f64>,
     /// Poses of the frames; those of functions are not used.
     pub frames: Vec<Pose>,
+    /// Components of the loads; those of functions are not used.
+    pub loads: Vec<HostWrench>,
 }
 
 /// Where a drive has its motion from.
@@ -146,6 +149,7 @@ impl Targets {
         self.end = other.end;
         self.drives.clone_from(&other.drives);
         self.frames.clone_from(&other.frames);
+        self.loads.clone_from(&other.loads);
     }
 
     /// How much of the way from `time` to the end of the communication step lies before `next`, and the length of that way, s.

@@ -4,9 +4,10 @@ use super::load::Excitation;
 use super::prescribed::{Prescribed, Targets};
 use super::triad::Triad;
 use crate::math::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// Everything that persists from one step to the next.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Time, s.
     pub time: f64,
@@ -42,6 +43,26 @@ pub struct State {
     pub good_steps: u32,
     /// Counts since the start.
     pub statistics: Statistics,
+}
+
+impl State {
+    /// Whether all its lists are as long as those of another state of the same machine.
+    pub fn has_the_shape_of(&self, other: &Self) -> bool {
+        let lengths = |state: &Self| {
+            let Self { q, velocity, momentum, multipliers, strays, triads, holonomy, readings, rotations, .. } = state;
+            let State { prescribed, targets, .. } = state;
+            let lists = [q, velocity, momentum, multipliers, strays, holonomy, readings].map(Vec::len);
+            let motions =
+                [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
+            (lists, triads.len(), rotations.len(), motions, targets.loads.len())
+        };
+        // Nothing yet, or all of them.
+        let optional = |list: usize, whole: usize| list == 0 || list == whole;
+        let Accelerations { of_coordinates, algorithmic } = &self.accelerations;
+        lengths(self) == lengths(other)
+            && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
+            && optional(self.excitation.wrenches.len(), other.targets.loads.len())
+    }
 }
 
 impl Clone for State {
@@ -88,7 +109,7 @@ impl Clone for State {
 }
 
 /// Accelerations as generalized-alpha carries them on, 1/s² each; empty for other integrators.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Accelerations {
     /// Second derivatives of the coordinates at the state's time, which the equations hold for.
     pub of_coordinates: Vec<f64>,
@@ -105,7 +126,7 @@ impl Accelerations {
 }
 
 /// Counts since the start.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Statistics {
     /// Accepted steps.
     pub steps: u64,

@@ -126,11 +126,11 @@ pub struct System {
 }
 
 impl System {
-    /// Sets `excitation` to what acts at `time`, s.
-    pub fn excite(&self, time: f64, excitation: &mut Excitation) {
+    /// Sets `excitation` to what acts at `time`, s; `targets` has what a host gives.
+    pub fn excite(&self, time: f64, targets: &Targets, excitation: &mut Excitation) {
         excitation.gravity = self.gravity;
         excitation.wrenches.clear();
-        excitation.wrenches.extend(self.loads.iter().map(|load| load.at(time)));
+        excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
     }
 
     /// What drives and frames prescribe at the start, `time` s.
@@ -161,6 +161,7 @@ impl System {
             end: time,
             drives: vec![0.0; self.drives.len()],
             frames: vec![super::pose::Pose::default(); self.moving_frames.len()],
+            loads: Vec::new(),
         };
         let motion = self.prescribe_start(time, &targets);
         let drive = self.drives.iter().zip(&motion.drives).find(|(_, jet)| !jet.is_finite());

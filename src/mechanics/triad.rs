@@ -2,9 +2,10 @@
 
 use crate::math::Vec3;
 use crate::math::rotation::carry;
+use serde::{Deserialize, Serialize};
 
 /// Tangent `t` and normal `u`, orthonormal; the third axis is `t × u`. Of a node of ANCF14 the reference, constant during a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Triad {
     /// Reference tangent, unit.
     pub t: Vec3,

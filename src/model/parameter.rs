@@ -85,7 +85,7 @@ impl Document {
     /// The parameter is calculated, the type is wrong or the value is out of range; nothing has changed.
     pub fn set_parameter(&mut self, index: usize, value: Value) -> Result<(), String> {
         let parameter = &self.parameters[index];
-        let slot = &mut self.numbers.slots[parameter.number.0];
+        let slot = &self.numbers.slots[parameter.number.0];
         let name = &slot.meta.name;
         if parameter.is_calculated() {
             return Err(format!("`{name}` follows from other parameters and cannot be set"));
@@ -96,12 +96,56 @@ impl Document {
             Value::Integer(_) => return Err(format!("`{name}` is a Real, not an Integer")),
             Value::Real(_) => return Err(format!("`{name}` is an Integer, not a Real")),
         };
-        if let Some(objection) = slot.meta.objection(value) {
-            return Err(format!("`{name}` {objection}, this is {value}"));
-        }
-        slot.written = Written::Plain(value);
+        self.accept(parameter.number, value)?;
+        self.numbers.slots[parameter.number.0].written = Written::Plain(value);
         self.numbers.resolve();
         Ok(())
+    }
+
+    /// Whether `number` may have this value.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn accept(&self, number: Number, value: f64) -> Result<(), String> {
+        let meta = &self.numbers.slots[number.0].meta;
+        match meta.objection(value) {
+            Some(objection) => Err(format!("`{}` {objection}, this is {value}", meta.name)),
+            None => Ok(()),
+        }
+    }
+
+    /// Sets the start value of an input, a number that nothing follows from; the caller has checked it.
+    pub fn set_start(&mut self, number: Number, value: f64) {
+        self.numbers.slots[number.0].written = Written::Plain(value);
+        self.numbers.values[number.0] = value;
+    }
+
+    /// The values of all that can be set, in their order: what makes this document of the file.
+    pub fn settings(&self) -> Vec<f64> {
+        self.settable().map(|number| self.value(number)).collect()
+    }
+
+    /// This file with other settings; what follows from them is for [`Self::check`].
+    ///
+    /// # Errors
+    /// Their number or a value is not right.
+    pub fn with_settings(&self, settings: &[f64]) -> Result<Self, String> {
+        let count = self.settable().count();
+        if settings.len() != count {
+            return Err(format!("there are {} settings, {count} were expected", settings.len()));
+        }
+        let mut document = self.clone();
+        for (number, value) in self.settable().zip(settings) {
+            document.accept(number, *value)?;
+            document.set_start(number, *value);
+        }
+        document.numbers.resolve();
+        Ok(document)
+    }
+
+    /// The numbers that can be set, in the order of the parameters.
+    fn settable(&self) -> impl Iterator<Item = Number> + '_ {
+        self.parameters.iter().filter(|parameter| !parameter.is_calculated()).map(|parameter| parameter.number)
     }
 
     /// Whether everything that follows from the parameters is as it must be.

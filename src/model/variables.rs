@@ -4,6 +4,7 @@
 use super::document::Document;
 use super::entries::anchor::{Anchor, Spot};
 use super::entries::output::{Output, Target};
+use super::inputs::Inputs;
 use super::quantity::Quantity;
 use super::unit;
 use crate::fmi::Value;
@@ -22,6 +23,8 @@ use std::ops::Range;
 pub enum Source {
     /// Parameter of this number in the file.
     Parameter(usize),
+    /// Input of this place among the inputs.
+    Input(usize),
     /// Result of this number.
     Result(usize),
 }
@@ -73,8 +76,10 @@ impl Table {
     /// Of a model file.
     pub fn new(document: &Document) -> Self {
         let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new(), energy: 0 };
+        let inputs = Inputs::new(document);
         for (index, parameter) in document.parameters().iter().enumerate() {
-            table.push(parameter.variable.clone(), Source::Parameter(index));
+            let input = inputs.place(parameter.number).map(Source::Input);
+            table.push(parameter.variable.clone(), input.unwrap_or(Source::Parameter(index)));
         }
         let mut sensor = 0;
         for output in &document.outputs {

@@ -6,6 +6,7 @@ use crate::error::decimal;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use serde::{Deserialize, Serialize};
 
 /// Share of the largest kinetic and strain energy by which the total energy of a machine without loads may change. The midpoint
 /// rules keep it within some thousandths where the step resolves the motion.
@@ -15,7 +16,7 @@ const ENERGY_BAND: f64 = 0.02;
 const ROUND_OFF: f64 = 1e-9;
 
 /// What has been seen and warned of.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
     twist_warned: bool,
     energy_warned: bool,

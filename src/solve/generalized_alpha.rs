@@ -175,7 +175,7 @@ impl Scratch {
         for (scaled, multiplier) in self.scaled_multipliers.iter_mut().zip(&state.multipliers) {
             *scaled = multiplier / acceleration_by_q;
         }
-        system.excite(end, &mut self.excitation);
+        system.excite(end, &state.targets, &mut self.excitation);
         system.prescribe(state, end, &mut self.prescribed);
     }
 

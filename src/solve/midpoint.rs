@@ -158,7 +158,7 @@ impl Scratch {
         }
         self.impulses.fill(0.0);
         let middle = state.time + 0.5 * step;
-        system.excite(middle, &mut self.excitation);
+        system.excite(middle, &state.targets, &mut self.excitation);
         system.prescribe(state, middle, &mut self.prescribed_middle);
         system.prescribe(state, end, &mut self.prescribed_end);
         system.frames(&state.q, &state.triads, &mut self.frames_start);

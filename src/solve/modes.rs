@@ -193,7 +193,7 @@ fn size(system: &System, index: usize) -> f64 {
 fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt) -> Blocks {
     let (mut snapshot, mut excitation) = (Snapshot::default(), Excitation::default());
     let configuration = snapshot.of(system, state);
-    system.excite(state.time, &mut excitation);
+    system.excite(state.time, &state.targets, &mut excitation);
     let (mut forces, mut gradients) = (vec![0.0; system.coordinates()], Vec::new());
     kkt.blocks.clear();
     system.forces_and_tangent(&configuration, &Passage::REST, &excitation, 1.0, &mut forces, &mut kkt.blocks);

@@ -71,7 +71,7 @@ impl Responder {
     pub fn respond(&mut self, system: &System, state: &State, response: &mut Response) -> Result<(), Error> {
         system.frames(&state.q, &state.triads, &mut self.frames);
         let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
-        system.excite(state.time, &mut self.excitation);
+        system.excite(state.time, &state.targets, &mut self.excitation);
         let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
 
         let (forces, conditions) = self.right.split_at_mut(state.q.len());

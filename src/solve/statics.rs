@@ -188,7 +188,7 @@ impl Statics {
     }
 
     fn ramp(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
-        system.excite(time, &mut self.target);
+        system.excite(time, &state.targets, &mut self.target);
         system.prescribe(state, time, &mut self.target_motion);
         self.begin.clone_from(state);
         let (mut share, mut increment) = (0.0, 1.0);

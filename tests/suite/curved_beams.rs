@@ -15,7 +15,7 @@ use ancf14::mechanics::assembly::Assembly;
 use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::centreline::{Centreline, Spacing};
 use ancf14::mechanics::joint::{Joint, weld};
-use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::load::{Direction, Load, LoadGuide, Signal};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::pose::Pose;
 use ancf14::mechanics::section::Section;
@@ -113,7 +113,12 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
     let point = assembly.section_at(number, fraction);
     for (points, [force, moment]) in [(vec![(point, 1.0)], loads.point), (assembly.sections_of(number), loads.line)] {
         let (force, moment) = (growing(force), growing(moment));
-        assembly.add_load(Load { name: "load".into(), points, force, moment, direction: Direction::Global });
+        assembly.add_load(Load {
+            name: "load".into(),
+            points,
+            guide: LoadGuide::Signals { force, moment },
+            direction: Direction::Global,
+        });
     }
     for fraction in watched {
         assembly.add_sensor(number, *fraction);

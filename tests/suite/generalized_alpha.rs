@@ -15,7 +15,7 @@ use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::driven::Driven;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, revolute, spherical, weld};
-use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::load::{Direction, Load, LoadGuide, Signal};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::pose::Pose;
@@ -73,8 +73,7 @@ fn spun_up() -> (System, State) {
     assembly.add_load(Load {
         name: "motor".into(),
         points: vec![(assembly.section_at(beam, 0.5), 1.0)],
-        force: [0.0; 3].map(Signal::Constant),
-        moment,
+        guide: LoadGuide::Signals { force: [0.0; 3].map(Signal::Constant), moment },
         direction: Direction::Follower,
     });
     assembly.finish(Vec3::zeros())

@@ -12,7 +12,7 @@ use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::driven::Driven;
 use ancf14::mechanics::joint::{revolute, spherical};
-use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::load::{Direction, Load, LoadGuide, Signal};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::pose::Pose;
@@ -63,8 +63,10 @@ fn everything() -> (System, State) {
     assembly.add_load(Load {
         name: "thrust".into(),
         points: vec![(assembly.section_at(beam, 0.7), 1.0)],
-        force: [3.0, 20.0, -10.0].map(Signal::Constant),
-        moment: [5.0, 2.0, -3.0].map(Signal::Constant),
+        guide: LoadGuide::Signals {
+            force: [3.0, 20.0, -10.0].map(Signal::Constant),
+            moment: [5.0, 2.0, -3.0].map(Signal::Constant),
+        },
         direction: Direction::Follower,
     });
     assembly.finish(Vec3::new(0.0, 1.0, -9.0))

@@ -13,7 +13,7 @@ use ancf14::mechanics::ancf14::quadratic_twist::Twist;
 use ancf14::mechanics::ancf14::strain::Strain;
 use ancf14::mechanics::assembly::Assembly;
 use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::load::{Direction, Load, LoadGuide, Signal};
 use ancf14::mechanics::section::Section;
 use ancf14::solve::statics::Statics;
 use std::sync::Arc;
@@ -91,8 +91,10 @@ fn error(elements: usize, twist: Twist) -> f64 {
     let load = Load {
         name: "wrench".into(),
         points: vec![(assembly.section_at(beam, 1.0), 1.0)],
-        force: signal(|helix, w| helix.force(w).0),
-        moment: signal(|helix, w| if w == 0.0 { Vec3::zeros() } else { helix.moment(w) }),
+        guide: LoadGuide::Signals {
+            force: signal(|helix, w| helix.force(w).0),
+            moment: signal(|helix, w| if w == 0.0 { Vec3::zeros() } else { helix.moment(w) }),
+        },
         direction: Direction::Global,
     };
     assembly.add_load(load);

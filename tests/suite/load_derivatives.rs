@@ -3,7 +3,7 @@
 use crate::marker_oracle::{ALL, All, BODY, Dual, Machine, ROUNDING, deep};
 use crate::random::Random;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::load::{Direction, HostWrench, Load, LoadGuide, Signal};
 use ancf14::mechanics::marker::Marker;
 use nalgebra::SMatrix;
 
@@ -57,8 +57,7 @@ fn check_load_derivatives() {
         let load = Load {
             name: "load".into(),
             points: vec![(marker, 1.0)],
-            force: signals(force),
-            moment: signals(moment),
+            guide: LoadGuide::Signals { force: signals(force), moment: signals(moment) },
             direction,
         };
         let parts: [[Component; 3]; 4] =
@@ -76,7 +75,10 @@ fn check_load_derivatives() {
         };
         let c = machine.configuration();
         let range = marker.coordinates(&machine.mesh);
-        let (own, own_q) = (load.force(&c, 0, &load.at(0.0)), load.force_q(&c, 0, &load.at(0.0)));
+        let (own, own_q) = (
+            load.force(&c, 0, &load.at(0.0, &HostWrench::default())),
+            load.force_q(&c, 0, &load.at(0.0, &HostWrench::default())),
+        );
         for (i, j) in range.clone().enumerate() {
             assert!(
                 (own[i] - generalized_force(&parts, &wrench, j, None)).abs() < ROUNDING,

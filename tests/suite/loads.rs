@@ -9,7 +9,7 @@ use ancf14::mechanics::ancf14::quadratic_twist::Twist;
 use ancf14::mechanics::ancf14::strain::Strain;
 use ancf14::mechanics::assembly::Assembly;
 use ancf14::mechanics::beam_design::{BeamDesign, Elements, Torsion};
-use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::load::{Direction, Load, LoadGuide, Signal};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
@@ -33,8 +33,7 @@ fn tip(
     assembly.add_load(Load {
         name: "load".into(),
         points,
-        force: constant(force),
-        moment: constant(moment),
+        guide: LoadGuide::Signals { force: constant(force), moment: constant(moment) },
         direction,
     });
     assembly.add_sensor(number, 1.0);

@@ -12,7 +12,7 @@ use ancf14::mechanics::beam_design::{BeamDesign, Elements, Torsion};
 use ancf14::mechanics::centreline::Centreline;
 use ancf14::mechanics::formulation::Element;
 use ancf14::mechanics::joint::{Joint, primitive::Primitive, weld};
-use ancf14::mechanics::load::{Direction, Load, Signal};
+use ancf14::mechanics::load::{Direction, Load, LoadGuide, Signal};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::pose::Pose;
@@ -96,8 +96,7 @@ pub fn load(assembly: &mut Assembly, beam: usize, fraction: f64, force: Vec3, mo
     assembly.add_load(Load {
         name: "load".into(),
         points: vec![(marker, 1.0)],
-        force: growing(force),
-        moment: growing(moment),
+        guide: LoadGuide::Signals { force: growing(force), moment: growing(moment) },
         direction: Direction::Global,
     });
 }

@@ -202,7 +202,7 @@ fn reactions_are_what_newton_and_euler_demand() {
         add(b, (a - b).normalize() * tension, Vec3::zeros());
         let axes = system.bodies[0].marker().pose(&c).axes;
         for (number, turn) in [axes, ancf14::math::Mat3::identity()].into_iter().enumerate() {
-            let wrench = system.loads[number].at(state.time);
+            let wrench = system.loads[number].at(state.time, &state.targets.loads[number]);
             add(centre, turn * wrench.force, turn * wrench.moment);
         }
         let (force_needed, moment_needed) = needed(system, state, &response, 0);

@@ -2,7 +2,7 @@
 
 use crate::curves::load;
 use ancf14::fmi::{Model, Value};
-use ancf14::model::simulation::Simulation;
+use ancf14::model::simulation::{Simulation, Snapshot};
 
 const MODELS: [(&str, &str); 12] = [
     ("pendulum", include_str!("../../models/pendulum.toml")),
@@ -23,6 +23,12 @@ fn start(text: &str) -> Simulation {
     load(text, &[])
 }
 
+/// Loaded only.
+fn unstarted(text: &str, overrides: &[(&str, &str)]) -> Simulation {
+    let overrides: Vec<_> = overrides.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
+    Simulation::load("model.toml", text, &overrides).unwrap_or_else(|failure| panic!("{}", failure.message))
+}
+
 /// All values as bits.
 fn bits(simulation: &Simulation) -> Vec<u64> {
     (0..simulation.variables().len()).map(|reference| simulation.value(reference).number().to_bits()).collect()
@@ -32,7 +38,18 @@ fn reference(simulation: &Simulation, name: &str) -> usize {
     simulation.variables().iter().position(|variable| variable.name == name).unwrap()
 }
 
-fn check(name: &str, mut simulation: Simulation) {
+/// The same state, through bytes, in a simulation that knows nothing but the file.
+fn elsewhere(simulation: &Simulation, snapshot: &Snapshot, fresh: Simulation) -> Simulation {
+    let bytes = simulation.write(snapshot, Vec::new());
+    let read = fresh.read(&bytes).unwrap_or_else(|failure| panic!("{}", failure.message));
+    let mut other = fresh;
+    other.restore(&read);
+    assert_eq!(bits(&other), bits(simulation));
+    assert_eq!(other.write(&other.snapshot(), Vec::new()), bytes);
+    other
+}
+
+fn check(name: &str, mut simulation: Simulation, fresh: Simulation) {
     let step = simulation.about().output_step;
     // Between two points of the grid of internal steps, too.
     for number in 1..=5 {
@@ -52,13 +69,88 @@ fn check(name: &str, mut simulation: Simulation) {
     assert_ne!(first[0], before, "{name}");
     simulation.restore(&snapshot);
     assert_eq!(bits(&simulation), before, "{name}");
+    let mut other = elsewhere(&simulation, &snapshot, fresh);
     assert_eq!(onwards(&mut simulation), first, "{name}");
+    assert_eq!(onwards(&mut other), first, "{name}, from bytes");
 }
 
 #[test]
 fn repeated_steps_give_the_same_bits() {
     for (name, text) in MODELS {
-        check(name, start(text));
+        check(name, start(text), unstarted(text, &[]));
+    }
+}
+
+/// What a host has set before and since the initialization is in the bytes: fixed and tunable parameters, inputs with derivatives.
+#[test]
+fn settings_are_in_the_bytes() {
+    let text = MODELS[6].1;
+    let mut simulation = unstarted(text, &[]);
+    let set = |simulation: &mut Simulation, name: &str, value: Value| {
+        let place = reference(simulation, name);
+        simulation.set_value(place, value).unwrap();
+    };
+    set(&mut simulation, "boom.elements", Value::Integer(4));
+    set(&mut simulation, "payload", Value::Real(300.0));
+    set(&mut simulation, "foot.position[3]", Value::Real(0.25));
+    simulation.initialize(2.0).unwrap();
+    set(&mut simulation, "foot.position[1]", Value::Real(0.01));
+    simulation.advance(2.03).unwrap();
+    set(&mut simulation, "steel.damping", Value::Real(3e-4));
+    set(&mut simulation, "gravity[1]", Value::Real(0.5));
+    set(&mut simulation, "foot.position[2]", Value::Real(0.02));
+    simulation.set_input_derivative(reference(&simulation, "foot.position[2]"), 0.125);
+    let snapshot = simulation.snapshot();
+    let mut other = elsewhere(&simulation, &snapshot, unstarted(text, &[]));
+    for end in [2.05, 2.1] {
+        simulation.advance(end).unwrap();
+        other.advance(end).unwrap();
+        assert_eq!(bits(&simulation), bits(&other));
+    }
+    // Neither the settings of the file nor those of the first initialization alone would do.
+    let mut unset = unstarted(text, &[]);
+    unset.initialize(2.0).unwrap();
+    assert_ne!(bits(&unset), bits(&simulation));
+}
+
+/// Before the initialization there are settings only, even such as do not make a model yet.
+#[test]
+fn bytes_before_the_initialization() {
+    let text = format!("{}\n[section.pipe]\nshape = \"tube\"\ninner = 0.01\nouter = 0.02\n", MODELS[1].1);
+    let mut simulation = unstarted(&text, &[]);
+    simulation.set_value(reference(&simulation, "arm.elements"), Value::Integer(3)).unwrap();
+    simulation.set_value(reference(&simulation, "pipe.inner"), Value::Real(0.05)).unwrap();
+    let mut other = elsewhere(&simulation, &simulation.snapshot(), unstarted(&text, &[]));
+    for simulation in [&mut simulation, &mut other] {
+        assert!(simulation.initialize(0.0).is_err());
+        simulation.set_value(reference(simulation, "pipe.inner"), Value::Real(0.015)).unwrap();
+        simulation.initialize(0.0).unwrap();
+        simulation.advance(0.01).unwrap();
+    }
+    assert_eq!(bits(&simulation), bits(&other));
+}
+
+/// Bytes that pass for a snapshot but are of another shape, or cut, are refused; none does harm.
+#[test]
+fn bytes_that_do_not_fit_are_refused() {
+    let mut simulation = start(MODELS[1].1);
+    simulation.advance(0.01).unwrap();
+    let bytes = simulation.write(&simulation.snapshot(), Vec::new());
+    let refusal = |other: Simulation| other.read(&bytes).err().map_or(String::new(), |failure| failure.message);
+    let other_element = refusal(unstarted(MODELS[1].1, &[("arm.element", "ancf24")]));
+    assert!(other_element.contains("another shape"), "{other_element}");
+    let other_file = refusal(unstarted(MODELS[3].1, &[]));
+    assert!(other_file.contains("settings"), "{other_file}");
+    for length in 0..bytes.len() {
+        assert!(simulation.read(&bytes[..length]).is_err(), "{length}");
+    }
+    for place in 0..bytes.len() {
+        let mut damaged = bytes.clone();
+        damaged[place] ^= 0xff;
+        if let Ok(snapshot) = simulation.read(&damaged) {
+            simulation.restore(&snapshot);
+            let _ = simulation.advance(simulation.time() + 1e-3);
+        }
     }
 }
 
@@ -67,7 +159,8 @@ fn repeated_steps_give_the_same_bits() {
 fn repeated_steps_of_ancf24_give_the_same_bits() {
     for (place, beam) in [(3, "shaft"), (4, "strip"), (4, "crank"), (11, "arc")] {
         let (name, text) = MODELS[place];
-        check(name, load(text, &[(&format!("{beam}.element"), "ancf24")]));
+        let overrides = [(&*format!("{beam}.element"), "ancf24")];
+        check(name, load(text, &overrides), unstarted(text, &overrides));
     }
 }
 

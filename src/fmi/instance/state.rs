@@ -5,9 +5,9 @@ use crate::fmi::{Model, error::Error, lifecycle::Call};
 
 /// A copy of an instance: model, mode, times and logging.
 pub struct FmuState<M: Model> {
-    guid: String,
-    control: Control,
-    model: M::Snapshot,
+    pub(super) guid: String,
+    pub(super) control: Control,
+    pub(super) model: M::Snapshot,
 }
 
 impl<M: Model> Instance<M> {

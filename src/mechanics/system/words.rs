@@ -1,5 +1,6 @@
 //! What the unknowns of a machine are, in words: for messages.
 
+use crate::mechanics::load::HostWrench;
 use crate::mechanics::rigid_body::BODY;
 use crate::mechanics::system::{Beam, System};
 
@@ -57,7 +58,7 @@ impl System {
 
     /// The load, drive or frame that is not defined at `time` (s), in words.
     pub fn undefined(&self, time: f64) -> Option<String> {
-        let load = self.loads.iter().find(|load| !load.at(time).is_finite());
+        let load = self.loads.iter().find(|load| !load.at(time, &HostWrench::default()).is_finite());
         let load = load.map(|load| format!("the force or moment of load {}", load.name));
         load.or_else(|| self.undefined_motion(time).map(|name| format!("the motion of {name}")))
     }

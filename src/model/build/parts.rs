@@ -4,7 +4,7 @@ use super::{Builder, signal, tune, vector};
 use crate::math::Mat3;
 use crate::mechanics::beam_design::BeamDesign;
 use crate::mechanics::centreline::Centreline;
-use crate::mechanics::load::{self, Direction};
+use crate::mechanics::load::{self, Direction, LoadGuide};
 use crate::mechanics::material::Material;
 use crate::mechanics::pose::Pose;
 use crate::mechanics::prescribed::FrameGuide;
@@ -145,8 +145,11 @@ impl Builder<'_> {
         self.assembly.add_load(load::Load {
             name: written.name.clone(),
             points,
-            force: signals(written.force),
-            moment: signals(written.moment),
+            guide: if written.input {
+                LoadGuide::Host
+            } else {
+                LoadGuide::Signals { force: signals(written.force), moment: signals(written.moment) }
+            },
             direction: if written.follower { Direction::Follower } else { Direction::Global },
         });
     }

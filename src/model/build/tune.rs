@@ -2,10 +2,9 @@
 
 use super::{signal, vector};
 use crate::math::Vec3;
-use crate::math::jet::Jet;
 use crate::math::rotation::quaternion_matrix;
 use crate::mechanics::gauge::Measure;
-use crate::mechanics::load::Signal;
+use crate::mechanics::load::{HostWrench, LoadGuide, Wrench};
 use crate::mechanics::pose::Pose;
 use crate::mechanics::prescribed::Targets;
 use crate::mechanics::system::System;
@@ -14,8 +13,8 @@ use crate::model::entries::drive::Motion;
 use crate::model::entries::frame::Orientation;
 use crate::model::entries::joint::Joint;
 use crate::model::entries::spring::Spring;
+use crate::model::inputs::Inputs;
 use crate::model::number::Number;
-use std::sync::Arc;
 
 /// The numbers of a spring.
 pub(super) struct Tuned {
@@ -54,8 +53,10 @@ pub(super) fn springs_of(joint: &Joint) -> Vec<(Measure, Tuned)> {
 pub fn retune(document: &Document, system: &mut System) {
     system.gravity = vector(document, document.model.gravity);
     for (load, written) in system.loads.iter_mut().zip(&document.loads) {
-        load.force = written.force.map(|number| signal(document, number));
-        load.moment = written.moment.map(|number| signal(document, number));
+        if let LoadGuide::Signals { force, moment } = &mut load.guide {
+            *force = written.force.map(|number| signal(document, number));
+            *moment = written.moment.map(|number| signal(document, number));
+        }
     }
     for (beam, written) in system.beams.iter().zip(&document.beams) {
         let damping = document.value(document.materials[written.material].damping);
@@ -74,15 +75,19 @@ pub fn retune(document: &Document, system: &mut System) {
     }
 }
 
-/// Sets where drives and frames are to be at `end` s, from the inputs of now; `at_end` is the value of an input then.
+/// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads act until then.
 ///
 /// # Errors
 /// A quaternion has no length: names the frame.
-pub fn aim(document: &Document, at_end: impl Fn(Number) -> f64, end: f64, targets: &mut Targets) -> Result<(), String> {
+pub fn aim(document: &Document, inputs: &Inputs, begin: f64, end: f64, targets: &mut Targets) -> Result<(), String> {
+    let at_end = |number: Number| {
+        let (value, slope) = inputs.line(number);
+        value + slope * (end - begin)
+    };
     // All is checked before anything is set.
     for frame in &document.frames {
         if let Orientation::Quaternion(numbers) = frame.orientation
-            && pose(Vec3::zeros(), numbers.map(&at_end)).is_none()
+            && pose(Vec3::zeros(), numbers.map(at_end)).is_none()
         {
             let name = &frame.name;
             return Err(format!("the quaternion of frame {name} is 0: set {name}.quaternion[1] to 1 for no rotation"));
@@ -95,31 +100,20 @@ pub fn aim(document: &Document, at_end: impl Fn(Number) -> f64, end: f64, target
     }
     for (target, frame) in targets.frames.iter_mut().zip(&document.frames) {
         if let Orientation::Quaternion(numbers) = frame.orientation
-            && let Some(pose) = pose(Vec3::from(frame.position.map(&at_end)), numbers.map(&at_end))
+            && let Some(pose) = pose(Vec3::from(frame.position.map(at_end)), numbers.map(at_end))
         {
             *target = pose;
         }
     }
-    Ok(())
-}
-
-/// Makes the loads that a host gives linear in time from `begin` (s) on: value plus `slope` times what has passed.
-pub fn extrapolate(document: &Document, slope: impl Fn(Number) -> f64, begin: f64, system: &mut System) {
-    let linear = |number: Number| {
-        let (value, slope) = (document.value(number), slope(number));
-        match slope {
-            0.0 => Signal::Constant(value),
-            _ => Signal::Function(Arc::new(move |time| Jet {
-                value: value + slope * (time - begin),
-                first: slope,
-                second: 0.0,
-            })),
-        }
-    };
-    for (load, written) in system.loads.iter_mut().zip(&document.loads).filter(|(_, written)| written.input) {
-        load.force = written.force.map(linear);
-        load.moment = written.moment.map(linear);
+    for (target, load) in targets.loads.iter_mut().zip(&document.loads).filter(|(_, load)| load.input) {
+        let lines = [load.force, load.moment].map(|numbers| numbers.map(|number| inputs.line(number)));
+        let part = |select: fn(&(f64, f64)) -> f64| {
+            let [force, moment] = lines.each_ref().map(|line| Vec3::from_fn(|i, _| select(&line[i])));
+            Wrench { force, moment }
+        };
+        *target = HostWrench { value: part(|line| line.0), rate: part(|line| line.1), since: begin };
     }
+    Ok(())
 }
 
 /// Shortest quaternion that has a direction.

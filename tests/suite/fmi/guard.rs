@@ -8,7 +8,7 @@ use std::{ffi::c_void, process::Command, ptr::null_mut};
 use ancf14::{
     ffi::{
         component::{Component, Host},
-        guard::{free, free_state, guard, load_state, store_state},
+        guard::{free, free_state, guard, hand_out_state, load_state},
         types::fmi2Status,
     },
     fmi::{error::Error, instance::Instance, lifecycle},
@@ -153,7 +153,7 @@ fn states_by_handle() {
     let mut state: *mut c_void = null_mut();
     let place = &raw mut state;
     // SAFETY: `place` holds NULL or a state of a toy.
-    let store = || toy.call(lifecycle::Call::GetFMUstate, |i| unsafe { store_state(i, place) });
+    let store = || toy.call(lifecycle::Call::GetFMUstate, |i| unsafe { hand_out_state(place, || i.state()) });
     toy.call(lifecycle::Call::SetReal, |i| i.set_real(&[FORCE], &[1.0]));
     assert_eq!(store(), fmi2Status::fmi2OK);
     let first = state;

@@ -106,12 +106,18 @@ fn call(instance: &mut Instance<Toy>, call: Call) -> Result<(), Error> {
         Call::GetRealStatus => instance.real_status(kind).map(drop),
         Call::GetBooleanStatus => instance.boolean_status(kind).map(drop),
         Call::GetStatus | Call::GetIntegerStatus | Call::GetStringStatus => instance.other_status(call, kind),
-        Call::SerializedFMUstateSize
-        | Call::SerializeFMUstate
-        | Call::DeSerializeFMUstate
-        | Call::GetDirectionalDerivative
-        | Call::SetRealInputDerivatives
-        | Call::GetRealOutputDerivatives => instance.not_supported(call, "not here"),
+        Call::SerializedFMUstateSize | Call::SerializeFMUstate => {
+            let state = Instance::new(toy(), false).state()?;
+            instance.serialize(call, &state).map(drop)
+        }
+        Call::DeSerializeFMUstate => {
+            let other = Instance::new(toy(), false);
+            let bytes = other.serialize(Call::SerializeFMUstate, &other.state()?)?;
+            instance.deserialize(&bytes).map(drop)
+        }
+        Call::GetDirectionalDerivative | Call::SetRealInputDerivatives | Call::GetRealOutputDerivatives => {
+            instance.not_supported(call, "not here")
+        }
         Call::FreeInstance | Call::FreeFMUstate => instance.check(call),
     }
 }

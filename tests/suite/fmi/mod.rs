@@ -12,4 +12,5 @@ mod lifecycle;
 mod location;
 mod log;
 mod package;
+mod serialized;
 mod toy;

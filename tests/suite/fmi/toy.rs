@@ -4,6 +4,7 @@ use ancf14::fmi::{
     About, Failure, LogCategory, Model, Value,
     variable::{Causality, Quantity, Variability, Variable},
 };
+use serde::{Deserialize, Serialize};
 
 /// Places in the variable table.
 pub const GAIN: u32 = 0;
@@ -20,7 +21,7 @@ pub const REFUSED_FORCE: f64 = -777.0;
 /// A length without an initial state.
 pub const IMPOSSIBLE_LENGTH: f64 = 13.0;
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plain {
     gain: f64,
     length: f64,
@@ -110,6 +111,18 @@ pub fn toy() -> Toy {
         trap: Trap::None,
         initializations: 0,
         warnings: Vec::new(),
+    }
+}
+
+impl Toy {
+    /// All that changes.
+    pub fn plain(&self) -> Plain {
+        self.plain
+    }
+
+    /// Makes another model of it.
+    pub fn rename(&mut self, guid: &str) {
+        self.about.guid = guid.to_owned();
     }
 }
 
@@ -203,5 +216,13 @@ impl Model for Toy {
 
     fn restore(&mut self, snapshot: &Plain) {
         self.plain = *snapshot;
+    }
+
+    fn write(&self, snapshot: &Plain, bytes: Vec<u8>) -> Vec<u8> {
+        postcard::to_extend(snapshot, bytes).expect("a Vec takes every byte")
+    }
+
+    fn read(&self, bytes: &[u8]) -> Result<Plain, Failure> {
+        postcard::from_bytes(bytes).map_err(|_| failure("no snapshot of a toy"))
     }
 }

@@ -1,0 +1,75 @@
+//! FMU states as bytes (FMI 2.0, section 2.1.8): a header that tells foreign, truncated and damaged bytes apart, then the state.
+//!
+//! Header: magic, version of the layout, length and checksum of what follows; little endian. Then the GUID of the model, the instance's
+//! own data and the model's. They may come from another process, and from anywhere: nothing is believed that is not checked.
+
+use super::{Control, FmuState, Instance};
+use crate::fmi::{Model, error::Error, lifecycle::Call};
+
+/// First bytes of every serialized state.
+const MAGIC: [u8; 8] = *b"ancf14st";
+/// Version of the layout: of the header and of all that models write.
+const VERSION: u32 = 1;
+/// Bytes of the header: magic, version, length, checksum.
+const HEADER: usize = 8 + 4 + 8 + 4;
+
+impl<M: Model> Instance<M> {
+    /// The bytes of a state (`fmi2SerializeFMUstate`, section 2.1.8).
+    ///
+    /// # Errors
+    /// The mode does not allow `call`.
+    pub fn serialize(&self, call: Call, state: &FmuState<M>) -> Result<Vec<u8>, Error> {
+        self.check(call)?;
+        let bytes = postcard::to_extend(&(&state.guid, state.control), vec![0; HEADER]);
+        let mut bytes = self.model.write(&state.model, bytes.expect("a Vec takes every byte"));
+        let (header, content) = bytes.split_at_mut(HEADER);
+        header[..8].copy_from_slice(&MAGIC);
+        header[8..12].copy_from_slice(&VERSION.to_le_bytes());
+        header[12..20].copy_from_slice(&(content.len() as u64).to_le_bytes());
+        header[20..].copy_from_slice(&crc32fast::hash(content).to_le_bytes());
+        Ok(bytes)
+    }
+
+    /// The state that was serialized to `bytes`, of this or another instance, in this or another process (section 2.1.8).
+    ///
+    /// # Errors
+    /// The mode does not allow it; or the bytes are foreign, truncated, damaged, or of another model.
+    pub fn deserialize(&self, bytes: &[u8]) -> Result<FmuState<M>, Error> {
+        self.check(Call::DeSerializeFMUstate)?;
+        let refused = |problem: String| Error::Serialized { problem };
+        let content = content(bytes).map_err(refused)?;
+        let ((guid, control), model) =
+            postcard::take_from_bytes::<(String, Control)>(content).map_err(|reason| refused(reason.to_string()))?;
+        let own = &self.model.about().guid;
+        if guid != *own {
+            return Err(Error::ForeignState { theirs: guid, own: own.clone() });
+        }
+        let model = self.model.read(model).map_err(|failure| refused(failure.message))?;
+        Ok(FmuState { guid, control, model })
+    }
+}
+
+/// What stands behind the header, if it is what was written.
+fn content(bytes: &[u8]) -> Result<&[u8], String> {
+    let Some((header, content)) = bytes.split_at_checked(HEADER).filter(|(header, _)| header.starts_with(&MAGIC))
+    else {
+        return Err(format!("they do not begin as such a state does (there are {} bytes)", bytes.len()));
+    };
+    let version = number(&header[8..12]);
+    if version != u64::from(VERSION) {
+        return Err(format!("they have layout {version}, this library reads layout {VERSION}"));
+    }
+    let length = number(&header[12..20]);
+    if length != content.len() as u64 {
+        return Err(format!("{length} bytes were written behind the header, {} are there", content.len()));
+    }
+    if number(&header[20..]) != u64::from(crc32fast::hash(content)) {
+        return Err("their checksum does not fit: they are damaged".to_owned());
+    }
+    Ok(content)
+}
+
+/// A little-endian number.
+fn number(bytes: &[u8]) -> u64 {
+    bytes.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte))
+}

@@ -1,0 +1,156 @@
+//! States of a simulation to go back to: a plain copy, and the bytes of one.
+//!
+//! Bytes hold numbers only: the settings of the file, the host's inputs, the state. The machine is built from the file again.
+
+use super::Simulation;
+use super::machine::Solver;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::model::build;
+use crate::model::document::Document;
+use crate::model::inputs::Inputs;
+use crate::model::watch::Watch;
+use crate::solve::response::Responder;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// What changes between two calls of a host.
+#[derive(Clone, Debug)]
+pub struct Snapshot {
+    document: Arc<Document>,
+    drawn: Arc<Document>,
+    system: Arc<System>,
+    state: State,
+    start: f64,
+    step: f64,
+    initialization: Arc<()>,
+    initialized: bool,
+    watch: Watch,
+    inputs: Inputs,
+    results: Vec<f64>,
+}
+
+/// A snapshot as numbers.
+#[derive(Serialize, Deserialize)]
+struct Saved<'a> {
+    /// Settings of the file now.
+    settings: Vec<f64>,
+    /// Settings of the file when the machine was built.
+    drawn: Vec<f64>,
+    /// Values and derivatives of the inputs.
+    inputs: [Cow<'a, [f64]>; 2],
+    state: Cow<'a, State>,
+    /// Start of the grid and internal step, s.
+    grid: [f64; 2],
+    initialized: bool,
+    watch: Watch,
+    results: Cow<'a, [f64]>,
+}
+
+impl Snapshot {
+    /// Its bytes, behind `bytes`.
+    pub(super) fn write(&self, bytes: Vec<u8>) -> Vec<u8> {
+        let [values, slopes] = self.inputs.parts();
+        let saved = Saved {
+            settings: self.document.settings(),
+            drawn: self.drawn.settings(),
+            inputs: [values.into(), slopes.into()],
+            state: Cow::Borrowed(&self.state),
+            grid: [self.start, self.step],
+            initialized: self.initialized,
+            watch: self.watch,
+            results: Cow::Borrowed(&self.results),
+        };
+        postcard::to_extend(&saved, bytes).expect("a Vec takes every byte, and all lengths are known")
+    }
+
+    /// The snapshot that these bytes are of; `document` is the file it is a state of, with any settings.
+    ///
+    /// # Errors
+    /// They are no state of this file.
+    pub(super) fn read(document: &Document, bytes: &[u8]) -> Result<Self, String> {
+        let (saved, rest): (Saved<'_>, _) =
+            postcard::take_from_bytes(bytes).map_err(|reason| format!("the state cannot be read: {reason}"))?;
+        if !rest.is_empty() {
+            return Err(format!("{} bytes are left behind the state", rest.len()));
+        }
+        let drawn = Arc::new(document.with_settings(&saved.drawn)?);
+        drawn.check()?;
+        let document = match saved.settings == saved.drawn {
+            true => Arc::clone(&drawn),
+            false => Arc::new(document.with_settings(&saved.settings)?),
+        };
+        let [start, step] = saved.grid;
+        let mut built = build::build(&drawn, start).map_err(|mistakes| mistakes.to_string())?;
+        if saved.initialized {
+            build::retune(&document, &mut built.system);
+        }
+        let state = saved.state.into_owned();
+        let [values, slopes] = saved.inputs;
+        let mut inputs = Inputs::new(&document);
+        if !(state.has_the_shape_of(&built.state) && inputs.set_parts([&values, &slopes])) {
+            return Err(String::from("the state has another shape than the machine of the model file"));
+        }
+        Ok(Self {
+            document,
+            drawn,
+            system: Arc::new(built.system),
+            state,
+            start,
+            step,
+            initialization: Arc::new(()),
+            initialized: saved.initialized,
+            watch: saved.watch,
+            inputs,
+            results: saved.results.into_owned(),
+        })
+    }
+}
+
+impl Simulation {
+    /// A copy of what changes between two calls.
+    pub(super) fn save(&self) -> Snapshot {
+        let machine = &self.machine;
+        Snapshot {
+            document: Arc::clone(&self.document),
+            drawn: Arc::clone(&machine.drawn),
+            system: Arc::clone(&machine.system),
+            state: machine.state.clone(),
+            start: machine.start,
+            step: machine.step,
+            initialization: Arc::clone(&machine.initialization),
+            initialized: machine.is_initialized(),
+            watch: self.watch,
+            inputs: self.inputs.clone(),
+            results: self.results.clone(),
+        }
+    }
+
+    /// Goes back to a copy.
+    pub(super) fn go_back_to(&mut self, snapshot: &Snapshot) {
+        let machine = &mut self.machine;
+        self.document = Arc::clone(&snapshot.document);
+        machine.drawn = Arc::clone(&snapshot.drawn);
+        machine.system = Arc::clone(&snapshot.system);
+        machine.state.clone_from(&snapshot.state);
+        (machine.start, machine.step) = (snapshot.start, snapshot.step);
+        self.results.clone_from(&snapshot.results);
+        self.watch = snapshot.watch;
+        self.inputs.copy_from(&snapshot.inputs);
+        // The solver has the shape and the tolerance of its initialization, which may be another one, or another instance's.
+        if !Arc::ptr_eq(&machine.initialization, &snapshot.initialization) {
+            machine.initialization = Arc::clone(&snapshot.initialization);
+            machine.solver = match snapshot.initialized {
+                false => Solver::None,
+                // It could be set up for this very system before; if memory is short, the next step says that there is none.
+                true => Solver::new(&machine.drawn, &machine.system).unwrap_or(Solver::None),
+            };
+            // The response is of the state, and only results ask for it: a snapshot has them.
+            machine.responder = match snapshot.initialized && self.table.needs_response() {
+                false => None,
+                true => Responder::new(&machine.system).ok().map(Box::new),
+            };
+        }
+    }
+}
