@@ -233,7 +233,8 @@ impl<M: Model> Instance<M> {
         let own = self.model.time();
         let scale = own.abs().max(time.abs()).max(step);
         let end = time + step;
-        let same_time = (time - own).abs() <= TIME_TOLERANCE * scale; // false for NaN
+        // False for NaN; any difference is small beside an infinite time.
+        let same_time = time.is_finite() && (time - own).abs() <= TIME_TOLERANCE * scale;
         if !same_time {
             return Err(Error::WrongTime { given: time, own });
         }

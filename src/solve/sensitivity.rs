@@ -166,7 +166,6 @@ impl Sensitivity {
         system: &System,
         step: Step<'_, impl Inputs>,
         (after, response): (&State, &Response),
-        moves: bool,
         (number, reach): (usize, f64),
         mut read: impl FnMut(&State, &Response, f64),
     ) {
@@ -177,7 +176,7 @@ impl Sensitivity {
             let by = offset * unit;
             set_moved(&mut moved_response.acceleration, &response.acceleration, &own.acceleration, by);
             set_moved(&mut moved_response.multipliers, &response.multipliers, &own.multipliers, by);
-            let moved = self.scratch.mover.move_from(system, &step, number, after, variation, by, moves);
+            let moved = self.scratch.mover.move_from(system, &step, number, after, variation, by);
             read(moved, &moved_response, weight / unit);
         }
     }
@@ -221,7 +220,7 @@ impl Sensitivity {
                 sum.fill(0.0);
                 for (offset, weight) in STENCIL {
                     let by = offset * unit;
-                    let moved = mover.move_from(system, step, number, from, own, by, I::MEMORY);
+                    let moved = mover.move_from(system, step, number, from, own, by);
                     set_moved(moved_unknowns, unknowns, change, by);
                     integrator.balance(system, moved, span, moved_unknowns, right);
                     add_scaled(sum, right, weight / unit);
@@ -236,7 +235,7 @@ impl Sensitivity {
             product.fill(0.0);
             for (offset, weight) in STENCIL {
                 let by = offset * unit;
-                let moved = mover.move_from(system, step, number, from, own, by, I::MEMORY);
+                let moved = mover.move_from(system, step, number, from, own, by);
                 set_moved(moved_unknowns, unknowns, change, by);
                 integrator.conclude(system, moved, span, moved_unknowns, arrived);
                 variation.add_between(system, weight / unit, after, arrived);
@@ -288,7 +287,7 @@ impl Sensitivity {
                 let unit = step.reach(system, number, variation, &[], 0.0);
                 sum.fill(0.0);
                 for (offset, weight) in STENCIL {
-                    let moved = mover.move_from(system, &step, number, after, variation, offset * unit, I::MEMORY);
+                    let moved = mover.move_from(system, &step, number, after, variation, offset * unit);
                     responder.balance(system, moved, response, right)?;
                     add_scaled(sum, right, weight / unit);
                 }
@@ -342,6 +341,8 @@ pub struct Step<'a, N> {
     pub start: &'a State,
     /// What the host gave for it.
     pub inputs: &'a N,
+    /// Whether frames and drives move at its end: they do not in an equilibrium.
+    pub moves: bool,
 }
 
 impl<N> Clone for Step<'_, N> {
@@ -384,7 +385,6 @@ impl Mover {
         from: &State,
         variation: &Variation,
         by: f64,
-        moves: bool,
     ) -> &State {
         let Self { moved, way, frames } = self;
         moved.clone_from(from);
@@ -394,7 +394,7 @@ impl Mover {
             way.prescribed.copy_from(&step.start.prescribed);
             way.targets.copy_from(&moved.targets);
             system.prescribe(way, from.time, &mut moved.prescribed);
-            if !moves {
+            if !step.moves {
                 moved.prescribed.stop();
             }
         }

@@ -189,7 +189,10 @@ fn worst(mut simulation: Simulation, step: f64, steps: u32) -> (f64, String) {
     worst
 }
 
-fn machine(word: &str, overrides: &[(&str, &str)]) -> Simulation {
+/// Keys and values that differ from the file's.
+type Overrides<'a> = &'a [(&'a str, &'a str)];
+
+fn machine(word: &str, overrides: Overrides) -> Simulation {
     load(&MACHINE.replace("KNUCKLE", word), overrides)
 }
 
@@ -197,13 +200,13 @@ fn machine(word: &str, overrides: &[(&str, &str)]) -> Simulation {
 /// the way; all elements.
 #[test]
 fn derivatives_by_inputs() {
-    let conserving: &[(&str, &str)] = &[];
+    let conserving: Overrides = &[];
     let variational = &[("simulation.integrator", "variational")];
     let alpha = &[("simulation.integrator", "generalized_alpha")];
     let statics = &[("simulation.analysis", "static")];
     let quadratic = &[("arm.twist", "quadratic"), ("finger.strain", "small")];
     let other = &[("finger.element", "ancf24")];
-    let cases: [(&str, &[(&str, &str)], &str, f64, u32); 9] = [
+    let cases: [(&str, Overrides, &str, f64, u32); 9] = [
         ("conserving, one step", conserving, "value", 2e-3, 1),
         ("conserving, on the way", conserving, "rate", 2e-3, 6),
         ("conserving, five internal steps", conserving, "value", 1e-2, 4),
@@ -290,10 +293,10 @@ fn derivatives_by_time_of_what_moves() {
             w[1] * q[0] + w[2] * q[1] - w[0] * q[3],
             w[2] * q[0] + w[0] * q[2] - w[1] * q[1],
         ];
-        for i in 0..4 {
+        for (i, expected) in expected.iter().enumerate() {
             near(
                 rate(&mut simulation, &format!("tip.quaternion[{}]", i + 1)),
-                0.5 * expected[i],
+                0.5 * expected,
                 largest(&w),
                 "quaternion",
             );

@@ -168,24 +168,18 @@ impl Simulation {
         let responds = table.needs_response();
         let mut columns = Vec::new();
         let (system, state, start) = (&machine.system, &machine.state, &machine.backup);
-        let step = Step { start, inputs: &given };
+        let moves = !matches!(machine.solver, Solver::Statics(_));
+        let step = Step { start, inputs: &given, moves };
         let mut frames = Frames::default();
         let mut values = Vec::new();
-        let mut all = |sensitivity: &mut Sensitivity, after: &State, response: &Response, moves: bool| {
+        let mut all = |sensitivity: &mut Sensitivity, after: &State, response: &Response| {
             for number in 0..last.inputs.count() {
                 let mut column = |reach: f64| {
                     let mut sum = vec![0.0; results.len()];
-                    sensitivity.look(
-                        system,
-                        step,
-                        (after, response),
-                        moves,
-                        (number, reach),
-                        |state, response, weight| {
-                            table.measure(&Moment { system, state, response }, &mut frames, &mut values);
-                            add_weighted(&mut sum, &values, weight);
-                        },
-                    );
+                    sensitivity.look(system, step, (after, response), (number, reach), |state, response, weight| {
+                        table.measure(&Moment { system, state, response }, &mut frames, &mut values);
+                        add_weighted(&mut sum, &values, weight);
+                    });
                     sum
                 };
                 let mut whole = column(REACH);
@@ -240,7 +234,7 @@ fn run<I: Linearized>(
     plan: Plan,
     (state, response): (&State, &Response),
     responds: bool,
-    all: &mut impl FnMut(&mut Sensitivity, &State, &Response, bool),
+    all: &mut impl FnMut(&mut Sensitivity, &State, &Response),
 ) -> Result<(), Error> {
     let mut sensitivity = Sensitivity::new(system, step.start, step.inputs)?;
     let mut after = state.clone();
@@ -249,6 +243,6 @@ fn run<I: Linearized>(
     if responds {
         sensitivity.of_response::<I>(system, step, &after, response)?;
     }
-    all(&mut sensitivity, &after, response, I::MEMORY);
+    all(&mut sensitivity, &after, response);
     Ok(())
 }

@@ -222,6 +222,16 @@ fn the_host_s_time_is_checked() {
     }
 }
 
+/// Infinite times went on to the model: any difference is small beside them. Refused, they leave the instance as it was.
+#[test]
+fn regression_infinite_times_are_refused() {
+    for time in [f64::INFINITY, f64::NEG_INFINITY] {
+        let mut instance = initialized();
+        assert!(matches!(instance.do_step(time, 0.5), Err(Error::WrongTime { .. })), "{time}");
+        instance.do_step(0.0, 0.5).unwrap();
+    }
+}
+
 /// A derivative extrapolates its input over the next step, and only that one.
 #[test]
 fn input_derivatives_are_for_one_step() {

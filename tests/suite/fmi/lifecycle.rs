@@ -11,7 +11,7 @@ use ancf14::fmi::{
 use super::toy::{Toy, Trap, toy};
 
 /// What the standard allows in a mode, and what is tolerated beyond it.
-fn allowed(mode: Mode) -> (Vec<Call>, Vec<Call>) {
+pub fn allowed(mode: Mode) -> (Vec<Call>, Vec<Call>) {
     use Call::*;
     let reads = [GetReal, GetInteger, GetBoolean, GetString];
     let writes = [SetReal, SetInteger, SetBoolean, SetString];
