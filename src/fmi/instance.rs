@@ -164,9 +164,10 @@ impl<M: Model> Instance<M> {
     /// Enters Initialization Mode (section 2.1.6).
     ///
     /// # Errors
-    /// The mode does not allow it.
+    /// The mode does not allow it, or the parameters as set do not make a model: the instance stays as it is, for others to be set.
     pub fn enter_initialization_mode(&mut self) -> Result<(), Error> {
         self.check(Call::EnterInitializationMode)?;
+        self.model.check()?;
         self.control.mode = Mode::Initialization;
         self.control.solved = false;
         self.event(|| "Initialization Mode".to_owned());

@@ -120,6 +120,12 @@ pub trait Model: Sized {
     /// Sets the derivative by time of input `reference` (a finite number) for the next `advance` only.
     fn set_input_derivative(&mut self, reference: usize, derivative: f64);
 
+    /// Whether the parameters as set make a model: that each is within its range is known since it was set, not what follows from them.
+    ///
+    /// # Errors
+    /// They do not.
+    fn check(&self) -> Result<(), Failure>;
+
     /// Builds the model from the parameters as set and finds its initial state at `start`, s. May be called again.
     ///
     /// # Errors

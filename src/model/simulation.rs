@@ -169,6 +169,11 @@ impl Model for Simulation {
         }
     }
 
+    fn check(&self) -> Result<(), Failure> {
+        self.document.check().map_err(wrong)?;
+        build::check(&self.document).map_err(|mistakes| wrong(mistakes.to_string()))
+    }
+
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
         if self.inputs.iter().any(|(number, value)| self.document.value(number) != value) {
             let document = Arc::make_mut(&mut self.document);

@@ -12,7 +12,8 @@ use ancf14::fmi::{
 use crate::allocations::count;
 
 use super::toy::{
-    AREA, CELLS, COUNT, FORCE, GAIN, IMPOSSIBLE_LENGTH, LENGTH, POSITION, REFUSED_FORCE, TIME, Toy, Trap, toy,
+    AREA, CELLS, COUNT, FORCE, GAIN, IMPOSSIBLE_LENGTH, LENGTH, POSITION, REFUSED_FORCE, TIME, Toy, Trap, UNFIT_LENGTH,
+    toy,
 };
 
 fn fresh() -> Instance<Toy> {
@@ -152,6 +153,18 @@ fn reads_in_initialization_mode_solve_and_remember() {
     assert_eq!((real(&mut instance, POSITION), real(&mut instance, AREA)), (3.0, 9.0));
     instance.exit_initialization_mode().unwrap();
     assert_eq!(instance.model().initializations, 2);
+}
+
+/// Parameters that fit their ranges but make no model are refused at the latest when the initialization begins, and may be mended then.
+#[test]
+fn parameters_are_checked_before_the_initialization() {
+    let mut instance = fresh();
+    instance.set_real(&[LENGTH], &[UNFIT_LENGTH]).unwrap();
+    let error = instance.enter_initialization_mode().unwrap_err();
+    assert_eq!((error.status(), error.to_string().as_str()), (Status::Error, "that length fits nothing"));
+    assert_eq!(instance.mode(), Mode::Instantiated);
+    instance.set_real(&[LENGTH], &[1.0]).unwrap();
+    instance.enter_initialization_mode().unwrap();
 }
 
 /// Without an initial state the instance stays in Initialization Mode, where another value may be tried.

@@ -18,6 +18,8 @@ pub const TIME: u32 = 7;
 
 /// A force that the model itself refuses, though it is within the bounds.
 pub const REFUSED_FORCE: f64 = -777.0;
+/// A length within its bounds that makes no model.
+pub const UNFIT_LENGTH: f64 = 14.0;
 /// A length without an initial state.
 pub const IMPOSSIBLE_LENGTH: f64 = 13.0;
 
@@ -170,6 +172,10 @@ impl Model for Toy {
 
     fn set_input_derivative(&mut self, _reference: usize, derivative: f64) {
         self.plain.slope = derivative;
+    }
+
+    fn check(&self) -> Result<(), Failure> {
+        if self.plain.length == UNFIT_LENGTH { Err(failure("that length fits nothing")) } else { Ok(()) }
     }
 
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
