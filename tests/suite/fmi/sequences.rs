@@ -232,11 +232,11 @@ fn repeat(unit: &Unit, other: &Unit, place: &Place, seed: u64) {
     assert!(is_fine(unit.save(&mut saved)));
     let expected = steps(unit, place, seed);
     assert!(is_fine(unit.restore(saved)));
-    assert_eq!(steps(unit, place, seed), expected);
+    assert!(steps(unit, place, seed) == expected, "other bits after the way back");
     let bytes = unit.serialize(saved);
     assert!(is_fine(other.deserialize(&bytes, &mut shipped)), "{:?}", other.lines.take());
     assert!(is_fine(other.restore(shipped)));
-    assert_eq!(steps(other, place, seed), expected);
+    assert!(steps(other, place, seed) == expected, "other bits in another instance");
     assert!(is_fine(unit.forget(&mut saved)) && is_fine(other.forget(&mut shipped)));
 }
 
@@ -311,7 +311,8 @@ fn random_sequences_repeat_and_leave_nothing() {
         let steps = actions.iter().filter(|action| matches!(action, Action::Step { .. })).count();
         assert!(steps > LENGTH / 4, "most of a sequence are steps, not {steps}");
         let expected = run(&place, &actions, None);
-        let left = allocations::left_over(|| assert_eq!(run(&place, &actions, None), expected));
+        let left =
+            allocations::left_over(|| assert!(run(&place, &actions, None) == expected, "other bits the second time"));
         assert_eq!(left, 0, "allocations of a run that were not given back");
     }
 }
@@ -323,7 +324,9 @@ fn wrong_calls_leave_no_trace() {
         let place = Place::new(MODEL);
         let actions = sequence(&mut Random(seed));
         let expected = run(&place, &actions, None);
-        let left = allocations::left_over(|| assert_eq!(run(&place, &actions, Some(Random(5))), expected));
+        let left = allocations::left_over(|| {
+            assert!(run(&place, &actions, Some(Random(5))) == expected, "other bits than without wrong calls");
+        });
         assert_eq!(left, 0, "allocations of a run that were not given back");
     }
 }
