@@ -17,7 +17,7 @@ use super::entries::spring::Spring;
 use super::function::Function;
 use super::geometry;
 use super::names::{Kind, Named, Names, SECTIONS, is_legal, is_reserved, suggestion};
-use super::number::{Number, Numbers, Written};
+use super::number::{Number, Numbers, Range, Written};
 use super::overrides;
 use super::parameter::Parameter;
 use super::reader::{Context, Reader};
@@ -142,6 +142,11 @@ impl Document {
     /// Why the value of a number is not allowed; none: it is.
     pub fn objection(&self, number: Number) -> Option<String> {
         self.numbers.slots[number.0].meta.objection(self.value(number))
+    }
+
+    /// The allowed values of a number.
+    pub fn range(&self, number: Number) -> Range {
+        self.numbers.slots[number.0].meta.range
     }
 
     /// The name of a number: `tip.force[1]`.

@@ -1,14 +1,17 @@
 //! What a host gives while the model runs: the values of the inputs, and their derivatives for one communication step.
 
 use super::document::Document;
-use super::number::Number;
+use super::number::{Number, Range};
 use crate::fmi::variable::Causality;
+use std::sync::Arc;
 
 /// Values and derivatives of the inputs, as set last.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inputs {
     /// Which numbers of the file they are, ascending.
-    numbers: Vec<Number>,
+    numbers: Arc<[Number]>,
+    /// Their allowed values.
+    ranges: Arc<[Range]>,
     /// Their values.
     values: Vec<f64>,
     /// Their derivatives by time for the next step, 1/s of their units; 0 where none is set.
@@ -21,9 +24,10 @@ impl Inputs {
         let inputs = document.parameters().iter().filter(|row| row.variable.causality == Causality::Input);
         let mut list: Vec<(Number, f64)> = inputs.map(|row| (row.number, row.variable.start.number())).collect();
         list.sort_by_key(|(number, _)| *number);
-        let (numbers, values): (_, Vec<f64>) = list.into_iter().unzip();
+        let (numbers, values): (Vec<Number>, Vec<f64>) = list.into_iter().unzip();
+        let ranges = numbers.iter().map(|number| document.range(*number)).collect();
         let slopes = vec![0.0; values.len()];
-        Self { numbers, values, slopes }
+        Self { numbers: numbers.into(), ranges, values, slopes }
     }
 
     /// The place of an input in this list; none: the number is no input.
@@ -51,9 +55,13 @@ impl Inputs {
         self.values[place]
     }
 
-    /// Sets the value at `place`.
-    pub fn set(&mut self, place: usize, value: f64) {
-        self.values[place] = value;
+    /// Sets the value at `place`; false where it is not allowed.
+    pub fn set(&mut self, place: usize, value: f64) -> bool {
+        let allowed = value.is_finite() && self.ranges[place].contains(value);
+        if allowed {
+            self.values[place] = value;
+        }
+        allowed
     }
 
     /// Sets the derivative at `place`, for the next step only.
@@ -89,7 +97,8 @@ impl Inputs {
 
     /// Takes the values of another one, keeping the own memory.
     pub fn copy_from(&mut self, other: &Self) {
-        self.numbers.clone_from(&other.numbers);
+        self.numbers = Arc::clone(&other.numbers);
+        self.ranges = Arc::clone(&other.ranges);
         self.values.clone_from(&other.values);
         self.slopes.clone_from(&other.slopes);
     }

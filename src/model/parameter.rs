@@ -96,10 +96,18 @@ impl Document {
             Value::Integer(_) => return Err(format!("`{name}` is a Real, not an Integer")),
             Value::Real(_) => return Err(format!("`{name}` is an Integer, not a Real")),
         };
-        self.accept(parameter.number, value)?;
-        self.numbers.slots[parameter.number.0].written = Written::Plain(value);
-        self.numbers.resolve();
+        let number = parameter.number;
+        self.accept(number, value)?;
+        self.set_start(number, value);
+        if self.feeds_others(index) {
+            self.numbers.resolve();
+        }
         Ok(())
+    }
+
+    /// Whether other numbers may follow from parameter `index`: an entry of [parameters].
+    pub fn feeds_others(&self, index: usize) -> bool {
+        self.parameters[index].number.0 < self.numbers.named
     }
 
     /// Whether `number` may have this value.
@@ -114,7 +122,7 @@ impl Document {
         }
     }
 
-    /// Sets the start value of an input, a number that nothing follows from; the caller has checked it.
+    /// Sets a number that nothing follows from, as the start value of an input; the caller has checked it.
     pub fn set_start(&mut self, number: Number, value: f64) {
         self.numbers.slots[number.0].written = Written::Plain(value);
         self.numbers.values[number.0] = value;

@@ -94,13 +94,15 @@ impl Simulation {
         document.set_parameter(index, value).map_err(wrong)?;
         if variability == Variability::Tunable && self.machine.is_initialized() {
             // Nothing later checks what follows from a tunable parameter. Its old value was legal.
-            if let Err(objection) = document.check() {
+            if document.feeds_others(index)
+                && let Err(objection) = document.check()
+            {
                 document.set_parameter(index, before).map_err(wrong)?;
                 return Err(wrong(objection));
             }
             // The machine of the last step is no more.
+            self.machine.stale = true;
             self.forget_step();
-            build::retune(&self.document, Arc::make_mut(&mut self.machine.system));
         }
         Ok(())
     }
@@ -155,8 +157,9 @@ impl Model for Simulation {
                 Err(wrong(format!("`{}` is a Real, not an Integer", variable.name)))
             }
             (Source::Input(place), Value::Real(number)) => {
-                self.document.accept(self.inputs.number(place), number).map_err(wrong)?;
-                self.inputs.set(place, number);
+                if !self.inputs.set(place, number) {
+                    self.document.accept(self.inputs.number(place), number).map_err(wrong)?;
+                }
                 Ok(())
             }
             (Source::Parameter(index), _) => self.set_parameter(index, value, variable.variability),
@@ -204,6 +207,9 @@ impl Model for Simulation {
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
         self.forget_step();
         let machine = &mut self.machine;
+        if std::mem::take(&mut machine.stale) {
+            build::retune(&self.document, Arc::make_mut(&mut machine.system));
+        }
         machine.keep();
         let begin = machine.state.time;
         let line = |number| self.inputs.line(number);

@@ -28,6 +28,8 @@ pub(super) struct Machine {
     pub(super) drawn: Arc<Document>,
     pub(super) system: Arc<System>,
     pub(super) state: State,
+    /// Tunable parameters have been set since the machine was brought to them.
+    pub(super) stale: bool,
     /// The state before the running call, to go back to when it fails.
     pub(super) backup: State,
     /// Start of the grid of internal steps, s.
@@ -59,6 +61,7 @@ impl Machine {
         Self {
             drawn: Arc::clone(document),
             system: Arc::new(system),
+            stale: false,
             backup: state.clone(),
             state,
             start,

@@ -22,6 +22,7 @@ pub struct Snapshot {
     document: Arc<Document>,
     drawn: Arc<Document>,
     system: Arc<System>,
+    stale: bool,
     state: State,
     start: f64,
     step: f64,
@@ -119,6 +120,7 @@ impl Snapshot {
             document,
             drawn,
             system: Arc::new(built.system),
+            stale: false,
             state,
             start,
             step,
@@ -140,6 +142,7 @@ impl Simulation {
             document: Arc::clone(&self.document),
             drawn: Arc::clone(&machine.drawn),
             system: Arc::clone(&machine.system),
+            stale: machine.stale,
             state: machine.state.clone(),
             start: machine.start,
             step: machine.step,
@@ -158,6 +161,7 @@ impl Simulation {
         self.document = Arc::clone(&snapshot.document);
         machine.drawn = Arc::clone(&snapshot.drawn);
         machine.system = Arc::clone(&snapshot.system);
+        machine.stale = snapshot.stale;
         machine.state.clone_from(&snapshot.state);
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
         self.results.clone_from(&snapshot.results);
