@@ -22,7 +22,9 @@ fn build() -> (TempDir, PathBuf) {
     let here = directory.path();
     let model = Simulation::load("model.toml", MODEL, &[]).unwrap();
     let library = fs::read(library_path()).unwrap();
-    let fmu = package::fmu(model.about(), model.variables(), MODEL, &[(package::Platform::NATIVE, library)]).unwrap();
+    let contents = package::Contents { model: MODEL, licences: "", icon: &[], drawing: "", legend: "" };
+    let fmu =
+        package::fmu(model.about(), model.variables(), &contents, &[(package::Platform::NATIVE, library)]).unwrap();
     zip::ZipArchive::new(Cursor::new(fmu)).unwrap().extract(here.join("unit")).unwrap();
     fs::write(here.join("model.h"), header::text(model.about(), model.variables(), "MODEL").unwrap()).unwrap();
     fs::copy(library_path(), here.join(package::LIBRARY)).unwrap();
