@@ -497,10 +497,10 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component c,
                                        const fmi2Real *value);
 
 /*
- Not offered: maxOutputDerivativeOrder is 0 (section 4.2.1).
+ Reads first derivatives of Real outputs by time (section 4.2.1).
 
  # Safety
- `c` is a live instance.
+ `c` is a live instance; the arrays have `nvr` elements.
  */
 fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c,
                                         const fmi2ValueReference *vr,
@@ -509,10 +509,10 @@ fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c,
                                         fmi2Real *value);
 
 /*
- Not offered: providesDirectionalDerivative is false (section 2.1.9).
+ The change of outputs at the end of the last step with the inputs of that step (section 2.1.9).
 
  # Safety
- `c` is a live instance.
+ `c` is a live instance; the arrays of unknowns have `nUnknown` elements, those of knowns `nKnown`.
  */
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component c,
                                         const fmi2ValueReference *vUnknown_ref,

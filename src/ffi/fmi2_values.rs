@@ -164,12 +164,11 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     }
 }
 
-/// Not offered: maxOutputDerivativeOrder is 0 (section 4.2.1).
+/// Reads first derivatives of Real outputs by time (section 4.2.1).
 ///
 /// # Safety
-/// `c` is a live instance.
+/// `c` is a live instance; the arrays have `nvr` elements.
 #[unsafe(no_mangle)]
-#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
@@ -177,21 +176,20 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
     order: *const fmi2Integer,
     value: *mut fmi2Real,
 ) -> fmi2Status {
-    const REASON: &str = "maxOutputDerivativeOrder is 0; read velocities where the model has them as outputs";
     // SAFETY: the caller's promise.
     unsafe {
         guard(c, Call::GetRealOutputDerivatives, |instance| {
-            instance.not_supported(Call::GetRealOutputDerivatives, REASON)
+            let (order, value) = (slice(order, nvr, "order")?, slice_mut(value, nvr, "value")?);
+            instance.get_real_output_derivatives(slice(vr, nvr, "vr")?, order, value)
         })
     }
 }
 
-/// Not offered: providesDirectionalDerivative is false (section 2.1.9).
+/// The change of outputs at the end of the last step with the inputs of that step (section 2.1.9).
 ///
 /// # Safety
-/// `c` is a live instance.
+/// `c` is a live instance; the arrays of unknowns have `nUnknown` elements, those of knowns `nKnown`.
 #[unsafe(no_mangle)]
-#[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     c: fmi2Component,
     vUnknown_ref: *const fmi2ValueReference,
@@ -201,11 +199,13 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     dvKnown: *const fmi2Real,
     dvUnknown: *mut fmi2Real,
 ) -> fmi2Status {
-    const REASON: &str = "providesDirectionalDerivative is false; repeat a step from an FMU state with changed inputs";
     // SAFETY: the caller's promise.
     unsafe {
         guard(c, Call::GetDirectionalDerivative, |instance| {
-            instance.not_supported(Call::GetDirectionalDerivative, REASON)
+            let unknowns = slice(vUnknown_ref, nUnknown, "vUnknown_ref")?;
+            let knowns = slice(vKnown_ref, nKnown, "vKnown_ref")?;
+            let (seeds, changes) = (slice(dvKnown, nKnown, "dvKnown")?, slice_mut(dvUnknown, nUnknown, "dvUnknown")?);
+            instance.directional_derivative(unknowns, knowns, seeds, changes)
         })
     }
 }

@@ -104,19 +104,19 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
     Ok(())
 }
 
-/// What the unit can do. False or 0: asynchronous steps, directional derivatives, output derivatives.
+/// What the unit can do: all but asynchronous steps.
 fn co_simulation(xml: &mut Xml, about: &About) -> io::Result<()> {
     let flags = [
         ("needsExecutionTool", "false"),
         ("canHandleVariableCommunicationStepSize", "true"),
         ("canInterpolateInputs", "true"),
-        ("maxOutputDerivativeOrder", "0"),
+        ("maxOutputDerivativeOrder", "1"),
         ("canRunAsynchronuously", "false"), // the standard's spelling
         ("canBeInstantiatedOnlyOncePerProcess", "false"),
         ("canNotUseMemoryManagementFunctions", "true"),
         ("canGetAndSetFMUstate", "true"),
         ("canSerializeFMUstate", "true"),
-        ("providesDirectionalDerivative", "false"),
+        ("providesDirectionalDerivative", "true"),
     ];
     let element = xml.create_element("CoSimulation").with_attribute(("modelIdentifier", about.identifier.as_str()));
     element.with_attributes(flags).write_empty()?;

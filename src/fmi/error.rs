@@ -63,8 +63,8 @@ pub enum Error {
         /// The type the call is for.
         asked: &'static str,
     },
-    /// Only inputs have derivatives that a host can set.
-    #[error("`{name}` is no input: only inputs have derivatives to set")]
+    /// Derivatives are set for inputs only, and taken by inputs only.
+    #[error("`{name}` is no input; derivatives are set for inputs, and taken by inputs")]
     NoInput {
         /// Its name.
         name: String,
@@ -73,8 +73,24 @@ pub enum Error {
     #[error(
         "the derivative of order {order} of `{name}` cannot be set: inputs are extrapolated by their first derivative; pass order 1"
     )]
-    DerivativeOrder {
+    InputOrder {
         /// Name of the input.
+        name: String,
+        /// The order asked for.
+        order: i32,
+    },
+    /// Only outputs have derivatives that can be read.
+    #[error("`{name}` is no output; derivatives are read of outputs only")]
+    NoOutput {
+        /// Its name.
+        name: String,
+    },
+    /// Second derivatives of outputs are not known.
+    #[error(
+        "the derivative of order {order} of `{name}` cannot be read: maxOutputDerivativeOrder is 1; read the velocity and its derivative"
+    )]
+    OutputOrder {
+        /// Name of the output.
         name: String,
         /// The order asked for.
         order: i32,
@@ -164,12 +180,6 @@ pub enum Error {
         end: f64,
         /// The defined stop time, s.
         stop: f64,
-    },
-    /// A part of the standard that this unit does not offer.
-    #[error("this unit does not support it: {reason}")]
-    NotSupported {
-        /// The capability flag, and what to do instead.
-        reason: &'static str,
     },
     /// A status that a unit without asynchronous steps does not have.
     #[error("this status does not exist here: {reason}")]

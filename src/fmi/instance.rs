@@ -5,6 +5,7 @@
 //! do; after it only an earlier FMU state or a reset goes on. Log lines are collected in order and fetched by
 //! [`Instance::take_entries`]. Reading, writing and stepping allocate nothing here.
 
+mod derivatives;
 mod serialized;
 mod state;
 mod values;
@@ -163,9 +164,10 @@ impl<M: Model> Instance<M> {
     /// Enters Initialization Mode (section 2.1.6).
     ///
     /// # Errors
-    /// The mode does not allow it.
+    /// The mode does not allow it, or the parameters as set do not make a model: the instance stays as it is, for others to be set.
     pub fn enter_initialization_mode(&mut self) -> Result<(), Error> {
         self.check(Call::EnterInitializationMode)?;
+        self.model.check()?;
         self.control.mode = Mode::Initialization;
         self.control.solved = false;
         self.event(|| "Initialization Mode".to_owned());
@@ -232,7 +234,8 @@ impl<M: Model> Instance<M> {
         let own = self.model.time();
         let scale = own.abs().max(time.abs()).max(step);
         let end = time + step;
-        let same_time = (time - own).abs() <= TIME_TOLERANCE * scale; // false for NaN
+        // False for NaN; any difference is small beside an infinite time.
+        let same_time = time.is_finite() && (time - own).abs() <= TIME_TOLERANCE * scale;
         if !same_time {
             return Err(Error::WrongTime { given: time, own });
         }
@@ -285,15 +288,6 @@ impl<M: Model> Instance<M> {
     pub fn other_status(&self, call: Call, kind: StatusKind) -> Result<(), Error> {
         self.check(call)?;
         Err(no_such_status(kind))
-    }
-
-    /// A part of the standard that this version does not offer.
-    ///
-    /// # Errors
-    /// Always.
-    pub fn not_supported(&self, call: Call, reason: &'static str) -> Result<(), Error> {
-        self.check(call)?;
-        Err(Error::NotSupported { reason })
     }
 
     /// The initial state that belongs to the values as set.

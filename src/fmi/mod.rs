@@ -120,6 +120,12 @@ pub trait Model: Sized {
     /// Sets the derivative by time of input `reference` (a finite number) for the next `advance` only.
     fn set_input_derivative(&mut self, reference: usize, derivative: f64);
 
+    /// Whether the parameters as set make a model: that each is within its range is known since it was set, not what follows from them.
+    ///
+    /// # Errors
+    /// They do not.
+    fn check(&self) -> Result<(), Failure>;
+
     /// Builds the model from the parameters as set and finds its initial state at `start`, s. May be called again.
     ///
     /// # Errors
@@ -134,6 +140,18 @@ pub trait Model: Sized {
     /// # Errors
     /// A step that does not converge even at the smallest internal step; the model is as it was before the call.
     fn advance(&mut self, end: f64) -> Result<(), Failure>;
+
+    /// The derivative by time of output `reference`, a Real, 1/s of its unit.
+    ///
+    /// # Errors
+    /// It is that of the last step, and there is none.
+    fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure>;
+
+    /// The derivative of output `output`, a Real, at the end of the last step by input `input` of that step.
+    ///
+    /// # Errors
+    /// There is no such step, or its derivatives cannot be computed.
+    fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure>;
 
     /// Warnings since the last call of this function, oldest first.
     fn take_warnings(&mut self) -> Vec<String>;

@@ -41,3 +41,4 @@ pub mod state;
 pub mod system;
 pub mod transmission;
 pub mod triad;
+pub mod variation;

@@ -123,6 +123,30 @@ impl Prescribed {
         }
     }
 
+    /// Moves everything on by `time` (s) along its present motion, to first order.
+    pub fn drift(&mut self, time: f64) {
+        for drive in &mut self.drives {
+            drive.value += time * drive.first;
+            drive.first += time * drive.second;
+        }
+        let drift = |pose: &mut Pose, rate: &Pose| {
+            pose.place += rate.place * time;
+            pose.axes += rate.axes * time;
+        };
+        for MovingPose { pose, velocity, acceleration } in &mut self.frames {
+            drift(pose, velocity);
+            drift(velocity, acceleration);
+        }
+    }
+
+    /// The largest speed of drives and frames, lengths over `size` (m), 1/s.
+    pub fn fastest(&self, size: f64) -> f64 {
+        let drives = self.drives.iter().map(|drive| drive.first.abs() / f64::min(size, 1.0));
+        let frames =
+            self.frames.iter().map(|frame| (frame.velocity.place.norm() / size).max(frame.velocity.axes.norm()));
+        drives.chain(frames).fold(0.0, f64::max)
+    }
+
     /// The largest turn of a frame from `start` to here, judged by its angular velocity at both ends, over `duration` s; with the number of the frame.
     pub fn largest_turn(&self, start: &Self, duration: f64) -> Option<(usize, f64)> {
         let speed = |frame: &MovingPose| super::pose::angular_velocity(&frame.pose, &frame.velocity).norm();

@@ -31,6 +31,11 @@ impl Inputs {
         self.numbers.binary_search(&number).ok()
     }
 
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.numbers.len()
+    }
+
     /// The number of the file that is at `place`.
     pub fn number(&self, place: usize) -> Number {
         self.numbers[place]

@@ -1,10 +1,12 @@
 //! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
 
+mod derivatives;
 mod machine;
 mod saved;
 
 pub use saved::Snapshot;
 
+use self::derivatives::{Derived, LastStep};
 use self::machine::{Machine, Solver};
 use super::build;
 use super::document::Document;
@@ -31,6 +33,8 @@ pub struct Simulation {
     warnings: Vec<String>,
     watch: Watch,
     inputs: Inputs,
+    last: LastStep,
+    derived: Derived,
 }
 
 impl Simulation {
@@ -61,6 +65,8 @@ impl Simulation {
             frames: Frames::default(),
             warnings: Vec::new(),
             watch: Watch::default(),
+            last: LastStep::default(),
+            derived: Derived::default(),
         };
         simulation.measure().map_err(|error| failure(&error))?;
         Ok(simulation)
@@ -92,9 +98,17 @@ impl Simulation {
                 document.set_parameter(index, before).map_err(wrong)?;
                 return Err(wrong(objection));
             }
+            // The machine of the last step is no more.
+            self.forget_step();
             build::retune(&self.document, Arc::make_mut(&mut self.machine.system));
         }
         Ok(())
+    }
+
+    /// There is no last step any more that derivatives could be of.
+    fn forget_step(&mut self) {
+        self.last.known = false;
+        self.derived = Derived::default();
     }
 
     /// Reads all results off the state that the machine has reached.
@@ -155,6 +169,11 @@ impl Model for Simulation {
         }
     }
 
+    fn check(&self) -> Result<(), Failure> {
+        self.document.check().map_err(wrong)?;
+        build::check(&self.document).map_err(|mistakes| wrong(mistakes.to_string()))
+    }
+
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
         if self.inputs.iter().any(|(number, value)| self.document.value(number) != value) {
             let document = Arc::make_mut(&mut self.document);
@@ -164,10 +183,12 @@ impl Model for Simulation {
         let built = build::build(&self.document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;
         let mut machine = Machine::new(built, &self.document, start);
         let document = &self.document;
-        build::aim(document, &self.inputs, start, start, &mut machine.state.targets).map_err(wrong)?;
+        build::aim(document, |number| self.inputs.line(number), [start; 2], &mut machine.state.targets)
+            .map_err(wrong)?;
         let warnings = machine.find_initial_state(document, self.table.needs_response());
         self.warnings.extend(warnings.map_err(|error| failure(&error))?);
         let before = std::mem::replace(&mut self.machine, machine);
+        self.forget_step();
         self.watch = Watch::new(&self.document);
         if let Err(error) = self.measure() {
             self.machine = before;
@@ -181,16 +202,23 @@ impl Model for Simulation {
     }
 
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
+        self.forget_step();
         let machine = &mut self.machine;
         machine.keep();
         let begin = machine.state.time;
-        build::aim(&self.document, &self.inputs, begin, end, &mut machine.state.targets).map_err(wrong)?;
+        let line = |number| self.inputs.line(number);
+        build::aim(&self.document, line, [begin, end], &mut machine.state.targets).map_err(wrong)?;
         let outcome = machine.advance(end).and_then(|()| self.measure()).map_err(|error| {
             self.machine.go_back();
             failure(&error)
         });
         if let Solver::Statics(statics) = &mut self.machine.solver {
             self.warnings.extend(statics.take_remarks());
+        }
+        if outcome.is_ok() {
+            self.last.known = true;
+            self.last.inputs.copy_from(&self.inputs);
+            self.last.end = end;
         }
         self.inputs.end_step();
         outcome
@@ -208,8 +236,23 @@ impl Model for Simulation {
         }
         self.warnings.clear();
         self.inputs = Inputs::new(&self.document);
+        self.forget_step();
         // Nothing is solved for before the initialization, so that nothing can fail.
         let _ = self.measure();
+    }
+
+    fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure> {
+        match self.table.sources[reference] {
+            Source::Result(result) => self.rate(result),
+            _ => Err(wrong(format!("`{}` is no result", self.table.variables[reference].name))),
+        }
+    }
+
+    fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure> {
+        match (self.table.sources[output], self.table.sources[input]) {
+            (Source::Result(result), Source::Input(place)) => Simulation::partial_derivative(self, result, place),
+            _ => Err(wrong(String::from("only results have derivatives, and only by inputs"))),
+        }
     }
 
     fn snapshot(&self) -> Snapshot {

@@ -165,6 +165,40 @@ impl Table {
         })
     }
 
+    /// Whether a result follows from positions and velocities: not from accelerations, multipliers or momenta, nor is it a count.
+    pub fn follows_from_motion(&self, result: usize) -> bool {
+        self.measure_of(result).is_some_and(|measure| match measure {
+            Measure::Sensors(_, quantity) => *quantity != Quantity::Acceleration,
+            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
+                matches!(quantity, Quantity::Angle | Quantity::Distance)
+            }
+            Measure::Energy => true,
+            Measure::Frame(..) | Measure::Momentum | Measure::Statistics => false,
+        })
+    }
+
+    /// Whether a result has kinks: the largest stress of a section.
+    pub fn has_kinks(&self, result: usize) -> bool {
+        matches!(self.measure_of(result), Some(Measure::Sensors(_, Quantity::Stress)))
+    }
+
+    /// What result `result` is a part of.
+    fn measure_of(&self, result: usize) -> Option<&Measure> {
+        let mut end = 0;
+        self.measures.iter().find(|measure| {
+            end += match measure {
+                Measure::Sensors(sensors, quantity) => sensors.len() * quantity.row().components,
+                Measure::Frame(_, quantity) | Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
+                    quantity.row().components
+                }
+                Measure::Energy => 4,
+                Measure::Momentum => 6,
+                Measure::Statistics => 3,
+            };
+            result < end
+        })
+    }
+
     /// Number of results so far.
     fn results(&self) -> usize {
         self.sources.iter().filter(|source| matches!(source, Source::Result(_))).count()

@@ -12,8 +12,10 @@
 use super::gyroscopic;
 use super::kkt::Kkt;
 use super::limits;
+use super::linear::Singular;
 use super::newton::{self, Convergence, Problem};
 use super::response::{Responder, Response};
+use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
 use super::stepping::Integrator;
 use crate::error::Error;
@@ -150,7 +152,8 @@ impl Dynamics for GeneralizedAlpha {
 impl Integrator for GeneralizedAlpha {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         assert_eq!(state.accelerations.algorithmic.len(), state.q.len(), "the state has not begun to move");
-        self.scratch.predict(system, state, self.weights, step, end);
+        self.scratch.prepare(system, state, end);
+        self.scratch.predict(state, self.weights, step);
         limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
         let mut problem = Step { system, state, weights: self.weights, step, end, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
@@ -166,8 +169,14 @@ impl Integrator for GeneralizedAlpha {
 }
 
 impl Scratch {
+    /// What does not change in the iteration.
+    fn prepare(&mut self, system: &System, state: &State, end: f64) {
+        system.excite(end, &state.targets, &mut self.excitation);
+        system.prescribe(state, end, &mut self.prescribed);
+    }
+
     /// Start of the iteration: `Dq = h v_n`, `λ = λ_n`.
-    fn predict(&mut self, system: &System, state: &State, weights: Weights, step: f64, end: f64) {
+    fn predict(&mut self, state: &State, weights: Weights, step: f64) {
         for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
             *increment = step * velocity;
         }
@@ -175,8 +184,6 @@ impl Scratch {
         for (scaled, multiplier) in self.scaled_multipliers.iter_mut().zip(&state.multipliers) {
             *scaled = multiplier / acceleration_by_q;
         }
-        system.excite(end, &state.targets, &mut self.excitation);
-        system.prescribe(state, end, &mut self.prescribed);
     }
 
     /// Position, velocity, accelerations, frames and momentum for the current increment.
@@ -195,6 +202,29 @@ impl Scratch {
         system.frames(&self.q, &state.triads, &mut self.frames);
         system.mass_times(&self.velocity, &mut self.momentum);
         system.mass_times(&self.acceleration, &mut self.momentum_rate);
+    }
+
+    /// Forces without those of spins and joints, at the current positions.
+    fn act(&mut self, system: &System, state: &State) {
+        let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
+        let passage = Passage { increment: None, rates: Rates::Instant(&self.velocity) };
+        system.forces(&configuration, &passage, &self.excitation, &mut self.forces);
+    }
+
+    /// The step over `span` at given unknowns.
+    fn at<'a>(
+        &'a mut self,
+        system: &'a System,
+        state: &'a State,
+        weights: Weights,
+        span: Span,
+        unknowns: &[f64],
+    ) -> Step<'a> {
+        self.prepare(system, state, span.end);
+        let (increment, multipliers) = unknowns.split_at(self.increment.len());
+        self.increment.copy_from_slice(increment);
+        self.scaled_multipliers.copy_from_slice(multipliers);
+        Step { system, state, weights, step: span.step, end: span.end, scratch: self }
     }
 
     /// Refuses what the elements cannot bear (MECHANICS 7.4).
@@ -231,6 +261,30 @@ struct Step<'a> {
     scratch: &'a mut Scratch,
 }
 
+impl Step<'_> {
+    /// Minus the residual at the current unknowns, whose forces and positions are known, into `right`.
+    fn balance(&mut self, right: &mut [f64]) {
+        let (system, state) = (self.system, self.state);
+        let scratch = &mut *self.scratch;
+        let scale = 1.0 / self.weights.by_q(self.step)[1];
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
+        let forces = &mut scratch.forces;
+        gyroscopic::add_rate_forces(system, &scratch.frames, &scratch.velocity, &scratch.momentum, forces);
+        gyroscopic::add_chart_forces(system, &scratch.frames, &scratch.momentum_rate, forces);
+        system.constraint_gradients(&configuration, &mut scratch.gradients);
+        system.constraint_conditions(&configuration, &mut scratch.conditions);
+
+        let (residual, conditions) = right.split_at_mut(state.q.len());
+        for (index, residual) in residual.iter_mut().enumerate() {
+            *residual = -scale * (scratch.momentum_rate[index] + scratch.forces[index]);
+        }
+        system.add_constraint_forces(&scratch.gradients, &scratch.scaled_multipliers, -1.0, residual);
+        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
+            *target = -condition;
+        }
+    }
+}
+
 impl Problem for Step<'_> {
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
         let (system, state) = (self.system, self.state);
@@ -246,24 +300,11 @@ impl Problem for Step<'_> {
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
         system.add_damping_matrix(&configuration, scale * by_q[0], tangent);
         system.add_mass(1.0, tangent);
-        gyroscopic::add_rate_forces(system, &scratch.frames, &scratch.velocity, &scratch.momentum, forces);
-        gyroscopic::add_chart_forces(system, &scratch.frames, &scratch.momentum_rate, forces);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
         gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);
-
-        system.constraint_gradients(&configuration, &mut scratch.gradients);
-        system.constraint_conditions(&configuration, &mut scratch.conditions);
-        kkt.set_constraints(system, &scratch.gradients, &scratch.gradients, 1.0);
         kkt.set_curvatures(system, &configuration, &scratch.scaled_multipliers, 1.0);
-
-        let (residual, conditions) = right.split_at_mut(state.q.len());
-        for (index, residual) in residual.iter_mut().enumerate() {
-            *residual = -scale * (scratch.momentum_rate[index] + scratch.forces[index]);
-        }
-        system.add_constraint_forces(&scratch.gradients, &scratch.scaled_multipliers, -1.0, residual);
-        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
-            *target = -condition;
-        }
+        self.balance(right);
+        kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
         self.end
     }
 
@@ -275,5 +316,40 @@ impl Problem for Step<'_> {
         for (value, correction) in self.scratch.scaled_multipliers.iter_mut().zip(multipliers) {
             *value += correction;
         }
+    }
+}
+
+impl Linearized for GeneralizedAlpha {
+    const MEMORY: bool = true;
+    const PROJECTS: bool = false;
+
+    fn unknowns(&self, _after: &State, unknowns: &mut Vec<f64>) {
+        unknowns.clear();
+        unknowns.extend(self.scratch.increment.iter().chain(&self.scratch.scaled_multipliers));
+    }
+
+    fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error> {
+        let Self { scratch, weights, kkt, right, .. } = self;
+        let mut problem = scratch.at(system, state, *weights, span, unknowns);
+        problem.linearize(kkt, right);
+        kkt.factorize(system, span.end)
+    }
+
+    fn solve(&mut self, right: &mut [f64]) -> Result<(), Singular> {
+        self.kkt.solve_again(right)
+    }
+
+    fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
+        let mut problem = self.scratch.at(system, state, self.weights, span, unknowns);
+        problem.scratch.place(system, state, self.weights, span.step);
+        problem.scratch.act(system, state);
+        problem.balance(right);
+    }
+
+    fn conclude(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], next: &mut State) {
+        let problem = self.scratch.at(system, state, self.weights, span, unknowns);
+        problem.scratch.place(system, state, self.weights, span.step);
+        next.clone_from(state);
+        problem.scratch.finish(system, next, self.weights, span.step, span.end);
     }
 }

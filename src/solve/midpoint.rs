@@ -12,8 +12,10 @@
 use super::gyroscopic;
 use super::kkt::Kkt;
 use super::limits;
+use super::linear::Singular;
 use super::newton::{self, Problem};
 use super::projection::Projection;
+use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
 use super::stepping::Integrator;
 use crate::error::Error;
@@ -104,7 +106,8 @@ impl Dynamics for Midpoint {
 
 impl Integrator for Midpoint {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
-        self.scratch.predict(system, state, step, end);
+        self.scratch.prepare(system, state, step, end);
+        self.scratch.predict(state, step);
         limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
         let mut problem = Step { system, state, rule: self.rule, step, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
@@ -151,17 +154,21 @@ impl Midpoint {
 }
 
 impl Scratch {
-    /// Start of the iteration: `Dq = h v_k`, `Λ = 0`.
-    fn predict(&mut self, system: &System, state: &State, step: f64, end: f64) {
-        for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
-            *increment = step * velocity;
-        }
-        self.impulses.fill(0.0);
+    /// What does not change in the iteration.
+    fn prepare(&mut self, system: &System, state: &State, step: f64, end: f64) {
         let middle = state.time + 0.5 * step;
         system.excite(middle, &state.targets, &mut self.excitation);
         system.prescribe(state, middle, &mut self.prescribed_middle);
         system.prescribe(state, end, &mut self.prescribed_end);
         system.frames(&state.q, &state.triads, &mut self.frames_start);
+    }
+
+    /// Start of the iteration: `Dq = h v_k`, `Λ = 0`.
+    fn predict(&mut self, state: &State, step: f64) {
+        for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
+            *increment = step * velocity;
+        }
+        self.impulses.fill(0.0);
     }
 
     /// Positions and frames in the middle and at the end, for the current increment.
@@ -175,6 +182,36 @@ impl Scratch {
         system.mass_times(&self.increment, &mut self.mass_increment);
     }
 
+    /// Forces without those of the joints, at the current positions.
+    fn act(&mut self, system: &System, state: &State, rule: AxialRule, step: f64) {
+        let [start, middle, end] = configurations(
+            system,
+            state,
+            [&self.q_middle, &self.q_end],
+            [&self.frames_start, &self.frames_middle, &self.frames_end],
+            [&self.prescribed_middle, &self.prescribed_end],
+        );
+        let rates = Rates::Step { start: &start, end: &end, duration: step };
+        let passage = Passage { increment: over_step(rule, &self.increment), rates };
+        system.forces(&middle, &passage, &self.excitation, &mut self.forces);
+    }
+
+    /// The step over `span` at given unknowns.
+    fn at<'a>(
+        &'a mut self,
+        system: &'a System,
+        state: &'a State,
+        rule: AxialRule,
+        span: Span,
+        unknowns: &[f64],
+    ) -> Step<'a> {
+        self.prepare(system, state, span.step, span.end);
+        let (increment, impulses) = unknowns.split_at(self.increment.len());
+        self.increment.copy_from_slice(increment);
+        self.impulses.copy_from_slice(impulses);
+        Step { system, state, rule, step: span.step, scratch: self }
+    }
+
     /// Refuses what the elements cannot bear (MECHANICS 7.4).
     fn check(&self, system: &System, state: &State, end: f64) -> Result<(), Error> {
         let configuration = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
@@ -183,16 +220,7 @@ impl Scratch {
 
     /// Writes the end of the converged step into `state`: momentum (7.4), change of charts (7.5), references (2.6).
     fn finish(&mut self, system: &System, state: &mut State, rule: AxialRule, step: f64, end: f64) {
-        let [start, middle, finish] = configurations(
-            system,
-            state,
-            [&self.q_middle, &self.q_end],
-            [&self.frames_start, &self.frames_middle, &self.frames_end],
-            [&self.prescribed_middle, &self.prescribed_end],
-        );
-        let rates = Rates::Step { start: &start, end: &finish, duration: step };
-        let passage = Passage { increment: over_step(rule, &self.increment), rates };
-        system.forces(&middle, &passage, &self.excitation, &mut self.forces);
+        self.act(system, state, rule, step);
         system.add_constraint_forces(&self.gradients_middle, &self.impulses, 2.0 / step, &mut self.forces);
         // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it.
         for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
@@ -244,6 +272,34 @@ struct Step<'a> {
     scratch: &'a mut Scratch,
 }
 
+impl Step<'_> {
+    /// Minus the residual at the current unknowns, whose forces and positions are known, into `right`; conditions at the end.
+    fn balance(&mut self, right: &mut [f64]) {
+        let (system, state, h) = (self.system, self.state, self.step);
+        let scratch = &mut *self.scratch;
+        let [_, middle, end] = configurations(
+            system,
+            state,
+            [&scratch.q_middle, &scratch.q_end],
+            [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
+            [&scratch.prescribed_middle, &scratch.prescribed_end],
+        );
+        system.constraint_gradients(&middle, &mut scratch.gradients_middle);
+        system.constraint_conditions(&end, &mut scratch.conditions);
+        system.add_constraint_forces(&scratch.gradients_middle, &scratch.impulses, 2.0 / h, &mut scratch.forces);
+
+        let (residual, conditions) = right.split_at_mut(state.q.len());
+        for (index, residual) in residual.iter_mut().enumerate() {
+            *residual = h * state.momentum[index] - scratch.mass_increment[index] - 0.5 * h * h * scratch.forces[index];
+        }
+        let frames = [&scratch.frames_start[..], &scratch.frames_middle, &scratch.frames_end];
+        gyroscopic::add_forces(system, frames, &scratch.mass_increment, &scratch.forces, h, h, residual);
+        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
+            *target = -condition;
+        }
+    }
+}
+
 impl Problem for Step<'_> {
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
         let (system, state, h) = (self.system, self.state, self.step);
@@ -269,24 +325,12 @@ impl Problem for Step<'_> {
             &mut kkt.blocks,
         );
         system.add_mass(1.0, &mut kkt.blocks);
-
-        system.constraint_gradients(&middle, &mut scratch.gradients_middle);
         system.constraint_gradients(&end, &mut scratch.gradients_end);
-        system.constraint_conditions(&end, &mut scratch.conditions);
-        kkt.set_constraints(system, &scratch.gradients_middle, &scratch.gradients_end, h);
         kkt.set_curvatures(system, &middle, &scratch.impulses, 0.5 * h);
-        system.add_constraint_forces(&scratch.gradients_middle, &scratch.impulses, 2.0 / h, &mut scratch.forces);
-
-        let (residual, conditions) = right.split_at_mut(state.q.len());
-        for (index, residual) in residual.iter_mut().enumerate() {
-            *residual = h * state.momentum[index] - scratch.mass_increment[index] - 0.5 * h * h * scratch.forces[index];
-        }
-        let frames = [&scratch.frames_start[..], &scratch.frames_middle, &scratch.frames_end];
-        gyroscopic::add_forces(system, frames, &scratch.mass_increment, &scratch.forces, h, h, residual);
-        gyroscopic::add_tangent(system, frames[0], frames[2], &scratch.mass_increment, h, &mut kkt.blocks);
-        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
-            *target = -condition;
-        }
+        let frames = [&scratch.frames_start[..], &scratch.frames_end];
+        gyroscopic::add_tangent(system, frames[0], frames[1], &scratch.mass_increment, h, &mut kkt.blocks);
+        self.balance(right);
+        kkt.set_constraints(system, &self.scratch.gradients_middle, &self.scratch.gradients_end, h);
         state.time + 0.5 * h
     }
 
@@ -298,5 +342,41 @@ impl Problem for Step<'_> {
         for (value, correction) in self.scratch.impulses.iter_mut().zip(impulses) {
             *value += correction;
         }
+    }
+}
+
+impl Linearized for Midpoint {
+    const MEMORY: bool = true;
+    const PROJECTS: bool = true;
+
+    fn unknowns(&self, _after: &State, unknowns: &mut Vec<f64>) {
+        unknowns.clear();
+        unknowns.extend(self.scratch.increment.iter().chain(&self.scratch.impulses));
+    }
+
+    fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error> {
+        let Self { scratch, rule, kkt, right, .. } = self;
+        let mut problem = scratch.at(system, state, *rule, span, unknowns);
+        problem.linearize(kkt, right);
+        kkt.factorize(system, span.end)
+    }
+
+    fn solve(&mut self, right: &mut [f64]) -> Result<(), Singular> {
+        self.kkt.solve_again(right)
+    }
+
+    fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
+        let mut problem = self.scratch.at(system, state, self.rule, span, unknowns);
+        problem.scratch.place(system, state);
+        problem.scratch.act(system, state, self.rule, span.step);
+        problem.balance(right);
+    }
+
+    fn conclude(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], next: &mut State) {
+        let mut right = std::mem::take(&mut self.right);
+        self.balance(system, state, span, unknowns, &mut right);
+        self.right = right;
+        next.clone_from(state);
+        self.scratch.finish(system, next, self.rule, span.step, span.end);
     }
 }

@@ -1,4 +1,4 @@
-//! Linear systems, Newton, equilibria, natural modes, steps in time.
+//! Linear systems, Newton, equilibria, natural modes, steps in time and their derivatives.
 
 pub mod generalized_alpha;
 pub mod gyroscopic;
@@ -10,6 +10,7 @@ pub mod modes;
 pub mod newton;
 pub mod projection;
 pub mod response;
+pub mod sensitivity;
 pub mod stability;
 pub mod start;
 pub mod statics;

@@ -69,6 +69,44 @@ impl Responder {
     /// # Errors
     /// The constraints are redundant, or the acceleration of a drive or frame is not finite.
     pub fn respond(&mut self, system: &System, state: &State, response: &mut Response) -> Result<(), Error> {
+        self.set_right(system, state)?;
+        self.kkt.blocks.clear();
+        system.add_mass(1.0, &mut self.kkt.blocks);
+        self.kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
+        self.kkt.solve(system, &mut self.right, state.time)?;
+        let (acceleration, multipliers) = self.right.split_at(state.q.len());
+        response.acceleration.clear();
+        response.acceleration.extend_from_slice(acceleration);
+        response.multipliers.clear();
+        response.multipliers.extend_from_slice(multipliers);
+        Ok(())
+    }
+
+    /// Sets `right` to what `response` lacks to be that of `state`: zero if it is.
+    ///
+    /// # Errors
+    /// The acceleration of a drive or frame is not finite.
+    pub fn balance(
+        &mut self,
+        system: &System,
+        state: &State,
+        response: &Response,
+        right: &mut [f64],
+    ) -> Result<(), Error> {
+        self.set_right(system, state)?;
+        let (forces, conditions) = right.split_at_mut(state.q.len());
+        system.mass_times(&response.acceleration, forces);
+        system.add_constraint_forces(&self.gradients, &response.multipliers, 1.0, forces);
+        conditions.fill(0.0);
+        system.add_constraint_rates(&self.gradients, &response.acceleration, conditions);
+        for (right, own) in right.iter_mut().zip(&self.right) {
+            *right = own - *right;
+        }
+        Ok(())
+    }
+
+    /// Sets the right-hand side, and the gradients of the constraints, of `state`.
+    fn set_right(&mut self, system: &System, state: &State) -> Result<(), Error> {
         system.frames(&state.q, &state.triads, &mut self.frames);
         let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
         system.excite(state.time, &state.targets, &mut self.excitation);
@@ -87,15 +125,6 @@ impl Responder {
             return Err(Error::NotFinite { time: state.time, what });
         }
         system.constraint_gradients(&configuration, &mut self.gradients);
-        self.kkt.blocks.clear();
-        system.add_mass(1.0, &mut self.kkt.blocks);
-        self.kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
-        self.kkt.solve(system, &mut self.right, state.time)?;
-        let (acceleration, multipliers) = self.right.split_at(state.q.len());
-        response.acceleration.clear();
-        response.acceleration.extend_from_slice(acceleration);
-        response.multipliers.clear();
-        response.multipliers.extend_from_slice(multipliers);
         Ok(())
     }
 }

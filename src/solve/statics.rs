@@ -8,7 +8,9 @@ mod relaxation;
 
 use super::kkt::Kkt;
 use super::limits;
+use super::linear::Singular;
 use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
+use super::sensitivity::{Linearized, Span};
 use super::stability::{self, Judgement, Stability};
 use super::stepping::Integrator;
 use crate::error::Error;
@@ -293,6 +295,25 @@ struct Equilibrium<'a> {
     scratch: &'a mut Scratch,
 }
 
+impl Equilibrium<'_> {
+    /// Minus the residual at the current unknowns, whose forces and frames are known, into `right`.
+    fn balance(&mut self, right: &mut [f64]) {
+        let (system, state) = (self.system, self.state);
+        let scratch = &mut *self.scratch;
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, self.motion);
+        system.constraint_gradients(&configuration, &mut scratch.gradients);
+        system.constraint_conditions(&configuration, &mut scratch.conditions);
+        let (residual, conditions) = right.split_at_mut(state.q.len());
+        for (residual, force) in residual.iter_mut().zip(&scratch.forces) {
+            *residual = -force;
+        }
+        system.add_constraint_forces(&scratch.gradients, &scratch.multipliers, -1.0, residual);
+        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
+            *target = -condition;
+        }
+    }
+}
+
 impl Problem for Equilibrium<'_> {
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
         let (system, state) = (self.system, self.state);
@@ -302,18 +323,9 @@ impl Problem for Equilibrium<'_> {
         kkt.blocks.clear();
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &Passage::REST, self.excitation, 1.0, forces, tangent);
-        system.constraint_gradients(&configuration, &mut scratch.gradients);
-        system.constraint_conditions(&configuration, &mut scratch.conditions);
-        kkt.set_constraints(system, &scratch.gradients, &scratch.gradients, 1.0);
         kkt.set_curvatures(system, &configuration, &scratch.multipliers, 1.0);
-        let (residual, conditions) = right.split_at_mut(state.q.len());
-        for (residual, force) in residual.iter_mut().zip(&scratch.forces) {
-            *residual = -force;
-        }
-        system.add_constraint_forces(&scratch.gradients, &scratch.multipliers, -1.0, residual);
-        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
-            *target = -condition;
-        }
+        self.balance(right);
+        kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
         self.time
     }
 
@@ -325,5 +337,61 @@ impl Problem for Equilibrium<'_> {
         for (value, correction) in self.scratch.multipliers.iter_mut().zip(multipliers) {
             *value += correction;
         }
+    }
+}
+
+impl Statics {
+    /// The equilibrium of the time of `state` under what the host wants there, at given unknowns.
+    fn at<'a>(&'a mut self, system: &'a System, state: &'a State, unknowns: &[f64]) -> (Equilibrium<'a>, &'a mut Kkt) {
+        let time = state.time;
+        system.excite(time, &state.targets, &mut self.current);
+        self.current_motion.copy_from(&state.prescribed);
+        self.current_motion.stop();
+        let (q, multipliers) = unknowns.split_at(state.q.len());
+        self.scratch.q.copy_from_slice(q);
+        self.scratch.multipliers.copy_from_slice(multipliers);
+        let (excitation, motion) = (&self.current, &self.current_motion);
+        (Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch }, &mut self.kkt)
+    }
+}
+
+impl Linearized for Statics {
+    /// An equilibrium depends on what acts, not on the way to it.
+    const MEMORY: bool = false;
+    const PROJECTS: bool = false;
+
+    fn unknowns(&self, after: &State, unknowns: &mut Vec<f64>) {
+        unknowns.clear();
+        unknowns.extend(after.q.iter().chain(&after.multipliers));
+    }
+
+    fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error> {
+        let mut right = std::mem::take(&mut self.right);
+        let (mut problem, kkt) = self.at(system, state, unknowns);
+        problem.linearize(kkt, &mut right);
+        self.right = right;
+        self.kkt.factorize(system, span.end)
+    }
+
+    fn solve(&mut self, right: &mut [f64]) -> Result<(), Singular> {
+        self.kkt.solve_again(right)
+    }
+
+    fn balance(&mut self, system: &System, state: &State, _span: Span, unknowns: &[f64], right: &mut [f64]) {
+        let (mut problem, _) = self.at(system, state, unknowns);
+        let scratch = &mut *problem.scratch;
+        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, problem.motion);
+        system.forces(&configuration, &Passage::REST, problem.excitation, &mut scratch.forces);
+        problem.balance(right);
+    }
+
+    fn conclude(&mut self, system: &System, state: &State, _span: Span, unknowns: &[f64], next: &mut State) {
+        let (q, multipliers) = unknowns.split_at(state.q.len());
+        next.clone_from(state);
+        next.q.copy_from_slice(q);
+        next.multipliers.copy_from_slice(multipliers);
+        system.frames(&next.q, &next.triads, &mut self.scratch.frames);
+        system.carry_references(next, &self.scratch.frames);
     }
 }

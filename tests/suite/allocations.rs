@@ -8,6 +8,7 @@ use std::{
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
+    static FREED: Cell<usize> = const { Cell::new(0) };
 }
 
 struct Counting;
@@ -21,6 +22,7 @@ unsafe impl GlobalAlloc for Counting {
     }
 
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        FREED.set(FREED.get() + 1);
         // SAFETY: the caller's promise.
         unsafe { System.dealloc(pointer, layout) }
     }
@@ -36,9 +38,22 @@ pub fn count(work: impl FnOnce()) -> usize {
     COUNT.get() - before
 }
 
+/// Number of allocations that `work` makes on this thread and does not give back; negative where it gives back others'.
+pub fn left_over(work: impl FnOnce()) -> isize {
+    let live = || COUNT.get() as isize - FREED.get() as isize;
+    let before = live();
+    work();
+    live() - before
+}
+
 /// The count sees an allocation, or every use of it would prove nothing.
 #[test]
 fn an_allocation_is_counted() {
     assert_eq!(count(|| drop(std::hint::black_box(Box::new(1)))), 1);
     assert_eq!(count(|| ()), 0);
+    let mut kept = Box::new(0);
+    assert_eq!(left_over(|| kept = std::hint::black_box(Box::new(1))), 0, "a box for another");
+    let mut list = Vec::new();
+    assert_eq!(left_over(|| list.push(std::hint::black_box(*kept))), 1);
+    assert_eq!(left_over(|| drop(list)), -1);
 }

@@ -69,6 +69,7 @@ mod spring_derivatives;
 mod static_buckling;
 mod static_motions;
 mod statics;
+mod step_derivatives;
 mod strain_outputs;
 mod turned_models;
 mod validation;

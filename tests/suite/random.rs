@@ -15,6 +15,11 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
+    /// A whole number from 0 on, below `count`.
+    pub fn below(&mut self, count: usize) -> usize {
+        (0.5 * (self.signed() + 1.0) * count as f64) as usize
+    }
+
     pub fn vector(&mut self) -> Vec3 {
         Vec3::new(self.signed(), self.signed(), self.signed())
     }

@@ -122,6 +122,8 @@ fn bytes_before_the_initialization() {
     simulation.set_value(reference(&simulation, "pipe.inner"), Value::Real(0.05)).unwrap();
     let mut other = elsewhere(&simulation, &simulation.snapshot(), unstarted(&text, &[]));
     for simulation in [&mut simulation, &mut other] {
+        let refused = simulation.check().err();
+        assert!(refused.is_some_and(|failure| failure.message.contains("`pipe.inner`")));
         assert!(simulation.initialize(0.0).is_err());
         simulation.set_value(reference(simulation, "pipe.inner"), Value::Real(0.015)).unwrap();
         simulation.initialize(0.0).unwrap();

@@ -9,7 +9,7 @@ use crate::fmi::{
 };
 
 /// A number type of FMI that variables here can have.
-trait Number: Copy {
+pub(super) trait Number: Copy {
     /// FMI's name of the type.
     const NAME: &'static str;
 
@@ -93,38 +93,6 @@ impl<M: Model> Instance<M> {
     pub fn set_real(&mut self, references: &[u32], values: &[f64]) -> Result<(), Error> {
         self.check(Call::SetReal)?;
         self.set(references, values)
-    }
-
-    /// Sets first derivatives of Real inputs by time, for the next step only (section 4.2.1).
-    ///
-    /// # Errors
-    /// The mode does not allow it, a reference is no input, an order is not 1, or a derivative is not finite; none is changed then.
-    pub fn set_real_input_derivatives(
-        &mut self,
-        references: &[u32],
-        orders: &[i32],
-        derivatives: &[f64],
-    ) -> Result<(), Error> {
-        self.check(Call::SetRealInputDerivatives)?;
-        self.same_length(references.len(), derivatives.len())?;
-        self.same_length(references.len(), orders.len())?;
-        for ((&reference, &order), &derivative) in references.iter().zip(orders).zip(derivatives) {
-            let variable = self.variable::<f64>(reference)?;
-            let name = || variable.name.clone();
-            if variable.causality != Causality::Input {
-                return Err(Error::NoInput { name: name() });
-            }
-            if order != 1 {
-                return Err(Error::DerivativeOrder { name: name(), order });
-            }
-            if !derivative.is_finite() {
-                return Err(Error::NotFinite { name: name(), value: derivative });
-            }
-        }
-        for (&reference, &derivative) in references.iter().zip(derivatives) {
-            self.model.set_input_derivative(reference as usize, derivative);
-        }
-        Ok(())
     }
 
     /// Sets Integer variables.
@@ -214,7 +182,7 @@ impl<M: Model> Instance<M> {
     }
 
     /// The row of a reference, if its type is `T`.
-    fn variable<T: Number>(&self, reference: u32) -> Result<&Variable, Error> {
+    pub(super) fn variable<T: Number>(&self, reference: u32) -> Result<&Variable, Error> {
         let variable = self.row(reference)?;
         match T::from_value(variable.start) {
             Some(_) => Ok(variable),
@@ -234,7 +202,7 @@ impl<M: Model> Instance<M> {
         variables.get(reference as usize).ok_or(Error::UnknownReference { reference, count: variables.len() })
     }
 
-    fn same_length(&self, references: usize, values: usize) -> Result<(), Error> {
+    pub(super) fn same_length(&self, references: usize, values: usize) -> Result<(), Error> {
         if references == values { Ok(()) } else { Err(Error::LengthsDiffer { references, values }) }
     }
 }

@@ -172,6 +172,21 @@ impl System {
         gradients.extend(self.joints.iter().map(|joint| joint.phi_q(c)));
     }
 
+    /// `rates += ∂g/∂q · velocity`.
+    pub fn add_constraint_rates(&self, gradients: &[JointGradient], velocity: &[f64], rates: &mut [f64]) {
+        let mut row = 0;
+        for (joint, gradient) in self.joints.iter().zip(gradients) {
+            for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
+                for (local, coordinate) in marker.coordinates(&self.mesh).enumerate() {
+                    for condition in 0..joint.rows() {
+                        rates[row + condition] += block[(condition, local)] * velocity[coordinate];
+                    }
+                }
+            }
+            row += joint.rows();
+        }
+    }
+
     /// `forces += factor · (∂g/∂q)ᵀ multipliers`.
     pub fn add_constraint_forces(
         &self,

@@ -32,6 +32,15 @@ pub struct Built {
     pub state: State,
 }
 
+/// Whether the parameters of now make a machine, as far as that can be seen without building it.
+///
+/// # Errors
+/// Every mistake that the geometry shows, in file order.
+pub fn check(document: &Document) -> Result<(), Diagnostics> {
+    let (_, mistakes) = geometry::examine(document);
+    if mistakes.is_empty() { Ok(()) } else { Err(Diagnostics(mistakes)) }
+}
+
 /// Builds the machine with the parameters of now; `start` is the time of the drawing, s.
 ///
 /// # Errors

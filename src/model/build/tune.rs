@@ -13,7 +13,6 @@ use crate::model::entries::drive::Motion;
 use crate::model::entries::frame::Orientation;
 use crate::model::entries::joint::Joint;
 use crate::model::entries::spring::Spring;
-use crate::model::inputs::Inputs;
 use crate::model::number::Number;
 
 /// The numbers of a spring.
@@ -75,13 +74,19 @@ pub fn retune(document: &Document, system: &mut System) {
     }
 }
 
-/// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads act until then.
+/// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads act until then. `line` is the
+/// value of an input and its derivative by time.
 ///
 /// # Errors
 /// A quaternion has no length: names the frame.
-pub fn aim(document: &Document, inputs: &Inputs, begin: f64, end: f64, targets: &mut Targets) -> Result<(), String> {
+pub fn aim(
+    document: &Document,
+    line: impl Fn(Number) -> (f64, f64),
+    [begin, end]: [f64; 2],
+    targets: &mut Targets,
+) -> Result<(), String> {
     let at_end = |number: Number| {
-        let (value, slope) = inputs.line(number);
+        let (value, slope) = line(number);
         value + slope * (end - begin)
     };
     // All is checked before anything is set.
@@ -106,7 +111,7 @@ pub fn aim(document: &Document, inputs: &Inputs, begin: f64, end: f64, targets: 
         }
     }
     for (target, load) in targets.loads.iter_mut().zip(&document.loads).filter(|(_, load)| load.input) {
-        let lines = [load.force, load.moment].map(|numbers| numbers.map(|number| inputs.line(number)));
+        let lines = [load.force, load.moment].map(|numbers| numbers.map(&line));
         let part = |select: fn(&(f64, f64)) -> f64| {
             let [force, moment] = lines.each_ref().map(|line| Vec3::from_fn(|i, _| select(&line[i])));
             Wrench { force, moment }

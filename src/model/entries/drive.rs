@@ -57,6 +57,11 @@ impl Word {
 }
 
 impl Drive {
+    /// Whether it prescribes an angle, not a distance.
+    pub fn is_angle(&self) -> bool {
+        self.coordinate == Coordinate::Angle
+    }
+
     /// Reads a section; `joints` are those of the file that could be read.
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[Joint]) -> Option<Self> {
         let joint = reader.reference("joint", Kind::Joint);

@@ -11,7 +11,7 @@ use crate::solve::midpoint::{AxialRule, Midpoint};
 use crate::solve::response::{Responder, Response};
 use crate::solve::start;
 use crate::solve::statics::Statics;
-use crate::solve::stepping::grid_step;
+use crate::solve::stepping::{Integrator, grid_step};
 use std::sync::Arc;
 
 /// How near to a point of the grid of internal steps a communication point must be to be that point, in steps.
@@ -129,15 +129,37 @@ impl Machine {
 
     /// Computes the response of the state that is reached, if results ask for it.
     pub(super) fn respond(&mut self) -> Result<(), Error> {
-        match (&mut self.responder, &self.solver) {
-            (Some(responder), Solver::Midpoint(_)) => {
-                return responder.respond(&self.system, &self.state, &mut self.response);
-            }
-            // It computes accelerations and multipliers at the ends of steps.
-            (Some(_), Solver::GeneralizedAlpha(_)) => self.response.set_from(&self.state),
-            _ => self.response.set_at_rest(&self.state),
+        let Self { system, state, solver, responder, response, .. } = self;
+        match responder {
+            Some(responder) => solver.respond(responder, system, state, response)?,
+            None => response.set_at_rest(state),
         }
         Ok(())
+    }
+
+    /// The state before the last internal step on the way from the backup to `end`, s; and its response.
+    pub(super) fn before_last_part(&mut self, end: f64) -> Result<(State, Response), Error> {
+        let plan = self.plan(self.backup.time, end)?;
+        let mut state = self.backup.clone();
+        state.targets.clone_from(&self.state.targets);
+        let mut before = state.clone();
+        let system = &self.system;
+        match &mut self.solver {
+            Solver::None => Err(Error::NotInitialized),
+            Solver::Midpoint(own) => plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state),
+            Solver::GeneralizedAlpha(own) => {
+                plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state)
+            }
+            Solver::Statics(own) => {
+                plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state)?;
+                // They have been told already.
+                own.take_remarks();
+                Ok(())
+            }
+        }?;
+        let mut response = Response::default();
+        self.solver.respond(&mut Responder::new(system)?, system, &before, &mut response)?;
+        Ok((before, response))
     }
 
     /// Keeps the state, for [`Self::go_back`].
@@ -150,48 +172,99 @@ impl Machine {
         self.state.clone_from(&self.backup);
     }
 
-    /// Advances to `end`, on the grid `start + k step` where both ends are on it, else in equal steps.
+    /// Advances to `end`, s.
     pub(super) fn advance(&mut self, end: f64) -> Result<(), Error> {
-        let grid = |number: f64| self.start + number * self.step;
-        let nearest = |time: f64| ((time - self.start) / self.step).round();
+        let plan = self.plan(self.state.time, end)?;
+        self.state.targets.end = plan.end;
+        let (system, state) = (&self.system, &mut self.state);
+        match &mut self.solver {
+            Solver::None => Err(Error::NotInitialized),
+            Solver::Midpoint(midpoint) => plan.march(midpoint.as_mut(), system, state),
+            Solver::GeneralizedAlpha(alpha) => plan.march(alpha.as_mut(), system, state),
+            Solver::Statics(statics) => plan.march(statics.as_mut(), system, state),
+        }
+    }
+
+    /// The internal steps from `begin` to `end`, s: on the grid `start + k step` where both are on it, else equal ones.
+    pub(super) fn plan(&self, begin: f64, end: f64) -> Result<Plan, Error> {
+        let Self { start, step, .. } = *self;
+        let grid = |number: f64| start + number * step;
+        let nearest = |time: f64| ((time - start) / step).round();
         let last = nearest(end);
-        let on_grid = (end - grid(last)).abs() <= ON_GRID * self.step;
+        let on_grid = (end - grid(last)).abs() <= ON_GRID * step;
         let end = if on_grid { grid(last) } else { end };
-        self.state.targets.end = end;
-        let first = nearest(self.state.time);
-        let needed = (end - self.state.time) / self.step;
+        let first = nearest(begin);
+        let needed = (end - begin) / step;
         if needed > MOST_STEPS {
-            return Err(Error::TooManySteps { count: needed, step: self.step, from: self.state.time, to: end });
+            return Err(Error::TooManySteps { count: needed, step, from: begin, to: end });
         }
-        if on_grid && self.state.time == grid(first) {
-            let count = (last - first) as u64;
-            for number in 1..=count {
-                let next = self.start + (first + number as f64) * self.step;
-                self.step_to(next, self.step)?;
-            }
-            return Ok(());
+        if on_grid && begin == grid(first) {
+            return Ok(Plan { begin: start, first, end, step, count: (last - first) as u64 });
         }
-        let begin = self.state.time;
-        let count = ((end - begin) / self.step - STEP_ROUNDING).ceil().max(1.0);
-        let step = (end - begin) / count;
-        for number in 1..=count as u64 {
-            let next = if number as f64 == count { end } else { begin + number as f64 * step };
-            self.step_to(next, step)?;
+        let count = (needed - STEP_ROUNDING).ceil().max(1.0);
+        Ok(Plan { begin, first: 0.0, end, step: (end - begin) / count, count: count as u64 })
+    }
+}
+
+/// The internal steps of a communication step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Plan {
+    /// Where their counting begins, s, and the number of the first one.
+    begin: f64,
+    first: f64,
+    /// Where the last one ends, s.
+    pub(super) end: f64,
+    /// Length of each, s.
+    step: f64,
+    count: u64,
+}
+
+impl Plan {
+    /// Takes them all.
+    pub(super) fn march(
+        &self,
+        integrator: &mut impl Integrator,
+        system: &System,
+        state: &mut State,
+    ) -> Result<(), Error> {
+        for number in 1..=self.count {
+            let next =
+                if number == self.count { self.end } else { self.begin + (self.first + number as f64) * self.step };
+            grid_step(integrator, system, state, self.step, next)?;
         }
         Ok(())
     }
+}
 
-    pub(super) fn step_to(&mut self, end: f64, step: f64) -> Result<(), Error> {
-        match &mut self.solver {
-            Solver::None => Err(Error::NotInitialized),
-            Solver::Midpoint(midpoint) => grid_step(midpoint.as_mut(), &self.system, &mut self.state, step, end),
-            Solver::GeneralizedAlpha(alpha) => grid_step(alpha.as_mut(), &self.system, &mut self.state, step, end),
-            Solver::Statics(statics) => grid_step(statics.as_mut(), &self.system, &mut self.state, step, end),
-        }
+/// An integrator that keeps the state before the step it took last.
+struct Remembering<'a, I>(&'a mut I, &'a mut State);
+
+impl<I: Integrator> Integrator for Remembering<'_, I> {
+    fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
+        let Self(integrator, before) = self;
+        before.clone_from(state);
+        integrator.step(system, state, step, end)
     }
 }
 
 impl Solver {
+    /// Sets `response` to that of `state`.
+    pub(super) fn respond(
+        &self,
+        responder: &mut Responder,
+        system: &System,
+        state: &State,
+        response: &mut Response,
+    ) -> Result<(), Error> {
+        match self {
+            Self::Midpoint(_) => responder.respond(system, state, response)?,
+            // It computes accelerations and multipliers at the ends of steps.
+            Self::GeneralizedAlpha(_) => response.set_from(state),
+            Self::None | Self::Statics(_) => response.set_at_rest(state),
+        }
+        Ok(())
+    }
+
     pub(super) fn new(document: &Document, system: &System) -> Result<Self, Error> {
         let simulation = &document.simulation;
         let tolerance = document.value(simulation.tolerance);

@@ -3,6 +3,7 @@
 //! Bytes hold numbers only: the settings of the file, the host's inputs, the state. The machine is built from the file again.
 
 use super::Simulation;
+use super::derivatives::{Derived, LastStep};
 use super::machine::Solver;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -29,6 +30,8 @@ pub struct Snapshot {
     watch: Watch,
     inputs: Inputs,
     results: Vec<f64>,
+    /// The last step and the state at its start, where there is one.
+    last: Option<(LastStep, State)>,
 }
 
 /// A snapshot as numbers.
@@ -46,6 +49,15 @@ struct Saved<'a> {
     initialized: bool,
     watch: Watch,
     results: Cow<'a, [f64]>,
+    last: Option<SavedStep<'a>>,
+}
+
+/// The last communication step as numbers.
+#[derive(Serialize, Deserialize)]
+struct SavedStep<'a> {
+    start: Cow<'a, State>,
+    inputs: [Cow<'a, [f64]>; 2],
+    end: f64,
 }
 
 impl Snapshot {
@@ -61,6 +73,11 @@ impl Snapshot {
             initialized: self.initialized,
             watch: self.watch,
             results: Cow::Borrowed(&self.results),
+            last: self.last.as_ref().map(|(last, start)| SavedStep {
+                start: Cow::Borrowed(start),
+                inputs: last.inputs.parts().map(Cow::Borrowed),
+                end: last.end,
+            }),
         };
         postcard::to_extend(&saved, bytes).expect("a Vec takes every byte, and all lengths are known")
     }
@@ -89,7 +106,13 @@ impl Snapshot {
         let state = saved.state.into_owned();
         let [values, slopes] = saved.inputs;
         let mut inputs = Inputs::new(&document);
-        if !(state.has_the_shape_of(&built.state) && inputs.set_parts([&values, &slopes])) {
+        let mut fits = state.has_the_shape_of(&built.state) && inputs.set_parts([&values, &slopes]);
+        let last = saved.last.map(|SavedStep { start, inputs: [values, slopes], end }| {
+            let mut last = LastStep { known: true, inputs: inputs.clone(), end };
+            fits &= start.has_the_shape_of(&built.state) && last.inputs.set_parts([&values, &slopes]);
+            (last, start.into_owned())
+        });
+        if !fits {
             return Err(String::from("the state has another shape than the machine of the model file"));
         }
         Ok(Self {
@@ -104,6 +127,7 @@ impl Snapshot {
             watch: saved.watch,
             inputs,
             results: saved.results.into_owned(),
+            last,
         })
     }
 }
@@ -124,6 +148,7 @@ impl Simulation {
             watch: self.watch,
             inputs: self.inputs.clone(),
             results: self.results.clone(),
+            last: self.last.known.then(|| (self.last.clone(), machine.backup.clone())),
         }
     }
 
@@ -138,6 +163,13 @@ impl Simulation {
         self.results.clone_from(&snapshot.results);
         self.watch = snapshot.watch;
         self.inputs.copy_from(&snapshot.inputs);
+        self.derived = Derived::default();
+        self.last.known = snapshot.last.is_some();
+        if let Some((last, start)) = &snapshot.last {
+            self.last.inputs.copy_from(&last.inputs);
+            self.last.end = last.end;
+            machine.backup.clone_from(start);
+        }
         // The solver has the shape and the tolerance of its initialization, which may be another one, or another instance's.
         if !Arc::ptr_eq(&machine.initialization, &snapshot.initialization) {
             machine.initialization = Arc::clone(&snapshot.initialization);

@@ -1,10 +1,10 @@
-//! Does the C example build with our header and run a packed model to the same numbers as the safe interface gives?
+//! Do the C examples build with our header, run a packed model to the same numbers as the safe interface gives, and give back all memory?
 
 use std::{
     fs,
     io::Cursor,
     path::{Path, PathBuf},
-    process::Command,
+    process::{Command, Output},
 };
 
 use ancf14::{
@@ -15,30 +15,75 @@ use tempfile::TempDir;
 
 use super::ffi::{MODEL, library_path};
 
-/// The example and an unpacked unit side by side.
-fn build() -> (TempDir, PathBuf) {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let directory = tempfile::tempdir().unwrap();
-    let here = directory.path();
-    let model = Simulation::load("model.toml", MODEL, &[]).unwrap();
-    let library = fs::read(library_path()).unwrap();
-    let contents = package::Contents { model: MODEL, licences: "", icon: &[], drawing: "", legend: "" };
-    let fmu =
-        package::fmu(model.about(), model.variables(), &contents, &[(package::Platform::NATIVE, library)]).unwrap();
-    zip::ZipArchive::new(Cursor::new(fmu)).unwrap().extract(here.join("unit")).unwrap();
-    fs::write(here.join("model.h"), header::text(model.about(), model.variables(), "MODEL").unwrap()).unwrap();
-    fs::copy(library_path(), here.join(package::LIBRARY)).unwrap();
-    let built = Command::new("cc")
-        .current_dir(here)
-        .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I.", "-L.", "-o", "simulate"])
-        .arg(format!("-I{}", root.join("include").display()))
-        .arg(root.join("c-examples/simulate.c"))
-        .args(["-lancf14", &format!("-Wl,-rpath,{}", here.display())])
-        .output()
-        .unwrap();
-    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
-    let program = here.join("simulate");
-    (directory, program)
+/// The model of all examples but `simulate.c`, which takes any.
+const ARM: &str = include_str!("../../../c-examples/arm.toml");
+
+/// An example, built, and an unpacked unit side by side.
+struct Example {
+    directory: TempDir,
+    program: PathBuf,
+}
+
+impl Example {
+    /// Example `name`, with `text` as its model, whose header has names that begin with `prefix`.
+    fn build(name: &str, text: &str, prefix: &str) -> Self {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let directory = tempfile::tempdir().unwrap();
+        let here = directory.path();
+        let model = Simulation::load("model.toml", text, &[]).unwrap();
+        let library = fs::read(library_path()).unwrap();
+        let contents = package::Contents { model: text, licences: "", icon: &[], drawing: "", legend: "" };
+        let fmu =
+            package::fmu(model.about(), model.variables(), &contents, &[(package::Platform::NATIVE, library)]).unwrap();
+        zip::ZipArchive::new(Cursor::new(fmu)).unwrap().extract(here.join("unit")).unwrap();
+        let header = here.join(format!("{}.h", prefix.to_lowercase()));
+        fs::write(header, header::text(model.about(), model.variables(), prefix).unwrap()).unwrap();
+        fs::copy(library_path(), here.join(package::LIBRARY)).unwrap();
+        let built = Command::new("cc")
+            .current_dir(here)
+            .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I.", "-L.", "-o", name])
+            .arg(format!("-I{}", root.join("include").display()))
+            .arg(root.join(format!("c-examples/{name}.c")))
+            .args(["-lancf14", &format!("-Wl,-rpath,{}", here.display())])
+            .output()
+            .unwrap();
+        assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+        let program = here.join(name);
+        Self { directory, program }
+    }
+
+    fn resources(&self) -> PathBuf {
+        self.directory.path().join("unit/resources")
+    }
+
+    /// The resources and `words`, as the words of a command that runs in the example's directory.
+    fn command(&self, mut command: Command, words: &[&str]) -> Output {
+        // Cargo names folders there that may hold an older library.
+        let command = command.env_remove("LD_LIBRARY_PATH").current_dir(self.directory.path());
+        command.arg(self.resources()).args(words).output().unwrap()
+    }
+
+    /// What it prints, from a run that says nothing else.
+    fn printed(&self, words: &[&str]) -> String {
+        printed(&self.command(Command::new(&self.program), words))
+    }
+
+    /// The same under valgrind, which finds no wrong access to memory and nothing that was not given back.
+    fn printed_under_valgrind(&self, words: &[&str]) -> String {
+        let version = Command::new("valgrind").arg("--version").output();
+        assert!(version.is_ok(), "valgrind is missing, which this test needs: `sh scripts/valgrind.sh` installs it");
+        let mut valgrind = Command::new("valgrind");
+        valgrind.args(["--quiet", "--error-exitcode=99", "--leak-check=full", "--show-leak-kinds=all"]);
+        valgrind.args(["--errors-for-leak-kinds=all"]).arg(&self.program);
+        printed(&self.command(valgrind, words))
+    }
+}
+
+/// What a program printed that succeeded and did not complain.
+fn printed(ran: &Output) -> String {
+    assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+    assert_eq!(String::from_utf8_lossy(&ran.stderr), "");
+    String::from_utf8(ran.stdout.clone()).unwrap()
 }
 
 /// A row of the table as the safe interface has it.
@@ -54,16 +99,9 @@ fn row(instance: &mut Instance<Simulation>) -> Vec<f64> {
 /// Every number of the table, to the last bit.
 #[test]
 fn the_example_prints_what_the_model_computes() {
-    let (directory, program) = build();
-    // Cargo names folders there that may hold an older library.
-    let ran = Command::new(program)
-        .env_remove("LD_LIBRARY_PATH")
-        .arg(directory.path().join("unit/resources"))
-        .output()
-        .unwrap();
-    assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
-    assert_eq!(String::from_utf8_lossy(&ran.stderr), "");
-    let table = String::from_utf8(ran.stdout).unwrap();
+    let example = Example::build("simulate", MODEL, "MODEL");
+    let table = example.printed(&[]);
+    assert_eq!(example.printed_under_valgrind(&[]), table);
     let mut lines = table.lines();
     assert!(lines.next().unwrap().starts_with("time,"));
     let mut instance = Instance::new(Simulation::load("model.toml", MODEL, &[]).unwrap(), false);
@@ -85,10 +123,32 @@ fn the_example_prints_what_the_model_computes() {
 /// Errors end the program with the library's reason on stderr.
 #[test]
 fn the_example_reports_errors() {
-    let (directory, program) = build();
+    let Example { directory, program } = Example::build("simulate", MODEL, "MODEL");
     let ran =
         Command::new(&program).env_remove("LD_LIBRARY_PATH").arg(directory.path().join("missing")).output().unwrap();
     assert!(!ran.status.success());
     assert!(String::from_utf8_lossy(&ran.stderr).contains("simulate [logStatusError] fmi2Instantiate: cannot read"));
     assert!(!Command::new(&program).env_remove("LD_LIBRARY_PATH").output().unwrap().status.success());
+}
+
+/// The example itself compares the bits of repeated steps; here those of a new process too.
+#[test]
+fn saved_states_go_on_in_the_example() {
+    let example = Example::build("save_and_restore", ARM, "ARM");
+    let state = ["state.bin"];
+    let go_on = ["state.bin", "go-on"];
+    let text = example.printed(&state) + &example.printed(&go_on);
+    let tips: Vec<&str> = text.lines().map(|line| line.split_once(": tip at ").unwrap().1).collect();
+    assert_eq!(tips.len(), 4, "{text}");
+    assert!(tips.iter().all(|tip| *tip == tips[0]), "{text}");
+    assert_eq!(example.printed_under_valgrind(&state) + &example.printed_under_valgrind(&go_on), text);
+}
+
+/// The example itself compares an instance beside another one with the same alone.
+#[test]
+fn instances_of_the_example_do_not_meet() {
+    let example = Example::build("two_instances", ARM, "ARM");
+    let table = example.printed(&[]);
+    assert_eq!(table.lines().count(), 11, "{table}");
+    assert_eq!(example.printed_under_valgrind(&[]), table);
 }

@@ -12,7 +12,8 @@ use ancf14::fmi::{
 use crate::allocations::count;
 
 use super::toy::{
-    AREA, CELLS, COUNT, FORCE, GAIN, IMPOSSIBLE_LENGTH, LENGTH, POSITION, REFUSED_FORCE, TIME, Toy, Trap, toy,
+    AREA, CELLS, COUNT, FORCE, GAIN, IMPOSSIBLE_LENGTH, LENGTH, POSITION, REFUSED_FORCE, TIME, Toy, Trap, UNFIT_LENGTH,
+    toy,
 };
 
 fn fresh() -> Instance<Toy> {
@@ -154,6 +155,18 @@ fn reads_in_initialization_mode_solve_and_remember() {
     assert_eq!(instance.model().initializations, 2);
 }
 
+/// Parameters that fit their ranges but make no model are refused at the latest when the initialization begins, and may be mended then.
+#[test]
+fn parameters_are_checked_before_the_initialization() {
+    let mut instance = fresh();
+    instance.set_real(&[LENGTH], &[UNFIT_LENGTH]).unwrap();
+    let error = instance.enter_initialization_mode().unwrap_err();
+    assert_eq!((error.status(), error.to_string().as_str()), (Status::Error, "that length fits nothing"));
+    assert_eq!(instance.mode(), Mode::Instantiated);
+    instance.set_real(&[LENGTH], &[1.0]).unwrap();
+    instance.enter_initialization_mode().unwrap();
+}
+
 /// Without an initial state the instance stays in Initialization Mode, where another value may be tried.
 #[test]
 fn a_failed_initialization_can_be_repaired() {
@@ -219,6 +232,16 @@ fn the_host_s_time_is_checked() {
         assert_eq!(outcome.is_ok(), accepted, "{time}: {outcome:?}");
         assert_eq!(instance.mode(), Mode::Step);
         assert_eq!(integer(&mut instance, COUNT), if accepted { 2 } else { 1 });
+    }
+}
+
+/// Infinite times went on to the model: any difference is small beside them. Refused, they leave the instance as it was.
+#[test]
+fn regression_infinite_times_are_refused() {
+    for time in [f64::INFINITY, f64::NEG_INFINITY] {
+        let mut instance = initialized();
+        assert!(matches!(instance.do_step(time, 0.5), Err(Error::WrongTime { .. })), "{time}");
+        instance.do_step(0.0, 0.5).unwrap();
     }
 }
 

@@ -2,6 +2,8 @@
 
 mod c_example;
 mod c_header;
+mod call_table;
+mod derivatives;
 mod description;
 mod ffi;
 mod guard;
@@ -11,6 +13,9 @@ mod instance;
 mod lifecycle;
 mod location;
 mod log;
+mod mischief;
 mod package;
+mod sequences;
 mod serialized;
 mod toy;
+mod unit;

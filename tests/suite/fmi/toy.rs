@@ -18,6 +18,8 @@ pub const TIME: u32 = 7;
 
 /// A force that the model itself refuses, though it is within the bounds.
 pub const REFUSED_FORCE: f64 = -777.0;
+/// A length within its bounds that makes no model.
+pub const UNFIT_LENGTH: f64 = 14.0;
 /// A length without an initial state.
 pub const IMPOSSIBLE_LENGTH: f64 = 13.0;
 
@@ -172,6 +174,10 @@ impl Model for Toy {
         self.plain.slope = derivative;
     }
 
+    fn check(&self) -> Result<(), Failure> {
+        if self.plain.length == UNFIT_LENGTH { Err(failure("that length fits nothing")) } else { Ok(()) }
+    }
+
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
         self.initializations += 1;
         if self.plain.length == IMPOSSIBLE_LENGTH {
@@ -200,6 +206,20 @@ impl Model for Toy {
         self.plain.time = end;
         self.plain.count += 1;
         Ok(())
+    }
+
+    fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure> {
+        match reference as u32 {
+            POSITION => Ok(self.plain.gain * self.plain.force),
+            _ => Err(failure("no derivative")),
+        }
+    }
+
+    fn partial_derivative(&mut self, _output: usize, _input: usize) -> Result<f64, Failure> {
+        match self.plain.count {
+            0 => Err(failure("no step")),
+            _ => Ok(self.plain.gain),
+        }
     }
 
     fn take_warnings(&mut self) -> Vec<String> {

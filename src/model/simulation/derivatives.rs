@@ -1,0 +1,248 @@
+//! Derivatives of the last communication step: of its results by its inputs, and by time.
+
+use super::machine::{Machine, Plan, Solver};
+use super::{Simulation, failure, wrong};
+use crate::error::Error;
+use crate::fmi::Failure;
+use crate::mechanics::prescribed::Targets;
+use crate::mechanics::sensor::Snapshot as Frames;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::model::build;
+use crate::model::document::Document;
+use crate::model::entries::drive::Motion;
+use crate::model::entries::frame::Orientation;
+use crate::model::inputs::Inputs;
+use crate::model::number::Number;
+use crate::model::variables::{Moment, Table};
+use crate::solve::response::{Responder, Response};
+use crate::solve::sensitivity::{self, Linearized, REACH, SHORT_REACH, Sensitivity, Step};
+
+/// The communication step that led to the present state; the machine's backup is the state at its start.
+#[derive(Clone, Debug, Default)]
+pub(super) struct LastStep {
+    /// There is one, and nothing but inputs has been set since.
+    pub known: bool,
+    /// Its inputs, with their derivatives by time.
+    pub inputs: Inputs,
+    /// Its end as the host said it, s.
+    pub end: f64,
+}
+
+/// What has been computed of the present state and its last step, where it has been asked for.
+#[derive(Debug, Default)]
+pub(super) struct Derived {
+    /// Derivatives of all results by all inputs of the last step, a column an input.
+    jacobian: Option<Vec<f64>>,
+    /// Derivatives by time of the results that follow from positions and velocities.
+    rates: Option<Vec<f64>>,
+    /// Difference quotients of all results over the last internal step.
+    quotients: Option<Vec<f64>>,
+}
+
+/// The inputs of a communication step, one of which may be changed.
+struct Given<'a> {
+    document: &'a Document,
+    inputs: &'a Inputs,
+    /// Begin and end, s.
+    span: [f64; 2],
+    /// See [`sensitivity::Inputs::unit`].
+    units: Vec<f64>,
+}
+
+impl<'a> Given<'a> {
+    fn new(document: &'a Document, inputs: &'a Inputs, span: [f64; 2], size: f64) -> Self {
+        // A load is linear in what the host gives: any change will do.
+        let mut units = vec![f64::INFINITY; inputs.count()];
+        let mut set = |number: Number, unit: f64| {
+            if let Some(place) = inputs.place(number) {
+                units[place] = unit;
+            }
+        };
+        for drive in &document.drives {
+            let unit = if drive.is_angle() { 1.0 } else { size };
+            match drive.motion {
+                Motion::Value(number) => set(number, unit),
+                Motion::Rate(number) => set(number, unit / (span[1] - span[0])),
+            }
+        }
+        for frame in &document.frames {
+            frame.position.into_iter().for_each(|number| set(number, size));
+            if let Orientation::Quaternion(numbers) = frame.orientation {
+                numbers.into_iter().for_each(|number| set(number, 1.0));
+            }
+        }
+        Self { document, inputs, span, units }
+    }
+}
+
+impl sensitivity::Inputs for Given<'_> {
+    fn count(&self) -> usize {
+        self.units.len()
+    }
+
+    fn unit(&self, number: usize) -> f64 {
+        self.units[number]
+    }
+
+    fn aim(&self, number: usize, change: f64, targets: &mut Targets) {
+        let changed = self.inputs.number(number);
+        let line = |number: Number| {
+            let (value, slope) = self.inputs.line(number);
+            if number == changed { (value + change, slope) } else { (value, slope) }
+        };
+        let end = targets.end;
+        // The step was taken with inputs that differ by a thousandth: none of them is refused.
+        let _ = build::aim(self.document, line, self.span, targets);
+        targets.end = end;
+    }
+}
+
+impl Simulation {
+    /// The derivative of result number `result` at the end of the last step by input number `input` of that step.
+    pub(super) fn partial_derivative(&mut self, result: usize, input: usize) -> Result<f64, Failure> {
+        if !self.last.known {
+            return Err(no_step("derivatives by inputs"));
+        }
+        if self.derived.jacobian.is_none() {
+            self.derived.jacobian = Some(self.jacobian().map_err(|error| failure(&error))?);
+        }
+        let jacobian = self.derived.jacobian.as_deref().unwrap_or_default();
+        Ok(jacobian[input * self.results.len() + result])
+    }
+
+    /// The derivative of result number `result` by time, 1/s of its unit: exact where it follows from positions and velocities, else the
+    /// difference quotient of the last internal step.
+    pub(super) fn rate(&mut self, result: usize) -> Result<f64, Failure> {
+        let moves = !matches!(self.machine.solver, Solver::Statics(_));
+        if moves && self.table.follows_from_motion(result) {
+            if self.derived.rates.is_none() {
+                self.derived.rates = Some(self.rates().map_err(|error| failure(&error))?);
+            }
+            return Ok(self.derived.rates.as_deref().unwrap_or_default()[result]);
+        }
+        if !self.last.known {
+            return Err(no_step("derivatives by time of what does not follow from positions and velocities"));
+        }
+        if self.derived.quotients.is_none() {
+            self.derived.quotients = Some(self.quotients().map_err(|error| failure(&error))?);
+        }
+        Ok(self.derived.quotients.as_deref().unwrap_or_default()[result])
+    }
+
+    /// Derivatives by time of all results, at their accelerations and multipliers: along the motion.
+    fn rates(&self) -> Result<Vec<f64>, Error> {
+        let Machine { system, state, .. } = &self.machine;
+        let mut response = Response::default();
+        self.machine.solver.respond(&mut Responder::new(system)?, system, state, &mut response)?;
+        let (mut frames, mut values) = (Frames::default(), Vec::new());
+        let mut rates = |reach: f64| {
+            let mut sum = vec![0.0; self.results.len()];
+            sensitivity::along_motion(system, state, &response.acceleration, reach, |state, weight| {
+                self.table.measure(&Moment { system, state, response: &response }, &mut frames, &mut values);
+                add_weighted(&mut sum, &values, weight);
+            });
+            sum
+        };
+        let mut all = rates(REACH);
+        replace_kinked(&self.table, &mut all, || rates(SHORT_REACH));
+        Ok(all)
+    }
+
+    /// Difference quotients of all results over the last internal step.
+    fn quotients(&mut self) -> Result<Vec<f64>, Error> {
+        let (state, response) = self.machine.before_last_part(self.last.end)?;
+        let mut values = Vec::new();
+        let moment = Moment { system: &self.machine.system, state: &state, response: &response };
+        self.table.measure(&moment, &mut Frames::default(), &mut values);
+        let passed = self.machine.state.time - state.time;
+        Ok(self.results.iter().zip(&values).map(|(now, before)| (now - before) / passed).collect())
+    }
+
+    fn jacobian(&mut self) -> Result<Vec<f64>, Error> {
+        let Self { machine, last, document, table, results, .. } = self;
+        let Machine { system, backup, .. } = &*machine;
+        let begin = backup.time;
+        let given = Given::new(document, &last.inputs, [begin, last.end], system.size);
+        let plan = machine.plan(begin, last.end)?;
+        let responds = table.needs_response();
+        let mut columns = Vec::new();
+        let (system, state, start) = (&machine.system, &machine.state, &machine.backup);
+        let moves = !matches!(machine.solver, Solver::Statics(_));
+        let step = Step { start, inputs: &given, moves };
+        let mut frames = Frames::default();
+        let mut values = Vec::new();
+        let mut all = |sensitivity: &mut Sensitivity, after: &State, response: &Response| {
+            for number in 0..last.inputs.count() {
+                let mut column = |reach: f64| {
+                    let mut sum = vec![0.0; results.len()];
+                    sensitivity.look(system, step, (after, response), (number, reach), |state, response, weight| {
+                        table.measure(&Moment { system, state, response }, &mut frames, &mut values);
+                        add_weighted(&mut sum, &values, weight);
+                    });
+                    sum
+                };
+                let mut whole = column(REACH);
+                replace_kinked(table, &mut whole, || column(SHORT_REACH));
+                columns.extend_from_slice(&whole);
+            }
+        };
+        let mut response = Response::default();
+        if responds {
+            machine.solver.respond(&mut Responder::new(system)?, system, state, &mut response)?;
+        } else {
+            response.set_at_rest(state);
+        }
+        let present = (state, &response);
+        match &mut machine.solver {
+            Solver::None => Err(Error::NotInitialized),
+            Solver::Midpoint(midpoint) => run(midpoint.as_mut(), system, step, plan, present, responds, &mut all),
+            Solver::GeneralizedAlpha(alpha) => run(alpha.as_mut(), system, step, plan, present, responds, &mut all),
+            Solver::Statics(statics) => run(statics.as_mut(), system, step, plan, present, responds, &mut all),
+        }?;
+        Ok(columns)
+    }
+}
+
+/// Takes the derivatives of results with kinks from those of a short reach, if there are any.
+fn replace_kinked(table: &Table, derivatives: &mut [f64], short: impl FnOnce() -> Vec<f64>) {
+    let kinked = |result: &usize| table.has_kinks(*result);
+    if (0..derivatives.len()).any(|result| kinked(&result)) {
+        let short = short();
+        (0..derivatives.len()).filter(kinked).for_each(|result| derivatives[result] = short[result]);
+    }
+}
+
+fn add_weighted(sum: &mut [f64], values: &[f64], weight: f64) {
+    for (sum, value) in sum.iter_mut().zip(values) {
+        *sum += weight * value;
+    }
+}
+
+/// Why there is nothing to differentiate.
+fn no_step(what: &str) -> Failure {
+    wrong(format!(
+        "{what} belong to the last communication step, and there is none; take a step first, and change no parameter after it"
+    ))
+}
+
+/// Differentiates the step that led to `state` and hands what it found to `all`.
+fn run<I: Linearized>(
+    integrator: &mut I,
+    system: &System,
+    step: Step<'_, Given<'_>>,
+    plan: Plan,
+    (state, response): (&State, &Response),
+    responds: bool,
+    all: &mut impl FnMut(&mut Sensitivity, &State, &Response),
+) -> Result<(), Error> {
+    let mut sensitivity = Sensitivity::new(system, step.start, step.inputs)?;
+    let mut after = state.clone();
+    sensitivity
+        .of_step(integrator, system, step, &mut after, |integrator, state| plan.march(integrator, system, state))?;
+    if responds {
+        sensitivity.of_response::<I>(system, step, &after, response)?;
+    }
+    all(&mut sensitivity, &after, response);
+    Ok(())
+}

@@ -1,0 +1,451 @@
+//! Derivatives of a communication step by what the host gives: how the state at its end changes with each input.
+//!
+//! The step is repeated, and each of its internal steps differentiated where it ended. An internal step solves `R(z, s, u) = 0` for its
+//! unknowns `z` from the state `s` before it, and the state after it is `s' = F(z, s, u)`. For every input
+//!
+//! ```text
+//! R_z dz = −R_s ds − R_u du,   ds' = F_z dz + F_s ds + F_u du
+//! ```
+//!
+//! with the factorized tangent for `R_z`: one factorization an internal step serves all inputs. Derivatives of `R` and `F` along a direction
+//! are central differences of fourth order of these explicit functions, without any iteration: with steps of [`REACH`] of the machine's
+//! size and of a radian what they leave out is about 1e-12 of the derivative, what rounding adds a little more. A second solve takes
+//! out what the tangent leaves out. Velocities that follow by projection, and the response of the end, are solved for alike.
+
+use super::kkt::Kkt;
+use super::linear::Singular;
+use super::response::{Responder, Response};
+use super::stepping::Integrator;
+use crate::error::Error;
+use crate::mechanics::ancf14::frame::NodeFrame;
+use crate::mechanics::configuration::Configuration;
+use crate::mechanics::joint::JointGradient;
+use crate::mechanics::prescribed::Targets;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::mechanics::variation::Variation;
+
+/// Largest change of a coordinate for differences: over the machine's size, or rad.
+pub const REACH: f64 = 1e-3;
+/// The same for what has kinks or curves sharply, as the largest stress of a section does where stress is small.
+pub const SHORT_REACH: f64 = 1e-7;
+/// Offsets and weights of the central difference of fourth order.
+pub const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
+/// Solves with one tangent: the second takes out what the tangent leaves out, the third what is left of that.
+const SOLVES: usize = 3;
+
+/// The time of an internal step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// Its length, s.
+    pub step: f64,
+    /// Its end, s.
+    pub end: f64,
+}
+
+/// An integrator whose steps can be differentiated.
+pub trait Linearized: Integrator {
+    /// Whether a step depends on the state before it.
+    const MEMORY: bool;
+    /// Whether velocities at the end follow from momenta by projection on the constraints.
+    const PROJECTS: bool;
+
+    /// The unknowns that the last step ended with, at the state `after`.
+    fn unknowns(&self, after: &State, unknowns: &mut Vec<f64>);
+
+    /// Factorizes the tangent of a step from `state` at given unknowns.
+    ///
+    /// # Errors
+    /// It is singular.
+    fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error>;
+
+    /// Solves in place with that tangent.
+    ///
+    /// # Errors
+    /// The solution is not accurate.
+    fn solve(&mut self, right: &mut [f64]) -> Result<(), Singular>;
+
+    /// Sets `right` to minus the residual of a step from `state` at given unknowns.
+    fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]);
+
+    /// Sets `next` to the end of a step from `state` with given unknowns, before its velocities are projected.
+    fn conclude(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], next: &mut State);
+}
+
+/// What the host gives, as the sensitivities ask for it.
+pub trait Inputs {
+    /// Number of inputs.
+    fn count(&self) -> usize;
+
+    /// The change of input `number` that changes a motion by about the machine's size or a radian, or a load by about itself.
+    fn unit(&self, number: usize) -> f64;
+
+    /// Sets `targets` to what the host wants with input `number` changed by `change`.
+    fn aim(&self, number: usize, change: f64, targets: &mut Targets);
+}
+
+/// How a state depends on each input; scratch memory for the way there.
+#[derive(Debug)]
+pub struct Sensitivity {
+    columns: Vec<Column>,
+    /// `[M Gᵀ; G 0]` at the end of a step.
+    flow: Kkt,
+    responder: Responder,
+    scratch: Scratch,
+}
+
+#[derive(Debug, Default)]
+struct Column {
+    variation: Variation,
+    response: Response,
+}
+
+#[derive(Debug, Default)]
+struct Scratch {
+    /// The state before the internal step.
+    before: State,
+    unknowns: Vec<f64>,
+    moved_unknowns: Vec<f64>,
+    /// Derivatives of the unknowns.
+    change: Vec<f64>,
+    right: Vec<f64>,
+    sum: Vec<f64>,
+    product: Vec<f64>,
+    strays: Vec<f64>,
+    gradients: Vec<JointGradient>,
+    gradients_after: Vec<JointGradient>,
+    mover: Mover,
+    arrived: State,
+    variation: Variation,
+}
+
+impl Sensitivity {
+    /// Of a machine that starts a communication step at `start`, which depends on none of the `inputs` of that step.
+    ///
+    /// # Errors
+    /// The linear systems cannot be set up.
+    pub fn new(system: &System, start: &State, inputs: &impl Inputs) -> Result<Self, Error> {
+        let mut columns: Vec<Column> = Vec::new();
+        columns.resize_with(inputs.count(), Column::default);
+        columns.iter_mut().for_each(|column| column.variation.set_zero(start));
+        let size = system.coordinates() + system.constraints();
+        let list = || vec![0.0; size];
+        let scratch = Scratch { change: list(), right: list(), sum: list(), product: list(), ..Scratch::default() };
+        Ok(Self { columns, flow: Kkt::for_projections(system)?, responder: Responder::new(system)?, scratch })
+    }
+
+    /// Repeats the communication step `step` and differentiates it. `state` is at its end, and is so again; `march` takes its internal
+    /// steps with the integrator that it is given.
+    ///
+    /// # Errors
+    /// The step cannot be repeated, or its linear systems are singular.
+    pub fn of_step<I: Linearized, N: Inputs>(
+        &mut self,
+        integrator: &mut I,
+        system: &System,
+        step: Step<'_, N>,
+        state: &mut State,
+        march: impl FnOnce(&mut Differentiated<'_, I, N>, &mut State) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        if !I::MEMORY {
+            let span = Span { step: 0.0, end: state.time };
+            return self.pass(integrator, system, &step, state, span);
+        }
+        let targets = state.targets.clone();
+        state.clone_from(step.start);
+        state.targets = targets;
+        let mut differentiated = Differentiated { integrator, step, sensitivity: self, failure: None };
+        march(&mut differentiated, state)?;
+        differentiated.failure.map_or(Ok(()), Err)
+    }
+
+    /// The states and responses around `after` and `response` along input `number`, as far as `reach`, each with its weight: weighted and
+    /// summed, whatever is read off them is differentiated by that input.
+    pub fn look(
+        &mut self,
+        system: &System,
+        step: Step<'_, impl Inputs>,
+        (after, response): (&State, &Response),
+        (number, reach): (usize, f64),
+        mut read: impl FnMut(&State, &Response, f64),
+    ) {
+        let Column { variation, response: own } = &self.columns[number];
+        let unit = step.reach(system, number, variation, &[], 0.0) * (reach / REACH);
+        let mut moved_response = response.clone();
+        for (offset, weight) in STENCIL {
+            let by = offset * unit;
+            set_moved(&mut moved_response.acceleration, &response.acceleration, &own.acceleration, by);
+            set_moved(&mut moved_response.multipliers, &response.multipliers, &own.multipliers, by);
+            let moved = self.scratch.mover.move_from(system, &step, number, after, variation, by);
+            read(moved, &moved_response, weight / unit);
+        }
+    }
+
+    /// Takes the derivatives over the internal step from the state before it, in the scratch memory, to `after`.
+    fn pass<I: Linearized>(
+        &mut self,
+        integrator: &mut I,
+        system: &System,
+        step: &Step<'_, impl Inputs>,
+        after: &State,
+        span: Span,
+    ) -> Result<(), Error> {
+        let Self { columns, flow, scratch, .. } = self;
+        let Scratch { before, unknowns, moved_unknowns, change, right, sum, product, .. } = scratch;
+        let Scratch { strays, gradients, gradients_after, mover, arrived, variation, .. } = scratch;
+        let inaccurate = |Singular| Error::Singular { time: span.end, what: String::from("the derivatives of a step") };
+        let from = if I::MEMORY { &*before } else { after };
+        integrator.unknowns(after, unknowns);
+        integrator.factorize(system, from, span, unknowns)?;
+        moved_unknowns.resize(unknowns.len(), 0.0);
+        if I::PROJECTS {
+            mover.gradients_at(system, after, gradients_after);
+            flow.blocks.clear();
+            system.add_mass(1.0, &mut flow.blocks);
+            flow.set_constraints(system, gradients_after, gradients_after, 1.0);
+            flow.factorize(system, span.end)?;
+            // P = M v + Gᵀ ν before the momentum was steadied.
+            strays.clear();
+            strays.extend(after.strays.iter().zip(&before.strays).map(|(after, before)| 2.0 * after - before));
+        }
+        let coordinates = system.coordinates();
+        for (number, column) in columns.iter_mut().enumerate() {
+            if !I::MEMORY {
+                column.variation.set_zero(after);
+            }
+            let own = &column.variation;
+            change.fill(0.0);
+            for _ in 0..SOLVES {
+                let unit = step.reach(system, number, own, change, span.step);
+                sum.fill(0.0);
+                for (offset, weight) in STENCIL {
+                    let by = offset * unit;
+                    let moved = mover.move_from(system, step, number, from, own, by);
+                    set_moved(moved_unknowns, unknowns, change, by);
+                    integrator.balance(system, moved, span, moved_unknowns, right);
+                    add_scaled(sum, right, weight / unit);
+                }
+                integrator.solve(sum).map_err(inaccurate)?;
+                add_scaled(change, sum, 1.0);
+            }
+
+            let unit = step.reach(system, number, own, change, span.step);
+            variation.set_zero(after);
+            sum.fill(0.0);
+            product.fill(0.0);
+            for (offset, weight) in STENCIL {
+                let by = offset * unit;
+                let moved = mover.move_from(system, step, number, from, own, by);
+                set_moved(moved_unknowns, unknowns, change, by);
+                integrator.conclude(system, moved, span, moved_unknowns, arrived);
+                variation.add_between(system, weight / unit, after, arrived);
+                if I::PROJECTS {
+                    let (forces, rates) = right.split_at_mut(coordinates);
+                    let configuration = mover.gradients_at(system, arrived, gradients);
+                    system.constraint_rates(&configuration, rates);
+                    system.add_constraint_rates(gradients, &after.velocity, rates);
+                    forces.fill(0.0);
+                    system.add_constraint_forces(gradients, strays, 1.0, forces);
+                    add_scaled(sum, right, -weight / unit);
+                    system.add_constraint_forces(gradients, &after.strays, weight / unit, &mut product[..coordinates]);
+                }
+            }
+            if I::PROJECTS {
+                // `[M Gᵀ; G 0][dv; dν] = [dP − dGᵀ ν; −d(g_t + G v)]`, then `dP = M dv + Gᵀ ds + dGᵀ s` with the steadied `s`.
+                add_scaled(sum, &variation.momentum, 1.0);
+                flow.solve_again(sum).map_err(inaccurate)?;
+                let (velocity, stray) = sum.split_at(coordinates);
+                variation.velocity.copy_from_slice(velocity);
+                for (own, stray) in variation.strays.iter_mut().zip(stray) {
+                    *own = 0.5 * (*own + stray);
+                }
+                system.mass_times(velocity, &mut variation.momentum);
+                system.add_constraint_forces(gradients_after, &variation.strays, 1.0, &mut variation.momentum);
+                add_scaled(&mut variation.momentum, &product[..coordinates], 1.0);
+            }
+            std::mem::swap(&mut column.variation, variation);
+        }
+        Ok(())
+    }
+
+    /// Takes the derivatives of the response of the state `after` the communication step, which is `response`.
+    ///
+    /// # Errors
+    /// The acceleration of a drive or frame is not finite.
+    pub fn of_response<I: Linearized>(
+        &mut self,
+        system: &System,
+        step: Step<'_, impl Inputs>,
+        after: &State,
+        response: &Response,
+    ) -> Result<(), Error> {
+        let Self { columns, flow, responder, scratch } = self;
+        let Scratch { right, sum, mover, .. } = scratch;
+        for (number, column) in columns.iter_mut().enumerate() {
+            let Column { variation, response: own } = column;
+            if I::PROJECTS {
+                let unit = step.reach(system, number, variation, &[], 0.0);
+                sum.fill(0.0);
+                for (offset, weight) in STENCIL {
+                    let moved = mover.move_from(system, &step, number, after, variation, offset * unit);
+                    responder.balance(system, moved, response, right)?;
+                    add_scaled(sum, right, weight / unit);
+                }
+                let inaccurate = |Singular| Error::Singular {
+                    time: after.time,
+                    what: String::from("the derivatives of a response"),
+                };
+                flow.solve_again(sum).map_err(inaccurate)?;
+                let (acceleration, multipliers) = sum.split_at(system.coordinates());
+                own.acceleration = acceleration.to_vec();
+                own.multipliers = multipliers.to_vec();
+            } else {
+                own.multipliers.clone_from(&variation.multipliers);
+                own.acceleration.clone_from(&variation.accelerations[0]);
+                own.acceleration.resize(system.coordinates(), 0.0);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The states around `state` along its motion with the accelerations `acceleration`, as far as `reach`, each with its weight: weighted
+/// and summed, whatever is read off their positions and velocities is differentiated by time.
+pub fn along_motion(
+    system: &System,
+    state: &State,
+    acceleration: &[f64],
+    reach: f64,
+    mut read: impl FnMut(&State, f64),
+) {
+    let mut variation = Variation::default();
+    variation.set_zero(state);
+    variation.q.copy_from_slice(&state.velocity);
+    variation.velocity.copy_from_slice(acceleration);
+    let speed = f64::max(system.correction_size(&state.velocity).0, state.prescribed.fastest(system.size));
+    let unit = if speed > 0.0 { reach / speed } else { 1.0 };
+    let (mut moved, mut frames) = (State::default(), Vec::new());
+    for (offset, weight) in STENCIL {
+        let by = offset * unit;
+        moved.clone_from(state);
+        moved.prescribed.drift(by);
+        variation.apply(system, by, &mut moved, &mut frames);
+        read(&moved, weight / unit);
+    }
+}
+
+/// A communication step.
+#[derive(Debug)]
+pub struct Step<'a, N> {
+    /// The state at its start.
+    pub start: &'a State,
+    /// What the host gave for it.
+    pub inputs: &'a N,
+    /// Whether frames and drives move at its end: they do not in an equilibrium.
+    pub moves: bool,
+}
+
+impl<N> Clone for Step<'_, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<N> Copy for Step<'_, N> {}
+
+impl<N: Inputs> Step<'_, N> {
+    /// The change of input `number` for differences along a direction: of states, and of the unknowns of a step of `step` s.
+    fn reach(&self, system: &System, number: usize, variation: &Variation, change: &[f64], step: f64) -> f64 {
+        let size = |list: &[f64]| if list.is_empty() { 0.0 } else { system.correction_size(list).0 };
+        let [_, algorithmic] = &variation.accelerations;
+        let motion =
+            [size(&variation.q), size(change), step * size(&variation.velocity), step * step * size(algorithmic)];
+        let motion = motion.into_iter().fold(0.0, f64::max);
+        let reach = f64::min(REACH * self.inputs.unit(number), REACH / motion);
+        // What does not move at all, or not yet, may change by anything.
+        if reach.is_finite() { reach } else { 1.0 }
+    }
+}
+
+/// Makes changed states.
+#[derive(Debug, Default)]
+struct Mover {
+    moved: State,
+    way: State,
+    frames: Vec<NodeFrame>,
+}
+
+impl Mover {
+    /// The state `from` of the communication step `step`, had input `number` been larger by `by`; `variation` is how it depends on that input.
+    fn move_from(
+        &mut self,
+        system: &System,
+        step: &Step<'_, impl Inputs>,
+        number: usize,
+        from: &State,
+        variation: &Variation,
+        by: f64,
+    ) -> &State {
+        let Self { moved, way, frames } = self;
+        moved.clone_from(from);
+        step.inputs.aim(number, by, &mut moved.targets);
+        if from.time > step.start.time {
+            way.time = step.start.time;
+            way.prescribed.copy_from(&step.start.prescribed);
+            way.targets.copy_from(&moved.targets);
+            system.prescribe(way, from.time, &mut moved.prescribed);
+            if !step.moves {
+                moved.prescribed.stop();
+            }
+        }
+        variation.apply(system, by, moved, frames);
+        moved
+    }
+
+    /// The gradients of the constraints at `state`, and its configuration.
+    fn gradients_at<'a>(
+        &'a mut self,
+        system: &'a System,
+        state: &'a State,
+        gradients: &mut Vec<JointGradient>,
+    ) -> Configuration<'a> {
+        system.frames(&state.q, &state.triads, &mut self.frames);
+        let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
+        system.constraint_gradients(&configuration, gradients);
+        configuration
+    }
+}
+
+/// An integrator that differentiates the steps that it takes.
+#[derive(Debug)]
+pub struct Differentiated<'a, I, N> {
+    integrator: &'a mut I,
+    step: Step<'a, N>,
+    sensitivity: &'a mut Sensitivity,
+    /// What went wrong with the derivatives: it must not halve the step.
+    failure: Option<Error>,
+}
+
+impl<I: Linearized, N: Inputs> Integrator for Differentiated<'_, I, N> {
+    fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
+        self.sensitivity.scratch.before.clone_from(state);
+        self.integrator.step(system, state, step, end)?;
+        if self.failure.is_none() {
+            let passed = self.sensitivity.pass(self.integrator, system, &self.step, state, Span { step, end });
+            self.failure = passed.err();
+        }
+        Ok(())
+    }
+}
+
+fn add_scaled(target: &mut [f64], values: &[f64], factor: f64) {
+    for (target, value) in target.iter_mut().zip(values) {
+        *target += factor * value;
+    }
+}
+
+fn set_moved(moved: &mut [f64], values: &[f64], change: &[f64], by: f64) {
+    for ((moved, value), change) in moved.iter_mut().zip(values).zip(change) {
+        *moved = value + by * change;
+    }
+}
