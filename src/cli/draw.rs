@@ -3,19 +3,27 @@
 use ancf14::model::drawing::{Arrow, ArrowKind, Drawing, LineKind, Mark, MarkKind};
 use std::fmt::Write;
 
-/// Size of the picture, and the border that labels need, pixels.
-const WIDTH: f64 = 960.0;
-const HEIGHT: f64 = 640.0;
-const BORDER: f64 = 110.0;
+/// What a picture is drawn on, pixels. Marks have the same size on each.
+struct Sheet {
+    width: f64,
+    height: f64,
+    /// Room for what stands around points, names above all.
+    border: f64,
+    /// Length of an arrow.
+    arrow: f64,
+}
+
+/// With names.
+const PAGE: Sheet = Sheet { width: 960.0, height: 640.0, border: 110.0, arrow: 58.0 };
+/// Without: small, so that lines and marks are large beside it.
+const ICON: Sheet = Sheet { width: 200.0, height: 150.0, border: 28.0, arrow: 28.0 };
 
 /// The depth axis on paper: direction and shortening.
 const DEPTH: [f64; 2] = [0.42, 0.30];
 
-/// Length of an arrow, pixels.
-const ARROW: f64 = 58.0;
-
 /// From metres to pixels.
 struct View {
+    sheet: &'static Sheet,
     scale: f64,
     centre: [f64; 2],
 }
@@ -26,7 +34,7 @@ pub fn flat(point: [f64; 3]) -> [f64; 2] {
 }
 
 impl View {
-    fn of(drawing: &Drawing) -> Self {
+    fn of(drawing: &Drawing, sheet: &'static Sheet) -> Self {
         let lines = drawing.lines.iter().flat_map(|line| &line.points);
         let points: Vec<_> = lines.chain(drawing.marks.iter().map(|mark| &mark.at)).map(|point| flat(*point)).collect();
         let extreme = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
@@ -34,48 +42,70 @@ impl View {
         };
         let low = [0, 1].map(|axis| extreme(axis, f64::min, f64::INFINITY));
         let high = [0, 1].map(|axis| extreme(axis, f64::max, f64::NEG_INFINITY));
-        let room = [WIDTH - 2.0 * BORDER, HEIGHT - 2.0 * BORDER];
+        let room = [sheet.width - 2.0 * sheet.border, sheet.height - 2.0 * sheet.border];
         let scale = [0, 1].map(|axis| room[axis] / (high[axis] - low[axis])).into_iter().fold(f64::INFINITY, f64::min);
         let centre = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
         if scale.is_finite() && centre.iter().all(|c| c.is_finite()) {
-            Self { scale, centre }
+            Self { sheet, scale, centre }
         } else {
-            Self { scale: 100.0, centre: [0.0; 2] }
+            Self { sheet, scale: 100.0, centre: [0.0; 2] }
         }
     }
 
     fn place(&self, point: [f64; 3]) -> [f64; 2] {
         let [x, y] = flat(point);
-        [WIDTH / 2.0 + self.scale * (x - self.centre[0]), HEIGHT / 2.0 - self.scale * (y - self.centre[1])]
+        let [right, down] = [self.scale * (x - self.centre[0]), -self.scale * (y - self.centre[1])];
+        [0.5 * self.sheet.width + right, 0.5 * self.sheet.height + down]
     }
 }
 
 /// The picture; every name that can be read in it is one of the model file.
 pub fn svg(drawing: &Drawing, title: &str) -> String {
-    let view = View::of(drawing);
-    let mut page = Page { text: String::new(), occupied: Vec::new(), names: Vec::new() };
-    page.begin(title);
-    for line in &drawing.lines {
-        let points: Vec<_> = line.points.iter().map(|point| view.place(*point)).collect();
-        match line.kind {
-            LineKind::Beam => {
-                let nodes: Vec<_> = line.nodes.iter().map(|node| view.place(*node)).collect();
-                page.beam(&line.name, &points, &nodes);
-            }
-            LineKind::Spring => page.spring(&line.name, &points),
-        }
-    }
-    for arrow in &drawing.arrows {
-        page.arrow(arrow, view.place(arrow.at));
-    }
-    for mark in &drawing.marks {
-        page.mark(mark, view.place(mark.at));
-    }
+    let view = View::of(drawing, &PAGE);
+    let mut page = Page::new(view.sheet);
+    page.title(title);
+    page.mechanism(drawing, &view);
     page.write_names();
     page.axes();
     page.scale(view.scale);
-    page.text.push_str("</svg>\n");
-    page.text
+    page.end()
+}
+
+/// The picture without names, nodes, axes and outputs, for a place as small as an icon.
+pub fn icon(drawing: &Drawing) -> String {
+    let mut drawing = drawing.clone();
+    drawing.lines.iter_mut().for_each(|line| line.nodes.clear());
+    drawing.marks.retain(|mark| mark.kind != MarkKind::Output);
+    drawing.arrows.retain(|arrow| arrow.kind != ArrowKind::Axis);
+    let view = View::of(&drawing, &ICON);
+    let mut page = Page::new(view.sheet);
+    page.mechanism(&drawing, &view);
+    page.end()
+}
+
+/// What the parts of a drawing stand for, of those that are in it.
+pub fn legend(drawing: &Drawing) -> String {
+    let line = |kind| drawing.lines.iter().any(|line| line.kind == kind);
+    let mark = |kind| drawing.marks.iter().any(|mark| mark.kind == kind);
+    let arrow = |kind| drawing.arrows.iter().any(|arrow| arrow.kind == kind);
+    let parts = [
+        (line(LineKind::Beam), "beams with their nodes (blue lines)"),
+        (line(LineKind::Spring), "springs (dashed pink lines)"),
+        (mark(MarkKind::Body), "bodies at their centres of mass (blue disks)"),
+        (mark(MarkKind::Support), "joints to the ground (hatched triangles)"),
+        (mark(MarkKind::Joint), "joints between what moves (black circles)"),
+        (mark(MarkKind::Frame), "moving frames (dashed squares)"),
+        (mark(MarkKind::Drive), "drives (orange circular arrows)"),
+        (arrow(ArrowKind::Force), "forces (orange arrows)"),
+        (arrow(ArrowKind::Moment), "moments about their axes (orange arrows with two heads)"),
+        (arrow(ArrowKind::Axis), "axes of joints (dashed grey arrows)"),
+        (mark(MarkKind::Output), "places of outputs (green diamonds)"),
+    ];
+    let there: Vec<_> = parts.iter().filter(|(there, _)| *there).map(|(_, words)| *words).collect();
+    format!(
+        "The mechanism as it is drawn in the model file, seen obliquely: x to the right, z up, y into the depth and shortened. It shows {}.",
+        there.join(", ")
+    )
 }
 
 /// Where a name may stand beside its point, best first: directions on paper, and gaps in pixels.
@@ -85,6 +115,7 @@ const DISTANCES: [f64; 4] = [10.0, 18.0, 28.0, 40.0];
 
 /// The picture while it is drawn.
 struct Page {
+    sheet: &'static Sheet,
     text: String,
     /// Points that a name must not cover: the lines, close enough to each other, and the names.
     occupied: Vec<[f64; 2]>,
@@ -103,14 +134,47 @@ impl Page {
         let _ = writeln!(self.text, "{element}");
     }
 
-    fn begin(&mut self, title: &str) {
-        self.push(format_args!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" \
+    fn new(sheet: &'static Sheet) -> Self {
+        let mut page = Self { sheet, text: String::new(), occupied: Vec::new(), names: Vec::new() };
+        let Sheet { width, height, .. } = sheet;
+        page.push(format_args!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
              font-family=\"sans-serif\" font-size=\"15\">"
         ));
-        self.push(format_args!("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>"));
+        page.push(format_args!("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>"));
+        page
+    }
+
+    fn end(mut self) -> String {
+        self.text.push_str("</svg>\n");
+        self.text
+    }
+
+    fn title(&mut self, title: &str) {
         let title = escaped(title);
+        if title.is_empty() {
+            return;
+        }
         self.push(format_args!("<text x=\"24\" y=\"36\" font-size=\"20\" fill=\"#323232\">{title}</text>"));
+    }
+
+    fn mechanism(&mut self, drawing: &Drawing, view: &View) {
+        for line in &drawing.lines {
+            let points: Vec<_> = line.points.iter().map(|point| view.place(*point)).collect();
+            match line.kind {
+                LineKind::Beam => {
+                    let nodes: Vec<_> = line.nodes.iter().map(|node| view.place(*node)).collect();
+                    self.beam(&line.name, &points, &nodes);
+                }
+                LineKind::Spring => self.spring(&line.name, &points),
+            }
+        }
+        for arrow in &drawing.arrows {
+            self.arrow(arrow, view.place(arrow.at));
+        }
+        for mark in &drawing.marks {
+            self.mark(mark, view.place(mark.at));
+        }
     }
 
     fn occupy(&mut self, from: [f64; 2], to: [f64; 2]) {
@@ -233,8 +297,8 @@ impl Page {
         };
         let along = |length: f64| [0, 1].map(|i| at[i] + length * direction[i]);
         let (tail, head) = match arrow.kind {
-            ArrowKind::Force => (along(-ARROW), along(-7.0)),
-            ArrowKind::Moment | ArrowKind::Axis => (along(7.0), along(ARROW)),
+            ArrowKind::Force => (along(-self.sheet.arrow), along(-7.0)),
+            ArrowKind::Moment | ArrowKind::Axis => (along(7.0), along(self.sheet.arrow)),
         };
         self.push(format_args!(
             "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"{colour}\" stroke-width=\"2.5\"{dashes}/>",
@@ -271,8 +335,12 @@ impl Page {
                     [point[0] + right * (half[0] + distance), point[1] - up * (half[1] + distance)]
                 })
             });
+            let [width, height] = [self.sheet.width, self.sheet.height];
             let covered = |at: &[f64; 2]| {
-                self.occupied.iter().filter(|p| [0, 1].iter().all(|&i| (p[i] - at[i]).abs() < half[i] + 4.0)).count()
+                let inside = at[0] > half[0] && at[0] < width - half[0] && at[1] > half[1] && at[1] < height - half[1];
+                let points =
+                    self.occupied.iter().filter(|p| [0, 1].iter().all(|&i| (p[i] - at[i]).abs() < half[i] + 4.0));
+                (!inside, points.count())
             };
             let at = places.min_by_key(covered).unwrap_or(point);
             for y in [at[1] - 0.7 * half[1], at[1] + 0.7 * half[1]] {
@@ -287,7 +355,7 @@ impl Page {
 
     /// The global axes, in the lower left corner.
     fn axes(&mut self) {
-        let origin = [52.0, HEIGHT - 46.0];
+        let origin = [52.0, self.sheet.height - 46.0];
         for (name, direction) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0]), ("z", [0.0, 0.0, 1.0])] {
             let [right, up] = flat(direction);
             let length = 40.0;
@@ -307,7 +375,7 @@ impl Page {
     /// A bar of a round length, in the lower right corner.
     fn scale(&mut self, scale: f64) {
         let length = round_length(150.0 / scale);
-        let (right, y) = (WIDTH - 40.0, HEIGHT - 46.0);
+        let (right, y) = (self.sheet.width - 40.0, self.sheet.height - 46.0);
         let left = right - length * scale;
         self.push(format_args!(
             "<path d=\"M{left:.1},{:.1} V{y} H{right} V{:.1}\" fill=\"none\" stroke=\"#323232\" stroke-width=\"1.5\"/>",
@@ -363,11 +431,11 @@ mod tests {
             nodes: vec![[0.0; 3], [1.0, -2.0, 7.0]],
         };
         let drawing = Drawing { lines: vec![line], ..Drawing::default() };
-        let view = View::of(&drawing);
+        let view = View::of(&drawing, &PAGE);
         for point in &drawing.lines[0].points {
             let [x, y] = view.place(*point);
-            assert!((BORDER - 1e-9..=WIDTH - BORDER + 1e-9).contains(&x), "{x}");
-            assert!((BORDER - 1e-9..=HEIGHT - BORDER + 1e-9).contains(&y), "{y}");
+            assert!((PAGE.border - 1e-9..=PAGE.width - PAGE.border + 1e-9).contains(&x), "{x}");
+            assert!((PAGE.border - 1e-9..=PAGE.height - PAGE.border + 1e-9).contains(&y), "{y}");
         }
         let origin = view.place([0.0; 3]);
         assert!(view.place([1.0, 0.0, 0.0])[0] > origin[0] && view.place([0.0, 0.0, 1.0])[1] < origin[1]);

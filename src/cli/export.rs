@@ -1,15 +1,22 @@
 //! `pack` and `header`: what leaves for other programs.
 
-use super::{Stop, say, write};
-use ancf14::fmi::package::{self, Platform};
+use super::{Stop, draw, picture, say, write};
+use ancf14::fmi::package::{self, Contents, Platform};
 use ancf14::fmi::{Model, error::Error, header};
+use ancf14::model::drawing::Drawing;
 use ancf14::model::simulation::Simulation;
 use std::path::{Path, PathBuf};
+
+/// Licences of all that is linked into the library; made by scripts/licenses.py.
+const LICENCES: &str = include_str!("../../licenses/license.txt");
 
 /// `win64=ancf14.dll`.
 pub fn platform_and_path(text: &str) -> Result<(Platform, PathBuf), String> {
     let found = text.split_once('=').and_then(|(name, path)| Some((Platform::from_name(name)?, PathBuf::from(path))));
-    found.ok_or_else(|| "PLATFORM=PATH was expected, with linux64, win64 or darwin64".to_owned())
+    found.ok_or_else(|| {
+        let names = Platform::ALL.map(Platform::name).join(", ");
+        format!("PLATFORM=PATH was expected, with a platform of {names}")
+    })
 }
 
 /// Refuses to write over the model file itself.
@@ -36,7 +43,16 @@ pub fn pack(
     let own = package::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let mut libraries = vec![(Platform::NATIVE, own)];
     libraries.extend(others);
-    package::write(output, simulation.about(), simulation.variables(), text, &libraries).map_err(failed)?;
+    let drawing = Drawing::new(simulation.document());
+    let contents = Contents {
+        model: text,
+        licences: LICENCES,
+        icon: &picture::png(&draw::icon(&drawing))?,
+        drawing: &draw::svg(&drawing, ""),
+        legend: &draw::legend(&drawing),
+    };
+    let bytes = package::read(&libraries).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    package::write(output, simulation.about(), simulation.variables(), &contents, &bytes).map_err(failed)?;
     let packed: Vec<_> =
         libraries.iter().map(|(platform, path)| format!("{} ({})", platform.name(), path.display())).collect();
     say(&format!("{} packed for {}", output.display(), packed.join(", ")));

@@ -6,6 +6,7 @@ mod demo;
 mod draw;
 mod export;
 mod modes;
+mod picture;
 mod plot;
 mod results;
 mod run;

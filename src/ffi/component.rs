@@ -140,8 +140,30 @@ fn own_file() -> Option<PathBuf> {
     Some(PathBuf::from(OsStr::from_bytes(name.to_bytes())))
 }
 
-/// Other systems do not tell by `dladdr`; hosts there must pass the resource location.
-#[cfg(not(unix))]
+/// The file this code was loaded from.
+#[cfg(windows)]
+fn own_file() -> Option<PathBuf> {
+    use std::{ffi::OsString, os::windows::ffi::OsStringExt, ptr::null_mut};
+
+    /// The module that an address is in, without counting it as a use.
+    const FROM_ADDRESS_UNCOUNTED: u32 = 4 | 2;
+    #[link(name = "kernel32")]
+    unsafe extern "system" {
+        fn GetModuleHandleExW(flags: u32, address: *const c_void, module: *mut *mut c_void) -> i32;
+        fn GetModuleFileNameW(module: *mut c_void, name: *mut u16, size: u32) -> u32;
+    }
+
+    let address: *const c_void = (own_file as fn() -> Option<PathBuf>) as *const c_void;
+    let (mut module, mut name) = (null_mut(), [0; 32_768]); // the longest path of Windows
+    // SAFETY: the address is of this function, and `module` has room for the answer.
+    let found = unsafe { GetModuleHandleExW(FROM_ADDRESS_UNCOUNTED, address, &raw mut module) } != 0;
+    // SAFETY: the module is this one, which is loaded, and `name` is as long as is said.
+    let length = if found { unsafe { GetModuleFileNameW(module, name.as_mut_ptr(), name.len() as u32) } } else { 0 };
+    (length > 0).then(|| PathBuf::from(OsString::from_wide(&name[..length as usize])))
+}
+
+/// Other systems do not tell; hosts there must pass the resource location.
+#[cfg(not(any(unix, windows)))]
 fn own_file() -> Option<PathBuf> {
     None
 }

@@ -1,4 +1,4 @@
-//! The FMU: a zip archive of description, library, model file and documentation (FMI 2.0, section 2.3).
+//! The FMU: a zip archive of description, picture, libraries, model file, documentation and licences (FMI 2.0, section 2.3).
 //!
 //! The library is the same for every model; it reads `resources/model.toml` when it is instantiated. It is found by
 //! `--library PATH`, else beside the executable, else in `../lib`. The same input gives the same bytes: fixed order,
@@ -17,18 +17,25 @@ use super::{About, description, documentation, error::Error, variable::Variable}
 /// The model file inside `resources`.
 pub const MODEL_FILE: &str = "model.toml";
 
+/// Where the licences are inside `documentation` (FMI 2.0.1 and later, section 2.3).
+pub const LICENCES_FILE: &str = "licenses/license.txt";
+
 /// The shared library for the machine this was built for, as cargo names it.
 pub const LIBRARY: &str = match Platform::NATIVE {
-    Platform::Linux64 => "libancf14.so",
-    Platform::Win64 => "ancf14.dll",
+    Platform::Linux32 | Platform::Linux64 => "libancf14.so",
+    Platform::Win32 | Platform::Win64 => "ancf14.dll",
     Platform::Darwin64 => "libancf14.dylib",
 };
 
 /// A machine that an FMU can bring a library for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Platform {
+    /// Linux on x86.
+    Linux32,
     /// Linux on x86-64.
     Linux64,
+    /// Windows on x86.
+    Win32,
     /// Windows on x86-64.
     Win64,
     /// macOS on x86-64.
@@ -36,6 +43,9 @@ pub enum Platform {
 }
 
 impl Platform {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Linux32, Self::Linux64, Self::Win32, Self::Win64, Self::Darwin64];
+
     /// The one this was built for.
     pub const NATIVE: Self = match () {
         () if cfg!(windows) => Self::Win64,
@@ -46,7 +56,9 @@ impl Platform {
     /// FMI's name of it (section 2.3), as in `--binary win64=PATH`.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Linux32 => "linux32",
             Self::Linux64 => "linux64",
+            Self::Win32 => "win32",
             Self::Win64 => "win64",
             Self::Darwin64 => "darwin64",
         }
@@ -54,39 +66,79 @@ impl Platform {
 
     /// The platform of FMI's name.
     pub fn from_name(name: &str) -> Option<Self> {
-        [Self::Linux64, Self::Win64, Self::Darwin64].into_iter().find(|platform| platform.name() == name)
+        Self::ALL.into_iter().find(|platform| platform.name() == name)
     }
 
     fn suffix(self) -> &'static str {
         match self {
-            Self::Linux64 => "so",
-            Self::Win64 => "dll",
+            Self::Linux32 | Self::Linux64 => "so",
+            Self::Win32 | Self::Win64 => "dll",
             Self::Darwin64 => "dylib",
+        }
+    }
+
+    /// What the bytes of a library are for; nothing, if they are no library or for another machine.
+    pub fn of_library(bytes: &[u8]) -> Option<Self> {
+        let at = |place: usize, wanted: &[u8]| bytes.get(place..place + wanted.len()) == Some(wanted);
+        // ELF: magic, class, byte order; type 3 is a shared object, then the machine.
+        if at(0, b"\x7fELF\x02\x01") && at(16, &[3, 0, 0x3e, 0]) {
+            return Some(Self::Linux64);
+        }
+        if at(0, b"\x7fELF\x01\x01") && at(16, &[3, 0, 3, 0]) {
+            return Some(Self::Linux32);
+        }
+        // Mach-O of 64 bits, processor x86-64, file type 6 is a dynamic library.
+        if at(0, &[0xcf, 0xfa, 0xed, 0xfe, 7, 0, 0, 1]) && at(12, &[6, 0, 0, 0]) {
+            return Some(Self::Darwin64);
+        }
+        // PE: the place of its header stands at 60; bit 13 of the characteristics is a DLL's.
+        let header = u32::from_le_bytes(bytes.get(60..64)?.try_into().ok()?) as usize;
+        let library = bytes.get(header.checked_add(23)?)? & 0x20 != 0;
+        match () {
+            () if !library || !at(0, b"MZ") || !at(header, b"PE\0\0") => None,
+            () if at(header + 4, &[0x64, 0x86]) => Some(Self::Win64),
+            () if at(header + 4, &[0x4c, 0x01]) => Some(Self::Win32),
+            () => None,
         }
     }
 }
 
-/// The bytes of the FMU.
-///
-/// `model_text` becomes the model file, `libraries` the shared libraries, one per platform.
+/// What an FMU shows and says beside its variables.
+#[derive(Clone, Copy, Debug)]
+pub struct Contents<'a> {
+    /// The model file.
+    pub model: &'a str,
+    /// Licences of all that is in the libraries.
+    pub licences: &'a str,
+    /// PNG picture that stands for the unit.
+    pub icon: &'a [u8],
+    /// SVG drawing for the documentation.
+    pub drawing: &'a str,
+    /// What is in the drawing.
+    pub legend: &'a str,
+}
+
+/// The bytes of the FMU, with shared libraries, one per platform.
 ///
 /// # Errors
 /// The variable table cannot be described, or the archive would need zip64.
 pub fn fmu(
     about: &About,
     variables: &[Variable],
-    model_text: &str,
+    contents: &Contents<'_>,
     libraries: &[(Platform, Vec<u8>)],
 ) -> Result<Vec<u8>, Error> {
     let xml = description::xml(about, variables)?;
-    let page = documentation::html(about, variables);
-    let mut entries = vec![("modelDescription.xml".to_owned(), xml.as_bytes())];
+    let page = documentation::html(about, variables, contents);
+    let mut entries =
+        vec![("modelDescription.xml".to_owned(), xml.as_bytes()), ("model.png".to_owned(), contents.icon)];
     for (platform, library) in libraries {
         let name = format!("binaries/{}/{}.{}", platform.name(), about.identifier, platform.suffix());
         entries.push((name, library));
     }
     entries.push(("documentation/index.html".to_owned(), page.as_bytes()));
-    entries.push((format!("resources/{MODEL_FILE}"), model_text.as_bytes()));
+    entries.push((format!("documentation/{LICENCES_FILE}"), contents.licences.as_bytes()));
+    entries.push((format!("resources/{MODEL_FILE}"), contents.model.as_bytes()));
     archive(&entries).map_err(|reason| io("cannot make the archive", reason))
 }
 
@@ -123,23 +175,40 @@ pub fn find_library(given: Option<&Path>, executable: &Path) -> Result<PathBuf, 
     }
 }
 
-/// Makes the FMU and writes it to `path`, with the libraries read from their files.
+/// Reads libraries from their files.
 ///
 /// # Errors
-/// As [`fmu`], or a file cannot be read or written.
+/// One cannot be read, is no library for its platform, or is the second one for it.
+pub fn read(libraries: &[(Platform, PathBuf)]) -> Result<Vec<(Platform, Vec<u8>)>, Error> {
+    let mut read: Vec<(Platform, Vec<u8>)> = Vec::new();
+    for (platform, file) in libraries {
+        let bytes = fs::read(file).map_err(|reason| io(&format!("cannot read {}", file.display()), reason))?;
+        let problem = match Platform::of_library(&bytes) {
+            Some(found) if found != *platform => format!("it is a shared library for {}", found.name()),
+            None => "it is no shared library for x86 or x86-64".to_owned(),
+            Some(_) if read.iter().any(|(earlier, _)| earlier == platform) => "there is another one already".to_owned(),
+            Some(_) => {
+                read.push((*platform, bytes));
+                continue;
+            }
+        };
+        return Err(io(&format!("cannot pack {} for {}", file.display(), platform.name()), problem));
+    }
+    Ok(read)
+}
+
+/// Makes the FMU and writes it to `path`.
+///
+/// # Errors
+/// As [`fmu`], or the file cannot be written.
 pub fn write(
     path: &Path,
     about: &About,
     variables: &[Variable],
-    model_text: &str,
-    libraries: &[(Platform, PathBuf)],
+    contents: &Contents<'_>,
+    libraries: &[(Platform, Vec<u8>)],
 ) -> Result<(), Error> {
-    let read = |(platform, file): &(Platform, PathBuf)| match fs::read(file) {
-        Ok(bytes) => Ok((*platform, bytes)),
-        Err(reason) => Err(io(&format!("cannot read {}", file.display()), reason)),
-    };
-    let libraries = libraries.iter().map(read).collect::<Result<Vec<_>, Error>>()?;
-    let bytes = fmu(about, variables, model_text, &libraries)?;
+    let bytes = fmu(about, variables, contents, libraries)?;
     fs::write(path, bytes).map_err(|reason| io(&format!("cannot write {}", path.display()), reason))
 }
 

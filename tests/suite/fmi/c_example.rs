@@ -32,8 +32,9 @@ impl Example {
         let here = directory.path();
         let model = Simulation::load("model.toml", text, &[]).unwrap();
         let library = fs::read(library_path()).unwrap();
+        let contents = package::Contents { model: text, licences: "", icon: &[], drawing: "", legend: "" };
         let fmu =
-            package::fmu(model.about(), model.variables(), text, &[(package::Platform::NATIVE, library)]).unwrap();
+            package::fmu(model.about(), model.variables(), &contents, &[(package::Platform::NATIVE, library)]).unwrap();
         zip::ZipArchive::new(Cursor::new(fmu)).unwrap().extract(here.join("unit")).unwrap();
         let header = here.join(format!("{}.h", prefix.to_lowercase()));
         fs::write(header, header::text(model.about(), model.variables(), prefix).unwrap()).unwrap();

@@ -7,16 +7,25 @@ use std::{
     path::Path,
 };
 
-use ancf14::fmi::package::{LIBRARY, Platform, find_library, fmu, write};
+use ancf14::fmi::package::{Contents, LIBRARY, Platform, find_library, fmu, read, write};
 use zip::{CompressionMethod, ZipArchive};
 
 use super::toy;
 
 const MODEL: &str = "format = 1\n";
 
+/// A picture of nothing; what the package does not look at.
+const CONTENTS: Contents<'_> =
+    Contents { model: MODEL, licences: "do", icon: b"\x89PNG", drawing: "<svg></svg>\n", legend: "a & b" };
+
 fn packed() -> Vec<u8> {
-    fmu(&toy::about(), &toy::variables(), MODEL, &[(Platform::Linux64, vec![7; 5000]), (Platform::Win64, vec![8; 500])])
-        .unwrap()
+    fmu(
+        &toy::about(),
+        &toy::variables(),
+        &CONTENTS,
+        &[(Platform::Linux64, vec![7; 5000]), (Platform::Win64, vec![8; 500])],
+    )
+    .unwrap()
 }
 
 #[test]
@@ -38,9 +47,11 @@ fn entries_in_order() {
         names,
         [
             "modelDescription.xml",
+            "model.png",
             "binaries/linux64/Toy.so",
             "binaries/win64/Toy.dll",
             "documentation/index.html",
+            "documentation/licenses/license.txt",
             "resources/model.toml"
         ]
     );
@@ -60,6 +71,11 @@ fn contents_come_back() {
     for variable in toy::variables() {
         assert!(page.contains(&format!("<code>{}</code>", variable.name)), "{} is not documented", variable.name);
     }
+    assert!(
+        page.contains("<svg></svg>") && page.contains("a &amp; b") && page.contains("href=\"licenses/license.txt\"")
+    );
+    assert_eq!(read("documentation/licenses/license.txt"), b"do");
+    assert_eq!(read("model.png"), b"\x89PNG");
     assert!(page.contains("Toy &amp; &quot;friends&quot;") && page.contains("a &lt; b"));
 }
 
@@ -90,21 +106,74 @@ fn the_library_is_found() {
 #[test]
 fn written_or_an_error_with_the_path() {
     let directory = tempfile::tempdir().unwrap();
-    let library = directory.path().join("library.so");
-    fs::write(&library, [7; 5000]).unwrap();
-    let other = directory.path().join("library.dll");
-    fs::write(&other, [8; 500]).unwrap();
-    let libraries = [(Platform::Linux64, library.clone()), (Platform::Win64, other)];
+    let libraries = [(Platform::Linux64, vec![7; 5000]), (Platform::Win64, vec![8; 500])];
     let target = directory.path().join("toy.fmu");
-    write(&target, &toy::about(), &toy::variables(), MODEL, &libraries).unwrap();
+    write(&target, &toy::about(), &toy::variables(), &CONTENTS, &libraries).unwrap();
     assert_eq!(fs::read(&target).unwrap(), packed());
-    fs::remove_file(&library).unwrap();
-    let error = write(&target, &toy::about(), &toy::variables(), MODEL, &libraries).unwrap_err().to_string();
-    assert!(error.contains("cannot read") && error.contains("library.so"), "{error}");
-    fs::write(&library, [7; 5000]).unwrap();
     let nowhere = directory.path().join("missing/toy.fmu");
-    let error = write(&nowhere, &toy::about(), &toy::variables(), MODEL, &libraries).unwrap_err().to_string();
+    let error = write(&nowhere, &toy::about(), &toy::variables(), &CONTENTS, &libraries).unwrap_err().to_string();
     assert!(error.contains("missing/toy.fmu"), "{error}");
+}
+
+/// The first bytes of a shared library of each platform, as linkers write them.
+fn heads() -> [(Platform, Vec<u8>); 5] {
+    let elf = |class: u8, machine: u8| {
+        let mut bytes = vec![0; 64];
+        bytes[..6].copy_from_slice(&[0x7f, b'E', b'L', b'F', class, 1]);
+        (bytes[16], bytes[18]) = (3, machine);
+        bytes
+    };
+    let pe = |machine: u16| {
+        let mut bytes = vec![0; 256];
+        bytes[..2].copy_from_slice(b"MZ");
+        bytes[60] = 128;
+        bytes[128..132].copy_from_slice(b"PE\0\0");
+        bytes[132..134].copy_from_slice(&machine.to_le_bytes());
+        bytes[150..152].copy_from_slice(&0x2022_u16.to_le_bytes());
+        bytes
+    };
+    let mach_o = vec![0xcf, 0xfa, 0xed, 0xfe, 7, 0, 0, 1, 3, 0, 0, 0, 6, 0, 0, 0];
+    [
+        (Platform::Linux32, elf(1, 3)),
+        (Platform::Linux64, elf(2, 0x3e)),
+        (Platform::Win32, pe(0x014c)),
+        (Platform::Win64, pe(0x8664)),
+        (Platform::Darwin64, mach_o),
+    ]
+}
+
+/// A file is packed for the platform that it is for, once, or refused by its name.
+#[test]
+fn libraries_are_for_their_platform() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("library");
+    for (platform, bytes) in heads() {
+        fs::write(&path, &bytes).unwrap();
+        for wanted in Platform::ALL {
+            let outcome = read(&[(wanted, path.clone())]);
+            if wanted == platform {
+                assert_eq!(outcome.unwrap(), [(platform, bytes.clone())]);
+            } else {
+                let error = outcome.unwrap_err().to_string();
+                assert!(error.contains(platform.name()) && error.contains(wanted.name()), "{error}");
+            }
+        }
+        let error = read(&[(platform, path.clone()), (platform, path.clone())]).unwrap_err().to_string();
+        assert!(error.contains("another one"), "{error}");
+        for end in 0..bytes.len().min(140) {
+            assert!(end > 18 || Platform::of_library(&bytes[..end]).is_none(), "{end} bytes");
+        }
+    }
+    let [.., (_, mut program), _] = heads();
+    program[151] = 0; // no DLL
+    for bytes in [program, b"<html>".to_vec(), vec![0xff; 300], Vec::new()] {
+        fs::write(&path, bytes).unwrap();
+        let error = read(&[(Platform::Win64, path.clone())]).unwrap_err().to_string();
+        assert!(error.contains("no shared library") && error.contains("library for win64"), "{error}");
+    }
+    fs::remove_file(&path).unwrap();
+    let error = read(&[(Platform::Win64, path)]).unwrap_err().to_string();
+    assert!(error.contains("cannot read"), "{error}");
 }
 
 /// The names of `--binary` are the standard's.

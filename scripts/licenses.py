@@ -1,0 +1,106 @@
+"""Writes licenses/license.txt: the licences of all that is linked into the library of an FMU, for documentation/licenses in it.
+
+    target/python-env/bin/python scripts/licenses.py
+
+Crates are those that Cargo.lock reaches from the code of the library on Linux; of crates without a file of their licence the text is
+that of their licence expression.
+"""
+
+import json
+import re
+import subprocess
+from pathlib import Path
+
+import ziglang
+
+ROOT = Path(__file__).resolve().parents[1]
+TARGET = ROOT / "licenses/license.txt"
+FILES = re.compile(r"(?i)(licen[sc]e|copying|copyright|notice|unlicense)")
+# Used by the command line only.
+OUTSIDE = {"cli", "main.rs"}
+TRIPLE = "x86_64-unknown-linux-gnu"
+GRANT = "Permission is hereby granted, free of charge"
+LINE = "=" * 100
+
+# What the standard library brings along; its licence is in the texts below, as that of many crates.
+STANDARD_LIBRARY = """\
+Rust standard library: MIT OR Apache-2.0 (The Rust Project contributors), with the crates addr2line, adler2, cfg-if, compiler_builtins, gimli,
+    hashbrown, libc, memchr, miniz_oxide, object, rustc-demangle, std_detect (MIT OR Apache-2.0, or one of both) in it"""
+
+MIT = """\
+MIT License
+
+Copyright (c) {holders}
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files (the "Software"),
+to deal in the Software without restriction, including without limitation the rights to use, copy, modify, merge, publish, distribute, sublicense,
+and/or sell copies of the Software, and to permit persons to whom the Software is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS
+IN THE SOFTWARE.
+"""
+
+
+def cargo(*words) -> str:
+    return subprocess.run(["cargo", *words, "--locked"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+
+
+def linked() -> list[dict]:
+    """The packages whose code can be in the library, by name and version; compiler plugins stay outside."""
+    packages = json.loads(cargo("metadata", "--format-version", "1"))["packages"]
+    by_name = {(package["name"], package["version"]): package for package in packages}
+    code = [path for path in sorted((ROOT / "src").rglob("*.rs")) if path.relative_to(ROOT / "src").parts[0] not in OUTSIDE]
+    text = "\n".join(path.read_text() for path in code)
+    tree = ["tree", "--edges", "normal,no-proc-macro", "--target", TRIPLE, "--no-dedupe", "--prefix", "depth", "--format", " {p}"]
+    reached, wanted = set(), False
+    for line in cargo(*tree).splitlines()[1:]:
+        depth, name, version = line.split()[:3]
+        if depth == "1":
+            wanted = re.search(rf"\b{name.replace('-', '_')}::", text) is not None
+        if wanted:
+            reached.add((name, version.removeprefix("v")))
+    return [by_name[key] for key in sorted(reached)]
+
+
+def clean(text: str) -> str:
+    return "\n".join(line.rstrip() for line in text.replace("\r\n", "\n").strip().split("\n")) + "\n"
+
+
+def texts(package: dict) -> list[str]:
+    folder = Path(package["manifest_path"]).parent
+    files = sorted(path for path in folder.iterdir() if path.is_file() and FILES.match(path.name))
+    found = [clean(path.read_text()) for path in files]
+    if re.search(r"(^|OR |/)MIT", package["license"]) and any(GRANT in text for text in found):
+        # Of several licences to choose from this one is taken.
+        found = [text for text in found if GRANT in text or not re.search("Apache License|UNLICENSE|unlicense", text)]
+    elif package["license"] == "MIT":
+        found.append(MIT.format(holders=", ".join(package["authors"]) or f"the authors of {package['name']}"))
+    if not found:
+        raise SystemExit(f"{package['name']} has no licence file")
+    return found
+
+
+def page() -> str:
+    holders: dict[str, list[str]] = {clean((ROOT / "LICENSE").read_text()): ["ancf14"]}
+    lines = ["ancf14: MIT OR Apache-2.0"]
+    for package in linked():
+        name = f"{package['name']} {package['version']}"
+        lines.append(f"{name}: {package['license']}")
+        for text in texts(package):
+            holders.setdefault(text, []).append(name)
+    zig = Path(ziglang.__file__).parent
+    lines += [STANDARD_LIBRARY, "compiler-rt of Zig: MIT", "libunwind of LLVM: Apache-2.0 WITH LLVM-exception"]
+    holders.setdefault(clean((zig / "LICENSE").read_text()), []).append("compiler-rt of Zig")
+    holders.setdefault(clean((zig / "lib/libunwind/LICENSE.TXT").read_text()), []).append("libunwind of LLVM")
+    out = ["Licences of the software in the shared libraries of this unit", "", *lines]
+    for text, names in holders.items():
+        out += ["", LINE, ", ".join(names), LINE, "", text.rstrip("\n")]
+    return "\n".join(out) + "\n"
+
+
+if __name__ == "__main__":
+    TARGET.write_text(page())
