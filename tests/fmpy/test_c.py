@@ -25,7 +25,7 @@ def build(example, headers, library, folder) -> Path:
     folders = [folder, ROOT / "include" if headers == "ours" else STANDARD]
     strict = ["-std=c99", "-Wall", "-Wextra", "-Werror", *(f"-I{one}" for one in folders)]
     program = folder / example
-    subprocess.run(["cc", *strict, ROOT / f"c-examples/{example}.c", library, "-o", program], check=True)
+    subprocess.run(["cc", *strict, ROOT / f"c-examples/{example}.c", library, "-lm", "-o", program], check=True)
     return program
 
 
@@ -50,7 +50,7 @@ def test_example(fmu, results, warnings, headers, tmp_path):
 
 @HEADERS
 @pytest.mark.parametrize(
-    "example, runs", [("save_and_restore", [["state.bin"], ["state.bin", "go-on"]]), ("two_instances", [[]])]
+    "example, runs", [("save_and_restore", [["state.bin"], ["state.bin", "go-on"]]), ("two_instances", [[]]), ("jacobian", [[]])]
 )
 def test_example_with_the_arm(example, runs, headers, tmp_path):
     """Each compares its own numbers and fails where they differ."""

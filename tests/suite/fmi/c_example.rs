@@ -44,7 +44,7 @@ impl Example {
             .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I.", "-L.", "-o", name])
             .arg(format!("-I{}", root.join("include").display()))
             .arg(root.join(format!("c-examples/{name}.c")))
-            .args(["-lancf14", &format!("-Wl,-rpath,{}", here.display())])
+            .args(["-lancf14", "-lm", &format!("-Wl,-rpath,{}", here.display())])
             .output()
             .unwrap();
         assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
@@ -150,5 +150,14 @@ fn instances_of_the_example_do_not_meet() {
     let example = Example::build("two_instances", ARM, "ARM");
     let table = example.printed(&[]);
     assert_eq!(table.lines().count(), 11, "{table}");
+    assert_eq!(example.printed_under_valgrind(&[]), table);
+}
+
+/// The example itself compares the unit's derivatives with differences.
+#[test]
+fn derivatives_of_the_example_are_those_of_differences() {
+    let example = Example::build("jacobian", ARM, "ARM");
+    let table = example.printed(&[]);
+    assert_eq!(table.lines().count(), 10, "{table}");
     assert_eq!(example.printed_under_valgrind(&[]), table);
 }
