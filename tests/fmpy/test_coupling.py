@@ -3,8 +3,8 @@
 An arm (force in, motion out) and a forearm with a weight (motion in, force out), twice:
 
 - welded together. The master repeats every step, by the units' saved states, until the force that goes in is the reaction that
-  comes out. The forearm is heavy: simple repetition multiplies the mismatch by some -8 and never ends, so the master solves by
-  Newton's method with a Jacobian from differences, kept and corrected by Broyden's formula.
+  comes out. The forearm is heavy: simple repetition multiplies the mismatch by some -10 and never ends, so the master solves by
+  Newton's method with a Jacobian from the units' directional derivatives, kept and corrected by Broyden's formula.
 - held by a bushing, which needs no repetition: the master hands over values once a step. The force is held during the step, or goes on
   along the slope of the last step.
 """
@@ -57,6 +57,12 @@ class Unit:
         references = [self.references[name] for name in names]
         self.slave.setRealInputDerivatives(references, [1] * len(references), [float(slope) for slope in slopes])
 
+    def derivatives(self, outputs, inputs) -> np.ndarray:
+        """Of outputs at the end of the last step by inputs of it."""
+        unknowns = [self.references[name] for name in outputs]
+        columns = [self.slave.getDirectionalDerivative(unknowns, [self.references[name]], [1.0]) for name in inputs]
+        return np.column_stack(columns)
+
     def close(self):
         self.slave.terminate()
         self.slave.freeInstance()
@@ -96,6 +102,11 @@ class Pair:
         self.other.set(HAND_POSE, self.arm.get(ARM_POSE))
         self.other.slave.doStep(time, step)
 
+    def jacobian(self) -> np.ndarray:
+        """The derivative of what the other side does to the arm, less what is done to it, by the latter: of the step just done."""
+        motion = self.arm.derivatives(ARM_POSE, WRENCH)
+        return -self.other.derivatives(HAND_LOAD, HAND_POSE) @ motion - np.eye(6)
+
     def places(self) -> np.ndarray:
         return np.concatenate([self.arm.get(PLACES[:3]), self.other.get(PLACES[3:])])
 
@@ -132,7 +143,7 @@ def iterated(folder: Path, step: float, stop: float):
         wrench, last_wrench = 2 * wrench - last_wrench, wrench
         rest = mismatch(wrench)
         if jacobian is None:
-            jacobian = np.column_stack([(mismatch(wrench + 1e-3 * unit) - rest) / 1e-3 for unit in np.eye(6)])
+            jacobian = pair.jacobian()
             growth = np.abs(np.linalg.eigvals(jacobian + np.eye(6))).max()
         for _ in range(MOST_REPETITIONS):
             if np.abs(rest).max() < MISMATCH:
