@@ -22,7 +22,7 @@ pub fn play(unit: &Unit, place: &Place, mode: Mode, random: &mut Random) {
     }
 }
 
-const TRICKS: usize = 26;
+const TRICKS: usize = 28;
 
 /// No number of a step or a value.
 fn no_number(random: &mut Random) -> f64 {
@@ -36,6 +36,8 @@ fn wrong_call(trick: usize, unit: &Unit, place: &Place, mode: Mode, random: &mut
     let nowhere = 4_000_000_000;
     let time = if mode == Mode::Step { unit.time() } else { 0.0 };
     let (mut value, mut flag, text, order) = (7.0, 0, null(), 0);
+    let no_input = [output, nowhere][random.below(2)];
+    let (seed, no_seed) = (1.0, no_number(random));
     // SAFETY: wrong arguments are the question; arrays that are not NULL have an element, and so many that no array can have them
     // are counted, not read.
     unsafe {
@@ -65,6 +67,24 @@ fn wrong_call(trick: usize, unit: &Unit, place: &Place, mode: Mode, random: &mut
             22 => wrong_room(unit),
             23 => unit.simple(Call::CancelStep),
             24 => fmi2GetRealOutputDerivatives(c, &raw const output, 1, &raw const order, &raw mut value),
+            25 => fmi2GetDirectionalDerivative(
+                c,
+                &raw const output,
+                1,
+                &raw const no_input,
+                1,
+                &raw const seed,
+                &raw mut value,
+            ),
+            26 => fmi2GetDirectionalDerivative(
+                c,
+                &raw const output,
+                1,
+                &raw const input,
+                1,
+                &raw const no_seed,
+                &raw mut value,
+            ),
             _ => in_the_wrong_mode(unit, mode, random),
         }
     }
