@@ -359,7 +359,16 @@ impl Assembly {
     pub fn finish(self, gravity: Vec3) -> (System, State) {
         let size = self.extent();
         let Self {
-            mut system, start, q, velocity, triads, inner_joints, drive_joints, mut prescribed, targets, ..
+            mut system,
+            start,
+            q,
+            velocity,
+            triads,
+            inner_joints,
+            drive_joints,
+            mut prescribed,
+            mut targets,
+            ..
         } = self;
         system.size = size;
         system.gravity = gravity;
@@ -369,6 +378,7 @@ impl Assembly {
         system.joints.extend(drive_joints);
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
+        targets.begin(start, &prescribed);
         let state = State {
             time: start,
             momentum: vec![0.0; q.len()],

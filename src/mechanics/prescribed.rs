@@ -42,6 +42,19 @@ pub struct Targets {
     pub frames: Vec<Pose>,
     /// Components of the loads; those of functions are not used.
     pub loads: Vec<HostWrench>,
+    /// How drives and frames moved when the communication step began.
+    pub before: Motion,
+}
+
+/// How drives and frames move at one instant.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Motion {
+    /// The instant, s.
+    pub time: f64,
+    /// Rates of the drives, rad/s or m/s.
+    pub drives: Vec<f64>,
+    /// Velocities (m/s) and angular velocities (rad/s) of the frames.
+    pub frames: Vec<[Vec3; 2]>,
 }
 
 /// Where a drive has its motion from.
@@ -161,6 +174,11 @@ impl MovingPose {
         Self { pose, velocity: Pose::zero(), acceleration: Pose::zero() }
     }
 
+    /// Velocity (m/s) and angular velocity (rad/s).
+    pub fn rates(&self) -> [Vec3; 2] {
+        [self.velocity.place, super::pose::angular_velocity(&self.pose, &self.velocity)]
+    }
+
     /// Whether pose and velocity are finite: a kink of the acceleration does no harm.
     pub fn is_finite(&self) -> bool {
         self.pose.is_finite() && self.velocity.is_finite()
@@ -174,6 +192,30 @@ impl Targets {
         self.drives.clone_from(&other.drives);
         self.frames.clone_from(&other.frames);
         self.loads.clone_from(&other.loads);
+        self.before.time = other.before.time;
+        self.before.drives.clone_from(&other.before.drives);
+        self.before.frames.clone_from(&other.before.frames);
+    }
+
+    /// A communication step begins at `time`, s, where everything moves as `prescribed`.
+    pub fn begin(&mut self, time: f64, prescribed: &Prescribed) {
+        let Motion { time: own, drives, frames } = &mut self.before;
+        *own = time;
+        drives.clear();
+        drives.extend(prescribed.drives.iter().map(|drive| drive.first));
+        frames.clear();
+        frames.extend(prescribed.frames.iter().map(MovingPose::rates));
+    }
+
+    /// The change of a velocity over the communication step, per time: what a host gives moves linearly in each step, so that only
+    /// its velocities from step to step tell how it accelerates.
+    fn acceleration<T: std::ops::Sub<Output = T> + std::ops::Div<f64, Output = T> + Default>(
+        &self,
+        now: T,
+        before: T,
+    ) -> T {
+        let whole = self.end - self.before.time;
+        if whole > 0.0 { (now - before) / whole } else { T::default() }
     }
 
     /// How much of the way from `time` to the end of the communication step lies before `next`, and the length of that way, s.
@@ -195,7 +237,14 @@ impl Drive {
     }
 
     /// Its value and rate at `next` s, from those at `time` s.
-    pub fn advanced(&self, from: Jet, (time, next): (f64, f64), targets: &Targets, target: f64) -> Jet {
+    /// `target` and `before` are its own in `targets`: value or rate to be reached, and its rate when the communication step began.
+    pub fn advanced(
+        &self,
+        from: Jet,
+        (time, next): (f64, f64),
+        targets: &Targets,
+        (target, before): (f64, f64),
+    ) -> Jet {
         match &self.guide {
             Guide::Value(signal) => signal.jet(next),
             Guide::Rate(signal) => rated(from.value + integral(&|time| signal.at(time), time, next), signal.jet(next)),
@@ -204,7 +253,7 @@ impl Drive {
                 let change = target - from.value;
                 let first = if way > 0.0 { change / way } else { 0.0 };
                 let value = if share == 1.0 { target } else { from.value + share * change };
-                Jet { value, first, second: 0.0 }
+                Jet { value, first, second: targets.acceleration(first, before) }
             }
             Guide::HostRate => {
                 let (share, way) = targets.progress(time, next);
@@ -235,16 +284,23 @@ impl MovingFrame {
     }
 
     /// Its motion at `next` s, from that at `time` s.
-    pub fn advanced(&self, from: &Pose, (time, next): (f64, f64), targets: &Targets, target: &Pose) -> MovingPose {
+    /// `target` and `before` are its own in `targets`: the pose to be reached, and its velocities when the communication step began.
+    pub fn advanced(
+        &self,
+        from: &Pose,
+        (time, next): (f64, f64),
+        targets: &Targets,
+        (target, before): (&Pose, &[Vec3; 2]),
+    ) -> MovingPose {
         match &self.guide {
             FrameGuide::Signals { place, rotation } => of_signals(place, rotation, next),
-            // Standing still is exact, whatever the steps.
-            FrameGuide::Host if from == target => MovingPose::at_rest(*from),
             FrameGuide::Host => {
                 let (share, way) = targets.progress(time, next);
+                // Standing still is exact, whatever the steps.
+                let stands = from == target;
                 let change = target.place - from.place;
-                let turn = shortest_turn(&from.axes, &target.axes);
-                let pose = if share == 1.0 {
+                let turn = if stands { Vec3::zeros() } else { shortest_turn(&from.axes, &target.axes) };
+                let pose = if stands || share == 1.0 {
                     *target
                 } else {
                     Pose { place: from.place + change * share, axes: rotation_matrix(&(turn * share)) * from.axes }
@@ -252,11 +308,16 @@ impl MovingFrame {
                 if way == 0.0 {
                     return MovingPose::at_rest(pose);
                 }
-                let spin = (turn / way).cross_matrix();
+                let rates = [change / way, turn / way];
+                let [acceleration, spin_rate] = [0, 1].map(|i| targets.acceleration::<Vec3>(rates[i], before[i]));
+                let spin = rates[1].cross_matrix();
                 MovingPose {
                     pose,
-                    velocity: Pose { place: change / way, axes: spin * pose.axes },
-                    acceleration: Pose { place: Vec3::zeros(), axes: spin * spin * pose.axes },
+                    velocity: Pose { place: rates[0], axes: spin * pose.axes },
+                    acceleration: Pose {
+                        place: acceleration,
+                        axes: (spin * spin + spin_rate.cross_matrix()) * pose.axes,
+                    },
                 }
             }
         }

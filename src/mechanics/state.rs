@@ -54,7 +54,8 @@ impl State {
             let lists = [q, velocity, momentum, multipliers, strays, holonomy, readings].map(Vec::len);
             let motions =
                 [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
-            (lists, triads.len(), rotations.len(), motions, targets.loads.len())
+            let before = [targets.before.drives.len(), targets.before.frames.len()];
+            (lists, triads.len(), rotations.len(), motions, targets.loads.len(), before)
         };
         // Nothing yet, or all of them.
         let optional = |list: usize, whole: usize| list == 0 || list == whole;

@@ -147,11 +147,13 @@ impl System {
     pub fn prescribe(&self, state: &State, next: f64, prescribed: &mut Prescribed) {
         let (times, targets) = ((state.time, next), &state.targets);
         prescribed.drives.clear();
-        let drives = self.drives.iter().zip(&state.prescribed.drives).zip(&targets.drives);
-        prescribed.drives.extend(drives.map(|((drive, from), target)| drive.advanced(*from, times, targets, *target)));
+        let wanted = targets.drives.iter().copied().zip(targets.before.drives.iter().copied());
+        let drives = self.drives.iter().zip(&state.prescribed.drives).zip(wanted);
+        prescribed.drives.extend(drives.map(|((drive, from), own)| drive.advanced(*from, times, targets, own)));
         prescribed.frames.clear();
-        let frames = self.moving_frames.iter().zip(&state.prescribed.frames).zip(&targets.frames);
-        let poses = frames.map(|((frame, from), target)| frame.advanced(&from.pose, times, targets, target));
+        let wanted = targets.frames.iter().zip(&targets.before.frames);
+        let frames = self.moving_frames.iter().zip(&state.prescribed.frames).zip(wanted);
+        let poses = frames.map(|((frame, from), own)| frame.advanced(&from.pose, times, targets, own));
         prescribed.frames.extend(poses);
     }
 
@@ -161,7 +163,7 @@ impl System {
             end: time,
             drives: vec![0.0; self.drives.len()],
             frames: vec![super::pose::Pose::default(); self.moving_frames.len()],
-            loads: Vec::new(),
+            ..Targets::default()
         };
         let motion = self.prescribe_start(time, &targets);
         let drive = self.drives.iter().zip(&motion.drives).find(|(_, jet)| !jet.is_finite());

@@ -212,6 +212,7 @@ impl Model for Simulation {
         }
         machine.keep();
         let begin = machine.state.time;
+        machine.state.targets.begin(begin, &machine.state.prescribed);
         let line = |number| self.inputs.line(number);
         build::aim(&self.document, line, [begin, end], &mut machine.state.targets).map_err(wrong)?;
         let outcome = machine.advance(end).and_then(|()| self.measure()).map_err(|error| {

@@ -33,6 +33,7 @@ mod golden;
 mod hanging;
 mod helical_spring;
 mod helix;
+mod host_motion;
 mod invariance;
 mod joint_derivatives;
 mod joint_freedoms;
