@@ -36,9 +36,9 @@ const BEHAVIOUR: [&str; 8] = [
     "Parameters are set before the end of the initialization, tunable ones also between steps.",
     "The initial state is found at the end of the initialization, from what is set until then; outputs are valid from there on.",
     "FMU states can be taken and set at any time, also to go back after a failed step, and serialized, also for another process.",
-    "Output derivatives (<code>fmi2GetRealOutputDerivatives</code>) are of order 1.",
-    "Directional derivatives (<code>fmi2GetDirectionalDerivative</code>) are those of the last step: of the outputs at its end by the inputs \
-     during it. Within one instant no output depends on an input, and the description says so; before the first step they are an error.",
+    "Output derivatives (<code>fmi2GetRealOutputDerivatives</code>) are of order 1: exact for what follows from positions and velocities (position,      displacement, velocity, rotation, quaternion, angular velocity, angle, distance, strains, section forces, stress, energies); for      accelerations, reactions, efforts and momenta the difference quotient of the last internal step, and so for everything in a static analysis.",
+    "Directional derivatives (<code>fmi2GetDirectionalDerivative</code>) are those of the last communication step, all its internal steps \
+     together: of the outputs at its end by the values of the inputs during it. Within one instant no output depends on an input, and the description says so; before the first step they are an error.",
     "A step that fails returns <code>fmi2Error</code> and says why in the log; steps are never discarded.",
 ];
 
