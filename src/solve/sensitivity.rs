@@ -31,8 +31,10 @@ pub const REACH: f64 = 1e-3;
 pub const SHORT_REACH: f64 = 1e-7;
 /// Offsets and weights of the central difference of fourth order.
 pub const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
-/// Solves with one tangent: the second takes out what the tangent leaves out, the third what is left of that.
+/// Most solves with one tangent: the second takes out what the tangent leaves out, the third what is left of that.
 const SOLVES: usize = 3;
+/// A correction this small leaves its square, relative to the whole: round-off.
+const SMALL_CORRECTION: f64 = 1e-6;
 
 /// The time of an internal step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -215,7 +217,7 @@ impl Sensitivity {
             }
             let own = &column.variation;
             change.fill(0.0);
-            for _ in 0..SOLVES {
+            for solve in 0..SOLVES {
                 let unit = step.reach(system, number, own, change, span.step);
                 sum.fill(0.0);
                 for (offset, weight) in STENCIL {
@@ -227,6 +229,9 @@ impl Sensitivity {
                 }
                 integrator.solve(sum).map_err(inaccurate)?;
                 add_scaled(change, sum, 1.0);
+                if solve > 0 && system.correction_size(sum).0 <= SMALL_CORRECTION * system.correction_size(change).0 {
+                    break;
+                }
             }
 
             let unit = step.reach(system, number, own, change, span.step);

@@ -19,7 +19,7 @@ pub(in crate::model) fn read(context: &mut Context<'_>, entries: &[Entry]) {
         let number = context.numbers.push(Slot {
             meta: Meta {
                 name: entry.key.clone(),
-                description: String::new(),
+                description: format!("Parameter {} of the model", entry.key),
                 unit: String::new(),
                 display: None,
                 range: Range::ALL,
@@ -73,7 +73,11 @@ fn table<'e>(context: &mut Context<'_>, number: Number, entry: &Entry, inner: &'
             "value" => value = Some(&part.item),
             "unit" => meta.unit = text(context, part).unwrap_or_default(),
             "display" => meta.display = text(context, part),
-            "description" => meta.description = text(context, part).unwrap_or_default(),
+            "description" => {
+                if let Some(text) = text(context, part).filter(|text| !text.trim().is_empty()) {
+                    meta.description = text;
+                }
+            }
             "min" => meta.range.lower = limit(context, part),
             "max" => meta.range.upper = limit(context, part),
             unknown => {
