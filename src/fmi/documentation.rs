@@ -28,11 +28,14 @@ const GROUPS: [(Causality, &str, &str); 5] = [
 ];
 
 /// How the unit behaves.
-const BEHAVIOUR: [&str; 8] = [
+const BEHAVIOUR: [&str; 9] = [
     "FMI 2.0 for co-simulation. The model is in <code>resources/model.toml</code>, the solver in the library; nothing else has to be \
      installed.",
     "Any communication step is possible; the unit divides it into internal steps of at most <code>simulation.step</code>. On multiples \
-     of that step the results do not depend on the communication step.",
+     of that step the results do not depend on the communication step, as long as inputs do not change.",
+    "What a host moves goes linearly through each communication step, with a corner at its end; the acceleration that reactions and efforts \
+     need is the change of velocity from one communication step to the next. The corners make stiff beams ring that are held rigidly: \
+     hold on through a bushing, or take communication steps of one internal step.",
     "Parameters are set before the end of the initialization, tunable ones also between steps.",
     "The initial state is found at the end of the initialization, from what is set until then; outputs are valid from there on.",
     "FMU states can be taken and set at any time, also to go back after a failed step, and serialized, also for another process.",

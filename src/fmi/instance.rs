@@ -220,6 +220,7 @@ impl<M: Model> Instance<M> {
     pub fn do_step(&mut self, time: f64, step: f64) -> Result<(), Error> {
         self.check(Call::DoStep)?;
         let end = self.end_of_step(time, step)?;
+        self.model.accept_step(end)?;
         self.event(|| format!("step from t = {time} s to t = {end} s"));
         let outcome = self.model.advance(end);
         self.pass_on_warnings();

@@ -135,6 +135,12 @@ pub trait Model: Sized {
     /// The time that the model has reached, s.
     fn time(&self) -> f64;
 
+    /// Whether a step to `end` > time, s, can be tried: what is refused here has no consequences.
+    ///
+    /// # Errors
+    /// It would be too many internal steps, or an input has a value that means nothing.
+    fn accept_step(&self, end: f64) -> Result<(), Failure>;
+
     /// Advances from the own time to `end` > time, s; the model's own grid decides the internal steps.
     ///
     /// # Errors

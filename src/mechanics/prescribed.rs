@@ -51,6 +51,8 @@ pub struct Targets {
 pub struct Motion {
     /// The instant, s.
     pub time: f64,
+    /// Length of the communication step that ended there, s; 0: none did.
+    pub step: f64,
     /// Rates of the drives, rad/s or m/s.
     pub drives: Vec<f64>,
     /// Velocities (m/s) and angular velocities (rad/s) of the frames.
@@ -192,14 +194,15 @@ impl Targets {
         self.drives.clone_from(&other.drives);
         self.frames.clone_from(&other.frames);
         self.loads.clone_from(&other.loads);
-        self.before.time = other.before.time;
+        (self.before.time, self.before.step) = (other.before.time, other.before.step);
         self.before.drives.clone_from(&other.before.drives);
         self.before.frames.clone_from(&other.before.frames);
     }
 
     /// A communication step begins at `time`, s, where everything moves as `prescribed`.
     pub fn begin(&mut self, time: f64, prescribed: &Prescribed) {
-        let Motion { time: own, drives, frames } = &mut self.before;
+        let Motion { time: own, step, drives, frames } = &mut self.before;
+        *step = f64::max(self.end - *own, 0.0);
         *own = time;
         drives.clear();
         drives.extend(prescribed.drives.iter().map(|drive| drive.first));
@@ -207,15 +210,16 @@ impl Targets {
         frames.extend(prescribed.frames.iter().map(MovingPose::rates));
     }
 
-    /// The change of a velocity over the communication step, per time: what a host gives moves linearly in each step, so that only
-    /// its velocities from step to step tell how it accelerates.
+    /// The change of a velocity from the last communication step to this one, per time: what a host gives moves linearly in each step, so
+    /// that only its velocities from step to step tell how it accelerates. Each belongs to the middle of its step; that of the start to
+    /// the start.
     fn acceleration<T: std::ops::Sub<Output = T> + std::ops::Div<f64, Output = T> + Default>(
         &self,
         now: T,
         before: T,
     ) -> T {
-        let whole = self.end - self.before.time;
-        if whole > 0.0 { (now - before) / whole } else { T::default() }
+        let passed = 0.5 * (self.before.step + self.end - self.before.time);
+        if passed > 0.0 { (now - before) / passed } else { T::default() }
     }
 
     /// How much of the way from `time` to the end of the communication step lies before `next`, and the length of that way, s.

@@ -204,12 +204,16 @@ impl Model for Simulation {
         self.machine.state.time
     }
 
+    fn accept_step(&self, end: f64) -> Result<(), Failure> {
+        let begin = self.machine.state.time;
+        self.machine.plan(begin, end).map_err(|error| failure(&error))?;
+        build::check_aim(&self.document, |number| self.inputs.line(number), [begin, end]).map_err(wrong)
+    }
+
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
         self.forget_step();
         let machine = &mut self.machine;
-        if std::mem::take(&mut machine.stale) {
-            build::retune(&self.document, Arc::make_mut(&mut machine.system));
-        }
+        machine.settle(&self.document);
         machine.keep();
         let begin = machine.state.time;
         machine.state.targets.begin(begin, &machine.state.prescribed);
@@ -275,7 +279,7 @@ impl Model for Simulation {
     }
 
     fn read(&self, bytes: &[u8]) -> Result<Snapshot, Failure> {
-        Snapshot::read(&self.document, bytes).map_err(wrong)
+        Snapshot::read(&self.document, self.results.len(), bytes).map_err(wrong)
     }
 }
 

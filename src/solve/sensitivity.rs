@@ -28,7 +28,7 @@ use crate::mechanics::variation::Variation;
 /// Largest change of a coordinate for differences: over the machine's size, or rad.
 pub const REACH: f64 = 1e-3;
 /// The same for what has kinks or curves sharply, as the largest stress of a section does where stress is small.
-pub const SHORT_REACH: f64 = 1e-7;
+pub const SHORT_REACH: f64 = 1e-5;
 /// Offsets and weights of the central difference of fourth order.
 pub const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
 /// Most solves with one tangent: the second takes out what the tangent leaves out, the third what is left of that.

@@ -50,6 +50,11 @@ impl Stability {
         self.known
     }
 
+    /// The next equilibrium does not follow from the last one judged.
+    pub fn forget(&mut self) {
+        self.known = None;
+    }
+
     /// Judges the equilibrium of `time`, s, whose matrix `kkt` has and has factorized.
     pub fn judge(&mut self, system: &System, kkt: &mut Kkt, time: f64) {
         self.known = kkt.releasing_motions(system).map(|unstable| Judgement { time, unstable });

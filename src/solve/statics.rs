@@ -165,6 +165,11 @@ impl Statics {
         self.stability.remark(system, unstable, before, &softest, other);
     }
 
+    /// Forgets what is known of the last equilibrium: the state has been set from outside.
+    pub fn forget(&mut self) {
+        self.stability.forget();
+    }
+
     /// What has been seen on the way that the user should know, once.
     pub fn take_remarks(&mut self) -> Vec<String> {
         self.stability.take_remarks()

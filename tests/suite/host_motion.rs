@@ -58,14 +58,25 @@ step = 1e-3
 output_step = 1e-3
 "#;
 
-/// Steps of 4 ms, of four internal ones each, with `names` set to `values` of the end of each.
+/// 40 steps of 4 ms, of four internal ones each, with `inputs` set to `values` of the end of each.
 fn moved(text: &str, integrator: &str, inputs: &[&str], values: impl Fn(f64) -> Vec<f64>) -> Simulation {
+    let ends: Vec<f64> = (1..=40).map(|step| 4e-3 * f64::from(step)).collect();
+    moved_to(&ends, text, integrator, inputs, values)
+}
+
+/// Steps that end at `ends`, s.
+fn moved_to(
+    ends: &[f64],
+    text: &str,
+    integrator: &str,
+    inputs: &[&str],
+    values: impl Fn(f64) -> Vec<f64>,
+) -> Simulation {
     let mut simulation = load(text, &[("simulation.integrator", integrator)]);
     let variables = simulation.variables().iter();
     let names: Vec<&str> = variables.map(|variable| variable.name.as_str()).collect();
     let places: Vec<usize> = inputs.iter().map(|input| names.iter().position(|name| name == input).unwrap()).collect();
-    for step in 1..=40 {
-        let end = 4e-3 * f64::from(step);
+    for &end in ends {
         for (place, value) in places.iter().zip(values(end)) {
             simulation.set_value(*place, Value::Real(value)).unwrap();
         }
@@ -88,6 +99,21 @@ fn frames_bear_the_inertia_of_what_they_move() {
         let turned = moved(FRAME, integrator, &quaternion, |t| vec![(0.5 * t * t).cos(), (0.5 * t * t).sin()]);
         let moment = value(&turned, "grasp.reaction_moment[3]");
         assert!((moment - 2.0).abs() < 1e-8, "{integrator}: {moment}");
+    }
+}
+
+/// Steps of any length: the velocities of two steps belong to their middles, that of the start to the start.
+#[test]
+fn unequal_steps() {
+    let ends = [0.01, 0.011, 0.021, 0.02101, 0.03, 0.035, 0.045];
+    for count in 1..=ends.len() {
+        let frame = moved_to(&ends[..count], FRAME, "conserving", &["hand.position[1]"], |t| vec![1.5 * t * t]);
+        let force = value(&frame, "grasp.reaction_force[1]");
+        // Round-off of places of 3 mm over 1e-5 s and the half of 1e-2 s: 1e-10 m/s².
+        assert!((force - 6.0).abs() < 1e-8, "{count}: {force}");
+        let drive = moved_to(&ends[..count], DRIVE, "conserving", &["push.value"], |t| vec![1.5 * t * t]);
+        let effort = value(&drive, "motor.effort");
+        assert!((effort - 6.0).abs() < 1e-8, "{count}: {effort}");
     }
 }
 

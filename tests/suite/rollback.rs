@@ -262,3 +262,62 @@ fn energy_from_nowhere_is_warned_of() {
     assert!(coarse.len() == 1 && coarse[0].contains("take a smaller simulation.step"), "{coarse:?}");
     assert!(warnings("2e-4", 49).is_empty());
 }
+
+/// A static path is judged from where it is, also after a host has gone back from elsewhere at the same time: the strut buckles
+/// between A and C, whatever was tried before.
+#[test]
+fn buckling_is_told_after_a_rollback() {
+    let text = r#"
+format = 1
+[model]
+name = "Strut"
+[material.steel]
+young = 2e11
+poisson = 0.3
+density = 7850
+[section.strip]
+shape = "rectangle"
+width = 0.02
+height = 0.004
+[beam.strut]
+material = "steel"
+section = "strip"
+from = [0, 0, 0]
+to = [1, 0, 0]
+elements = 4
+[joint.root]
+type = "weld"
+a = "ground"
+b = "strut.start"
+[load.tip]
+at = "strut.end"
+force = [0, 0, 0]
+input = true
+[simulation]
+analysis = "static"
+stop = 10
+step = 1
+output_step = 1
+"#;
+    // Euler: pi² E I/4 with I = 0.02 0.004³/12.
+    let critical = 52.6;
+    let warnings = |detour: bool| {
+        let mut simulation = start(text);
+        let force = reference(&simulation, "tip.force[1]");
+        let drawn = simulation.snapshot();
+        let to = |simulation: &mut Simulation, share: f64, end: f64| {
+            simulation.set_value(force, Value::Real(-share * critical)).unwrap();
+            simulation.advance(end).unwrap();
+            simulation.take_warnings().len()
+        };
+        assert_eq!(to(&mut simulation, 0.5, 1.0), 0);
+        let a = simulation.snapshot();
+        if detour {
+            simulation.restore(&drawn);
+            assert_eq!(to(&mut simulation, 1.5, 1.0), 1);
+            simulation.restore(&a);
+        }
+        to(&mut simulation, 1.5, 2.0)
+    };
+    assert_eq!([warnings(false), warnings(true)], [1, 1]);
+}

@@ -385,3 +385,40 @@ fn derivatives_belong_to_the_last_step() {
     other.reset();
     assert!(refused(&mut other));
 }
+
+/// A quaternion counts by its direction: derivatives by one of another length are those by the unit one, over the length.
+#[test]
+fn quaternions_of_any_length() {
+    let derivative = |length: f64| {
+        let mut simulation = machine("value", &[]);
+        for (name, part) in [("[1]", 1.0), ("[2]", 0.02), ("[3]", 0.01), ("[4]", -0.015)] {
+            let place = place(&simulation, &format!("hand.quaternion{name}"));
+            simulation.set_value(place, Value::Real(part * length)).unwrap();
+        }
+        simulation.advance(2e-3).unwrap();
+        let [output, input] = ["tip.velocity[3]", "hand.quaternion[3]"].map(|name| place(&simulation, name));
+        simulation.partial_derivative(output, input).unwrap() * length
+    };
+    let unit = derivative(1.0);
+    assert!(unit.abs() > 1e-3);
+    for length in [1e-6, 1e-3, 1e6] {
+        let own = derivative(length);
+        assert!((own - unit).abs() < 1e-8 * unit.abs(), "{length}: {own:e}, {unit:e}");
+    }
+}
+
+/// A tunable parameter acts from when it is set, in the instance that it was set in and in one that goes on from its bytes.
+#[test]
+fn derivatives_by_time_after_a_tuned_parameter() {
+    let mut simulation = machine("value", &[]);
+    set_out(&mut simulation, 2e-3, 2);
+    let before = rate(&mut simulation, "tip.velocity[3]");
+    simulation.set_value(place(&simulation, "gravity[3]"), Value::Real(-100.0)).unwrap();
+    let mut other = machine("value", &[]);
+    let read =
+        other.read(&simulation.write(&simulation.snapshot(), Vec::new())).unwrap_or_else(|f| panic!("{}", f.message));
+    other.restore(&read);
+    let own = rate(&mut simulation, "tip.velocity[3]");
+    assert!((own - before).abs() > 1.0);
+    assert_eq!(own.to_bits(), rate(&mut other, "tip.velocity[3]").to_bits());
+}

@@ -74,6 +74,29 @@ pub fn retune(document: &Document, system: &mut System) {
     }
 }
 
+/// Whether what the host wants from `begin` to `end`, s, can be: see [`aim`].
+///
+/// # Errors
+/// A quaternion has no length: names the frame.
+pub fn check_aim(
+    document: &Document,
+    line: impl Fn(Number) -> (f64, f64),
+    [begin, end]: [f64; 2],
+) -> Result<(), String> {
+    for frame in &document.frames {
+        if let Orientation::Quaternion(numbers) = frame.orientation {
+            let at_end = |number: Number| line(number).0 + line(number).1 * (end - begin);
+            if pose(Vec3::zeros(), numbers.map(at_end)).is_none() {
+                let name = &frame.name;
+                return Err(format!(
+                    "the quaternion of frame {name} is 0: set {name}.quaternion[1] to 1 for no rotation"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads act until then. `line` is the
 /// value of an input and its derivative by time.
 ///
@@ -90,14 +113,7 @@ pub fn aim(
         value + slope * (end - begin)
     };
     // All is checked before anything is set.
-    for frame in &document.frames {
-        if let Orientation::Quaternion(numbers) = frame.orientation
-            && pose(Vec3::zeros(), numbers.map(at_end)).is_none()
-        {
-            let name = &frame.name;
-            return Err(format!("the quaternion of frame {name} is 0: set {name}.quaternion[1] to 1 for no rotation"));
-        }
-    }
+    check_aim(document, &line, [begin, end])?;
     targets.end = end;
     for (target, drive) in targets.drives.iter_mut().zip(&document.drives).filter(|(_, drive)| drive.input) {
         let (Motion::Value(number) | Motion::Rate(number)) = drive.motion;

@@ -69,7 +69,10 @@ impl<'a> Given<'a> {
         for frame in &document.frames {
             frame.position.into_iter().for_each(|number| set(number, size));
             if let Orientation::Quaternion(numbers) = frame.orientation {
-                numbers.into_iter().for_each(|number| set(number, 1.0));
+                // Only its direction counts.
+                let at_end = |number| inputs.line(number).0 + inputs.line(number).1 * (span[1] - span[0]);
+                let length = numbers.map(at_end).into_iter().fold(0.0, f64::hypot);
+                numbers.into_iter().for_each(|number| set(number, length));
             }
         }
         Self { document, inputs, span, units }
@@ -114,6 +117,7 @@ impl Simulation {
     /// The derivative of result number `result` by time, 1/s of its unit: exact where it follows from positions and velocities, else the
     /// difference quotient of the last internal step.
     pub(super) fn rate(&mut self, result: usize) -> Result<f64, Failure> {
+        self.machine.settle(&self.document);
         let moves = !matches!(self.machine.solver, Solver::Statics(_));
         if moves && self.table.follows_from_motion(result) {
             if self.derived.rates.is_none() {

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::model::build::Built;
+use crate::model::build::{self, Built};
 use crate::model::document::Document;
 use crate::model::entries::simulation::{Analysis, Initial, Integrator as Choice};
 use crate::solve::generalized_alpha::GeneralizedAlpha;
@@ -163,6 +163,13 @@ impl Machine {
         let mut response = Response::default();
         self.solver.respond(&mut Responder::new(system)?, system, &before, &mut response)?;
         Ok((before, response))
+    }
+
+    /// Brings the machine to the tunable parameters of now.
+    pub(super) fn settle(&mut self, document: &Document) {
+        if std::mem::take(&mut self.stale) {
+            build::retune(document, Arc::make_mut(&mut self.system));
+        }
     }
 
     /// Keeps the state, for [`Self::go_back`].

@@ -83,11 +83,11 @@ impl Snapshot {
         postcard::to_extend(&saved, bytes).expect("a Vec takes every byte, and all lengths are known")
     }
 
-    /// The snapshot that these bytes are of; `document` is the file it is a state of, with any settings.
+    /// The snapshot that these bytes are of; `document` is the file it is a state of, with any settings, `results` their number.
     ///
     /// # Errors
     /// They are no state of this file.
-    pub(super) fn read(document: &Document, bytes: &[u8]) -> Result<Self, String> {
+    pub(super) fn read(document: &Document, results: usize, bytes: &[u8]) -> Result<Self, String> {
         let (saved, rest): (Saved<'_>, _) =
             postcard::take_from_bytes(bytes).map_err(|reason| format!("the state cannot be read: {reason}"))?;
         if !rest.is_empty() {
@@ -108,6 +108,7 @@ impl Snapshot {
         let [values, slopes] = saved.inputs;
         let mut inputs = Inputs::new(&document);
         let mut fits = state.has_the_shape_of(&built.state) && inputs.set_parts([&values, &slopes]);
+        fits &= saved.results.len() == results && start.is_finite() && step > 0.0 && step.is_finite();
         let last = saved.last.map(|SavedStep { start, inputs: [values, slopes], end }| {
             let mut last = LastStep { known: true, inputs: inputs.clone(), end };
             fits &= start.has_the_shape_of(&built.state) && last.inputs.set_parts([&values, &slopes]);
@@ -173,6 +174,9 @@ impl Simulation {
             self.last.inputs.copy_from(&last.inputs);
             self.last.end = last.end;
             machine.backup.clone_from(start);
+        }
+        if let Solver::Statics(statics) = &mut machine.solver {
+            statics.forget();
         }
         // The solver has the shape and the tolerance of its initialization, which may be another one, or another instance's.
         if !Arc::ptr_eq(&machine.initialization, &snapshot.initialization) {

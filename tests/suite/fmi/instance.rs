@@ -279,6 +279,15 @@ fn steps_must_be_positive_and_finite() {
     }
 }
 
+/// What the model refuses before it begins a step is harmless.
+#[test]
+fn steps_that_are_not_begun_do_no_harm() {
+    let mut instance = initialized();
+    assert_eq!(instance.do_step(0.0, 2e6).unwrap_err().to_string(), "that is too far");
+    assert_eq!(instance.mode(), Mode::Step);
+    instance.do_step(0.0, 0.5).unwrap();
+}
+
 /// The stop time is the end if it was defined; round-off beyond it is none.
 #[test]
 fn the_stop_time_is_kept() {

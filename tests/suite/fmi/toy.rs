@@ -18,6 +18,8 @@ pub const TIME: u32 = 7;
 
 /// A force that the model itself refuses, though it is within the bounds.
 pub const REFUSED_FORCE: f64 = -777.0;
+/// No step goes beyond this time.
+pub const FARTHEST: f64 = 1e6;
 /// A length within its bounds that makes no model.
 pub const UNFIT_LENGTH: f64 = 14.0;
 /// A length without an initial state.
@@ -192,6 +194,10 @@ impl Model for Toy {
 
     fn time(&self) -> f64 {
         self.plain.time
+    }
+
+    fn accept_step(&self, end: f64) -> Result<(), Failure> {
+        if end > FARTHEST { Err(failure("that is too far")) } else { Ok(()) }
     }
 
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
