@@ -33,9 +33,9 @@ const BEHAVIOUR: [&str; 9] = [
      installed.",
     "Any communication step is possible; the unit divides it into internal steps of at most <code>simulation.step</code>. On multiples \
      of that step the results do not depend on the communication step, as long as inputs do not change.",
-    "What a host moves goes linearly through each communication step, with a corner at its end; the acceleration that reactions and efforts \
-     need is the change of velocity from one communication step to the next. The corners make stiff beams ring that are held rigidly: \
-     hold on through a bushing, or take communication steps of one internal step.",
+    "What a host moves goes through each communication step on a cubic: its velocity has no jumps, and constant accelerations are followed \
+     exactly. The velocity at the end follows from the mean velocities of this step and the last one. It begins at rest, or with the derivatives \
+     that the host sets for the first step. A jump of an input is reached at the end of the step too; within the next one the motion overshoots by a quarter of it.",
     "Parameters are set before the end of the initialization, tunable ones also between steps.",
     "The initial state is found at the end of the initialization, from what is set until then; outputs are valid from there on.",
     "FMU states can be taken and set at any time, also to go back after a failed step, and serialized, also for another process.",
@@ -50,7 +50,7 @@ const INPUTS: [[&str; 3]; 4] = [
     ["forces and moments", "held during the step", "added, linearly in time"],
     [
         "positions, angles, distances",
-        "reached at the <em>end</em> of the step, linearly from the value before: set the value of the end of the step, or accept one \
+        "reached at the <em>end</em> of the step, smoothly from the value before: set the value of the end of the step, or accept one \
          step of delay",
         "the end value is the value plus its derivative times the step",
     ],

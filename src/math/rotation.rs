@@ -111,6 +111,15 @@ pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
     axis * (angle + turns * full)
 }
 
+/// The derivative by time of the rotation vector `vector` (rad, shorter than a whole turn) of what turns with the angular velocity `spin`, rad/s.
+pub fn rotation_vector_rate(vector: &Vec3, spin: &Vec3) -> Vec3 {
+    let angle = vector.norm();
+    // 1 − (a/2) cot(a/2), by its series where the quotient is none.
+    let part = if angle < 1e-4 { angle * angle / 12.0 } else { 1.0 - 0.5 * angle / (0.5 * angle).tan() };
+    let axis = vector.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+    spin - vector.cross(spin) * 0.5 + axis.cross(&axis.cross(spin)) * part
+}
+
 /// The quaternion `[w, x, y, z]` of a rotation vector, continuous in it (no jump of sign).
 pub fn quaternion_of(vector: &Vec3) -> Quaternion<f64> {
     let angle = vector.norm();
@@ -179,5 +188,20 @@ mod tests {
         }
         let whole = rotation_vector_near(&Mat3::identity(), &(axis * 6.2));
         assert!((whole - axis * 2.0 * PI).norm() < 1e-9);
+    }
+
+    /// The rate of a rotation vector gives back the angular velocity: by the derivative of its matrix.
+    #[test]
+    fn rates_of_rotation_vectors() {
+        let spin = Vec3::new(0.7, -1.1, 0.4);
+        for vector in
+            [[0.0, 0.0, 0.0], [1e-6, 2e-6, -1e-6], [5e-5, 8e-5, 0.0], [0.1, 0.0, 0.3], [2.0, -2.0, 1.0], [PI, 0.0, 0.0]]
+        {
+            let vector = Vec3::from(vector);
+            let rate = rotation_vector_rate(&vector, &spin);
+            let jets = [0, 1, 2].map(|i| Jet { value: vector[i], first: rate[i], second: 0.0 });
+            let [turn, turn_t, _] = rotation_matrix_jet(&jets);
+            assert!((turn_t * turn.transpose() - spin.cross_matrix()).norm() < 1e-13, "{vector}");
+        }
     }
 }

@@ -6,6 +6,7 @@ use super::centreline::Station;
 use super::configuration::Configuration;
 use super::formulation::Element;
 use super::gauge::{Gauge, Measure};
+use super::host_path::{Departure, Targets};
 use super::joint::Joint;
 use super::joint::driven::Driven;
 use super::joint::weld;
@@ -13,7 +14,7 @@ use super::load::{Excitation, HostWrench, Load};
 use super::marker::Marker;
 use super::node::Node;
 use super::pose::Pose;
-use super::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed, Targets};
+use super::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed};
 use super::rigid_body::{BodyDesign, RigidBody};
 use super::sensor::Sensor;
 use super::spring::Spring;
@@ -49,7 +50,8 @@ pub struct Assembly {
 impl Assembly {
     /// That is drawn as it is at the time `start`, s.
     pub fn new(start: f64) -> Self {
-        Self { start, targets: Targets { end: start, ..Targets::default() }, ..Self::default() }
+        let departure = Departure { time: start, ..Departure::default() };
+        Self { start, targets: Targets { end: start, departure, ..Targets::default() }, ..Self::default() }
     }
 
     /// Adds a beam and returns its number. The design is sound: section and material, `y_axis` not along the tangent at the start.
@@ -378,7 +380,7 @@ impl Assembly {
         system.joints.extend(drive_joints);
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
-        targets.begin(start, &prescribed);
+        targets.depart(start, &prescribed);
         let state = State {
             time: start,
             momentum: vec![0.0; q.len()],

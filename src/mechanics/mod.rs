@@ -24,6 +24,7 @@ pub mod configuration;
 pub mod division;
 pub mod formulation;
 pub mod gauge;
+pub mod host_path;
 pub mod joint;
 pub mod load;
 pub mod marker;

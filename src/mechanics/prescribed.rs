@@ -1,9 +1,9 @@
-//! Motion that is prescribed: drives and moving frames, by functions of time or by a host.
+//! Motion that is prescribed: drives and moving frames, by functions of time or by a host (`host_path`).
 //!
-//! What a host gives is reached at the end of its communication step, linearly from the value last reached; rotations take
-//! the shortest arc. A rate that a function gives is integrated to round-off, one that a host gives exactly.
+//! A rate that a function gives is integrated to round-off.
 
-use super::load::{HostWrench, Signal};
+use super::host_path::Targets;
+use super::load::Signal;
 use super::pose::Pose;
 use crate::math::integral::integral;
 use crate::math::jet::Jet;
@@ -29,34 +29,6 @@ pub struct MovingPose {
     pub velocity: Pose,
     /// Second derivative.
     pub acceleration: Pose,
-}
-
-/// What a host wants: drives and frames to be reached, and when; loads to act.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Targets {
-    /// End of the communication step, s.
-    pub end: f64,
-    /// Values or rates of the drives; those of functions are not used.
-    pub drives: Vec<f64>,
-    /// Poses of the frames; those of functions are not used.
-    pub frames: Vec<Pose>,
-    /// Components of the loads; those of functions are not used.
-    pub loads: Vec<HostWrench>,
-    /// How drives and frames moved when the communication step began.
-    pub before: Motion,
-}
-
-/// How drives and frames move at one instant.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Motion {
-    /// The instant, s.
-    pub time: f64,
-    /// Length of the communication step that ended there, s; 0: none did.
-    pub step: f64,
-    /// Rates of the drives, rad/s or m/s.
-    pub drives: Vec<f64>,
-    /// Velocities (m/s) and angular velocities (rad/s) of the frames.
-    pub frames: Vec<[Vec3; 2]>,
 }
 
 /// Where a drive has its motion from.
@@ -187,48 +159,6 @@ impl MovingPose {
     }
 }
 
-impl Targets {
-    /// Takes the values of another one, keeping its own memory.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.end = other.end;
-        self.drives.clone_from(&other.drives);
-        self.frames.clone_from(&other.frames);
-        self.loads.clone_from(&other.loads);
-        (self.before.time, self.before.step) = (other.before.time, other.before.step);
-        self.before.drives.clone_from(&other.before.drives);
-        self.before.frames.clone_from(&other.before.frames);
-    }
-
-    /// A communication step begins at `time`, s, where everything moves as `prescribed`.
-    pub fn begin(&mut self, time: f64, prescribed: &Prescribed) {
-        let Motion { time: own, step, drives, frames } = &mut self.before;
-        *step = f64::max(self.end - *own, 0.0);
-        *own = time;
-        drives.clear();
-        drives.extend(prescribed.drives.iter().map(|drive| drive.first));
-        frames.clear();
-        frames.extend(prescribed.frames.iter().map(MovingPose::rates));
-    }
-
-    /// The change of a velocity from the last communication step to this one, per time: what a host gives moves linearly in each step, so
-    /// that only its velocities from step to step tell how it accelerates. Each belongs to the middle of its step; that of the start to
-    /// the start.
-    fn acceleration<T: std::ops::Sub<Output = T> + std::ops::Div<f64, Output = T> + Default>(
-        &self,
-        now: T,
-        before: T,
-    ) -> T {
-        let passed = 0.5 * (self.before.step + self.end - self.before.time);
-        if passed > 0.0 { (now - before) / passed } else { T::default() }
-    }
-
-    /// How much of the way from `time` to the end of the communication step lies before `next`, and the length of that way, s.
-    fn progress(&self, time: f64, next: f64) -> (f64, f64) {
-        let way = self.end - time;
-        if next >= self.end || way <= 0.0 { (1.0, way.max(0.0)) } else { ((next - time) / way, way) }
-    }
-}
-
 impl Drive {
     /// Its value and rate at the start, `time` s.
     pub fn start(&self, time: f64, target: f64) -> Jet {
@@ -240,35 +170,13 @@ impl Drive {
         }
     }
 
-    /// Its value and rate at `next` s, from those at `time` s.
-    /// `target` and `before` are its own in `targets`: value or rate to be reached, and its rate when the communication step began.
-    pub fn advanced(
-        &self,
-        from: Jet,
-        (time, next): (f64, f64),
-        targets: &Targets,
-        (target, before): (f64, f64),
-    ) -> Jet {
+    /// Its value and rate at `next` s, from the value `from` at `time` s; `number` is its own among the `targets`.
+    pub fn advanced(&self, number: usize, from: f64, (time, next): (f64, f64), targets: &Targets) -> Jet {
         match &self.guide {
             Guide::Value(signal) => signal.jet(next),
-            Guide::Rate(signal) => rated(from.value + integral(&|time| signal.at(time), time, next), signal.jet(next)),
-            Guide::HostValue => {
-                let (share, way) = targets.progress(time, next);
-                let change = target - from.value;
-                let first = if way > 0.0 { change / way } else { 0.0 };
-                let value = if share == 1.0 { target } else { from.value + share * change };
-                Jet { value, first, second: targets.acceleration(first, before) }
-            }
-            Guide::HostRate => {
-                let (share, way) = targets.progress(time, next);
-                let change = target - from.first;
-                let first = if share == 1.0 { target } else { from.first + share * change };
-                let second = if way > 0.0 { change / way } else { 0.0 };
-                // The rate is linear up to the end of the communication step, constant from there.
-                let moving = f64::min(next - time, way);
-                let value = from.value + 0.5 * (from.first + first) * moving + first * (next - time - moving);
-                Jet { value, first, second }
-            }
+            Guide::Rate(signal) => rated(from + integral(&|time| signal.at(time), time, next), signal.jet(next)),
+            Guide::HostValue => targets.value(number, next),
+            Guide::HostRate => targets.rate(number, next),
         }
     }
 }
@@ -287,43 +195,11 @@ impl MovingFrame {
         }
     }
 
-    /// Its motion at `next` s, from that at `time` s.
-    /// `target` and `before` are its own in `targets`: the pose to be reached, and its velocities when the communication step began.
-    pub fn advanced(
-        &self,
-        from: &Pose,
-        (time, next): (f64, f64),
-        targets: &Targets,
-        (target, before): (&Pose, &[Vec3; 2]),
-    ) -> MovingPose {
+    /// Its motion at `time`, s; `number` is its own among the `targets`.
+    pub fn at(&self, number: usize, time: f64, targets: &Targets) -> MovingPose {
         match &self.guide {
-            FrameGuide::Signals { place, rotation } => of_signals(place, rotation, next),
-            FrameGuide::Host => {
-                let (share, way) = targets.progress(time, next);
-                // Standing still is exact, whatever the steps.
-                let stands = from == target;
-                let change = target.place - from.place;
-                let turn = if stands { Vec3::zeros() } else { shortest_turn(&from.axes, &target.axes) };
-                let pose = if stands || share == 1.0 {
-                    *target
-                } else {
-                    Pose { place: from.place + change * share, axes: rotation_matrix(&(turn * share)) * from.axes }
-                };
-                if way == 0.0 {
-                    return MovingPose::at_rest(pose);
-                }
-                let rates = [change / way, turn / way];
-                let [acceleration, spin_rate] = [0, 1].map(|i| targets.acceleration::<Vec3>(rates[i], before[i]));
-                let spin = rates[1].cross_matrix();
-                MovingPose {
-                    pose,
-                    velocity: Pose { place: rates[0], axes: spin * pose.axes },
-                    acceleration: Pose {
-                        place: acceleration,
-                        axes: (spin * spin + spin_rate.cross_matrix()) * pose.axes,
-                    },
-                }
-            }
+            FrameGuide::Signals { place, rotation } => of_signals(place, rotation, time),
+            FrameGuide::Host => targets.pose(number, time),
         }
     }
 }

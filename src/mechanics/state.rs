@@ -1,7 +1,8 @@
 //! What changes in time, as plain data: to save, restore and repeat is to clone this.
 
+use super::host_path::Targets;
 use super::load::Excitation;
-use super::prescribed::{Prescribed, Targets};
+use super::prescribed::Prescribed;
 use super::triad::Triad;
 use crate::math::Vec3;
 use serde::{Deserialize, Serialize};
@@ -54,8 +55,8 @@ impl State {
             let lists = [q, velocity, momentum, multipliers, strays, holonomy, readings].map(Vec::len);
             let motions =
                 [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
-            let before = [targets.before.drives.len(), targets.before.frames.len()];
-            (lists, triads.len(), rotations.len(), motions, targets.loads.len(), before)
+            let departure = [targets.departure.drives.len(), targets.departure.frames.len()];
+            (lists, triads.len(), rotations.len(), motions, targets.loads.len(), departure)
         };
         // Nothing yet, or all of them.
         let optional = |list: usize, whole: usize| list == 0 || list == whole;

@@ -16,11 +16,12 @@ use super::configuration::Configuration;
 use super::division::Division;
 use super::formulation::Element;
 use super::gauge::Gauge;
+use super::host_path::Targets;
 use super::joint::Joint;
 use super::load::{Excitation, Load};
 use super::mesh::Mesh;
 use super::node::Node;
-use super::prescribed::{Drive, MovingFrame, Prescribed, Targets};
+use super::prescribed::{Drive, MovingFrame, Prescribed};
 use super::rigid_body::{BODY, RigidBody};
 use super::section::Outline;
 use super::sensor::Sensor;
@@ -145,16 +146,14 @@ impl System {
 
     /// Sets `prescribed` to what drives and frames prescribe at `next` s, from the time and the motion of `state`.
     pub fn prescribe(&self, state: &State, next: f64, prescribed: &mut Prescribed) {
-        let (times, targets) = ((state.time, next), &state.targets);
+        let State { time, targets, prescribed: from, .. } = state;
+        let drives = self.drives.iter().zip(&from.drives).enumerate();
+        let advanced = drives.map(|(k, (drive, from))| drive.advanced(k, from.value, (*time, next), targets));
         prescribed.drives.clear();
-        let wanted = targets.drives.iter().copied().zip(targets.before.drives.iter().copied());
-        let drives = self.drives.iter().zip(&state.prescribed.drives).zip(wanted);
-        prescribed.drives.extend(drives.map(|((drive, from), own)| drive.advanced(*from, times, targets, own)));
+        prescribed.drives.extend(advanced);
+        let frames = self.moving_frames.iter().enumerate();
         prescribed.frames.clear();
-        let wanted = targets.frames.iter().zip(&targets.before.frames);
-        let frames = self.moving_frames.iter().zip(&state.prescribed.frames).zip(wanted);
-        let poses = frames.map(|((frame, from), own)| frame.advanced(&from.pose, times, targets, own));
-        prescribed.frames.extend(poses);
+        prescribed.frames.extend(frames.map(|(k, frame)| frame.at(k, next, targets)));
     }
 
     /// A drive or frame whose motion is not finite at `time`, s.

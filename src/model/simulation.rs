@@ -216,7 +216,7 @@ impl Model for Simulation {
         machine.settle(&self.document);
         machine.keep();
         let begin = machine.state.time;
-        machine.state.targets.begin(begin, &machine.state.prescribed);
+        machine.state.targets.depart(begin, &machine.state.prescribed);
         let line = |number| self.inputs.line(number);
         build::aim(&self.document, line, [begin, end], &mut machine.state.targets).map_err(wrong)?;
         let outcome = machine.advance(end).and_then(|()| self.measure()).map_err(|error| {

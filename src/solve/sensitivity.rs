@@ -19,8 +19,9 @@ use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::Configuration;
+use crate::mechanics::host_path::Targets;
 use crate::mechanics::joint::JointGradient;
-use crate::mechanics::prescribed::Targets;
+use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::variation::Variation;
@@ -376,7 +377,7 @@ impl<N: Inputs> Step<'_, N> {
 #[derive(Debug, Default)]
 struct Mover {
     moved: State,
-    way: State,
+    motion: Prescribed,
     frames: Vec<NodeFrame>,
 }
 
@@ -391,14 +392,12 @@ impl Mover {
         variation: &Variation,
         by: f64,
     ) -> &State {
-        let Self { moved, way, frames } = self;
+        let Self { moved, motion, frames } = self;
         moved.clone_from(from);
         step.inputs.aim(number, by, &mut moved.targets);
         if from.time > step.start.time {
-            way.time = step.start.time;
-            way.prescribed.copy_from(&step.start.prescribed);
-            way.targets.copy_from(&moved.targets);
-            system.prescribe(way, from.time, &mut moved.prescribed);
+            system.prescribe(moved, from.time, motion);
+            std::mem::swap(&mut moved.prescribed, motion);
             if !step.moves {
                 moved.prescribed.stop();
             }

@@ -69,10 +69,18 @@ def test_input_that_changes(tmp_path):
 
 
 def test_frame_that_the_host_moves(tmp_path):
-    """The foot of the crane, moved by FMPy with values and derivatives, goes the way that a piecewise linear expression takes it."""
+    """The foot of the crane, moved by FMPy with values and derivatives, goes the way that an expression takes it: a cubic in each communication
+    step, whose velocities at the ends follow from the mean velocities of this step and the one before."""
     model = ROOT / "models/crane.toml"
     run("pack", model, "-o", tmp_path / "unit.fmu")
-    pieces = '[{ until = 0.1, is = "0" }, { until = 1.1, is = "0.5*(t - 0.1)" }, { is = "0.5" }]'
+    # Mean velocity 0.5 m/s from 0.1 to 1.1 s. In the step after each of the two changes the velocity at the end is `s + (s - s')/2`.
+    cubic = "{x} + {h}*({v}*u*(1 - u)^2 + {s}*u^2*(3 - 2*u) - {w}*u^2*(1 - u))"
+    starts = [(0.1, 0.0, 0.0, 0.75, 0.5), (0.12, 0.01, 0.75, 0.5, 0.5), (1.1, 0.5, 0.5, -0.25, 0.0), (1.12, 0.5, -0.25, 0.0, 0.0)]
+    curves = [cubic.format(x=x, h=0.02, v=v, w=w, s=s).replace("u", f"((t - {t})/0.02)") for t, x, v, w, s in starts]
+    ends = [0.1, 0.12, 0.14, 1.1, 1.12, 1.14]
+    ways = ["0", curves[0], curves[1], "0.5*(t - 0.1)", curves[2], curves[3]]
+    pieces = ", ".join(f'{{ until = {end}, is = "{way}" }}' for end, way in zip(ends, ways)) + ', { is = "0.5" }'
+    pieces = f"[{pieces}]"
     motion = ["--set", "foot.input=false", "--set", f"foot.position[1]={pieces}", "--set", "simulation.stop=2"]
     run("run", model, "--out", tmp_path / "results", *motion)
     with open(tmp_path / "results/results.csv", newline="") as file:

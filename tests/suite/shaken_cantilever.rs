@@ -1,6 +1,6 @@
 //! A cantilever shaken by a moving frame: by expressions of time, and by a host that gives the pose. What a host sets is reached at the end
-//! of the communication step, linearly from the value before: at the ends of steps both machines are held at the same places, so
-//! that only the shape of the motion in between, which no internal step sees if steps are the same, could differ.
+//! of the communication step: at the ends of steps both machines are held at the same places, so that only the shape of the motion in
+//! between, which no internal step sees if steps are the same, could differ.
 
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
@@ -120,7 +120,6 @@ fn expression_and_host_agree() {
 }
 
 /// A host that sets the value at the beginning of its step and the derivative is off by the curvature of the motion: order 2 in its step.
-/// The corners of its motion shake the beam at the frequency of the steps: without damping it might be in resonance with one.
 #[test]
 fn values_with_derivatives_converge_with_order_two() {
     // All communication steps are whole numbers of internal steps: the error of these is the same on both sides.
@@ -163,6 +162,7 @@ fn values_with_derivatives_converge_with_order_two() {
         largest
     };
     let errors = [error(2), error(4), error(8)];
+
     let orders = [(errors[0] / errors[1]).log2(), (errors[1] / errors[2]).log2()];
     println!("errors {errors:?} m, orders {orders:?}");
     assert!(orders.iter().all(|order| (1.7..2.6).contains(order)), "{orders:?}");

@@ -4,9 +4,9 @@ use super::{signal, vector};
 use crate::math::Vec3;
 use crate::math::rotation::quaternion_matrix;
 use crate::mechanics::gauge::Measure;
+use crate::mechanics::host_path::Targets;
 use crate::mechanics::load::{HostWrench, LoadGuide, Wrench};
 use crate::mechanics::pose::Pose;
-use crate::mechanics::prescribed::Targets;
 use crate::mechanics::system::System;
 use crate::model::document::Document;
 use crate::model::entries::drive::Motion;
@@ -14,6 +14,7 @@ use crate::model::entries::frame::Orientation;
 use crate::model::entries::joint::Joint;
 use crate::model::entries::spring::Spring;
 use crate::model::number::Number;
+use nalgebra::Quaternion;
 
 /// The numbers of a spring.
 pub(super) struct Tuned {
@@ -115,15 +116,27 @@ pub fn aim(
     // All is checked before anything is set.
     check_aim(document, &line, [begin, end])?;
     targets.end = end;
-    for (target, drive) in targets.drives.iter_mut().zip(&document.drives).filter(|(_, drive)| drive.input) {
+    let departure = &mut targets.departure;
+    let first = departure.is_first();
+    for ((target, course), drive) in targets.drives.iter_mut().zip(&mut departure.drives).zip(&document.drives) {
         let (Motion::Value(number) | Motion::Rate(number)) = drive.motion;
+        if !drive.input {
+            continue;
+        }
         *target = at_end(number);
+        if first && matches!(drive.motion, Motion::Value(_)) {
+            course.start_with(line(number).1);
+        }
     }
-    for (target, frame) in targets.frames.iter_mut().zip(&document.frames) {
+    for ((target, course), frame) in targets.frames.iter_mut().zip(&mut departure.frames).zip(&document.frames) {
         if let Orientation::Quaternion(numbers) = frame.orientation
             && let Some(pose) = pose(Vec3::from(frame.position.map(at_end)), numbers.map(at_end))
         {
             *target = pose;
+            if first {
+                let [now, change] = [numbers.map(|number| line(number).0), numbers.map(|number| line(number).1)];
+                course.start_with([Vec3::from(frame.position.map(|number| line(number).1)), spin(now, change)]);
+            }
         }
     }
     for (target, load) in targets.loads.iter_mut().zip(&document.loads).filter(|(_, load)| load.input) {
@@ -144,4 +157,11 @@ const SHORTEST: f64 = 1e-9;
 pub(super) fn pose(place: Vec3, [w, x, y, z]: [f64; 4]) -> Option<Pose> {
     let length = Vec3::new(x, y, z).norm().hypot(w);
     (length > SHORTEST).then(|| Pose { place, axes: quaternion_matrix([w, x, y, z]) })
+}
+
+/// The angular velocity of a quaternion w x y z that changes, in global axes: `2 Im(q' q⁻¹)`; 0 where it has no direction.
+fn spin(quaternion: [f64; 4], change: [f64; 4]) -> Vec3 {
+    let [now, change] = [quaternion, change].map(|[w, x, y, z]| Quaternion::new(w, x, y, z));
+    let square = now.norm_squared();
+    if square > SHORTEST * SHORTEST { (change * now.conjugate()).imag() * (2.0 / square) } else { Vec3::zeros() }
 }

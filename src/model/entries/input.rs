@@ -6,7 +6,7 @@ use crate::model::reader::Context;
 /// What becomes of the value of a load during a communication step.
 pub const HELD: &str = "held during a communication step";
 /// What becomes of the value of a prescribed motion during a communication step.
-pub const REACHED: &str = "reached at the end of the communication step, linearly from the value before";
+pub const REACHED: &str = "reached at the end of the communication step, smoothly from the value before";
 
 /// Makes a number an input of the FMU; its name, unit and range stay.
 pub(in crate::model) fn make_input(context: &mut Context<'_>, number: Number) {

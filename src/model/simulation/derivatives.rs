@@ -4,7 +4,7 @@ use super::machine::{Machine, Plan, Solver};
 use super::{Simulation, failure, wrong};
 use crate::error::Error;
 use crate::fmi::Failure;
-use crate::mechanics::prescribed::Targets;
+use crate::mechanics::host_path::Targets;
 use crate::mechanics::sensor::Snapshot as Frames;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;

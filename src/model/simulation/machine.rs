@@ -109,6 +109,7 @@ impl Machine {
             }
             Solver::Statics(statics) => {
                 self.state.velocity.fill(0.0);
+                self.state.targets.straight = true;
                 statics.find(&self.system, &mut self.state, self.start)?;
                 warnings.extend(statics.take_remarks());
                 if moving {
