@@ -75,7 +75,7 @@ fn frames_are_functions_or_inputs() {
     for name in ["hand.position[3]", "hand.quaternion[1]", "hand.quaternion[4]"] {
         let input = row(&document, name);
         assert_eq!((input.causality, input.variability), (Causality::Input, Variability::Continuous));
-        assert!(input.description.contains("reached at the end of the communication step, linearly"), "{input:?}");
+        assert!(input.description.contains("reached at the end of the communication step, smoothly"), "{input:?}");
     }
     assert!(document.parameters().iter().all(|parameter| !parameter.variable.name.starts_with("hand.rotation")));
     let turned = parse(&[("hand.rotation[3]", "0"), ("hand.position[1]", "2")]);
@@ -147,7 +147,7 @@ fn drives_are_functions_or_inputs() {
     ] {
         let row = row(&document, name);
         assert_eq!((row.quantity.unit.as_str(), row.causality), (unit, causality));
-        let told = row.description.contains("reached at the end of the communication step, linearly");
+        let told = row.description.contains("reached at the end of the communication step, smoothly");
         assert_eq!(told, causality == Causality::Input, "{}", row.description);
     }
 }
