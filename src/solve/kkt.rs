@@ -1,5 +1,6 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
+use super::direct::DirectSolver;
 use super::linear::{Regularity, Singular, SparseLdl, SparseLu, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
@@ -23,7 +24,7 @@ pub struct Kkt {
     joints: Vec<usize>,
     /// First of each joint's four stiffness blocks, where the system has them.
     curvatures: Vec<usize>,
-    solver: SparseLu,
+    solver: DirectSolver,
     /// Made when it is first asked for.
     inertia: Option<Inertia>,
 }
@@ -82,9 +83,8 @@ impl Kkt {
     }
 
     fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>) -> Result<Self, Error> {
-        let solver = SparseLu::new(system.coordinates() + system.constraints(), &blocks).map_err(|Singular| {
-            Error::Singular { time: 0.0, what: String::from("there is not enough memory to analyse them") }
-        })?;
+        let kinds = [system.mesh.coordinates(), system.coordinates()];
+        let solver = DirectSolver::new(system.coordinates() + system.constraints(), kinds, &blocks);
         Ok(Self { blocks, joints, curvatures, solver, inertia: None })
     }
 
@@ -127,7 +127,7 @@ impl Kkt {
     /// # Errors
     /// The matrix is singular: the error names the part of the machine that the lost direction moves most.
     pub fn solve(&mut self, system: &System, vector: &mut [f64], time: f64) -> Result<(), Error> {
-        let solved = self.solver.factorize(&self.blocks).and_then(|()| self.solver.solve(vector));
+        let solved = self.solver.factorize(&self.blocks).and_then(|()| self.solver.solve(&self.blocks, vector));
         solved.map_err(|Singular| Error::Singular { time, what: self.lost_direction(system) })
     }
 
@@ -145,7 +145,7 @@ impl Kkt {
     /// # Errors
     /// The solution is not accurate.
     pub fn solve_again(&mut self, vector: &mut [f64]) -> Result<(), Singular> {
-        self.solver.solve(vector)
+        self.solver.solve(&self.blocks, vector)
     }
 
     /// How many independent motions that the constraints allow release energy, by the symmetric part of the matrix that is set and has
@@ -186,13 +186,18 @@ impl Kkt {
         ldl.negative_pivots(blocks, |index| self.solver.scale(index))
     }
 
+    /// How many factorizations the general solver had to make.
+    pub fn fallbacks(&self) -> u64 {
+        self.solver.fallbacks()
+    }
+
     /// Checks that the solution just found is the only one: a singular system may have one by chance, as a floating beam
     /// without loads has.
     ///
     /// # Errors
     /// A part of the machine can move freely, or is held twice.
     pub fn check_unique(&mut self, system: &System, time: f64) -> Result<(), Error> {
-        match self.solver.regularity() {
+        match self.solver.regularity(&self.blocks) {
             Regularity::Regular => Ok(()),
             Regularity::Singular(index) => Err(Error::Singular { time, what: advice(system, index) }),
             Regularity::Unknown => Err(Error::Singular { time, what: self.lost_direction(system) }),

@@ -4,28 +4,28 @@
 use crate::math::blocks::Blocks;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
-use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::sparse::linalg::lu::{LuRef, LuSymbolicParams, NumericLu, SymbolicLu, factorize_symbolic_lu};
+use faer::sparse::linalg::{SupernodalThreshold, amd};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Auto, Conj, MatMut, Par, Side, Spec};
 
 /// Sweeps of symmetric Ruiz scaling: each takes the square root of what rows and columns are off from 1.
 const SCALING_SWEEPS: usize = 3;
 /// Refinement steps at most; one restores the digits that stiff beams cost, the others are for near-singular machines.
-const REFINEMENTS: usize = 4;
+pub(super) const REFINEMENTS: usize = 4;
 /// Largest componentwise backward error of an accepted solution (Oettli-Prager): a normwise one looks fine on solutions wrong in the fifth digit.
-const BACKWARD_ERROR: f64 = 1e-12;
+pub(super) const BACKWARD_ERROR: f64 = 1e-12;
 
 /// Terms below this share of a row's largest possible term are taken as round-off of the others.
-const NEGLIGIBLE: f64 = 1e-10;
+pub(super) const NEGLIGIBLE: f64 = 1e-10;
 
 /// A direction that the matrix maps to less than this share of its terms is a null direction. Measured: 1e-16 and below for free and
 /// doubly held machines (round-off of a row's sum), 2.5e-13 and 3.2e-15 for the softest direction of a slender cantilever of 1,000
 /// and 3,000 elements. From some 4,000 on, such a beam cannot be told from a free one in double precision.
-const ROUND_OFF: f64 = 1e-15;
+pub(super) const ROUND_OFF: f64 = 1e-15;
 
 /// A number between 0.5 and 1.5 for each unknown, with no pattern that a null vector could be orthogonal to.
 pub fn irregular(index: usize) -> f64 {
@@ -270,6 +270,24 @@ impl SparseLu {
         }
         error
     }
+}
+
+/// An order in which to eliminate the vertices of a graph, given by the neighbours of each, so that few new neighbours come up: the approximate
+/// minimum degree. None for want of memory.
+pub fn minimum_degree(neighbours: &[Vec<usize>]) -> Option<Vec<usize>> {
+    let count = neighbours.len();
+    let mut starts = vec![0];
+    starts.extend(neighbours.iter().scan(0, |sum, list| {
+        *sum += list.len();
+        Some(*sum)
+    }));
+    let list: Vec<usize> = neighbours.concat();
+    let pattern = SymbolicSparseColMatRef::new_checked(count, count, &starts, None, &list);
+    let mut memory = MemBuffer::try_new(amd::order_scratch::<usize>(count, list.len())).ok()?;
+    let (mut order, mut places) = (vec![0; count], vec![0; count]);
+    let stack = MemStack::new(&mut memory);
+    amd::order(&mut order, &mut places, pattern, amd::Control::default(), stack).ok()?;
+    Some(order)
 }
 
 /// A symmetric sparse matrix whose pattern never changes, factorized as `L D Lᵀ` without pivoting: for the signs of `D`.

@@ -1,5 +1,8 @@
 //! Linear systems, Newton, equilibria, natural modes, steps in time and their derivatives.
 
+pub mod direct;
+pub mod front_matrix;
+pub mod fronts;
 pub mod generalized_alpha;
 pub mod gyroscopic;
 pub mod kkt;
@@ -7,6 +10,7 @@ pub mod limits;
 pub mod linear;
 pub mod midpoint;
 pub mod modes;
+pub mod multifrontal;
 pub mod newton;
 pub mod projection;
 pub mod response;

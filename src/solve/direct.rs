@@ -1,0 +1,91 @@
+//! The direct solver of a constrained system: front by front (`multifrontal`), and a general sparse LU (`linear`) where that gives no accurate
+//! solution, as without the mass of a body or with a floating machine.
+
+use super::linear::{Regularity, Singular, SparseLu};
+use super::multifrontal::Multifrontal;
+use crate::math::blocks::Blocks;
+
+/// A matrix whose pattern never changes, and its factorization.
+#[derive(Debug)]
+pub struct DirectSolver {
+    size: usize,
+    fronts: Option<Multifrontal>,
+    /// Made when it is first needed.
+    general: Option<Box<SparseLu>>,
+    /// Which of the two has the factorization.
+    is_general: bool,
+    /// How many factorizations the general one had to make.
+    fallbacks: u64,
+}
+
+impl DirectSolver {
+    /// For the pattern of `blocks`, of `size` unknowns; those up to `kinds[0]` are of nodes, up to `kinds[1]` of bodies, the others multipliers.
+    pub fn new(size: usize, kinds: [usize; 2], blocks: &Blocks) -> Self {
+        let fronts = Multifrontal::new(size, kinds, blocks);
+        Self { size, fronts, general: None, is_general: false, fallbacks: 0 }
+    }
+
+    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes. They must not change as long as the factorization is used.
+    ///
+    /// # Errors
+    /// The matrix is singular, or a value not finite.
+    pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
+        self.is_general = false;
+        let factorized = self.fronts.as_mut().is_some_and(|fronts| fronts.factorize(blocks).is_ok());
+        if factorized { Ok(()) } else { self.fall_back(blocks) }
+    }
+
+    /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are those that were factorized.
+    ///
+    /// # Errors
+    /// The solution is not finite or not accurate: the matrix is singular to working precision. `vector` is then spoilt.
+    pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
+        if !self.is_general {
+            if let Some(fronts) = &mut self.fronts
+                && fronts.solve(blocks, vector).is_ok()
+            {
+                return Ok(());
+            }
+            self.fall_back(blocks)?;
+        }
+        self.general.as_mut().ok_or(Singular)?.solve(vector)
+    }
+
+    /// Factorizes with the general solver.
+    fn fall_back(&mut self, blocks: &Blocks) -> Result<(), Singular> {
+        if self.general.is_none() {
+            self.general = Some(Box::new(SparseLu::new(self.size, blocks)?));
+        }
+        self.is_general = true;
+        self.fallbacks += 1;
+        self.general.as_mut().ok_or(Singular)?.factorize(blocks)
+    }
+
+    /// Scaling of unknown `index`: what it is measured in.
+    pub fn scale(&self, index: usize) -> f64 {
+        match (&self.fronts, &self.general) {
+            (_, Some(general)) if self.is_general => general.scale(index),
+            (Some(fronts), _) => fronts.scale(index),
+            _ => 1.0,
+        }
+    }
+
+    /// Whether the factorized matrix, `blocks`, is regular to working precision.
+    pub fn regularity(&mut self, blocks: &Blocks) -> Regularity {
+        if !self.is_general
+            && let Some(fronts) = &mut self.fronts
+            && fronts.is_regular(blocks)
+        {
+            return Regularity::Regular;
+        }
+        if !self.is_general && self.fall_back(blocks).is_err() {
+            return Regularity::Unknown;
+        }
+        self.general.as_mut().map_or(Regularity::Unknown, |general| general.regularity())
+    }
+
+    /// How many factorizations the general solver had to make.
+    pub fn fallbacks(&self) -> u64 {
+        self.fallbacks
+    }
+}

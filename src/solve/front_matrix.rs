@@ -1,0 +1,161 @@
+//! The dense matrix of one front: its pivots eliminated, and solved with.
+//!
+//! Columns lie one after the other: first the rows of the pivots, then those of the border, filled up with zeros to whole lanes. Eliminated, a
+//! column of a pivot holds `L` below its diagonal, the inverse of the pivot on it, `U` above; a column of the border `U`, and what is left for the
+//! parent.
+
+use super::linear::Singular;
+
+/// Rows of the border that are worked on at a time.
+const LANES: usize = 8;
+
+/// Numbers of pivots and of border rows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Shape {
+    /// Unknowns that are eliminated.
+    pub pivots: usize,
+    /// Unknowns that stay.
+    pub border: usize,
+}
+
+impl Shape {
+    /// Distance of neighbouring columns.
+    pub fn stride(self) -> usize {
+        self.pivots + self.border.next_multiple_of(LANES)
+    }
+
+    /// Number of values.
+    pub fn size(self) -> usize {
+        self.stride() * (self.pivots + self.border)
+    }
+}
+
+/// Eliminates the pivots of `matrix`, with partial pivoting among them: the row whose entry, times its weight in `weights`, is largest.
+/// `rows` get the row of each pivot at the time of its choice.
+///
+/// # Errors
+/// A pivot is zero or not finite.
+pub fn eliminate(shape: Shape, matrix: &mut [f64], weights: &mut [f64], rows: &mut [usize]) -> Result<(), Singular> {
+    match shape.pivots {
+        6 => eliminate_sized::<6>(shape, matrix, weights, rows),
+        7 => eliminate_sized::<7>(shape, matrix, weights, rows),
+        12 => eliminate_sized::<12>(shape, matrix, weights, rows),
+        13 => eliminate_sized::<13>(shape, matrix, weights, rows),
+        _ => eliminate_sized::<0>(shape, matrix, weights, rows),
+    }
+}
+
+/// With a number of pivots that the compiler knows; 0: with any.
+fn eliminate_sized<const PIVOTS: usize>(
+    shape: Shape,
+    matrix: &mut [f64],
+    weights: &mut [f64],
+    rows: &mut [usize],
+) -> Result<(), Singular> {
+    let pivots = if PIVOTS > 0 { PIVOTS } else { shape.pivots };
+    let stride = shape.stride();
+    for number in 0..pivots {
+        let (before, rest) = matrix.split_at_mut(number * stride);
+        let column = &mut rest[..stride];
+        reduce::<0>(pivots, before, column, &rows[..number]);
+        let mut best = number;
+        let mut largest = 0.0;
+        for row in number..pivots {
+            let size = column[row].abs() * weights[row];
+            if size > largest {
+                (best, largest) = (row, size);
+            }
+        }
+        if !(largest > 0.0 && largest.is_finite()) {
+            return Err(Singular);
+        }
+        rows[number] = best;
+        if best != number {
+            weights.swap(number, best);
+            column.swap(number, best);
+            before.chunks_exact_mut(stride).for_each(|column| column.swap(number, best));
+        }
+        let inverse = 1.0 / column[number];
+        column[number] = inverse;
+        column[number + 1..].iter_mut().for_each(|value| *value *= inverse);
+    }
+    let (before, rest) = matrix.split_at_mut(pivots * stride);
+    for column in rest.chunks_exact_mut(stride) {
+        reduce::<PIVOTS>(pivots, before, column, rows);
+    }
+    Ok(())
+}
+
+/// Takes the pivots, whose columns are `before`, out of a column; `rows` say how they were exchanged.
+#[inline(always)]
+fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64], rows: &[usize]) {
+    for (number, row) in rows.iter().enumerate() {
+        if *row != number {
+            column.swap(number, *row);
+        }
+    }
+    let stride = column.len();
+    let (upper, border) = column.split_at_mut(pivots);
+    if PIVOTS > 0 && before.len() == PIVOTS * stride {
+        // All of them, of a number that the compiler knows: it unrolls this.
+        for number in 0..PIVOTS {
+            let lower = &before[number * stride..number * stride + PIVOTS];
+            for row in number + 1..PIVOTS {
+                upper[row] -= upper[number] * lower[row];
+            }
+        }
+    } else {
+        for (number, lower) in before.chunks_exact(stride).enumerate() {
+            let value = upper[number];
+            for (target, entry) in upper[number + 1..].iter_mut().zip(&lower[number + 1..pivots]) {
+                *target -= value * entry;
+            }
+        }
+    }
+    for (place, target) in border.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+        let first = pivots + place * LANES;
+        let mut sum = *target;
+        for (value, lower) in upper.iter().zip(before.chunks_exact(stride)) {
+            for (sum, entry) in sum.iter_mut().zip(&lower[first..first + LANES]) {
+                *sum -= value * entry;
+            }
+        }
+        *target = sum;
+    }
+}
+
+/// Solves with `L`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they leave on the border.
+pub fn solve_lower(shape: Shape, matrix: &[f64], rows: &[usize], column: &mut [f64]) {
+    match shape.pivots {
+        7 => reduce::<7>(7, &matrix[..7 * shape.stride()], column, rows),
+        pivots => reduce::<0>(pivots, &matrix[..pivots * shape.stride()], column, rows),
+    }
+}
+
+/// Solves with `U`: `column` has the right sides of the pivots, then the solution on the border; afterwards the whole solution.
+pub fn solve_upper(shape: Shape, matrix: &[f64], column: &mut [f64]) {
+    match shape.pivots {
+        7 => solve_upper_sized::<7>(shape, matrix, column),
+        _ => solve_upper_sized::<0>(shape, matrix, column),
+    }
+}
+
+fn solve_upper_sized<const PIVOTS: usize>(shape: Shape, matrix: &[f64], column: &mut [f64]) {
+    let pivots = if PIVOTS > 0 { PIVOTS } else { shape.pivots };
+    let stride = shape.stride();
+    let (column, border) = column.split_at_mut(pivots);
+    let (own, right) = matrix.split_at(pivots * stride);
+    for (value, upper) in border.iter().zip(right.chunks_exact(stride)) {
+        for (sum, entry) in column.iter_mut().zip(&upper[..pivots]) {
+            *sum -= value * entry;
+        }
+    }
+    for number in (0..pivots).rev() {
+        let upper = &own[number * stride..number * stride + pivots];
+        column[number] *= upper[number];
+        let value = column[number];
+        for row in 0..number {
+            column[row] -= value * upper[row];
+        }
+    }
+}

@@ -1,0 +1,338 @@
+//! A constrained system, factorized front by front (`fronts`): LU with partial pivoting within the pivots of a front.
+//!
+//! Pivots are compared as if rows and columns were scaled: coordinates by the roots of their diagonals, multipliers so that the largest entry of a
+//! condition is 1. What the restricted pivoting and stiff beams cost, refinement restores; a solution counts only with a componentwise backward
+//! error at round-off. Where there is none, a general solver has to help (`direct`).
+
+use super::front_matrix::{eliminate, solve_lower, solve_upper};
+use super::fronts::{Front, Fronts, Run};
+use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Singular, irregular};
+use crate::math::blocks::Blocks;
+
+/// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
+const NODE: usize = 7;
+
+/// A diagonal below this share of the largest one is round-off: stiff and soft coordinates differ by 1e12 at most.
+const VANISHING: f64 = 1e-13;
+
+/// Order, memory and factors of one matrix.
+#[derive(Debug)]
+pub struct Multifrontal {
+    fronts: Fronts,
+    coordinates: usize,
+    /// Where the diagonal is among the values of the blocks: unknown, place.
+    diagonal: Vec<(usize, usize)>,
+    /// Numbers of the blocks whose rows are conditions.
+    conditions: Vec<usize>,
+    /// The dense matrices of all fronts, column by column; factorized `L` and `U` of the pivots, and the rest that went to the parent.
+    matrices: Vec<f64>,
+    /// Of each renumbered unknown, the row (within its front) that its pivot came from.
+    rows: Vec<usize>,
+    scale: Vec<f64>,
+    /// Renumbered.
+    work: Vec<f64>,
+    column: Vec<f64>,
+    solution: Vec<f64>,
+    remainder: Vec<f64>,
+    magnitude: Vec<f64>,
+}
+
+impl Multifrontal {
+    /// For the pattern of `blocks`, of `size` unknowns; those up to `kinds[0]` are of nodes, up to `kinds[1]` of bodies, the others multipliers. None where
+    /// the order does not exist.
+    pub fn new(size: usize, kinds: [usize; 2], blocks: &Blocks) -> Option<Self> {
+        let fronts = Fronts::new(size, kinds, blocks)?;
+        let (mut diagonal, mut conditions, mut first) = (Vec::new(), Vec::new(), 0);
+        for (number, block) in blocks.layout().iter().enumerate() {
+            if block.row >= kinds[1] {
+                conditions.push(number);
+            }
+            for column in 0..block.columns {
+                let unknown = block.column + column;
+                if (block.row..block.row + block.rows).contains(&unknown) {
+                    diagonal.push((unknown, first + column * block.rows + unknown - block.row));
+                }
+            }
+            first += block.rows * block.columns;
+        }
+        Some(Self {
+            coordinates: kinds[1],
+            diagonal,
+            conditions,
+            matrices: vec![0.0; fronts.storage],
+            rows: vec![0; size],
+            scale: vec![1.0; size],
+            work: vec![0.0; size],
+            column: vec![0.0; fronts.longest],
+            solution: vec![0.0; size],
+            remainder: vec![0.0; size],
+            magnitude: vec![0.0; size],
+            fronts,
+        })
+    }
+
+    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes.
+    ///
+    /// # Errors
+    /// A pivot vanishes, or a value is not finite.
+    pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
+        self.set_scale(blocks);
+        let Self { fronts, matrices, rows, scale, column, .. } = self;
+        for front in &fronts.fronts {
+            let (done, rest) = matrices.split_at_mut(front.start);
+            let matrix = &mut rest[..front.shape.size()];
+            matrix.fill(0.0);
+            add_pieces(fronts, front, blocks.values(), matrix);
+            for child in &fronts.children[front.children.clone()] {
+                let child = &fronts.fronts[*child];
+                add_rest(done, child, &fronts.runs[child.runs.clone()], matrix, front.shape.stride());
+            }
+            let weights = &mut column[..front.pivots.len()];
+            for (weight, unknown) in weights.iter_mut().zip(&fronts.unknowns[front.pivots.clone()]) {
+                *weight = scale[*unknown];
+            }
+            eliminate(front.shape, matrix, weights, &mut rows[front.pivots.clone()])?;
+        }
+        Ok(())
+    }
+
+    /// Sets the scale of all unknowns.
+    fn set_scale(&mut self, blocks: &Blocks) {
+        let Self { scale, .. } = self;
+        scale.fill(0.0);
+        for (unknown, place) in &self.diagonal {
+            scale[*unknown] += blocks.values()[*place];
+        }
+        let (coordinates, multipliers) = scale.split_at_mut(self.coordinates);
+        // What is round-off of the others, or nothing at all, is measured by the largest.
+        let largest = coordinates.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        let largest = if largest > 0.0 { largest } else { 1.0 };
+        for value in coordinates.iter_mut() {
+            let size = value.abs();
+            *value = 1.0 / if size > VANISHING * largest { size } else { largest }.sqrt();
+        }
+        multipliers.fill(0.0);
+        for number in &self.conditions {
+            let block = blocks.layout()[*number];
+            let columns = blocks.block(*number).chunks_exact(block.rows.max(1));
+            for (column, values) in columns.enumerate() {
+                let factor = coordinates[block.column + column];
+                let own = &mut multipliers[block.row - self.coordinates..];
+                for (largest, value) in own.iter_mut().zip(values) {
+                    *largest = largest.max((value * factor).abs());
+                }
+            }
+        }
+        for value in multipliers {
+            *value = if *value > 0.0 { 1.0 / *value } else { 1.0 };
+        }
+    }
+
+    /// Scaling of unknown `index`: what it is measured in.
+    pub fn scale(&self, index: usize) -> f64 {
+        self.scale[index]
+    }
+
+    /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are those that were factorized.
+    ///
+    /// # Errors
+    /// The solution is not finite or not accurate; `vector` is as it was.
+    pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
+        self.remainder.copy_from_slice(vector);
+        self.solution.fill(0.0);
+        for _ in 0..=REFINEMENTS {
+            self.apply_inverse();
+            add(&mut self.solution, &self.remainder);
+            if self.backward_error(blocks, vector) <= BACKWARD_ERROR {
+                vector.copy_from_slice(&self.solution);
+                return Ok(());
+            }
+        }
+        Err(Singular)
+    }
+
+    /// Whether the factorized matrix is regular to working precision: two inverse iterations find its softest direction, which a singular matrix
+    /// maps to round-off. False may be a false alarm.
+    pub fn is_regular(&mut self, blocks: &Blocks) -> bool {
+        // Of the scaled matrix, whose inverse is that of the matrix over the scales.
+        for (index, (value, scale)) in self.remainder.iter_mut().zip(&self.scale).enumerate() {
+            *value = irregular(index) / scale;
+        }
+        for _ in 0..2 {
+            self.apply_inverse();
+            self.remainder.iter_mut().zip(&self.scale).for_each(|(value, scale)| *value /= scale);
+            let largest = self.remainder.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+            if !self.remainder.iter().all(|value| value.is_finite()) || largest == 0.0 {
+                return false;
+            }
+            self.remainder.iter_mut().zip(&self.scale).for_each(|(value, scale)| *value /= largest * scale);
+        }
+        self.solution.fill(0.0);
+        self.magnitude.fill(0.0);
+        let scale = &self.scale;
+        for (number, block) in blocks.layout().iter().enumerate() {
+            for (column, values) in blocks.block(number).chunks_exact(block.rows.max(1)).enumerate() {
+                // What stands in `remainder` is the scaled direction over the scale once more: for the next inverse.
+                let factor = scale[block.column + column].powi(2) * self.remainder[block.column + column];
+                for (row, value) in (block.row..).zip(values) {
+                    let product = value * factor * scale[row];
+                    self.solution[row] += product;
+                    self.magnitude[row] += product.abs();
+                }
+            }
+        }
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        largest(&self.solution) > ROUND_OFF * largest(&self.magnitude)
+    }
+
+    /// `remainder = A⁻¹ remainder`.
+    fn apply_inverse(&mut self) {
+        for (unknown, value) in self.fronts.unknowns.iter().zip(&mut self.work) {
+            *value = self.remainder[*unknown];
+        }
+        self.substitute();
+        for (unknown, value) in self.fronts.unknowns.iter().zip(&self.work) {
+            self.remainder[*unknown] = *value;
+        }
+    }
+
+    /// Solves the renumbered system for `work`, in place.
+    fn substitute(&mut self) {
+        let Self { fronts, matrices, rows, work, column, .. } = self;
+        for front in &fronts.fronts {
+            let matrix = &matrices[front.start..front.start + front.shape.size()];
+            let column = &mut column[..front.shape.stride()];
+            let (pivots, border) = column.split_at_mut(front.pivots.len());
+            pivots.copy_from_slice(&work[front.pivots.clone()]);
+            border.fill(0.0);
+            solve_lower(front.shape, matrix, &rows[front.pivots.clone()], column);
+            work[front.pivots.clone()].copy_from_slice(&column[..front.pivots.len()]);
+            for Run { from, to, length } in &fronts.borders[front.border.clone()] {
+                add(&mut work[*to..to + length], &column[*from..from + length]);
+            }
+        }
+        for front in fronts.fronts.iter().rev() {
+            let matrix = &matrices[front.start..front.start + front.shape.size()];
+            let column = &mut column[..front.pivots.len() + front.shape.border];
+            column[..front.pivots.len()].copy_from_slice(&work[front.pivots.clone()]);
+            for Run { from, to, length } in &fronts.borders[front.border.clone()] {
+                column[*from..from + length].copy_from_slice(&work[*to..to + length]);
+            }
+            solve_upper(front.shape, matrix, column);
+            work[front.pivots.clone()].copy_from_slice(&column[..front.pivots.len()]);
+        }
+    }
+
+    /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| + |b|)_i` (Oettli-Prager), as
+    /// `linear` does; infinite when not finite.
+    fn backward_error(&mut self, blocks: &Blocks, vector: &[f64]) -> f64 {
+        let Self { scale, solution, remainder, magnitude, .. } = self;
+        remainder.copy_from_slice(vector);
+        for (magnitude, value) in magnitude.iter_mut().zip(vector) {
+            *magnitude = value.abs();
+        }
+        let largest = solution.iter().zip(&*scale).fold(0.0_f64, |largest, (x, scale)| largest.max((x / scale).abs()));
+        for (number, block) in blocks.layout().iter().enumerate() {
+            let columns = block.column..block.column + block.columns;
+            // A row whose terms are all round-off of the others says nothing by itself.
+            let least = NEGLIGIBLE * largest;
+            let factors =
+                solution[columns.clone()].iter().zip(&scale[columns]).map(|(x, scale)| (*x, x.abs() + least * scale));
+            let values = blocks.block(number);
+            let mut row = 0;
+            while row < block.rows && block.columns > 0 {
+                let place = block.row + row;
+                if block.rows - row >= NODE {
+                    subtract_rows::<NODE>(
+                        &values[row..],
+                        block.rows,
+                        factors.clone(),
+                        (&mut remainder[place..], &mut magnitude[place..]),
+                    );
+                    row += NODE;
+                } else {
+                    subtract_rows::<1>(
+                        &values[row..],
+                        block.rows,
+                        factors.clone(),
+                        (&mut remainder[place..], &mut magnitude[place..]),
+                    );
+                    row += 1;
+                }
+            }
+        }
+        let mut error = 0.0_f64;
+        for (remainder, magnitude) in remainder.iter().zip(&*magnitude) {
+            if !remainder.is_finite() {
+                return f64::INFINITY;
+            }
+            if *magnitude > 0.0 {
+                error = error.max(remainder.abs() / magnitude);
+            }
+        }
+        error
+    }
+}
+
+/// Takes the products of some rows of a block, whose columns are `stride` apart, with the solution out of `remainder`, and adds their sizes to `magnitude`; `factors`
+/// are the solution and what sizes are multiplied with.
+fn subtract_rows<const ROWS: usize>(
+    values: &[f64],
+    stride: usize,
+    factors: impl Iterator<Item = (f64, f64)>,
+    (remainder, magnitude): (&mut [f64], &mut [f64]),
+) {
+    let (Some(remainder), Some(magnitude)) = (remainder.first_chunk_mut::<ROWS>(), magnitude.first_chunk_mut::<ROWS>())
+    else {
+        return;
+    };
+    let (mut left, mut size) = (*remainder, *magnitude);
+    for (column, (factor, most)) in values.chunks(stride).zip(factors) {
+        let Some(column) = column.first_chunk::<ROWS>() else { continue };
+        for row in 0..ROWS {
+            left[row] -= column[row] * factor;
+            size[row] += column[row].abs() * most;
+        }
+    }
+    (*remainder, *magnitude) = (left, size);
+}
+
+/// `target += column`.
+fn add(target: &mut [f64], column: &[f64]) {
+    // The coordinates of a node: the compiler unrolls what it knows.
+    if let (Ok(target), Ok(column)) = (<&mut [f64; NODE]>::try_from(&mut *target), <&[f64; NODE]>::try_from(column)) {
+        (0..NODE).for_each(|row| target[row] += column[row]);
+        return;
+    }
+    for (target, value) in target.iter_mut().zip(column) {
+        *target += value;
+    }
+}
+
+/// Adds the pieces of the matrix that belong to a front.
+fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], matrix: &mut [f64]) {
+    let stride = front.shape.stride();
+    for piece in &fronts.pieces[front.pieces.clone()] {
+        let (mut from, mut to) = (piece.source, piece.target - front.start);
+        for _ in 0..piece.columns {
+            add(&mut matrix[to..to + piece.rows], &values[from..from + piece.rows]);
+            from += piece.stride;
+            to += stride;
+        }
+    }
+}
+
+/// Adds what is left of a child to the `matrix` of its parent, whose columns are `stride` apart.
+fn add_rest(done: &[f64], child: &Front, runs: &[Run], matrix: &mut [f64], stride: usize) {
+    let own_stride = child.shape.stride();
+    let rest = &done[child.start..child.start + child.shape.size()];
+    for columns in runs {
+        for column in 0..columns.length {
+            let from = (columns.from + column) * own_stride;
+            let to = (columns.to + column) * stride;
+            for Run { from: own, to: place, length } in runs {
+                add(&mut matrix[to + place..to + place + length], &rest[from + own..from + own + length]);
+            }
+        }
+    }
+}
