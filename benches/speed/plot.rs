@@ -1,0 +1,64 @@
+//! Time of a step for each element over the number of elements, both axes logarithmic, as an SVG picture.
+
+use crate::chain::Cost;
+use plotters::prelude::*;
+use std::error::Error;
+use std::path::Path;
+
+/// As the charts of the validation page.
+const SIZE: (u32, u32) = (960, 540);
+const COLOURS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
+const INK: RGBColor = RGBColor(50, 50, 50);
+const GRID: RGBColor = RGBColor(225, 225, 225);
+
+/// Room around the points, as a factor.
+const ROOM: f64 = 1.5;
+
+/// Draws ours, and the peer's if it is known, into `file`.
+pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
+    let micro = |cost: &Cost, time: f64| (cost.elements as f64, 1e6 * time / cost.elements as f64);
+    let own: Vec<_> = costs.iter().map(|cost| micro(cost, cost.own)).collect();
+    let peer: Vec<_> = costs.iter().filter_map(|cost| Some(micro(cost, cost.peer?))).collect();
+    let all = || own.iter().chain(&peer);
+    let span = |values: &dyn Fn(&(f64, f64)) -> f64| {
+        let low = all().map(values).fold(f64::INFINITY, f64::min);
+        let high = all().map(values).fold(0.0, f64::max);
+        (low / ROOM..high * ROOM).log_scale()
+    };
+    let root = SVGBackend::new(file, SIZE).into_drawing_area();
+    root.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&root)
+        .caption("A falling chain: time of a step, for each element", ("sans-serif", 22).into_font().color(&INK))
+        .margin(14)
+        .x_label_area_size(48)
+        .y_label_area_size(84)
+        .build_cartesian_2d(span(&|point| point.0), span(&|point| point.1))?;
+    chart
+        .configure_mesh()
+        .bold_line_style(GRID)
+        .light_line_style(WHITE)
+        .axis_style(INK)
+        .label_style(("sans-serif", 14).into_font().color(&INK))
+        .axis_desc_style(("sans-serif", 16).into_font().color(&INK))
+        .x_desc("elements")
+        .y_desc("CPU time of a step, for each element (microseconds)")
+        .x_label_formatter(&|value| value.to_string())
+        .y_label_formatter(&|value| value.to_string())
+        .draw()?;
+    for ((name, points), colour) in [("ancf14", &own), ("EXUDYN 1.13.6", &peer)].into_iter().zip(COLOURS) {
+        if points.is_empty() {
+            continue;
+        }
+        chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(2)))?;
+        let dots = chart.draw_series(points.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
+        dots.label(name).legend(move |place| Circle::new(place, 4, colour.filled()));
+    }
+    chart
+        .configure_series_labels()
+        .border_style(GRID)
+        .background_style(WHITE)
+        .label_font(("sans-serif", 15).into_font().color(&INK))
+        .draw()?;
+    root.present()?;
+    Ok(())
+}

@@ -1,0 +1,34 @@
+#!/bin/sh
+# Instructions that a call takes, counted by callgrind: of the gradient of an element, of gradient and Hessian, and of a
+# factorization with its solution, for each unknown. Counts do not depend on what else the machine does: they show a loss of speed
+# that times hide. Each kernel is run N and 2 N times, so that the difference is N times the kernel and nothing else.
+# Needs Rust and valgrind.
+set -eu
+
+cd "$(dirname "$0")/.."
+scripts/valgrind.sh
+program=$(cargo bench --locked --bench speed --no-run 2>&1 | sed -n 's/.*Executable.*(\(.*\))$/\1/p')
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+# instructions KERNEL TIMES: of the whole process.
+instructions() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" --count "$1" "$2" > /dev/null 2> "$log" || {
+        cat "$log" >&2
+        exit 1
+    }
+    sed -n 's/.*Collected : //p' "$log"
+}
+
+times=20
+for kernel in gradient hessian factorization; do
+    once=$(instructions "$kernel" "$times")
+    twice=$(instructions "$kernel" $((2 * times)))
+    # How many elements or unknowns a run has.
+    parts=$("$program" --count "$kernel" 1)
+    case $kernel in
+        factorization) part=unknown ;;
+        *) part=element ;;
+    esac
+    echo "$kernel: $(((twice - once) / times / parts)) instructions for each $part"
+done
