@@ -38,10 +38,6 @@ pub struct Piece {
     pub stride: usize,
     /// Place of its first value in the matrix of the front.
     pub target: usize,
-    /// First row, not renumbered.
-    pub row: usize,
-    /// First column, not renumbered.
-    pub column: usize,
     /// Number of rows.
     pub rows: usize,
     /// Number of columns.
@@ -108,6 +104,11 @@ impl Groups {
         self.starts.len() - 1
     }
 
+    /// The unknowns of a group.
+    fn unknowns(&self, group: usize) -> Range<usize> {
+        self.starts[group]..self.starts[group + 1]
+    }
+
     /// The groups of the unknowns `range`.
     fn within(&self, range: Range<usize>) -> Range<usize> {
         if range.is_empty() { 0..0 } else { self.of[range.start]..self.of[range.end - 1] + 1 }
@@ -156,118 +157,65 @@ impl Fronts {
         }
         let mut order = minimum_degree(&graph)?;
         order.sort_by_key(|group| *group >= bodies);
-        Some(Self::with_order(&groups, &links, &order, multipliers, blocks))
+        Some(Self::with_order(&Order::new(&groups, &links, &order, multipliers), blocks))
     }
 
-    fn with_order(
-        groups: &Groups,
-        links: &[Vec<usize>],
-        order: &[usize],
-        multipliers: Range<usize>,
-        blocks: &Blocks,
-    ) -> Self {
-        // The front of each group.
-        let mut front_of = vec![0; groups.count()];
-        order.iter().enumerate().for_each(|(front, group)| front_of[*group] = front);
-        let mut members: Vec<Vec<usize>> = order.iter().map(|group| vec![*group]).collect();
-        for multiplier in multipliers {
-            let host = links[multiplier].iter().map(|group| front_of[*group]).max().unwrap_or_default();
-            front_of[multiplier] = host;
-            members[host].push(multiplier);
-        }
-        let length = |group: usize| groups.starts[group + 1] - groups.starts[group];
-        let (mut unknowns, mut renumbered) = (Vec::with_capacity(groups.of.len()), vec![0; groups.count()]);
-        let mut fronts = vec![Front::default(); order.len()];
-        for (front, members) in fronts.iter_mut().zip(&members) {
-            front.pivots.start = unknowns.len();
-            for group in members {
-                renumbered[*group] = unknowns.len();
-                unknowns.extend(groups.starts[*group]..groups.starts[*group + 1]);
+    fn with_order(order: &Order<'_>, blocks: &Blocks) -> Self {
+        let (mut borders, mut runs, mut children, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut storage, mut longest) = (0, 0);
+        let mut fronts: Vec<Front> = Vec::with_capacity(order.members.len());
+        for (front, border) in order.borders.iter().enumerate() {
+            let begin = [unknowns.len(), borders.len(), runs.len(), children.len()];
+            for group in &order.members[front] {
+                unknowns.extend(order.groups.unknowns(*group));
             }
-            front.pivots.end = unknowns.len();
-        }
-
-        // Borders: groups that are eliminated later, from the matrix and from what children leave.
-        let mut borders: Vec<Vec<usize>> = vec![Vec::new(); fronts.len()];
-        let mut children: Vec<Vec<usize>> = vec![Vec::new(); fronts.len()];
-        for front in 0..fronts.len() {
-            let later = |group: &usize| front_of[*group] > front;
-            let own = members[front].iter().flat_map(|group| &links[*group]).copied().filter(later);
-            let left = children[front].iter().flat_map(|child| &borders[*child]).copied().filter(later);
-            let mut border: Vec<usize> = own.chain(left).collect();
-            border.sort_unstable_by_key(|group| renumbered[*group]);
-            border.dedup();
-            if let Some(first) = border.first() {
-                children[front_of[*first]].push(front);
-            }
-            borders[front] = border;
-        }
-
-        let mut all = Self {
-            fronts,
-            borders: Vec::new(),
-            pieces: Vec::new(),
-            children: Vec::new(),
-            runs: Vec::new(),
-            unknowns,
-            storage: 0,
-            longest: 0,
-        };
-        // Row of a group in a front.
-        let row_in = |all: &Self, front: usize, group: usize| {
-            let own = &all.fronts[front];
-            if front_of[group] == front {
-                return renumbered[group] - own.pivots.start;
-            }
-            let before = borders[front].iter().take_while(|other| **other != group);
-            own.pivots.len() + before.map(|other| length(*other)).sum::<usize>()
-        };
-        for front in 0..all.fronts.len() {
-            let start = all.borders.len();
-            let mut row = all.fronts[front].pivots.len();
-            for group in &borders[front] {
-                push_run(&mut all.borders, start, Run { from: row, to: renumbered[*group], length: length(*group) });
-                row += length(*group);
-            }
-            let end = all.borders.len();
-            let first = all.children.len();
-            all.children.extend(&children[front]);
-            let own = &mut all.fronts[front];
-            own.shape = Shape { pivots: own.pivots.len(), border: row - own.pivots.len() };
-            (own.border, own.start, own.children) = (start..end, all.storage, first..all.children.len());
-            all.storage += own.shape.size();
-            all.longest = all.longest.max(own.shape.stride());
-        }
-        for front in 0..all.fronts.len() {
-            let start = all.runs.len();
-            if let Some(parent) = borders[front].first().map(|group| front_of[*group]) {
-                let mut from = all.fronts[front].pivots.len();
-                for group in &borders[front] {
-                    let run = Run { from, to: row_in(&all, parent, *group), length: length(*group) };
-                    push_run(&mut all.runs, start, run);
-                    from += run.length;
+            let pivots = begin[0]..unknowns.len();
+            let mut row = pivots.len();
+            for group in border {
+                let length = order.groups.unknowns(*group).len();
+                push_run(&mut borders, begin[1], Run { from: row, to: order.renumbered[*group], length });
+                if let Some(parent) = order.parent(front) {
+                    push_run(&mut runs, begin[2], Run { from: row, to: order.row_in(parent, *group), length });
                 }
+                row += length;
             }
-            all.fronts[front].runs = start..all.runs.len();
+            children.extend(&order.children[front]);
+            let shape = Shape { pivots: pivots.len(), border: row - pivots.len() };
+            fronts.push(Front {
+                pivots,
+                shape,
+                border: begin[1]..borders.len(),
+                start: storage,
+                pieces: 0..0,
+                children: begin[3]..children.len(),
+                runs: begin[2]..runs.len(),
+            });
+            storage += shape.size();
+            longest = longest.max(shape.stride());
         }
+        let mut all = Self { fronts, borders, pieces: Vec::new(), children, runs, unknowns, storage, longest };
+        all.cut(order, blocks);
+        all
+    }
 
+    /// Cuts the blocks into pieces, each for the front of the first of its two groups that is eliminated.
+    fn cut(&mut self, order: &Order<'_>, blocks: &Blocks) {
+        let groups = order.groups;
         let mut pieces: Vec<(usize, Piece)> = Vec::new();
         let mut source = 0;
         for block in blocks.layout() {
             for row in groups.within(block.row..block.row + block.rows) {
                 for column in groups.within(block.column..block.column + block.columns) {
-                    let front = front_of[row].min(front_of[column]);
-                    let place =
-                        row_in(&all, front, row) + all.fronts[front].shape.stride() * row_in(&all, front, column);
-                    let [own_row, own_column] = [groups.starts[row], groups.starts[column]];
+                    let front = order.front_of[row].min(order.front_of[column]);
+                    let Front { start, shape, .. } = self.fronts[front];
+                    let target = start + order.row_in(front, row) + shape.stride() * order.row_in(front, column);
+                    let [rows, columns] = [row, column].map(|group| groups.unknowns(group));
                     let piece = Piece {
-                        source: source + own_row - block.row + (own_column - block.column) * block.rows,
+                        source: source + rows.start - block.row + (columns.start - block.column) * block.rows,
                         stride: block.rows,
-                        target: all.fronts[front].start + place,
-                        row: own_row,
-                        column: own_column,
-                        rows: length(row),
-                        columns: length(column),
+                        target,
+                        rows: rows.len(),
+                        columns: columns.len(),
                     };
                     pieces.push((front, piece));
                 }
@@ -276,13 +224,72 @@ impl Fronts {
         }
         pieces.sort_by_key(|(front, _)| *front);
         let mut first = 0;
-        for (front, own) in all.fronts.iter_mut().enumerate() {
+        for (front, own) in self.fronts.iter_mut().enumerate() {
             let count = pieces[first..].partition_point(|(other, _)| *other == front);
             own.pieces = first..first + count;
             first += count;
         }
-        all.pieces = pieces.into_iter().map(|(_, piece)| piece).collect();
-        all
+        self.pieces = pieces.into_iter().map(|(_, piece)| piece).collect();
+    }
+}
+
+/// Which groups are eliminated in which front, and which are left then.
+struct Order<'a> {
+    groups: &'a Groups,
+    /// The front of each group.
+    front_of: Vec<usize>,
+    /// First renumbered unknown of each group.
+    renumbered: Vec<usize>,
+    /// Groups of each front: one of coordinates, then multipliers.
+    members: Vec<Vec<usize>>,
+    /// Groups that are left of each front, in the order of their elimination.
+    borders: Vec<Vec<usize>>,
+    /// Fronts whose rest goes into each.
+    children: Vec<Vec<usize>>,
+}
+
+impl<'a> Order<'a> {
+    /// Of the groups of coordinates in the order `list`; `links` are the neighbours of each group.
+    fn new(groups: &'a Groups, links: &[Vec<usize>], list: &[usize], multipliers: Range<usize>) -> Self {
+        let mut front_of = vec![0; groups.count()];
+        list.iter().enumerate().for_each(|(front, group)| front_of[*group] = front);
+        let mut members: Vec<Vec<usize>> = list.iter().map(|group| vec![*group]).collect();
+        for multiplier in multipliers {
+            let host = links[multiplier].iter().map(|group| front_of[*group]).max().unwrap_or_default();
+            front_of[multiplier] = host;
+            members[host].push(multiplier);
+        }
+        let (mut renumbered, mut count) = (vec![0; groups.count()], 0);
+        for group in members.iter().flatten() {
+            renumbered[*group] = count;
+            count += groups.unknowns(*group).len();
+        }
+        // What is eliminated later: neighbours in the matrix, and what children leave.
+        let mut borders: Vec<Vec<usize>> = vec![Vec::new(); list.len()];
+        let mut children: Vec<Vec<usize>> = vec![Vec::new(); list.len()];
+        for front in 0..list.len() {
+            let own = members[front].iter().flat_map(|group| &links[*group]);
+            let left = children[front].iter().flat_map(|child| &borders[*child]);
+            let mut border: Vec<usize> = own.chain(left).copied().filter(|group| front_of[*group] > front).collect();
+            border.sort_unstable_by_key(|group| renumbered[*group]);
+            border.dedup();
+            if let Some(first) = border.first() {
+                children[front_of[*first]].push(front);
+            }
+            borders[front] = border;
+        }
+        Self { groups, front_of, renumbered, members, borders, children }
+    }
+
+    /// The front that gets what is left of another one.
+    fn parent(&self, front: usize) -> Option<usize> {
+        self.borders[front].first().map(|group| self.front_of[*group])
+    }
+
+    /// The first row of a group in a front.
+    fn row_in(&self, front: usize, group: usize) -> usize {
+        let before = self.members[front].iter().chain(&self.borders[front]).take_while(|other| **other != group);
+        before.map(|other| self.groups.unknowns(*other).len()).sum()
     }
 }
 

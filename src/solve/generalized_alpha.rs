@@ -89,10 +89,7 @@ struct Scratch {
 impl GeneralizedAlpha {
     /// For `system`; the amplitude of a vibration far too fast for the step is multiplied by `spectral_radius` (0 to 1) a step. With 1,
     /// multipliers are not damped and grow: machines with joints need less. Newton ends when its correction is below `tolerance`.
-    ///
-    /// # Errors
-    /// The linear system cannot be set up.
-    pub fn new(system: &System, spectral_radius: f64, tolerance: f64) -> Result<Self, Error> {
+    pub fn new(system: &System, spectral_radius: f64, tolerance: f64) -> Self {
         assert!((0.0..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
         let scratch = Scratch {
@@ -108,14 +105,14 @@ impl GeneralizedAlpha {
             conditions: vec![0.0; conditions],
             ..Scratch::default()
         };
-        Ok(Self {
+        Self {
             weights: Weights::new(spectral_radius),
             tolerance,
-            kkt: Kkt::for_newton(system)?,
+            kkt: Kkt::for_newton(system),
             right: vec![0.0; coordinates + conditions],
             scratch,
             convergence: None,
-        })
+        }
     }
 }
 
@@ -141,7 +138,7 @@ impl Dynamics for GeneralizedAlpha {
     /// Accelerations and multipliers are those of the instant (MECHANICS 7.5).
     fn begin(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
         let mut response = Response::default();
-        Responder::new(system)?.respond(system, state, &mut response)?;
+        Responder::new(system).respond(system, state, &mut response)?;
         state.accelerations.algorithmic.clone_from(&response.acceleration);
         state.accelerations.of_coordinates = response.acceleration;
         state.multipliers = response.multipliers;

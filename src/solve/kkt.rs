@@ -54,19 +54,13 @@ impl Inertia {
 
 impl Kkt {
     /// For projections on the constraints: no second derivatives of them.
-    ///
-    /// # Errors
-    /// The analysis of the matrix fails for want of memory.
-    pub fn for_projections(system: &System) -> Result<Self, Error> {
+    pub fn for_projections(system: &System) -> Self {
         let (blocks, joints) = constraint_layout(system);
         Self::finish(system, blocks, joints, Vec::new())
     }
 
     /// For equilibria and steps in time: second derivatives of the constraints included.
-    ///
-    /// # Errors
-    /// The analysis of the matrix fails for want of memory.
-    pub fn for_newton(system: &System) -> Result<Self, Error> {
+    pub fn for_newton(system: &System) -> Self {
         let (mut blocks, joints) = constraint_layout(system);
         let mut curvatures = Vec::new();
         for joint in &system.joints {
@@ -82,10 +76,10 @@ impl Kkt {
         Self::finish(system, blocks, joints, curvatures)
     }
 
-    fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>) -> Result<Self, Error> {
+    fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>) -> Self {
         let kinds = [system.mesh.coordinates(), system.coordinates()];
         let solver = DirectSolver::new(system.coordinates() + system.constraints(), kinds, &blocks);
-        Ok(Self { blocks, joints, curvatures, solver, inertia: None })
+        Self { blocks, joints, curvatures, solver, inertia: None }
     }
 
     /// Sets the constraint blocks: `scale` times `columns` transposed on the right, `rows` below.

@@ -71,10 +71,7 @@ struct Scratch {
 
 impl Midpoint {
     /// For `system`; Newton ends when its correction is below `tolerance`.
-    ///
-    /// # Errors
-    /// The linear system cannot be set up.
-    pub fn new(system: &System, rule: AxialRule, tolerance: f64) -> Result<Self, Error> {
+    pub fn new(system: &System, rule: AxialRule, tolerance: f64) -> Self {
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
         let scratch = Scratch {
             increment: vec![0.0; coordinates],
@@ -86,15 +83,15 @@ impl Midpoint {
             conditions: vec![0.0; conditions],
             ..Scratch::default()
         };
-        Ok(Self {
+        Self {
             rule,
             tolerance,
-            kkt: Kkt::for_newton(system)?,
+            kkt: Kkt::for_newton(system),
             right: vec![0.0; coordinates + conditions],
             projection: Projection::new(system),
             scratch,
             next: None,
-        })
+        }
     }
 }
 

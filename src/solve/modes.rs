@@ -92,8 +92,8 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     rest.velocity.fill(0.0);
     rest.prescribed.stop();
     let mut response = Response::default();
-    Responder::new(system)?.respond(system, &rest, &mut response)?;
-    let mut kkt = Kkt::for_newton(system)?;
+    Responder::new(system).respond(system, &rest, &mut response)?;
+    let mut kkt = Kkt::for_newton(system);
     let stiffness = linearize(system, &rest, &response.multipliers, &mut kkt);
     let symmetric = stiffness.symmetric_part();
 

@@ -49,19 +49,16 @@ pub struct Responder {
 
 impl Responder {
     /// For `system`.
-    ///
-    /// # Errors
-    /// The linear system cannot be set up.
-    pub fn new(system: &System) -> Result<Self, Error> {
+    pub fn new(system: &System) -> Self {
         let size = system.coordinates() + system.constraints();
-        Ok(Self {
-            kkt: Kkt::for_projections(system)?,
+        Self {
+            kkt: Kkt::for_projections(system),
             right: vec![0.0; size],
             momentum: vec![0.0; system.coordinates()],
             excitation: Excitation::default(),
             frames: Vec::new(),
             gradients: Vec::new(),
-        })
+        }
     }
 
     /// Sets `response` to that of `state`, whose velocities the constraints allow.

@@ -124,17 +124,14 @@ struct Scratch {
 
 impl Sensitivity {
     /// Of a machine that starts a communication step at `start`, which depends on none of the `inputs` of that step.
-    ///
-    /// # Errors
-    /// The linear systems cannot be set up.
-    pub fn new(system: &System, start: &State, inputs: &impl Inputs) -> Result<Self, Error> {
+    pub fn new(system: &System, start: &State, inputs: &impl Inputs) -> Self {
         let mut columns: Vec<Column> = Vec::new();
         columns.resize_with(inputs.count(), Column::default);
         columns.iter_mut().for_each(|column| column.variation.set_zero(start));
         let size = system.coordinates() + system.constraints();
         let list = || vec![0.0; size];
         let scratch = Scratch { change: list(), right: list(), sum: list(), product: list(), ..Scratch::default() };
-        Ok(Self { columns, flow: Kkt::for_projections(system)?, responder: Responder::new(system)?, scratch })
+        Self { columns, flow: Kkt::for_projections(system), responder: Responder::new(system), scratch }
     }
 
     /// Repeats the communication step `step` and differentiates it. `state` is at its end, and is so again; `march` takes its internal

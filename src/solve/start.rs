@@ -79,7 +79,7 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
 /// # Errors
 /// There is none, or a part of the machine can move freely.
 pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> Result<Vec<String>, Error> {
-    let mut statics = Statics::new(system, tolerance)?;
+    let mut statics = Statics::new(system, tolerance);
     statics.find(system, state, state.time)?;
     state.velocity.fill(0.0);
     // Counts are those of the motion.

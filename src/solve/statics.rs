@@ -63,10 +63,7 @@ struct Scratch {
 
 impl Statics {
     /// For `system`; Newton ends when its correction is below `tolerance`.
-    ///
-    /// # Errors
-    /// The linear system cannot be set up.
-    pub fn new(system: &System, tolerance: f64) -> Result<Self, Error> {
+    pub fn new(system: &System, tolerance: f64) -> Self {
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
         let scratch = Scratch {
             q: vec![0.0; coordinates],
@@ -75,9 +72,9 @@ impl Statics {
             conditions: vec![0.0; conditions],
             ..Scratch::default()
         };
-        Ok(Self {
+        Self {
             tolerance,
-            kkt: Kkt::for_newton(system)?,
+            kkt: Kkt::for_newton(system),
             right: vec![0.0; coordinates + conditions],
             target: Excitation::default(),
             current: Excitation::default(),
@@ -88,7 +85,7 @@ impl Statics {
             stability: Stability::default(),
             next: None,
             convergence: None,
-        })
+        }
     }
 
     /// Finds the equilibrium of `time` (s) from `state` and writes it there, by a ramp where need be.

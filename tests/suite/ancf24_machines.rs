@@ -42,7 +42,7 @@ fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) 
     machines::load(&mut assembly, second, 1.0, force, moment);
     assembly.add_sensor(second, 1.0);
     let (system, mut state) = assembly.finish(Vec3::zeros());
-    Statics::new(&system, 1e-12).unwrap().find(&system, &mut state, 1.0).unwrap();
+    Statics::new(&system, 1e-12).find(&system, &mut state, 1.0).unwrap();
     let mut snapshot = Snapshot::default();
     let pose = system.sensors[0].marker.pose(&snapshot.of(&system, &state));
     (pose.place - Vec3::x(), rotation_vector_near(&pose.axes, &Vec3::zeros()))

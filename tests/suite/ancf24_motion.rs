@@ -171,7 +171,7 @@ fn generalized_alpha_loses_little() {
     for radius in [0.8, 1.0] {
         let found = [(1e-3, 1000), (5e-4, 2000)].map(|steps| {
             let (system, mut state) = spinning(KINDS[0]);
-            let mut method = GeneralizedAlpha::new(&system, radius, 1e-8).unwrap();
+            let mut method = GeneralizedAlpha::new(&system, radius, 1e-8);
             let Run { drift, band, change } = watched(&system, |watch| {
                 march(&system, &mut state, &mut method, steps, watch).unwrap();
             });

@@ -174,7 +174,7 @@ fn a_jump_of_a_rate_leaves_no_ringing() {
 fn powers(simulation: &Simulation, rates: &[f64], efforts: &[f64]) -> [f64; 2] {
     let (system, state) = (simulation.system(), simulation.state());
     let mut response = Response::default();
-    Responder::new(system).unwrap().respond(system, state, &mut response).unwrap();
+    Responder::new(system).respond(system, state, &mut response).unwrap();
     let mut inertia = vec![0.0; state.q.len()];
     system.mass_times(&response.acceleration, &mut inertia);
     let kinetic: f64 = inertia.iter().zip(&state.velocity).map(|(force, velocity)| force * velocity).sum();

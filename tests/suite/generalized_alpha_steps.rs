@@ -75,7 +75,7 @@ fn everything() -> (System, State) {
 /// [`everything`] as its motion begins.
 fn moving(tolerance: f64) -> (System, State, GeneralizedAlpha) {
     let (system, mut state) = everything();
-    let mut integrator = GeneralizedAlpha::new(&system, 0.7, tolerance).unwrap();
+    let mut integrator = GeneralizedAlpha::new(&system, 0.7, tolerance);
     start::set_motion(&system, &mut integrator, &mut state).unwrap();
     (system, state, integrator)
 }
@@ -122,7 +122,7 @@ fn turns_are_limited() {
     let mut assembly = Assembly::default();
     assembly.add_beam(&BeamDesign { angular_velocity: Vec3::z() * 60.0, ..design("beam", 1) });
     let (system, mut state) = assembly.finish(Vec3::zeros());
-    let mut integrator = GeneralizedAlpha::new(&system, 0.8, 1e-8).unwrap();
+    let mut integrator = GeneralizedAlpha::new(&system, 0.8, 1e-8);
     start::set_motion(&system, &mut integrator, &mut state).unwrap();
     let refused = integrator.step(&system, &mut state, 0.01, 0.01).unwrap_err().to_string();
     assert!(refused.contains("the tangent at beam.start turned by 0."), "{refused}");

@@ -99,7 +99,7 @@ fn error(elements: usize, twist: Twist) -> f64 {
     };
     assembly.add_load(load);
     let (system, mut state) = assembly.finish(Vec3::zeros());
-    let mut statics = Statics::new(&system, 1e-10).unwrap();
+    let mut statics = Statics::new(&system, 1e-10);
     for step in 1..=STEPS {
         statics.find(&system, &mut state, f64::from(step) / f64::from(STEPS)).unwrap();
     }

@@ -38,7 +38,7 @@ fn tip(
     });
     assembly.add_sensor(number, 1.0);
     let (system, mut state) = assembly.finish(Vec3::zeros());
-    Statics::new(&system, 1e-10).unwrap().find(&system, &mut state, 0.0).unwrap();
+    Statics::new(&system, 1e-10).find(&system, &mut state, 0.0).unwrap();
     let mut snapshot = Snapshot::default();
     let twist = system.sensors[0].twist(&system, &snapshot.of(&system, &state));
     (vec3(&state.q, state.q.len() - 7) - Vec3::x(), twist)

@@ -109,7 +109,7 @@ pub fn integrate(
     steps: (f64, u32),
     watch: impl FnMut(&State),
 ) -> Result<(), Error> {
-    march(system, state, &mut Midpoint::new(system, rule, 1e-8)?, steps, watch)
+    march(system, state, &mut Midpoint::new(system, rule, 1e-8), steps, watch)
 }
 
 /// Integrates from the state as drawn: projects the velocities, takes `count` steps of `step` and shows each state to `watch`.

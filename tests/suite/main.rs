@@ -20,6 +20,7 @@ mod curves;
 mod damped_vibration;
 mod damping;
 mod descriptions;
+mod direct_solver;
 mod drives;
 mod dynamics;
 mod element_derivatives;

@@ -165,7 +165,7 @@ fn twist_and_torsion_inside_the_elements() {
         load(&mut assembly, beam, 1.0, force, Vec3::zeros());
         assembly.add_sensor(beam, fraction);
         let (system, mut state) = assembly.finish(Vec3::zeros());
-        Statics::new(&system, 1e-10).unwrap().find(&system, &mut state, 1.0).unwrap();
+        Statics::new(&system, 1e-10).find(&system, &mut state, 1.0).unwrap();
         let mut snapshot = Snapshot::default();
         let configuration = snapshot.of(&system, &state);
         let sensor = &system.sensors[0];

@@ -16,7 +16,7 @@ fn strains(fraction: f64, force: Vec3, moment: Vec3) -> SectionStrains {
     load(&mut assembly, beam, 1.0, force, moment);
     assembly.add_sensor(beam, fraction);
     let (system, mut state) = assembly.finish(Vec3::zeros());
-    Statics::new(&system, 1e-10).unwrap().find(&system, &mut state, 1.0).unwrap();
+    Statics::new(&system, 1e-10).find(&system, &mut state, 1.0).unwrap();
     let mut snapshot = Snapshot::default();
     let configuration = snapshot.of(&system, &state);
     system.sensors[0].strains(&configuration)

@@ -138,7 +138,7 @@ impl Simulation {
     fn rates(&self) -> Result<Vec<f64>, Error> {
         let Machine { system, state, .. } = &self.machine;
         let mut response = Response::default();
-        self.machine.solver.respond(&mut Responder::new(system)?, system, state, &mut response)?;
+        self.machine.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         let (mut frames, mut values) = (Frames::default(), Vec::new());
         let mut rates = |reach: f64| {
             let mut sum = vec![0.0; self.results.len()];
@@ -193,7 +193,7 @@ impl Simulation {
         };
         let mut response = Response::default();
         if responds {
-            machine.solver.respond(&mut Responder::new(system)?, system, state, &mut response)?;
+            machine.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         } else {
             response.set_at_rest(state);
         }
@@ -240,7 +240,7 @@ fn run<I: Linearized>(
     responds: bool,
     all: &mut impl FnMut(&mut Sensitivity, &State, &Response),
 ) -> Result<(), Error> {
-    let mut sensitivity = Sensitivity::new(system, step.start, step.inputs)?;
+    let mut sensitivity = Sensitivity::new(system, step.start, step.inputs);
     let mut after = state.clone();
     sensitivity
         .of_step(integrator, system, step, &mut after, |integrator, state| plan.march(integrator, system, state))?;

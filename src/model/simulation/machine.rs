@@ -80,9 +80,9 @@ impl Machine {
     /// Sets up the solver and finds the state at the start; returns what the user should know of it.
     pub(super) fn find_initial_state(&mut self, document: &Document, responds: bool) -> Result<Vec<String>, Error> {
         start::check_assembled(&self.system, &self.state)?;
-        self.solver = Solver::new(document, &self.system)?;
+        self.solver = Solver::new(document, &self.system);
         if responds {
-            self.responder = Some(Box::new(Responder::new(&self.system)?));
+            self.responder = Some(Box::new(Responder::new(&self.system)));
         }
         let simulation = &document.simulation;
         let moving = self.state.velocity.iter().any(|value| *value != 0.0);
@@ -162,7 +162,7 @@ impl Machine {
             }
         }?;
         let mut response = Response::default();
-        self.solver.respond(&mut Responder::new(system)?, system, &before, &mut response)?;
+        self.solver.respond(&mut Responder::new(system), system, &before, &mut response)?;
         Ok((before, response))
     }
 
@@ -276,21 +276,21 @@ impl Solver {
         Ok(())
     }
 
-    pub(super) fn new(document: &Document, system: &System) -> Result<Self, Error> {
+    pub(super) fn new(document: &Document, system: &System) -> Self {
         let simulation = &document.simulation;
         let tolerance = document.value(simulation.tolerance);
-        Ok(match (simulation.analysis, simulation.integrator) {
-            (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance)?)),
+        match (simulation.analysis, simulation.integrator) {
+            (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance))),
             (Analysis::Dynamic, Choice::Conserving) => {
-                Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Conserving, tolerance)?))
+                Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Conserving, tolerance)))
             }
             (Analysis::Dynamic, Choice::Variational) => {
-                Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Variational, tolerance)?))
+                Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Variational, tolerance)))
             }
             (Analysis::Dynamic, Choice::GeneralizedAlpha { spectral_radius }) => {
                 let spectral_radius = document.value(spectral_radius);
-                Self::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(system, spectral_radius, tolerance)?))
+                Self::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(system, spectral_radius, tolerance)))
             }
-        })
+        }
     }
 }

@@ -183,13 +183,12 @@ impl Simulation {
             machine.initialization = Arc::clone(&snapshot.initialization);
             machine.solver = match snapshot.initialized {
                 false => Solver::None,
-                // It could be set up for this very system before; if memory is short, the next step says that there is none.
-                true => Solver::new(&machine.drawn, &machine.system).unwrap_or(Solver::None),
+                true => Solver::new(&machine.drawn, &machine.system),
             };
             // The response is of the state, and only results ask for it: a snapshot has them.
             machine.responder = match snapshot.initialized && self.table.needs_response() {
                 false => None,
-                true => Responder::new(&machine.system).ok().map(Box::new),
+                true => Some(Box::new(Responder::new(&machine.system))),
             };
         }
     }

@@ -1,0 +1,141 @@
+//! The solver that goes front by front gives the solutions of the general sparse LU, on every model and at random states of it.
+
+use crate::random::Random;
+use ancf14::math::blocks::{Block, Blocks};
+use ancf14::mechanics::configuration::Passage;
+use ancf14::mechanics::load::Excitation;
+use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::state::State;
+use ancf14::mechanics::system::System;
+use ancf14::model::build::{self, Built};
+use ancf14::model::document::Document;
+use ancf14::solve::direct::DirectSolver;
+use ancf14::solve::kkt::Kkt;
+use ancf14::solve::linear::{Regularity, SparseLu};
+
+/// Every model, and beams of the other element.
+fn machines() -> Vec<(String, Built)> {
+    let folder = std::fs::read_dir("models").unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<_> = folder.filter(|path| path.extension().is_some_and(|own| own == "toml")).collect();
+    files.sort();
+    assert!(files.len() > 10);
+    let mut machines = Vec::new();
+    for file in files {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let name = file.file_stem().unwrap().to_string_lossy().into_owned();
+        machines.push((name, built(&text, &[])));
+    }
+    let arm = [(String::from("arm.element"), String::from("ancf24"))];
+    machines.push((String::from("cantilever of ancf24"), built(include_str!("../../models/cantilever.toml"), &arm)));
+    machines
+}
+
+fn built(text: &str, overrides: &[(String, String)]) -> Built {
+    let document = Document::parse("m.toml", text, overrides).unwrap_or_else(|error| panic!("{error}"));
+    build::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"))
+}
+
+/// Sets the matrix of a step of `step` s (0: of an equilibrium) at `state`, with the forces `multipliers` in the joints.
+fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, multipliers: &[f64]) {
+    let mut snapshot = Snapshot::default();
+    let configuration = snapshot.of(system, state);
+    let (mut forces, mut excitation) = (vec![0.0; system.coordinates()], Excitation::default());
+    system.excite(0.0, &state.targets, &mut excitation);
+    kkt.blocks.clear();
+    let factor = if step > 0.0 { 0.25 * step * step } else { 1.0 };
+    system.forces_and_tangent(&configuration, &Passage::REST, &excitation, factor, &mut forces, &mut kkt.blocks);
+    if step > 0.0 {
+        system.add_mass(1.0, &mut kkt.blocks);
+    }
+    let mut gradients = Vec::new();
+    system.constraint_gradients(&configuration, &mut gradients);
+    kkt.set_curvatures(system, &configuration, multipliers, factor);
+    kkt.set_constraints(system, &gradients, &gradients, if step > 0.0 { step } else { 1.0 });
+}
+
+/// The largest difference of two vectors, each unknown in what it is measured in, over the largest unknown.
+fn difference(a: &[f64], b: &[f64], scale: impl Fn(usize) -> f64) -> f64 {
+    let size = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+    let largest = size(&mut b.iter().enumerate().map(|(index, value)| value / scale(index)));
+    size(&mut a.iter().zip(b).enumerate().map(|(index, (a, b))| (a - b) / scale(index))) / largest
+}
+
+#[test]
+fn solutions_are_those_of_the_general_solver() {
+    let mut random = Random(7);
+    for (name, Built { system, state }) in machines() {
+        let mut kkt = Kkt::for_newton(&system);
+        let size = system.coordinates() + system.constraints();
+        let mut general = SparseLu::new(size, &kkt.blocks).unwrap();
+        let mut worst = 0.0_f64;
+        for number in 0..5 {
+            // As drawn, then bent by some hundredths; steps from 1e-4 to 1e-2 s.
+            let mut moved = state.clone();
+            let reach = if number == 0 { 0.0 } else { 0.02 * system.size };
+            moved.q.iter_mut().for_each(|value| *value += reach * random.signed());
+            let multipliers: Vec<f64> = (0..system.constraints()).map(|_| 10.0 * random.signed()).collect();
+            let step = 10_f64.powf(-3.0 + random.signed());
+            set_matrix(&mut kkt, &system, &moved, step, &multipliers);
+            let right: Vec<f64> = (0..size).map(|_| random.signed()).collect();
+            let (mut own, mut expected) = (right.clone(), right);
+            kkt.factorize(&system, 0.0).unwrap_or_else(|error| panic!("{name}: {error}"));
+            kkt.solve_again(&mut own).unwrap_or_else(|_| panic!("{name}"));
+            assert!(general.factorize(&kkt.blocks).and_then(|()| general.solve(&mut expected)).is_ok(), "{name}");
+            worst = worst.max(difference(&own, &expected, |index| general.scale(index)));
+        }
+        println!("{name}: {worst:.1e}");
+        assert_eq!(kkt.fallbacks(), 0, "{name}");
+        // Both solve to a backward error of 1e-12; the scaled matrices have conditions of some 1e4 (MECHANICS 7.3).
+        assert!(worst < 1e-8, "{name}: {worst:.1e}");
+    }
+}
+
+/// Without masses a machine that can move has no solution, and one whose conditions hold twice has too many: the general solver says which.
+#[test]
+fn what_is_singular_falls_back() {
+    let Built { system, state } = built(include_str!("../../models/pendulum.toml"), &[]);
+    let mut kkt = Kkt::for_newton(&system);
+    set_matrix(&mut kkt, &system, &state, 0.0, &vec![0.0; system.constraints()]);
+    let mut right: Vec<f64> = (0..system.coordinates() + system.constraints()).map(|k| k as f64).collect();
+    assert!(kkt.solve(&system, &mut right, 0.0).is_err());
+    assert!(kkt.fallbacks() > 0);
+}
+
+/// A chain of masses in closed form: springs of 1 between neighbours and to the ground, the first and last tied together by a condition of its own.
+#[test]
+fn a_ring_of_blocks() {
+    let (count, width) = (9, 2);
+    let coordinates = count * width;
+    let mut blocks = Blocks::default();
+    for place in 0..count {
+        let start = place * width;
+        let rows = if place + 1 < count { 2 * width } else { width };
+        let number = blocks.push(Block { row: start, column: start, rows, columns: rows });
+        let values = blocks.block_mut(number);
+        for index in 0..rows {
+            values[index * rows + index] = if index < width { 4.0 } else { 1.0 };
+            if rows > width {
+                values[index * rows + (index + width) % rows] = -1.0;
+            }
+        }
+    }
+    for (row, column) in
+        [(coordinates, 0), (0, coordinates), (coordinates, coordinates - 1), (coordinates - 1, coordinates)]
+    {
+        let number = blocks.push(Block { row, column, rows: 1, columns: 1 });
+        blocks.block_mut(number)[0] = if row.min(column) == 0 { 1.0 } else { -1.0 };
+    }
+    let mut solver = DirectSolver::new(coordinates + 1, [coordinates; 2], &blocks);
+    assert!(solver.factorize(&blocks).is_ok());
+    let expected: Vec<f64> = (0..=coordinates).map(|k| (k as f64 * 0.7).sin()).collect();
+    let mut vector = vec![0.0; coordinates + 1];
+    blocks.multiply_add(&expected, &mut vector);
+    assert!(solver.solve(&blocks, &mut vector).is_ok());
+    assert!(vector.iter().zip(&expected).all(|(own, expected)| (own - expected).abs() < 1e-13), "{vector:?}");
+    assert_eq!((solver.regularity(&blocks), solver.fallbacks()), (Regularity::Regular, 0));
+    // Of nothing at all there is no solution.
+    let mut zero = blocks.clone();
+    zero.clear();
+    let outcome = solver.factorize(&zero).and_then(|()| solver.solve(&zero, &mut vector));
+    assert!(outcome.is_err() && solver.fallbacks() == 1);
+}
