@@ -22,17 +22,20 @@ pub struct Slope {
 
 impl Slope {
     /// `|r'|` at the start and at the end of the step, 1.
+    #[inline]
     fn stretches(&self) -> (f64, f64) {
         ((self.middle - self.increment * 0.5).norm(), (self.middle + self.increment * 0.5).norm())
     }
 
     /// Mean Green strain of the two ends of the step, 1: `((|r'|/J0)² − 1)/2 + |Δr'|²/(8 J0²)`.
+    #[inline]
     pub fn green_strain(&self) -> f64 {
         let square = self.reference_square;
         0.5 * (self.middle.norm_squared() / square - 1.0) + 0.125 * self.increment.norm_squared() / square
     }
 
     /// Mean engineering strain of the two ends of the step, 1: `(|r'_a| + |r'_b|)/(2 J0) − 1`.
+    #[inline]
     pub fn engineering_strain(&self) -> f64 {
         let (start, end) = self.stretches();
         0.5 * (start + end) / self.reference_stretch - 1.0
@@ -80,6 +83,7 @@ pub mod small {
     }
 
     /// `EA/J0 eps n`, N, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: work by the increment is the increment of the energy.
+    #[inline]
     pub fn gradient(stiffness: &Stiffness, slope: &Slope) -> Vec3 {
         let (start, end) = slope.stretches();
         let direction = slope.middle * (2.0 / (start + end));
@@ -87,6 +91,7 @@ pub mod small {
     }
 
     /// Twice the derivative of the gradient by the slope at the end of the step, N: at an increment of zero the Hessian.
+    #[inline]
     pub fn hessian(stiffness: &Stiffness, slope: &Slope) -> Mat3 {
         let (start, end) = slope.stretches();
         let n = slope.middle * (2.0 / (start + end));
@@ -109,11 +114,13 @@ pub mod large {
     }
 
     /// Derivatives by `e` (N) and by `taum` (N m).
+    #[inline]
     pub fn gradient(stiffness: &Stiffness, e: f64, taum: f64) -> Vector2<f64> {
         Vector2::new(stiffness.axial * e + 0.5 * stiffness.wagner * taum * taum, stiffness.wagner * taum * e)
     }
 
     /// Second derivatives by `e` and `taum`.
+    #[inline]
     pub fn hessian(stiffness: &Stiffness, e: f64, taum: f64) -> Matrix2<f64> {
         let mixed = stiffness.wagner * taum;
         Matrix2::new(stiffness.axial, mixed, mixed, stiffness.wagner * e)

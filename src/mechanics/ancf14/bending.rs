@@ -17,6 +17,7 @@ pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {
 }
 
 /// Derivatives by the strains: moments (N m), 0, and the axial part (J/m).
+#[inline]
 pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
     let [g1, g2, _, e] = (*strains).into();
     let factor = 1.0 + coupling(stiffness) * e;
@@ -30,6 +31,7 @@ pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
 }
 
 /// Second derivatives by the strains.
+#[inline]
 pub fn hessian(stiffness: &Stiffness, strains: &Strains) -> Rigidities {
     let [g1, g2, _, e] = (*strains).into();
     let factor = 1.0 + coupling(stiffness) * e;

@@ -24,15 +24,14 @@ pub type ElementVector = SVector<f64, ELEMENT>;
 pub type ElementMatrix = SMatrix<f64, ELEMENT, ELEMENT>;
 
 /// `Σ_a weight_a X_a` of the element coordinates `q` (14).
+#[inline]
 pub fn interpolate(weights: &[f64; 4], q: &[f64]) -> Vec3 {
-    let mut sum = Vec3::zeros();
-    for (weight, place) in weights.iter().zip(SHAPE_PLACES) {
-        sum += vec3(q, place) * *weight;
-    }
-    sum
+    let q = &q[..ELEMENT];
+    vec3(q, R) * weights[0] + vec3(q, P) * weights[1] + vec3(q, NODE + R) * weights[2] + vec3(q, NODE + P) * weights[3]
 }
 
 /// `weightsᵀ v`, 14×1: the generalized force of a vector `v` that works on `Σ_a weight_a X_a`.
+#[inline]
 pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
     let mut sum = ElementVector::zeros();
     for (weight, place) in weights.iter().zip(SHAPE_PLACES) {
@@ -42,9 +41,14 @@ pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
 }
 
 /// Adds `weightsᵀ block weights`, 14×14, to `sum`: the stiffness of a force that changes by `block` with `Σ_a weight_a X_a`.
+#[inline]
 pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementMatrix) {
     for (a, row) in SHAPE_PLACES.into_iter().enumerate() {
         for (b, column) in SHAPE_PLACES.into_iter().enumerate() {
+            // At the ends of the element most weights are 0.
+            if weights[a] * weights[b] == 0.0 {
+                continue;
+            }
             let mut view = sum.fixed_view_mut::<3, 3>(row, column);
             view += block * (weights[a] * weights[b]);
         }

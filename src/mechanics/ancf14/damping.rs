@@ -11,7 +11,8 @@
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, spread};
 use super::element::{Element, Evaluation};
-use super::pullback::{Factors, Gradients};
+use super::pullback::{FactorGradients, Factors, Gradients};
+use super::relative::{RelativeMatrix, RelativeVector};
 use super::strain::{Resultants, Strain};
 use nalgebra::{SMatrix, SVector};
 
@@ -88,8 +89,9 @@ pub fn strains_q(evaluation: &Evaluation) -> SMatrix<f64, ELEMENT, STRAINS> {
     }
     let gradients = Gradients::new(evaluation);
     for g in 0..3 {
-        let section = gradients.section(evaluation, g);
-        columns.fixed_columns_mut::<3>(first_strain(g)).copy_from(&section.strains.fixed_columns::<3>(0));
+        for (i, by_shape) in gradients.strains[g].iter().enumerate() {
+            columns.set_column(first_strain(g) + i, &evaluation.kinematics.shape.gradient(by_shape));
+        }
     }
     columns
 }
@@ -97,11 +99,15 @@ pub fn strains_q(evaluation: &Evaluation) -> SMatrix<f64, ELEMENT, STRAINS> {
 /// `Σ_i resultants_i ∂²strain_i/∂q²`, 14×14.
 pub fn stress_hessian(evaluation: &Evaluation, resultants: &StrainVector) -> ElementMatrix {
     let of_sections: [Resultants; 3] = std::array::from_fn(|g| resultants.fixed_rows::<3>(first_strain(g)).push(0.0));
-    let gradients = Gradients::new(evaluation);
-    let mut sum = Factors::new(evaluation, &of_sections, &[0.0; 3]).frame_hessian(evaluation);
-    for (g, of_section) in of_sections.iter().enumerate() {
-        gradients.section(evaluation, g).add_turn_hessian(&evaluation.gammahat[g], of_section, &mut sum);
-    }
+    let (element, kinematics) = (evaluation.element, &evaluation.kinematics);
+    let (factors, gradients) = (Factors::new(evaluation, &of_sections, &[0.0; 3]), Gradients::new(evaluation));
+    let mut second = RelativeMatrix::zeros();
+    factors.add_hessian(element, kinematics, &mut second);
+    let frozen = [[RelativeVector::zeros(); 3]; 3];
+    FactorGradients::new(evaluation, &gradients, &factors, &of_sections, &frozen, 0.0)
+        .add_hessian(&gradients, &mut second);
+    let mut sum = ElementMatrix::zeros();
+    kinematics.shape.set_hessian(&factors.gradient(element, kinematics), &second, &mut sum);
     for (m, slope) in evaluation.slopes.iter().enumerate() {
         let strain_pp = match evaluation.element.stiffness.strain {
             Strain::Small => slope.engineering_strain_pp(),

@@ -3,17 +3,18 @@
 //! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
 //! coordinates in pullback.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, interpolate, spread};
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, SHAPE_PLACES, add_spread, interpolate, spread};
 use super::frame::NodeFrame;
 use super::kinematics::Kinematics;
-use super::pullback::{Factors, Gradients};
+use super::pullback::{FactorGradients, Factors, Gradients};
 use super::quadratic_twist::{self, Condensation, Twist};
+use super::relative::{RelativeMatrix, RelativeVector};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 use super::{axial, bending, fourth_moments, inertia, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
+use crate::math::vectors::add_vec3;
 use crate::math::{Vec3, hermite};
 use crate::mechanics::configuration::Configuration;
-use nalgebra::SMatrix;
 
 /// A Lobatto point: stretching is taken here.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +27,8 @@ pub struct AxialPoint {
     pub reference_stretch: f64,
     /// `|r0'|²`, 1.
     pub reference_square: f64,
+    /// `1/(l J0)`, 1/m: torsion by twist.
+    pub torsion_by_twist: f64,
     /// Mean torsion of the undeformed beam, rad/m.
     pub reference_torsion: f64,
 }
@@ -47,6 +50,8 @@ pub struct BendingPoint {
     pub weight: f64,
     /// `J0 = |r0'|`, 1.
     pub reference_stretch: f64,
+    /// `1/(l J0)`, 1/m: torsion by twist.
+    pub torsion_by_twist: f64,
     /// Curvatures `gamma_10`, `gamma_20` (1/m) and torsion (rad/m) of the undeformed beam.
     pub reference: [f64; 3],
 }
@@ -89,6 +94,7 @@ impl Element {
     /// An element that is stress free at the coordinates `reference` (14) with the nodes' frames `first` and `second`.
     ///
     /// `density` is `[ρA, ρIp]` in kg/m and kg m; `holonomy` the holonomy angle of the reference's branch, rad.
+    #[inline]
     pub fn new(
         place: Place,
         length: f64,
@@ -107,6 +113,7 @@ impl Element {
                 weight: LOBATTO_WEIGHTS[m] * length * stretch,
                 reference_stretch: stretch,
                 reference_square: slope.norm_squared(),
+                torsion_by_twist: 1.0 / (length * stretch),
                 reference_torsion: 0.0,
             }
         });
@@ -122,6 +129,7 @@ impl Element {
                 from_axial: lagrange(&LOBATTO_POINTS, xi),
                 weight: GAUSS_WEIGHTS[g] * length * stretch,
                 reference_stretch: stretch,
+                torsion_by_twist: 1.0 / (length * stretch),
                 reference: [0.0; 3],
             }
         });
@@ -144,7 +152,7 @@ impl Element {
             point.reference = [found[0], found[1], found[2]];
         }
         for point in &mut element.axial {
-            point.reference_torsion = twist / (length * point.reference_stretch);
+            point.reference_torsion = twist * point.torsion_by_twist;
         }
         element
     }
@@ -160,12 +168,12 @@ impl Element {
     }
 
     /// In-element kinematics.
-    pub fn kinematics(&self, c: &Configuration) -> Kinematics {
-        let [first, second] = self.frames(c);
-        Kinematics::new(self, self.own(c.q), first, second, c.holonomy[self.place.branch])
+    pub fn kinematics<'a>(&self, c: &Configuration<'a>) -> Kinematics<'a> {
+        Kinematics::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
     }
 
     /// Strains, over a step whose middle is `c` with the `increment` of all coordinates.
+    #[inline]
     pub fn evaluation<'a>(&'a self, c: &Configuration<'a>, increment: Option<&[f64]>) -> Evaluation<'a> {
         let own = increment.map(|increment| self.own(increment));
         Evaluation::new(self, self.own(c.q), own, self.frames(c), c.holonomy[self.place.branch])
@@ -186,16 +194,15 @@ impl Element {
 #[derive(Clone, Debug)]
 pub struct Evaluation<'a> {
     pub(super) element: &'a Element,
-    pub(super) frames: [&'a NodeFrame; 2],
     /// Curvatures and twist rates of the carried frame.
-    pub kinematics: Kinematics,
+    pub kinematics: Kinematics<'a>,
     pub(super) slopes: [axial::Slope; 3],
     green: [f64; 3],
     mean_torsion: [f64; 3],
     /// Internal coordinate `b` of the quadratic twist, rad; 0 for linear twist.
     pub bubble: f64,
-    /// `α` at the bending points, `b` included, rad.
-    pub(super) alpha: [f64; 3],
+    /// `cos α/J0` and `sin α/J0` at the bending points, `b` included in `α`.
+    pub(super) turn: [[f64; 2]; 3],
     /// `gammahat` at the bending points, 1/m (2.16).
     pub(super) gammahat: [[f64; 2]; 3],
     /// Strains at the bending points, undeformed values taken off.
@@ -204,7 +211,6 @@ pub struct Evaluation<'a> {
 
 /// First derivatives, shared by gradient and Hessian.
 struct FirstOrder {
-    gradients: Gradients,
     /// Derivatives of the energy by the strains of the bending points, quadrature weights included.
     resultants: [Resultants; 3],
     factors: Factors,
@@ -213,6 +219,7 @@ struct FirstOrder {
 impl<'a> Evaluation<'a> {
     /// Of `element` at the coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last
     /// accepted state (rad); `increment` is what the coordinates change by over a step whose middle is `q`, or none.
+    #[inline]
     pub fn new(
         element: &'a Element,
         q: &[f64],
@@ -228,6 +235,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// As [`Self::new`], but with linear twist whatever the element's is.
+    #[inline]
     pub fn with_linear_twist(
         element: &'a Element,
         q: &[f64],
@@ -235,21 +243,21 @@ impl<'a> Evaluation<'a> {
         frames: [&'a NodeFrame; 2],
         previous: f64,
     ) -> Self {
-        let kinematics = Kinematics::new(element, q, frames[0], frames[1], previous);
-        let slopes: [axial::Slope; 3] = element.axial.each_ref().map(|point| axial::Slope {
+        let kinematics = Kinematics::new(element, q, frames, previous);
+        let slope = |point: &AxialPoint| axial::Slope {
             middle: interpolate(&point.shape_x, q),
             increment: increment.map_or_else(Vec3::zeros, |increment| interpolate(&point.shape_x, increment)),
             reference_stretch: point.reference_stretch,
             reference_square: point.reference_square,
-        });
-        let green = slopes.each_ref().map(axial::Slope::green_strain);
-        let mean_torsion = element
-            .axial
-            .each_ref()
-            .map(|point| kinematics.twist / (element.length * point.reference_stretch) - point.reference_torsion);
-        let (alpha, gammahat, strains) = ([0.0; 3], [[0.0; 2]; 3], [Strains::zeros(); 3]);
+        };
+        let torsion = |point: &AxialPoint| kinematics.twist * point.torsion_by_twist - point.reference_torsion;
+        let [first, middle, last] = &element.axial;
+        let slopes = [slope(first), slope(middle), slope(last)];
+        let green = [slopes[0].green_strain(), slopes[1].green_strain(), slopes[2].green_strain()];
+        let mean_torsion = [torsion(first), torsion(middle), torsion(last)];
+        let (turn, gammahat, strains) = ([[0.0; 2]; 3], [[0.0; 2]; 3], [Strains::zeros(); 3]);
         let mut evaluation =
-            Self { element, frames, kinematics, slopes, green, mean_torsion, bubble: 0.0, alpha, gammahat, strains };
+            Self { element, kinematics, slopes, green, mean_torsion, bubble: 0.0, turn, gammahat, strains };
         evaluation.set_bubble(0.0);
         evaluation
     }
@@ -257,19 +265,19 @@ impl<'a> Evaluation<'a> {
     /// Sets the internal coordinate of the quadratic twist, rad, and the strains that follow from it.
     pub(super) fn set_bubble(&mut self, bubble: f64) {
         self.bubble = bubble;
-        let (element, twist) = (self.element, self.kinematics.twist);
-        for (g, point) in element.bending.iter().enumerate() {
-            self.alpha[g] = self.kinematics.alpha[g] + bubble * quadratic_twist::shape(point.xi);
-            let (sin, cos) = self.alpha[g].sin_cos();
-            let [kappa1, kappa2, _] = self.kinematics.points[g].scalars.map(|scalar| scalar.value);
-            let j0 = point.reference_stretch;
-            let gammahat = [(cos * kappa1 + sin * kappa2) / j0, (cos * kappa2 - sin * kappa1) / j0];
+        let twist = self.kinematics.twist;
+        for (g, point) in self.element.bending.iter().enumerate() {
+            let (sin, cos) = (self.kinematics.alpha[g] + bubble * quadratic_twist::shape(point.xi)).sin_cos();
+            let turn @ [cos, sin] = [cos / point.reference_stretch, sin / point.reference_stretch];
+            let [kappa1, kappa2] = self.kinematics.points[g].curvatures;
+            let gammahat = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
             let twist_xi = twist + bubble * quadratic_twist::shape_xi(point.xi);
+            self.turn[g] = turn;
             self.gammahat[g] = gammahat;
             self.strains[g] = Strains::new(
                 gammahat[0] - point.reference[0],
                 gammahat[1] - point.reference[1],
-                twist_xi / (element.length * j0) - point.reference[2],
+                twist_xi * point.torsion_by_twist - point.reference[2],
                 point.from_axial.iter().zip(&self.green).map(|(weight, e)| weight * e).sum(),
             );
         }
@@ -296,19 +304,32 @@ impl<'a> Evaluation<'a> {
     }
 
     /// `∂U/∂q`, 14×1, J per unit of each coordinate; over a step the force of MECHANICS 7.6.
+    #[inline]
     pub fn gradient(&self) -> ElementVector {
-        self.gradient_from(&self.first_order())
+        let first = self.first_order();
+        let by_shape = first.factors.gradient(self.element, &self.kinematics);
+        self.with_axial_forces(&by_shape, &first.resultants)
     }
 
     /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
+    #[inline]
     pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
         let first = self.first_order();
-        let mut hessian = first.factors.frame_hessian(self);
-        self.add_section_hessian(&first, &mut hessian);
-        if self.element.stiffness.twist == Twist::Quadratic {
-            Condensation::new(self, &first.gradients).condense(self, &mut hessian);
+        let by_shape = first.factors.gradient(self.element, &self.kinematics);
+        let gradients = Gradients::new(self);
+        let mut second = RelativeMatrix::zeros();
+        self.add_shape_hessian(&first, &gradients, &mut second);
+        let mut both = (self.with_axial_forces(&by_shape, &first.resultants), ElementMatrix::zeros());
+        let hessian = &mut both.1;
+        self.kinematics.shape.set_hessian(&by_shape, &second, hessian);
+        match self.element.stiffness.strain {
+            Strain::Small => self.add_small_axial_hessian(hessian),
+            _ => self.add_large_axial_hessian(&first, &gradients, hessian),
         }
-        (self.gradient_from(&first), hessian)
+        if self.element.stiffness.twist == Twist::Quadratic {
+            Condensation::new(self, &gradients).condense(self, hessian);
+        }
+        both
     }
 
     /// Mean torsion per unit length, undeformed value taken off, rad/m; the largest of the bending points in size.
@@ -327,20 +348,24 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Derivatives of the energy by the strains of bending point `g`, quadrature weight included.
+    #[inline]
     pub(super) fn resultants(&self, g: usize) -> Resultants {
         let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
-        let density = bending::gradient(stiffness, strains)
-            + torsion::gradient(stiffness, strains)
-            + fourth_moments::gradient(stiffness, strains);
+        let mut density = bending::gradient(stiffness, strains) + torsion::gradient(stiffness, strains);
+        if stiffness.strain == Strain::Large {
+            density += fourth_moments::gradient(stiffness, strains);
+        }
         density * self.element.bending[g].weight
     }
 
     /// Second derivatives of the energy by the strains of bending point `g`, quadrature weight included.
+    #[inline]
     pub(super) fn rigidities(&self, g: usize) -> Rigidities {
         let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
-        let density = bending::hessian(stiffness, strains)
-            + torsion::hessian(stiffness, strains)
-            + fourth_moments::hessian(stiffness, strains);
+        let mut density = bending::hessian(stiffness, strains) + torsion::hessian(stiffness, strains);
+        if stiffness.strain == Strain::Large {
+            density += fourth_moments::hessian(stiffness, strains);
+        }
         density * self.element.bending[g].weight
     }
 
@@ -354,24 +379,31 @@ impl<'a> Evaluation<'a> {
 
     fn first_order(&self) -> FirstOrder {
         let (element, stiffness) = (self.element, &self.element.stiffness);
-        let resultants = std::array::from_fn(|g| self.resultants(g));
-        let torques = std::array::from_fn(|m| match stiffness.strain {
-            Strain::Small => 0.0,
-            _ => element.axial[m].weight * axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1],
-        });
-        let factors = Factors::new(self, &resultants, &torques);
-        FirstOrder { gradients: Gradients::new(self), resultants, factors }
+        let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
+        let mut torques = [0.0; 3];
+        if stiffness.strain != Strain::Small {
+            for (m, point) in element.axial.iter().enumerate() {
+                torques[m] = point.weight * axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1];
+            }
+        }
+        FirstOrder { resultants, factors: Factors::new(self, &resultants, &torques) }
     }
 
-    fn gradient_from(&self, first: &FirstOrder) -> ElementVector {
-        let mut sum = first.factors.gradient(self, &first.gradients);
-        for m in 0..3 {
-            sum += spread(&self.element.axial[m].shape_x, &self.axial_force(m, &first.resultants));
+    /// The whole gradient, of which `by_shape` is the part of bending and torsion by the relative shape.
+    #[inline]
+    fn with_axial_forces(&self, by_shape: &RelativeVector, resultants: &[Resultants; 3]) -> ElementVector {
+        let mut sum = self.kinematics.shape.gradient(by_shape);
+        for (m, point) in self.element.axial.iter().enumerate() {
+            let force = self.axial_force(m, resultants);
+            for (weight, place) in point.shape_x.iter().zip(SHAPE_PLACES) {
+                add_vec3(sum.as_mut_slice(), place, &(force * *weight));
+            }
         }
         sum
     }
 
     /// Derivative of the energy by `r'` at axial point `m`, N m.
+    #[inline]
     fn axial_force(&self, m: usize, resultants: &[Resultants; 3]) -> Vec3 {
         let (stiffness, point) = (&self.element.stiffness, &self.element.axial[m]);
         match stiffness.strain {
@@ -388,45 +420,59 @@ impl<'a> Evaluation<'a> {
         point.weight * here + bending
     }
 
-    /// Second derivatives of the densities by the strains, and of the strains by the angle of the section.
-    fn add_section_hessian(&self, first: &FirstOrder, sum: &mut ElementMatrix) {
+    /// Adds to `sum` the second derivatives by the relative shape, at fixed Green strains of the axial points.
+    fn add_shape_hessian(&self, first: &FirstOrder, gradients: &Gradients, sum: &mut RelativeMatrix) {
         let (element, stiffness) = (self.element, &self.element.stiffness);
-        let green_gradients: [ElementVector; 3] =
-            std::array::from_fn(|m| spread(&element.axial[m].shape_x, &self.slopes[m].green_strain_p()));
-        // By the Green strain of each axial point: of the gradient at fixed slopes, 14×3.
-        let mut by_green = SMatrix::<f64, ELEMENT, 3>::zeros();
-        for (g, point) in element.bending.iter().enumerate() {
-            let mut section = first.gradients.section(self, g);
-            if stiffness.strain != Strain::Small {
-                let mut green_q = ElementVector::zeros();
-                for (weight, gradient) in point.from_axial.iter().zip(&green_gradients) {
-                    green_q += gradient * *weight;
+        let mut resultants_x = [[RelativeVector::zeros(); 3]; 3];
+        for (g, of_point) in resultants_x.iter_mut().enumerate() {
+            let rigidities = self.rigidities(g);
+            for (i, resultant_x) in of_point.iter_mut().enumerate() {
+                for (j, strain_x) in gradients.strains[g].iter().enumerate() {
+                    // Without fourth moments strains do not act on each other.
+                    if rigidities[(i, j)] != 0.0 {
+                        *resultant_x += strain_x * rigidities[(i, j)];
+                    }
                 }
-                section.strains.set_column(3, &green_q);
             }
-            let weighted = section.strains * self.rigidities(g);
-            *sum += weighted * section.strains.transpose();
-            for m in 0..3 {
-                let mut column = by_green.column_mut(m);
-                column += weighted.column(3) * point.from_axial[m];
-            }
-            section.add_turn_hessian(&self.gammahat[g], &first.resultants[g], sum);
         }
+        let mut torque_by_twist = 0.0;
+        if stiffness.strain != Strain::Small {
+            for (m, point) in element.axial.iter().enumerate() {
+                let second = axial::large::hessian(stiffness, self.green[m], self.mean_torsion[m]);
+                torque_by_twist += point.weight * second[(1, 1)] * point.torsion_by_twist.powi(2);
+            }
+        }
+        first.factors.add_hessian(element, &self.kinematics, sum);
+        FactorGradients::new(self, gradients, &first.factors, &first.resultants, &resultants_x, torque_by_twist)
+            .add_hessian(gradients, sum);
+    }
+
+    fn add_small_axial_hessian(&self, sum: &mut ElementMatrix) {
+        for (point, slope) in self.element.axial.iter().zip(&self.slopes) {
+            add_spread(&point.shape_x, &(axial::small::hessian(&self.element.stiffness, slope) * point.weight), sum);
+        }
+    }
+
+    /// All second derivatives that have to do with the Green strains of the axial points.
+    fn add_large_axial_hessian(&self, first: &FirstOrder, gradients: &Gradients, sum: &mut ElementMatrix) {
+        let (element, stiffness) = (self.element, &self.element.stiffness);
+        let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
         for (m, point) in element.axial.iter().enumerate() {
             let slope = &self.slopes[m];
-            if stiffness.strain == Strain::Small {
-                add_spread(&point.shape_x, &(axial::small::hessian(stiffness, slope) * point.weight), sum);
-                continue;
-            }
-            add_spread(&point.shape_x, &(slope.green_strain_pp() * self.green_force(m, &first.resultants)), sum);
             let second = axial::large::hessian(stiffness, self.green[m], self.mean_torsion[m]) * point.weight;
-            let torsion_q = first.gradients.twist / (element.length * point.reference_stretch);
-            let own = green_gradients[m] * second[(0, 0)] + torsion_q * second[(0, 1)];
-            *sum += own * green_gradients[m].transpose()
-                + (green_gradients[m] * second[(1, 0)] + torsion_q * second[(1, 1)]) * torsion_q.transpose();
+            // By this Green strain, of the gradient by the relative shape.
+            let mut by_green = gradients.twist * (second[(0, 1)] * point.torsion_by_twist);
+            for (g, rigidities) in rigidities.iter().enumerate() {
+                let ([g1, g2, _], share) = (&gradients.strains[g], element.bending[g].from_axial[m]);
+                by_green += g1 * (share * rigidities[(0, 3)]) + g2 * (share * rigidities[(1, 3)]);
+            }
+            let by_green = self.kinematics.shape.gradient(&by_green);
+            let green_q = spread(&point.shape_x, &slope.green_strain_p());
             // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.
-            let by_increment = spread(&point.shape_x, &slope.green_strain_increment());
-            *sum += (own + by_green.column(m)) * by_increment.transpose();
+            let by_end = green_q + spread(&point.shape_x, &slope.green_strain_increment());
+            sum.ger(1.0, &by_green, &by_end, 1.0);
+            sum.ger(1.0, &green_q, &(by_green + by_end * second[(0, 0)]), 1.0);
+            add_spread(&point.shape_x, &(slope.green_strain_pp() * self.green_force(m, &first.resultants)), sum);
         }
     }
 }

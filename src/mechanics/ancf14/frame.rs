@@ -41,11 +41,31 @@ impl NodeFrame {
     }
 
     /// `∂t/∂p = (I − t tᵀ)/|p|`, 3×3.
+    #[inline]
     pub fn t_p(&self) -> Mat3 {
         normal_projector(&self.t) / self.stretch
     }
 
+    /// The derivative by `p` of what has the derivative `by_t` by the tangent: `by_t ∂t/∂p`, 3×3.
+    #[inline]
+    pub fn by_p(&self, by_t: &Mat3) -> Mat3 {
+        (by_t - by_t * self.t * self.t.transpose()) / self.stretch
+    }
+
+    /// Components of `vector` along `t`, `u`, `v`.
+    #[inline]
+    pub fn components(&self, vector: &Vec3) -> Vec3 {
+        Vec3::new(self.t.dot(vector), self.u.dot(vector), self.v.dot(vector))
+    }
+
+    /// The vector with these components along `t`, `u`, `v`.
+    #[inline]
+    pub fn in_space(&self, components: &Vec3) -> Vec3 {
+        self.t * components[0] + self.u * components[1] + self.v * components[2]
+    }
+
     /// `∂φ/∂p`, 3×3: turn of the section by the slope, `([t]× − t kᵀ)/|p|` (2.5). By `theta` it is `t`.
+    #[inline]
     pub fn turn_p(&self) -> Mat3 {
         (self.t.cross_matrix() - self.t * self.k.transpose()) / self.stretch
     }
@@ -68,6 +88,7 @@ impl NodeFrame {
     }
 
     /// `[Q_p, Q_theta]`: generalized force of the spatial moment `moment`, N m (MECHANICS 3.5).
+    #[inline]
     pub fn moment_force(&self, moment: &Vec3) -> (Vec3, f64) {
         let along = self.t.dot(moment);
         // Both terms are normal to t, so that the projector of 3.5 changes nothing.
@@ -75,11 +96,11 @@ impl NodeFrame {
     }
 
     /// `(∂Q_p/∂p, ∂Q_theta/∂p)` at a moment frozen in space (MECHANICS 3.5).
+    #[inline]
     pub fn moment_force_p(&self, moment: &Vec3) -> (Mat3, Vec3) {
-        let t_p = self.t_p();
         let (force, along) = self.moment_force(moment);
-        let across = t_p * moment;
-        let turn = moment.cross_matrix() * t_p - self.k * across.transpose() - self.k_t * t_p * along;
+        let across = (moment - self.t * along) / self.stretch;
+        let turn = self.by_p(&(moment.cross_matrix() - self.k_t * along)) - self.k * across.transpose();
         let by_p = (turn - force * self.t.transpose()) / self.stretch;
         (by_p, across)
     }

@@ -1,73 +1,54 @@
-//! The way back from the strains to the coordinates (MECHANICS 8): first derivatives of the strains of the bending points, and
+//! The way back from the strains of the bending points to the element's relative shape (MECHANICS 8): their first derivatives, and
 //! gradient and Hessian of any weighted sum of them. Elastic and viscous resultants go the same way.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, NODE, P, THETA};
-use super::element::Evaluation;
+use super::element::{Element, Evaluation};
+use super::kinematics::Kinematics;
+use super::relative::{self, ANGLE, RelativeMatrix, RelativeVector, TWIST};
 use super::strain::Resultants;
-use nalgebra::{SMatrix, SVector};
 
-/// First derivatives, by the coordinates, of what the strains are made of.
+/// First derivatives, by the relative shape, of the strains and of what they are made of.
 #[derive(Clone, Debug)]
 pub struct Gradients {
-    /// `∂(κ1, κ2, ω)/∂q` at the bending points, 14×9: three columns a point.
-    pub points: SMatrix<f64, ELEMENT, 9>,
-    /// `∂T/∂q`, rad.
-    pub twist: ElementVector,
+    /// Of κ1, κ2, ω of each bending point.
+    pub points: [[RelativeVector; 3]; 3],
+    /// Of `T`, rad.
+    pub twist: RelativeVector,
+    /// Of α at each bending point, rad.
+    pub alpha: [RelativeVector; 3],
+    /// Of `g1`, `g2`, `tau` of each bending point.
+    pub strains: [[RelativeVector; 3]; 3],
 }
 
 impl Gradients {
     /// At the configuration of `evaluation`.
     pub fn new(evaluation: &Evaluation) -> Self {
-        let (element, kinematics, [first, second]) = (evaluation.element, &evaluation.kinematics, evaluation.frames);
-        let points = kinematics.point_gradients(element);
-        let twist = kinematics.twist_gradient(element, first, second, &points);
-        Self { points, twist }
+        let none = [RelativeVector::zeros(); 3];
+        let mut all = Self { points: [none; 3], twist: none[0], alpha: none, strains: [none; 3] };
+        let rules = &evaluation.element.bending;
+        for (g, rule) in rules.iter().enumerate() {
+            let point = evaluation.kinematics.points[g].gradients();
+            let spread = |(by_p, by_w)| relative::spread(&rule.shape_x, &rule.shape_xx, &by_p, &by_w);
+            all.points[g][0] = spread(point.curvature([1.0, 0.0]));
+            all.points[g][1] = spread(point.curvature([0.0, 1.0]));
+            all.points[g][2] = spread(point.twist_rate());
+        }
+        all.twist = all.rate(&evaluation.element.rate_weights);
+        all.twist[TWIST] += 1.0;
+        for (g, rule) in rules.iter().enumerate() {
+            all.alpha[g] = all.twist * rule.xi - all.rate(&rule.collocation);
+            all.alpha[g][ANGLE] += 1.0;
+            let ([kappa1, kappa2, _], alpha) = (&all.points[g], &all.alpha[g]);
+            let ([cos, sin], [gamma1, gamma2]) = (evaluation.turn[g], evaluation.gammahat[g]);
+            all.strains[g][0] = kappa1 * cos + kappa2 * sin + alpha * gamma2;
+            all.strains[g][1] = kappa2 * cos - kappa1 * sin - alpha * gamma1;
+            all.strains[g][2] = all.twist * rule.torsion_by_twist;
+        }
+        all
     }
 
-    /// Of the strains of bending point `g`.
-    pub fn section(&self, evaluation: &Evaluation, g: usize) -> SectionGradients {
-        let (element, point) = (evaluation.element, &evaluation.element.bending[g]);
-        let (sin, cos) = evaluation.alpha[g].sin_cos();
-        let j0 = point.reference_stretch;
-        let mut alpha = self.twist * point.xi - evaluation.kinematics.rate_gradient(&point.collocation, &self.points);
-        alpha[THETA] += 1.0;
-        let (kappa1_q, kappa2_q) = (self.points.column(3 * g), self.points.column(3 * g + 1));
-        let j1 = (kappa1_q * cos + kappa2_q * sin) / j0;
-        let j2 = (kappa2_q * cos - kappa1_q * sin) / j0;
-        let [gamma1, gamma2] = evaluation.gammahat[g];
-        let mut strains = SMatrix::<f64, ELEMENT, 4>::zeros();
-        strains.set_column(0, &(j1 + alpha * gamma2));
-        strains.set_column(1, &(j2 - alpha * gamma1));
-        strains.set_column(2, &(self.twist / (element.length * j0)));
-        SectionGradients { strains, alpha, j1, j2 }
-    }
-}
-
-/// First derivatives, by the coordinates, at one bending point.
-#[derive(Clone, Debug)]
-pub struct SectionGradients {
-    /// `∂(g1, g2, tau)/∂q` and a column of zeros in the place of the axial strain, 14×4.
-    pub strains: SMatrix<f64, ELEMENT, 4>,
-    /// `∂α/∂q`, rad.
-    alpha: ElementVector,
-    /// `∂gammahat_1/∂q` and `∂gammahat_2/∂q` at a frozen angle α, 1/m.
-    j1: ElementVector,
-    j2: ElementVector,
-}
-
-impl SectionGradients {
-    /// `∂/∂q` of `resultants · ∂(g1, g2)/∂α` at frozen resultants, 14×1.
-    pub fn turn_gradient(&self, gammahat: &[f64; 2], resultants: &Resultants) -> ElementVector {
-        let (n1, n2) = (resultants[0], resultants[1]);
-        self.j2 * n1 - self.j1 * n2 - self.alpha * (n1 * gammahat[0] + n2 * gammahat[1])
-    }
-
-    /// Adds to `sum` what the turn of the section by α gives to the Hessian of `resultants · (g1, g2)` (MECHANICS 8).
-    pub fn add_turn_hessian(&self, gammahat: &[f64; 2], resultants: &Resultants, sum: &mut ElementMatrix) {
-        let (n1, n2) = (resultants[0], resultants[1]);
-        let turned = (self.j2 * n1 - self.j1 * n2) - self.alpha * (0.5 * (n1 * gammahat[0] + n2 * gammahat[1]));
-        let product = turned * self.alpha.transpose();
-        *sum += product + product.transpose();
+    /// Of `Σ_g weight_g ω_g`.
+    fn rate(&self, weights: &[f64; 3]) -> RelativeVector {
+        self.points[0][2] * weights[0] + self.points[1][2] * weights[1] + self.points[2][2] * weights[2]
     }
 }
 
@@ -75,64 +56,120 @@ impl SectionGradients {
 #[derive(Clone, Copy, Debug)]
 pub struct Factors {
     /// Factors of κ1, κ2, ω of each bending point: `c1, c2, c3` of MECHANICS 8.
-    points: [[f64; 3]; 3],
+    pub points: [[f64; 3]; 3],
     /// `λ_T`, N m.
-    twist: f64,
+    pub twist: f64,
     /// `Σ_g λ_alpha_g`, N m.
-    alpha: f64,
+    pub alpha: f64,
 }
 
 impl Factors {
     /// Of `Σ_g resultants_g · (g1, g2, tau)_g + Σ_m torques_m taum_m`, quadrature weights included; the last resultant, of the
     /// axial strain, has no part in it.
+    #[inline]
     pub fn new(evaluation: &Evaluation, resultants: &[Resultants; 3], torques: &[f64; 3]) -> Self {
         let element = evaluation.element;
         let mut by_alpha = [0.0; 3];
         let mut twist = 0.0;
-        for (g, point) in element.bending.iter().enumerate() {
+        for (g, rule) in element.bending.iter().enumerate() {
             let [gamma1, gamma2] = evaluation.gammahat[g];
             by_alpha[g] = resultants[g][0] * gamma2 - resultants[g][1] * gamma1;
-            twist += resultants[g][2] / (element.length * point.reference_stretch) + by_alpha[g] * point.xi;
+            twist += resultants[g][2] * rule.torsion_by_twist + by_alpha[g] * rule.xi;
         }
         for (torque, point) in torques.iter().zip(&element.axial) {
-            twist += torque / (element.length * point.reference_stretch);
+            twist += torque * point.torsion_by_twist;
         }
-        let points = std::array::from_fn(|g| {
-            let (sin, cos) = evaluation.alpha[g].sin_cos();
-            let j0 = element.bending[g].reference_stretch;
+        let mut points = [[0.0; 3]; 3];
+        for g in 0..3 {
+            let ([cos, sin], [n1, n2]) = (evaluation.turn[g], [resultants[g][0], resultants[g][1]]);
             let by_rate: f64 = (0..3).map(|h| by_alpha[h] * element.bending[h].collocation[g]).sum();
-            [
-                (resultants[g][0] * cos - resultants[g][1] * sin) / j0,
-                (resultants[g][0] * sin + resultants[g][1] * cos) / j0,
-                element.rate_weights[g] * twist - by_rate,
-            ]
-        });
+            points[g] = [n1 * cos - n2 * sin, n1 * sin + n2 * cos, element.rate_weights[g] * twist - by_rate];
+        }
         Self { points, twist, alpha: by_alpha.iter().sum() }
     }
 
-    /// Gradient of the sum, 14×1.
-    pub fn gradient(&self, evaluation: &Evaluation, gradients: &Gradients) -> ElementVector {
-        let mut sum = gradients.points * SVector::<f64, 9>::from_iterator(self.points.iter().flatten().copied());
-        // λ_T multiplies the whole gradient of T; its share through ω stands in the factors already.
-        let (by_p0, by_p1) = evaluation.kinematics.holonomy.gradient(evaluation.frames[0], evaluation.frames[1]);
-        let mut slope = sum.fixed_rows_mut::<3>(P);
-        slope += by_p0 * self.twist;
-        let mut slope = sum.fixed_rows_mut::<3>(NODE + P);
-        slope += by_p1 * self.twist;
-        sum[THETA] += self.alpha - self.twist;
-        sum[NODE + THETA] += self.twist;
+    /// Gradient of the sum.
+    pub fn gradient(&self, element: &Element, kinematics: &Kinematics) -> RelativeVector {
+        let mut sum = RelativeVector::zeros();
+        for (g, rule) in element.bending.iter().enumerate() {
+            let (by_p, by_w) = kinematics.points[g].gradient(&self.points[g]);
+            sum += relative::spread(&rule.shape_x, &rule.shape_xx, &by_p, &by_w);
+        }
+        sum[TWIST] = self.twist;
+        sum[ANGLE] = self.alpha;
         sum
     }
 
-    /// Second derivatives of κ1, κ2, ω and β at frozen factors, 14×14; with [`SectionGradients::add_turn_hessian`] the Hessian of the sum.
-    pub fn frame_hessian(&self, evaluation: &Evaluation) -> ElementMatrix {
-        let mut sum = ElementMatrix::zeros();
-        let (kinematics, [start, end]) = (&evaluation.kinematics, evaluation.frames);
-        for (g, point) in evaluation.element.bending.iter().enumerate() {
-            let (curve, factors) = (&kinematics.points[g], &self.points[g]);
-            kinematics.base.add_hessian(&mut sum, start, curve, factors, &point.shape_x, &point.shape_xx);
+    /// Adds to `sum` the Hessian of the sum at frozen factors; with [`FactorGradients::add_hessian`] it is all of it.
+    pub fn add_hessian(&self, element: &Element, kinematics: &Kinematics, sum: &mut RelativeMatrix) {
+        for (g, rule) in element.bending.iter().enumerate() {
+            let (pp, pw) = kinematics.points[g].hessian(&self.points[g]);
+            relative::add_spread(&rule.shape_x, &rule.shape_xx, &pp, &pw, sum);
         }
-        kinematics.holonomy.add_hessian(&mut sum, start, end, self.twist);
-        sum
+    }
+}
+
+/// First derivatives of [`Factors`] by the relative shape, resultants included.
+#[derive(Clone, Debug)]
+pub struct FactorGradients {
+    points: [[RelativeVector; 3]; 3],
+    twist: RelativeVector,
+    alpha: RelativeVector,
+}
+
+impl FactorGradients {
+    /// Of the `factors` of `resultants`, which have the derivatives `resultants_x` themselves; `torque_by_twist` is what
+    /// `Σ_m torques_m/(l J0_m)` has by `T`, N m.
+    pub fn new(
+        evaluation: &Evaluation,
+        gradients: &Gradients,
+        factors: &Factors,
+        resultants: &[Resultants; 3],
+        resultants_x: &[[RelativeVector; 3]; 3],
+        torque_by_twist: f64,
+    ) -> Self {
+        let none = [RelativeVector::zeros(); 3];
+        let mut all = Self { points: [none; 3], twist: gradients.twist * torque_by_twist, alpha: none[0] };
+        let (rules, mut by_alpha) = (&evaluation.element.bending, none);
+        for (g, rule) in rules.iter().enumerate() {
+            let ([gamma1, gamma2], [n1, n2]) = (evaluation.gammahat[g], [resultants[g][0], resultants[g][1]]);
+            let ([n1_x, n2_x, torque_x], [g1_x, g2_x, _]) = (&resultants_x[g], &gradients.strains[g]);
+            by_alpha[g] = n1_x * gamma2 - n2_x * gamma1 + g2_x * n1 - g1_x * n2;
+            all.twist += torque_x * rule.torsion_by_twist + by_alpha[g] * rule.xi;
+            all.alpha += by_alpha[g];
+        }
+        for (g, [n1_x, n2_x, _]) in resultants_x.iter().enumerate() {
+            let ([cos, sin], alpha, [c1, c2, _]) = (evaluation.turn[g], &gradients.alpha[g], factors.points[g]);
+            all.points[g][0] = n1_x * cos - n2_x * sin - alpha * c2;
+            all.points[g][1] = n1_x * sin + n2_x * cos + alpha * c1;
+            all.points[g][2] = all.twist * evaluation.element.rate_weights[g]
+                - by_alpha[0] * rules[0].collocation[g]
+                - by_alpha[1] * rules[1].collocation[g]
+                - by_alpha[2] * rules[2].collocation[g];
+        }
+        all
+    }
+
+    /// Adds to `sum` the part of the Hessian in which the factors change.
+    pub fn add_hessian(&self, gradients: &Gradients, sum: &mut RelativeMatrix) {
+        for column in 0..TWIST {
+            // Gathered beside the matrix: the processor keeps them at hand.
+            let mut gathered = [0.0; TWIST + 1];
+            for g in 0..3 {
+                for i in 0..3 {
+                    let (of_point, change) = (&gradients.points[g][i].data.0[0], self.points[g][i][column]);
+                    for row in 0..gathered.len() {
+                        gathered[row] += of_point[row] * change;
+                    }
+                }
+            }
+            for row in 0..gathered.len() {
+                sum[(row, column)] += gathered[row];
+            }
+        }
+        for column in 0..=ANGLE {
+            sum[(TWIST, column)] += self.twist[column];
+            sum[(ANGLE, column)] += self.alpha[column];
+        }
     }
 }

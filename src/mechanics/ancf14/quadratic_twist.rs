@@ -8,6 +8,7 @@
 use super::coordinates::{ElementMatrix, ElementVector, spread};
 use super::element::Evaluation;
 use super::pullback::Gradients;
+use super::relative::RelativeVector;
 use super::strain::{Resultants, Rigidities, Strains};
 
 /// How the twist runs inside an element.
@@ -76,9 +77,9 @@ fn torsion_stiffness(evaluation: &Evaluation) -> f64 {
 
 /// `∂(g1, g2, tau, e)/∂b` at bending point `g`.
 fn strains_b(evaluation: &Evaluation, g: usize) -> Strains {
-    let (element, point) = (evaluation.element, &evaluation.element.bending[g]);
+    let point = &evaluation.element.bending[g];
     let ([gamma1, gamma2], turn) = (evaluation.gammahat[g], shape(point.xi));
-    let torsion = shape_xi(point.xi) / (element.length * point.reference_stretch);
+    let torsion = shape_xi(point.xi) * point.torsion_by_twist;
     Strains::new(gamma2 * turn, -gamma1 * turn, torsion, 0.0)
 }
 
@@ -108,19 +109,21 @@ pub struct Condensation {
 impl Condensation {
     /// At the configuration of `evaluation`, whose first derivatives are `gradients`.
     pub fn new(evaluation: &Evaluation, gradients: &Gradients) -> Self {
-        let (mut by_q, mut by_b, mut by_green) = (ElementVector::zeros(), 0.0, [0.0; 3]);
+        let (mut by_shape, mut by_b, mut by_green) = (RelativeVector::zeros(), 0.0, [0.0; 3]);
         for (g, point) in evaluation.element.bending.iter().enumerate() {
             let (resultants, rigidities) = (evaluation.resultants(g), evaluation.rigidities(g));
             let strains_b = strains_b(evaluation, g);
             let resultants_b = rigidities * strains_b;
-            let section = gradients.section(evaluation, g);
-            by_q += section.strains * resultants_b
-                + section.turn_gradient(&evaluation.gammahat[g], &resultants) * shape(point.xi);
+            let ([g1_x, g2_x, tau_x], turn) = (&gradients.strains[g], shape(point.xi));
+            by_shape += g1_x * (resultants_b[0] - resultants[1] * turn)
+                + g2_x * (resultants_b[1] + resultants[0] * turn)
+                + tau_x * resultants_b[2];
             by_b += stiffness_of_point(evaluation, g, &resultants, &rigidities, &strains_b);
             for (sum, share) in by_green.iter_mut().zip(point.from_axial) {
                 *sum += resultants_b[3] * share;
             }
         }
+        let mut by_q = evaluation.kinematics.shape.gradient(&by_shape);
         for (m, point) in evaluation.element.axial.iter().enumerate() {
             by_q += spread(&point.shape_x, &(evaluation.slopes[m].green_strain_p() * by_green[m]));
         }
@@ -138,6 +141,6 @@ impl Condensation {
         for (m, point) in evaluation.element.axial.iter().enumerate() {
             by_end += spread(&point.shape_x, &(evaluation.slopes[m].green_strain_increment() * self.by_green[m]));
         }
-        *hessian -= self.by_q * by_end.transpose() / self.by_b;
+        hessian.ger(-1.0 / self.by_b, &self.by_q, &by_end, 1.0);
     }
 }

@@ -1,8 +1,8 @@
 //! Strains and section forces, the derivatives of the energy per undeformed length by the strains of a section.
 
-use super::coordinates::interpolate;
+use super::curve_point::CurvePoint;
 use super::element::Element;
-use super::kinematics::{CurvePoint, Kinematics};
+use super::kinematics::Kinematics;
 use super::quadratic_twist;
 use super::strain::{Stiffness, Strain, Strains};
 use super::{axial, bending, fourth_moments, torsion};
@@ -14,13 +14,12 @@ use crate::mechanics::resultants::{SectionForces, SectionShape, SectionStrains};
 /// The section of `element` at `xi`, with the element's `kinematics`; `bubble` is the internal coordinate of the quadratic twist, rad.
 pub fn shape(element: &Element, c: &Configuration, kinematics: &Kinematics, xi: f64, bubble: f64) -> SectionShape {
     let q = element.own(c.q);
-    let shape_x = hermite::shape_x(xi, element.length);
-    let shape_xx = hermite::shape_xx(xi, element.length);
-    let point = CurvePoint::new(&kinematics.base.axes, interpolate(&shape_x, q), interpolate(&shape_xx, q));
+    let (shape_x, shape_xx) = (hermite::shape_x(xi, element.length), hermite::shape_xx(xi, element.length));
+    let point = CurvePoint::new(&kinematics.shape, &shape_x, &shape_xx);
     let inner = collocation(xi).map(|a| a * element.length);
     let alpha = kinematics.alpha_at(q, xi, &inner) + bubble * quadratic_twist::shape(xi);
     let (sin, cos) = alpha.sin_cos();
-    let [kappa1, kappa2, _] = point.scalars.map(|scalar| scalar.value);
+    let [kappa1, kappa2] = point.curvatures;
     // (2.14): gamma1 is the curvature about z, −gamma2 the one about y.
     let [gamma1, gamma2] = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
     let twist_xi = kinematics.twist + bubble * quadratic_twist::shape_xi(xi);

@@ -1,8 +1,10 @@
 //! A section inside an element, as a point to hold on to (MECHANICS 2.13, 2.17).
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, THETA, interpolate};
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, interpolate};
 use super::element::Element;
 use super::kinematics::Kinematics;
+use super::pullback::Factors;
+use super::relative::RelativeMatrix;
 use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second, normal_projector};
 use crate::math::{Mat3, Vec3, hermite, quadrature};
 use crate::mechanics::configuration::Configuration;
@@ -16,7 +18,7 @@ type ByElement = SMatrix<f64, 3, ELEMENT>;
 pub struct SectionPoint<'a> {
     element: &'a Element,
     xi: f64,
-    kinematics: Kinematics,
+    kinematics: Kinematics<'a>,
     shape: [f64; 4],
     shape_x: [f64; 4],
     /// `l A_h(ξ)`, m.
@@ -29,7 +31,7 @@ pub struct SectionPoint<'a> {
 
 impl<'a> SectionPoint<'a> {
     /// At the place `xi` (0 to 1) of `element`.
-    pub fn new(c: &Configuration, element: &'a Element, xi: f64) -> Self {
+    pub fn new(c: &Configuration<'a>, element: &'a Element, xi: f64) -> Self {
         let shape_x = hermite::shape_x(xi, element.length);
         let p = interpolate(&shape_x, element.own(c.q));
         let stretch = p.norm();
@@ -58,14 +60,16 @@ impl<'a> SectionPoint<'a> {
         Pose { place: interpolate(&self.shape, q), axes }
     }
 
+    /// `factor` times the angle α of the section here, as a weighted sum (2.13).
+    fn angle(&self, factor: f64) -> Factors {
+        let rates = [0, 1, 2].map(|g| self.xi * self.element.rate_weights[g] - self.collocation[g]);
+        Factors { points: rates.map(|rate| [0.0, 0.0, factor * rate]), twist: factor * self.xi, alpha: factor }
+    }
+
     /// Spin about the tangent by the coordinates, 1×14 as a column: `dα + s_0·dt_0 − kb(t_0, t)·(dt_0 + dt)` (2.17).
     fn spin_q(&self, c: &Configuration) -> ElementVector {
-        let element = self.element;
-        let [first, second] = element.frames(c);
-        let points = self.kinematics.point_gradients(element);
-        let mut spin = self.kinematics.twist_gradient(element, first, second, &points) * self.xi
-            - self.kinematics.rate_gradient(&self.collocation, &points);
-        spin[THETA] += 1.0;
+        let [first, _] = self.element.frames(c);
+        let mut spin = self.kinematics.shape.gradient(&self.angle(1.0).gradient(self.element, &self.kinematics));
         let mut slope = spin.fixed_rows_mut::<3>(P);
         slope -= (first.k + self.k) / first.stretch;
         for (weight, place) in self.shape_x.iter().zip(SHAPE_PLACES) {
@@ -90,26 +94,18 @@ impl<'a> SectionPoint<'a> {
 
     /// `∂(turn_qᵀ m)/∂q`, 14×14, of a moment frozen in space; a force at an interior point has none: places are linear in q.
     pub fn moment_stiffness(&self, c: &Configuration, moment: &Vec3) -> ElementMatrix {
-        let element = self.element;
-        let [first, second] = element.frames(c);
+        let (element, kinematics) = (self.element, &self.kinematics);
+        let [first, _] = element.frames(c);
         let along = moment.dot(&self.t);
         let t_p = normal_projector(&self.t) / self.stretch;
         let tilt = moment.cross(&self.t) / self.stretch;
         let tilt_p = (moment.cross_matrix() * t_p - tilt * self.t.transpose()) / self.stretch;
-        let mut sum = ElementMatrix::zeros();
         // Second derivatives of the spin's exact part, α.
-        for (g, point) in element.bending.iter().enumerate() {
-            let rate = along * (self.xi * element.rate_weights[g] - self.collocation[g]);
-            self.kinematics.base.add_hessian(
-                &mut sum,
-                first,
-                &self.kinematics.points[g],
-                &[0.0, 0.0, rate],
-                &point.shape_x,
-                &point.shape_xx,
-            );
-        }
-        self.kinematics.holonomy.add_hessian(&mut sum, first, second, along * self.xi);
+        let angle = self.angle(along);
+        let (mut second, mut sum) = (RelativeMatrix::zeros(), ElementMatrix::zeros());
+        angle.add_hessian(element, kinematics, &mut second);
+        let by_shape = angle.gradient(element, kinematics);
+        kinematics.shape.set_hessian(&by_shape, &second, &mut sum);
         // Its inexact part, −(k_0 + kb)·dp_0/|p_0| − kb·dp/|p|.
         let k_t0 = half_turn_by_first(&first.t, &self.t, &self.k);
         let k_t = half_turn_by_second(&first.t, &self.t, &self.k);

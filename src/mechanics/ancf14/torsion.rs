@@ -8,11 +8,13 @@ pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {
 }
 
 /// Derivatives by the strains: the torque, N m.
+#[inline]
 pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
     Resultants::new(0.0, 0.0, stiffness.torsion * strains[2], 0.0)
 }
 
 /// Second derivatives by the strains.
+#[inline]
 pub fn hessian(stiffness: &Stiffness, _strains: &Strains) -> Rigidities {
     let mut sum = Rigidities::zeros();
     sum[(2, 2)] = stiffness.torsion;
