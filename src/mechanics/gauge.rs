@@ -89,44 +89,48 @@ impl Measure {
 
     /// Its second derivative by the numbers of both poses, 24×24.
     pub fn hessian(self, a: &Pose, b: &Pose) -> PairMatrix {
+        let mut sum = PairMatrix::zeros();
+        self.add_hessian(a, b, 1.0, &mut sum);
+        sum
+    }
+
+    /// Adds `factor` times its second derivative by the numbers of both poses, 24×24.
+    pub fn add_hessian(self, a: &Pose, b: &Pose, factor: f64, sum: &mut PairMatrix) {
         match self {
             Self::Distance(axis) => {
-                let mut sum = PairMatrix::zeros();
-                add_symmetric(&mut sum, axis_place(axis), 0, -1.0);
-                add_symmetric(&mut sum, axis_place(axis), POSE, 1.0);
-                sum
+                add_symmetric(sum, axis_place(axis), 0, -factor);
+                add_symmetric(sum, axis_place(axis), POSE, factor);
             }
             Self::Angle(axis) => {
                 let (sine, cosine) = turn(axis);
                 let (s, c) = (sine.value(a, b), cosine.value(a, b));
                 let (s_x, c_x) = (sine.gradient(a, b), cosine.gradient(a, b));
                 let square = s * s + c * c;
-                let mixed = s_x * c_x.transpose();
-                (sine.hessian() * c - cosine.hessian() * s) / square
-                    + ((c_x * c_x.transpose() - s_x * s_x.transpose()) * (2.0 * s * c)
-                        + (mixed + mixed.transpose()) * (s * s - c * c))
-                        / (square * square)
+                sine.add_hessian(factor * c / square, sum);
+                cosine.add_hessian(-factor * s / square, sum);
+                let (same, mixed) = (2.0 * s * c, s * s - c * c);
+                let over = factor / (square * square);
+                add_product(sum, &c_x, &((c_x * same + s_x * mixed) * over));
+                add_product(sum, &s_x, &((c_x * mixed - s_x * same) * over));
             }
             Self::Length => {
                 let apart = b.place - a.place;
                 let length = apart.norm();
-                let block = (Mat3::identity() - apart * apart.transpose() / (length * length)) / length;
-                let mut sum = PairMatrix::zeros();
+                let block = (Mat3::identity() - apart * apart.transpose() / (length * length)) * (factor / length);
                 for (row, column, sign) in [(0, 0, 1.0), (0, POSE, -1.0), (POSE, 0, -1.0), (POSE, POSE, 1.0)] {
-                    sum.fixed_view_mut::<3, 3>(row, column).copy_from(&(block * sign));
+                    let mut part = sum.fixed_view_mut::<3, 3>(row, column);
+                    part += block * sign;
                 }
-                sum
             }
             Self::Rotation(component) => {
                 let (sine, cosine) = (sine_of_rotation(component), cosine_of_rotation());
                 let s = sine.value(a, b);
                 let (s_x, c_x) = (sine.gradient(a, b), cosine.gradient(a, b));
-                let [factor, slope, bend] = rotation_factor(cosine.value(a, b));
-                let mixed = s_x * c_x.transpose();
-                sine.hessian() * factor
-                    + (mixed + mixed.transpose()) * slope
-                    + c_x * c_x.transpose() * (bend * s)
-                    + cosine.hessian() * (slope * s)
+                let [own, slope, bend] = rotation_factor(cosine.value(a, b));
+                sine.add_hessian(factor * own, sum);
+                cosine.add_hessian(factor * slope * s, sum);
+                add_product(sum, &s_x, &(c_x * (factor * slope)));
+                add_product(sum, &c_x, &((s_x * slope + c_x * (bend * s)) * factor));
             }
         }
     }
@@ -157,12 +161,10 @@ impl<const N: usize> Products<N> {
         sum
     }
 
-    fn hessian(&self) -> PairMatrix {
-        let mut sum = PairMatrix::zeros();
+    fn add_hessian(&self, scale: f64, sum: &mut PairMatrix) {
         for (factor, i, j) in self.terms {
-            add_symmetric(&mut sum, axis_place(i), POSE + axis_place(j), factor);
+            add_symmetric(sum, axis_place(i), POSE + axis_place(j), scale * factor);
         }
-        sum
     }
 }
 
@@ -218,6 +220,13 @@ fn put(sum: &mut PairVector, place: usize, value: &Vec3) {
 fn add(sum: &mut PairVector, place: usize, value: &Vec3) {
     let mut rows = sum.fixed_rows_mut::<3>(place);
     rows += value;
+}
+
+/// Adds `left rightᵀ`; most numbers are zero.
+fn add_product(sum: &mut PairMatrix, left: &PairVector, right: &PairVector) {
+    for (column, factor) in right.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
+        sum.column_mut(column).axpy(*factor, left, 1.0);
+    }
 }
 
 /// Adds `factor` times the identity to the blocks `(row, column)` and `(column, row)`.

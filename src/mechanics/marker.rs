@@ -119,6 +119,11 @@ impl Marker {
         }
     }
 
+    /// Whether its pose is no linear function of its coordinates: at a node, or inside an element.
+    pub fn is_of_beam(&self) -> bool {
+        matches!(self, Self::Node { .. } | Self::Section { .. })
+    }
+
     /// Place and axes.
     pub fn pose(&self, c: &Configuration) -> Pose {
         match self {

@@ -73,11 +73,13 @@ impl Spring {
         let tension = self.tension(gauge, c, passage);
         let by_poses = gauge.measure.gradient(&a, &b);
         let hessian = gauge.measure.hessian(&a, &b);
-        let mut blocks = pull_back(
+        let mut blocks = [MarkerMatrix::zeros(); 4];
+        pull_back(
             c,
             [&gauge.a, &gauge.b],
             &(by_poses * tension),
             &(by_poses * by_poses.transpose() * self.stiffness + hessian * tension),
+            &mut blocks,
         );
         if self.damping != 0.0 {
             let here = reading_q(gauge, c);

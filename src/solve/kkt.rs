@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::configuration::Configuration;
 use crate::mechanics::joint::JointGradient;
+use crate::mechanics::marker::MarkerMatrix;
 use crate::mechanics::system::{System, copy_corner};
 
 /// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
@@ -25,6 +26,8 @@ pub struct Kkt {
     /// First of each joint's four stiffness blocks, where the system has them.
     curvatures: Vec<usize>,
     solver: DirectSolver,
+    /// Second derivatives of one joint.
+    parts: Box<[MarkerMatrix; 4]>,
     /// Made when it is first asked for.
     inertia: Option<Inertia>,
 }
@@ -79,7 +82,8 @@ impl Kkt {
     fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>) -> Self {
         let kinds = [system.mesh.coordinates(), system.coordinates()];
         let solver = DirectSolver::new(system.coordinates() + system.constraints(), kinds, &blocks);
-        Self { blocks, joints, curvatures, solver, inertia: None }
+        let parts = Box::new([MarkerMatrix::zeros(); 4]);
+        Self { blocks, joints, curvatures, solver, parts, inertia: None }
     }
 
     /// Sets the constraint blocks: `scale` times `columns` transposed on the right, `rows` below.
@@ -107,8 +111,9 @@ impl Kkt {
             let own = &multipliers[row..row + joint.rows()];
             row += joint.rows();
             let [a, b] = [joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len()];
-            let parts = joint.phi_qq(c, own);
-            for (place, ((rows, columns), part)) in [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(&parts).enumerate()
+            let parts = &mut *self.parts;
+            joint.phi_qq(c, own, parts);
+            for (place, ((rows, columns), part)) in [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(parts).enumerate()
             {
                 let target = self.blocks.block_mut(first + place);
                 copy_corner(target, rows, columns, |row, column| factor * part[(row, column)]);

@@ -8,6 +8,7 @@ use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::driven::Driven;
 use ancf14::mechanics::joint::primitive::Primitive;
 use ancf14::mechanics::joint::{Joint, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld};
+use ancf14::mechanics::marker::MarkerMatrix;
 use ancf14::mechanics::rigid_body;
 use nalgebra::SVector;
 
@@ -62,7 +63,9 @@ fn check_joint(machine: &Machine, joint: &Joint, random: &mut Random) {
     }
     assert!((closed - gradient.fixed_rows::<COUNT>(0)).amax() < ROUNDING * gradient.amax().max(1.0));
 
-    let closed = spread(machine, [&joint.a, &joint.b], &joint.phi_qq(&c, &lambda));
+    let mut blocks = [MarkerMatrix::zeros(); 4];
+    joint.phi_qq(&c, &lambda, &mut blocks);
+    let closed = spread(machine, [&joint.a, &joint.b], &blocks);
     let error = (closed - hessian.fixed_view::<COUNT, COUNT>(0, 0)).amax() / hessian.amax().max(1.0);
     assert!(error < ROUNDING, "{error:e}");
 

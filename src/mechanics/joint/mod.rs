@@ -115,10 +115,10 @@ impl Joint {
         gradients[..rows].iter().zip(lambda).map(|(gradient, lambda)| gradient * *lambda).sum()
     }
 
-    /// `∂²(lambda·phi)/∂q²` as the blocks `aa, ab, ba, bb`, 24×24 each.
-    pub fn phi_qq(&self, c: &Configuration, lambda: &[f64]) -> [MarkerMatrix; 4] {
+    /// Sets `blocks` to `∂²(lambda·phi)/∂q²`: `aa, ab, ba, bb`, 24×24 each, of which only the rows and columns of the markers' own coordinates are set.
+    pub fn phi_qq(&self, c: &Configuration, lambda: &[f64], blocks: &mut [MarkerMatrix; 4]) {
         let (gradient, hessian) = self.weighted(&self.a.pose(c), &self.b.pose(c), lambda);
-        pull_back(c, [&self.a, &self.b], &gradient, &hessian)
+        pull_back(c, [&self.a, &self.b], &gradient, &hessian, blocks);
     }
 
     /// `phi''` at an instant without the part of the accelerations, `v·phi_qq·v + 2 phi_qt·v + phi_tt`, row after row.
@@ -179,36 +179,42 @@ pub fn own_velocity(c: &Configuration, marker: &Marker, velocity: &[f64]) -> Mar
     own
 }
 
-/// The second derivative by the coordinates of both sides, blocks `aa, ab, ba, bb`, of what has these derivatives by the poses' numbers.
+/// Sets `blocks` to the second derivative by the coordinates of both sides, `aa, ab, ba, bb`, of what has these derivatives by the poses' numbers.
+/// Only the rows and columns of the markers' own coordinates are set.
 pub fn pull_back(
     c: &Configuration,
     [a, b]: [&Marker; 2],
     gradient: &PairVector,
     hessian: &PairMatrix,
-) -> [MarkerMatrix; 4] {
+    blocks: &mut [MarkerMatrix; 4],
+) {
     let sides = [a, b];
-    let gradients = sides.map(|side| side.pose_q(c));
+    let gradients = [a.pose_q(c), b.pose_q(c)];
     // Ground and frames have no coordinates.
     let counts = sides.map(|side| side.coordinates(c.mesh).len());
-    let mut blocks = [0, 1, 2, 3].map(|number: usize| {
+    for (number, product) in blocks.iter_mut().enumerate() {
         let (left, right) = (number / 2, number % 2);
         let block = hessian.fixed_view::<POSE, POSE>(POSE * left, POSE * right);
-        let mut product = MarkerMatrix::zeros();
         // Most conditions do not bend all sides.
-        if counts[left] == 0 || block.iter().all(|value| *value == 0.0) {
-            return product;
-        }
+        let bends = counts[left] > 0 && block.iter().any(|value| *value != 0.0);
         for column in 0..counts[right] {
+            let mut target = product.column_mut(column);
+            if !bends {
+                target.rows_mut(0, counts[left]).fill(0.0);
+                continue;
+            }
             let bent: PoseVector = block * gradients[right].column(column);
             for row in 0..counts[left] {
-                product[(row, column)] = gradients[left].column(row).dot(&bent);
+                target[row] = gradients[left].column(row).dot(&bent);
             }
         }
-        product
-    });
-    for (side, marker) in sides.into_iter().enumerate() {
-        let force: PoseVector = gradient.fixed_rows::<POSE>(POSE * side).into_owned();
-        blocks[3 * side] += marker.pose_qq(c, &force);
     }
-    blocks
+    for (side, marker) in sides.into_iter().enumerate().filter(|(_, marker)| marker.is_of_beam()) {
+        let force: PoseVector = gradient.fixed_rows::<POSE>(POSE * side).into_owned();
+        let own = marker.pose_qq(c, &force);
+        for column in 0..counts[side] {
+            let mut target = blocks[3 * side].column_mut(column);
+            (0..counts[side]).for_each(|row| target[row] += own[(row, column)]);
+        }
+    }
 }

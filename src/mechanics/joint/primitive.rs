@@ -99,10 +99,10 @@ impl Primitive {
         match self {
             Self::Coincident => {
                 for (axis, lambda) in lambda.iter().enumerate() {
-                    *sum -= Measure::Distance(axis).hessian(a, b) * *lambda;
+                    Measure::Distance(axis).add_hessian(a, b, -lambda, sum);
                 }
             }
-            Self::Measured(measure) => *sum += measure.hessian(a, b) * lambda[0],
+            Self::Measured(measure) => measure.add_hessian(a, b, lambda[0], sum),
             Self::Rigid(i, j) => {
                 let (row, column) = (POSE + axis_place(i), POSE + axis_place(j));
                 add_symmetric(sum, row, column, if i == j { 0.5 * lambda[0] } else { lambda[0] });
