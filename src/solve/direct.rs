@@ -51,13 +51,17 @@ impl DirectSolver {
         self.general.as_mut().ok_or(Singular)?.solve(vector)
     }
 
-    /// Factorizes with the general solver.
+    /// Factorizes with the general solver, as the other one did not do.
     fn fall_back(&mut self, blocks: &Blocks) -> Result<(), Singular> {
+        self.fallbacks += 1;
+        self.is_general = true;
+        self.factorize_generally(blocks)
+    }
+
+    fn factorize_generally(&mut self, blocks: &Blocks) -> Result<(), Singular> {
         if self.general.is_none() {
             self.general = Some(Box::new(SparseLu::new(self.size, blocks)?));
         }
-        self.is_general = true;
-        self.fallbacks += 1;
         self.general.as_mut().ok_or(Singular)?.factorize(blocks)
     }
 
@@ -70,15 +74,9 @@ impl DirectSolver {
         }
     }
 
-    /// Whether the factorized matrix, `blocks`, is regular to working precision.
+    /// Whether the factorized matrix, `blocks`, is regular to working precision: that takes pivots sought among all rows.
     pub fn regularity(&mut self, blocks: &Blocks) -> Regularity {
-        if !self.is_general
-            && let Some(fronts) = &mut self.fronts
-            && fronts.is_regular(blocks)
-        {
-            return Regularity::Regular;
-        }
-        if !self.is_general && self.fall_back(blocks).is_err() {
+        if self.factorize_generally(blocks).is_err() {
             return Regularity::Unknown;
         }
         self.general.as_mut().map_or(Regularity::Unknown, |general| general.regularity())

@@ -1,9 +1,9 @@
 //! In which order a constrained system is eliminated, and where its numbers go then: the fronts of the multifrontal method.
 //!
 //! Unknowns that blocks never part make a group: the coordinates of a node or of a body, the multipliers of a joint. A front eliminates one
-//! group of coordinates and the multipliers that all other coordinates of which are gone: a multiplier has no pivot of its own before.
-//! What is left of a front is added into its parent, the front of the first unknown of its border. Bodies come last: without a mass they have
-//! pivots only when what they are joined to is gone.
+//! group of coordinates and multipliers that act on it, each in the first front that has coordinates left for it: what only joints hold has no
+//! pivots without them. What is left of a front is added into its parent, the front of the first unknown of its border. Bodies come last:
+//! without a mass they have pivots only when what they are joined to is gone.
 
 use super::front_matrix::Shape;
 use super::linear::minimum_degree;
@@ -254,8 +254,14 @@ impl<'a> Order<'a> {
         let mut front_of = vec![0; groups.count()];
         list.iter().enumerate().for_each(|(front, group)| front_of[*group] = front);
         let mut members: Vec<Vec<usize>> = list.iter().map(|group| vec![*group]).collect();
+        let mut rooms: Vec<usize> = list.iter().map(|group| groups.unknowns(*group).len()).collect();
         for multiplier in multipliers {
-            let host = links[multiplier].iter().map(|group| front_of[*group]).max().unwrap_or_default();
+            let rows = groups.unknowns(multiplier).len();
+            let mut tied: Vec<usize> = links[multiplier].iter().map(|group| front_of[*group]).collect();
+            tied.sort_unstable();
+            let roomy = tied.iter().find(|front| rooms[**front] > rows).or(tied.last());
+            let host = roomy.copied().unwrap_or_default();
+            rooms[host] = rooms[host].saturating_sub(rows);
             front_of[multiplier] = host;
             members[host].push(multiplier);
         }

@@ -6,7 +6,7 @@
 
 use super::front_matrix::{eliminate, solve_lower, solve_upper};
 use super::fronts::{Front, Fronts, Run};
-use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Singular, irregular};
+use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, Singular};
 use crate::math::blocks::Blocks;
 
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
@@ -149,40 +149,6 @@ impl Multifrontal {
             }
         }
         Err(Singular)
-    }
-
-    /// Whether the factorized matrix is regular to working precision: two inverse iterations find its softest direction, which a singular matrix
-    /// maps to round-off. False may be a false alarm.
-    pub fn is_regular(&mut self, blocks: &Blocks) -> bool {
-        // Of the scaled matrix, whose inverse is that of the matrix over the scales.
-        for (index, (value, scale)) in self.remainder.iter_mut().zip(&self.scale).enumerate() {
-            *value = irregular(index) / scale;
-        }
-        for _ in 0..2 {
-            self.apply_inverse();
-            self.remainder.iter_mut().zip(&self.scale).for_each(|(value, scale)| *value /= scale);
-            let largest = self.remainder.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-            if !self.remainder.iter().all(|value| value.is_finite()) || largest == 0.0 {
-                return false;
-            }
-            self.remainder.iter_mut().zip(&self.scale).for_each(|(value, scale)| *value /= largest * scale);
-        }
-        self.solution.fill(0.0);
-        self.magnitude.fill(0.0);
-        let scale = &self.scale;
-        for (number, block) in blocks.layout().iter().enumerate() {
-            for (column, values) in blocks.block(number).chunks_exact(block.rows.max(1)).enumerate() {
-                // What stands in `remainder` is the scaled direction over the scale once more: for the next inverse.
-                let factor = scale[block.column + column].powi(2) * self.remainder[block.column + column];
-                for (row, value) in (block.row..).zip(values) {
-                    let product = value * factor * scale[row];
-                    self.solution[row] += product;
-                    self.magnitude[row] += product.abs();
-                }
-            }
-        }
-        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        largest(&self.solution) > ROUND_OFF * largest(&self.magnitude)
     }
 
     /// `remainder = A⁻¹ remainder`.

@@ -114,3 +114,26 @@ fn a_motion_without_a_rate_is_named() {
     let message = run(&text, 0.1).unwrap_err();
     assert!(message.contains("the motion of frame table is not a finite number at t = 0 s"), "{message}");
 }
+
+/// A branch that a body holds, and once more by a condition: where nothing has a mass, pivots sought among few rows do not show it.
+#[test]
+fn what_is_held_twice_at_rest_is_refused() {
+    let beam = |name: &str, from: &str, to: &str| {
+        format!("[beam.{name}]\nmaterial = \"steel\"\nsection = \"bar\"\nfrom = {from}\nto = {to}\nelements = 8\n")
+    };
+    let joint = |name: &str, kind: &str, a: &str, b: &str| {
+        format!("[joint.{name}]\ntype = \"{kind}\"\na = \"{a}\"\nb = \"{b}\"\n")
+    };
+    let parts = "[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n[section.bar]\nshape = \"rectangle\"\nwidth = 0.3\nheight = 0.25\n";
+    let beams = beam("arm", "[0, 0, 0]", "[1, 0.2, 0.1]") + &beam("branch", "[1, 0.2, 0.1]", "[0.4, 0.9, 0.35]");
+    let welds = joint("root", "weld", "ground", "arm.start")
+        + &joint("tie", "weld", "arm.end", "knot")
+        + &joint("grip", "weld", "knot", "branch.start");
+    let load = "[load.tip]\nat = \"branch.end\"\nforce = [3, 4, \"-20*t\"]\n";
+    let end = "[simulation]\nanalysis = \"static\"\nstop = 1\nstep = 0.25\noutput_step = 0.25\n";
+    let machine = [HEAD, parts, &beams, &body("knot", "[1, 0.2, 0.1]"), &welds, load, end].concat();
+    assert_eq!(run(&machine, 1.0), Ok(Vec::new()));
+    let twice = joint("twice", "inplane", "knot", "branch.start") + "axis = [0.1, 0.2, 1]\n";
+    let message = run(&(machine + &twice), 1.0).unwrap_err();
+    assert!(message.contains("holds what is held already"), "{message}");
+}
