@@ -211,6 +211,11 @@ impl Model for Simulation {
     }
 
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
+        if self.machine.plan(self.machine.state.time, end).is_ok_and(|plan| plan.end == self.machine.state.time) {
+            // Less than the rounding of time: nothing moves, and the last step is what it was.
+            self.inputs.end_step();
+            return Ok(());
+        }
         self.forget_step();
         let machine = &mut self.machine;
         machine.settle(&self.document);
@@ -218,7 +223,10 @@ impl Model for Simulation {
         let begin = machine.state.time;
         machine.state.targets.depart(begin, &machine.state.prescribed);
         let line = |number| self.inputs.line(number);
-        build::aim(&self.document, line, [begin, end], &mut machine.state.targets).map_err(wrong)?;
+        if let Err(message) = build::aim(&self.document, line, [begin, end], &mut machine.state.targets) {
+            machine.go_back();
+            return Err(wrong(message));
+        }
         let outcome = machine.advance(end).and_then(|()| self.measure()).map_err(|error| {
             self.machine.go_back();
             failure(&error)

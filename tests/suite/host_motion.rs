@@ -117,6 +117,26 @@ fn unequal_steps() {
     }
 }
 
+/// A step that is shorter than the rounding of time leaves everything as it was: the next one does not begin anew.
+#[test]
+fn steps_of_no_length() {
+    let ends = [0.004, 0.008, 0.008 + 1e-14, 0.012];
+    for text in [FRAME, DRIVE] {
+        let (input, force) = if text == FRAME {
+            ("hand.position[1]", "grasp.reaction_force[1]")
+        } else {
+            ("push.value", "motor.effort")
+        };
+        let mut simulation = moved_to(&ends, text, "conserving", &[input], |t| vec![1.5 * t * t]);
+        assert!((value(&simulation, force) - 6.0).abs() < 1e-8, "{input}: {}", value(&simulation, force));
+        let place = simulation.variables().iter().position(|variable| variable.name == force).unwrap();
+        let before = simulation.output_derivative(place).unwrap();
+        simulation.advance(0.012 + 1e-14).unwrap();
+        assert_eq!(simulation.output_derivative(place).unwrap(), before);
+        assert!(before.is_finite());
+    }
+}
+
 /// The same of a drive whose value a host gives.
 #[test]
 fn drives_bear_the_inertia_of_what_they_move() {

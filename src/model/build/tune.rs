@@ -156,7 +156,7 @@ const SHORTEST: f64 = 1e-9;
 /// The pose of a place and a quaternion w x y z of any length but 0.
 pub(super) fn pose(place: Vec3, [w, x, y, z]: [f64; 4]) -> Option<Pose> {
     let length = Vec3::new(x, y, z).norm().hypot(w);
-    (length > SHORTEST).then(|| Pose { place, axes: quaternion_matrix([w, x, y, z]) })
+    (length > SHORTEST).then(|| Pose { place, axes: quaternion_matrix([w, x, y, z].map(|part| part / length)) })
 }
 
 /// The angular velocity of a quaternion w x y z that changes, in global axes: `2 Im(q' q⁻¹)`; 0 where it has no direction.
