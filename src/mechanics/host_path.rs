@@ -8,8 +8,9 @@
 //! ```
 //!
 //! with the mean velocity `s` and the length `H` of this step, `s′` and `H′` of the last one; in the first step `s′` is the velocity of the
-//! start, by the derivatives that the host gives, and `H′ = 0`. `a` is the change of velocity between the middles of the two steps. Constant accelerations are followed exactly; the velocity has no jumps, which
-//! would strike all that is held rigidly; and nothing goes further back than two steps, so that no error is carried on.
+//! start, by the derivatives that the host gives, and `H′ = 0`. `a` is the change of velocity between the middles of the two steps.
+//! Constant accelerations, along a line or about a fixed axis, are followed exactly; the velocity has no jumps, which would strike all that is
+//! held rigidly; and nothing goes further back than two steps, so that no error is carried on.
 //! Frames turn by a rotation vector on such a cubic, from where they are along the shortest arc.
 
 use super::load::HostWrench;

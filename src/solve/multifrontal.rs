@@ -108,8 +108,8 @@ impl Multifrontal {
         let largest = coordinates.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         let largest = if largest > 0.0 { largest } else { 1.0 };
         for value in coordinates.iter_mut() {
-            let size = value.abs();
-            *value = 1.0 / if size > VANISHING * largest { size } else { largest }.sqrt();
+            let size = if value.abs() > VANISHING * largest { value.abs() } else { largest };
+            *value = 1.0 / size.sqrt();
         }
         multipliers.fill(0.0);
         for number in &self.conditions {
@@ -189,8 +189,8 @@ impl Multifrontal {
         }
     }
 
-    /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| + |b|)_i` (Oettli-Prager), as
-    /// `linear` does; infinite when not finite.
+    /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| + |b|)_i` (Oettli-Prager); infinite
+    /// when not finite. `|A|` is the sum of the sizes of blocks that overlap, where `linear` takes the size of their sum: a little less strict.
     fn backward_error(&mut self, blocks: &Blocks, vector: &[f64]) -> f64 {
         let Self { scale, solution, remainder, magnitude, .. } = self;
         remainder.copy_from_slice(vector);
