@@ -101,8 +101,8 @@ pub trait Formulation {
     /// How [`Self::section_pose`] moves with the element's coordinates.
     fn section_motion(&self, c: &Configuration, xi: f64) -> Motion;
 
-    /// `∂(turn_qᵀ m)/∂q` of [`Self::section_motion`] at a moment (N m) frozen in space; a force has none, places are linear in q.
-    fn section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3) -> MarkerMatrix;
+    /// Adds `∂(turn_qᵀ m)/∂q` of [`Self::section_motion`] at a moment (N m) frozen in space to `sum`; a force has none, places are linear in q.
+    fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix);
 
     /// Turn of the section about its tangent from [`Self::section_pose`] to what the strains make of it, rad, for outputs.
     fn relaxed_turn(&self, _c: &Configuration, _xi: f64) -> f64 {

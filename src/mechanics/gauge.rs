@@ -4,8 +4,9 @@
 
 use super::configuration::Configuration;
 use super::marker::Marker;
-use super::pose::{POSE, PairMatrix, PairVector, Pose, axis_place};
-use crate::math::{Mat3, Vec3};
+use super::pair::{PairHessian, PairVector};
+use super::pose::{PLACE, Pose, VECTORS, axis_vector};
+use crate::math::Vec3;
 use std::f64::consts::PI;
 
 /// What is measured of b relative to a.
@@ -57,14 +58,14 @@ impl Measure {
         }
     }
 
-    /// Its derivative by the numbers of both poses, 24×1.
+    /// Its derivative by the vectors of both poses.
     pub fn gradient(self, a: &Pose, b: &Pose) -> PairVector {
         match self {
             Self::Distance(axis) => {
                 let mut sum = PairVector::zeros();
-                put(&mut sum, axis_place(axis), &(b.place - a.place));
-                put(&mut sum, 0, &-a.axis(axis));
-                put(&mut sum, POSE, &a.axis(axis));
+                sum.set_column(axis_vector(axis), &(b.place - a.place));
+                sum.set_column(PLACE, &-a.axis(axis));
+                sum.set_column(VECTORS + PLACE, &a.axis(axis));
                 sum
             }
             Self::Angle(axis) => {
@@ -75,8 +76,8 @@ impl Measure {
             Self::Length => {
                 let apart = b.place - a.place;
                 let mut sum = PairVector::zeros();
-                put(&mut sum, 0, &(-apart / apart.norm()));
-                put(&mut sum, POSE, &(apart / apart.norm()));
+                sum.set_column(PLACE, &(-apart / apart.norm()));
+                sum.set_column(VECTORS + PLACE, &(apart / apart.norm()));
                 sum
             }
             Self::Rotation(component) => {
@@ -87,50 +88,38 @@ impl Measure {
         }
     }
 
-    /// Its second derivative by the numbers of both poses, 24×24.
-    pub fn hessian(self, a: &Pose, b: &Pose) -> PairMatrix {
-        let mut sum = PairMatrix::zeros();
-        self.add_hessian(a, b, 1.0, &mut sum);
-        sum
-    }
-
-    /// Adds `factor` times its second derivative by the numbers of both poses, 24×24.
-    pub fn add_hessian(self, a: &Pose, b: &Pose, factor: f64, sum: &mut PairMatrix) {
+    /// Adds `factor` times its second derivative by the vectors of both poses.
+    pub fn add_hessian(self, a: &Pose, b: &Pose, factor: f64, sum: &mut PairHessian) {
         match self {
             Self::Distance(axis) => {
-                add_symmetric(sum, axis_place(axis), 0, -factor);
-                add_symmetric(sum, axis_place(axis), POSE, factor);
+                sum.add_product(axis_vector(axis), PLACE, -factor);
+                sum.add_product(axis_vector(axis), VECTORS + PLACE, factor);
             }
             Self::Angle(axis) => {
                 let (sine, cosine) = turn(axis);
                 let (s, c) = (sine.value(a, b), cosine.value(a, b));
-                let (s_x, c_x) = (sine.gradient(a, b), cosine.gradient(a, b));
                 let square = s * s + c * c;
                 sine.add_hessian(factor * c / square, sum);
                 cosine.add_hessian(-factor * s / square, sum);
                 let (same, mixed) = (2.0 * s * c, s * s - c * c);
                 let over = factor / (square * square);
-                add_product(sum, &c_x, &((c_x * same + s_x * mixed) * over));
-                add_product(sum, &s_x, &((c_x * mixed - s_x * same) * over));
+                sum.set_products([cosine.gradient(a, b), sine.gradient(a, b)], [same, mixed, -same].map(|w| w * over));
             }
             Self::Length => {
-                let apart = b.place - a.place;
-                let length = apart.norm();
-                let block = (Mat3::identity() - apart * apart.transpose() / (length * length)) * (factor / length);
-                for (row, column, sign) in [(0, 0, 1.0), (0, POSE, -1.0), (POSE, 0, -1.0), (POSE, POSE, 1.0)] {
-                    let mut part = sum.fixed_view_mut::<3, 3>(row, column);
-                    part += block * sign;
+                let length = (b.place - a.place).norm();
+                for (one, other, sign) in [(PLACE, PLACE, 1.0), (PLACE, VECTORS + PLACE, -1.0), (VECTORS + PLACE, VECTORS + PLACE, 1.0)] {
+                    sum.add_product(one, other, sign * factor / length);
                 }
+                sum.set_products([self.gradient(a, b), PairVector::zeros()], [-factor / length, 0.0, 0.0]);
             }
             Self::Rotation(component) => {
                 let (sine, cosine) = (sine_of_rotation(component), cosine_of_rotation());
                 let s = sine.value(a, b);
-                let (s_x, c_x) = (sine.gradient(a, b), cosine.gradient(a, b));
                 let [own, slope, bend] = rotation_factor(cosine.value(a, b));
                 sine.add_hessian(factor * own, sum);
                 cosine.add_hessian(factor * slope * s, sum);
-                add_product(sum, &s_x, &(c_x * (factor * slope)));
-                add_product(sum, &c_x, &((s_x * slope + c_x * (bend * s)) * factor));
+                let weights = [0.0, factor * slope, factor * bend * s];
+                sum.set_products([sine.gradient(a, b), cosine.gradient(a, b)], weights);
             }
         }
     }
@@ -155,15 +144,15 @@ impl<const N: usize> Products<N> {
     fn gradient(&self, a: &Pose, b: &Pose) -> PairVector {
         let mut sum = PairVector::zeros();
         for (factor, i, j) in self.terms {
-            add(&mut sum, axis_place(i), &(b.axis(j) * factor));
-            add(&mut sum, POSE + axis_place(j), &(a.axis(i) * factor));
+            add(&mut sum, axis_vector(i), &(b.axis(j) * factor));
+            add(&mut sum, VECTORS + axis_vector(j), &(a.axis(i) * factor));
         }
         sum
     }
 
-    fn add_hessian(&self, scale: f64, sum: &mut PairMatrix) {
+    fn add_hessian(&self, scale: f64, sum: &mut PairHessian) {
         for (factor, i, j) in self.terms {
-            add_symmetric(sum, axis_place(i), POSE + axis_place(j), scale * factor);
+            sum.add_product(axis_vector(i), VECTORS + axis_vector(j), scale * factor);
         }
     }
 }
@@ -213,26 +202,7 @@ const SMALL_TURN: f64 = 0.2;
 /// Terms of the series: what is left out is below round-off at [`SMALL_TURN`], in the second derivative too.
 const SERIES: i32 = 20;
 
-fn put(sum: &mut PairVector, place: usize, value: &Vec3) {
-    sum.fixed_rows_mut::<3>(place).copy_from(value);
-}
-
-fn add(sum: &mut PairVector, place: usize, value: &Vec3) {
-    let mut rows = sum.fixed_rows_mut::<3>(place);
-    rows += value;
-}
-
-/// Adds `left rightᵀ`; most numbers are zero.
-fn add_product(sum: &mut PairMatrix, left: &PairVector, right: &PairVector) {
-    for (column, factor) in right.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
-        sum.column_mut(column).axpy(*factor, left, 1.0);
-    }
-}
-
-/// Adds `factor` times the identity to the blocks `(row, column)` and `(column, row)`.
-pub fn add_symmetric(sum: &mut PairMatrix, row: usize, column: usize, factor: f64) {
-    for i in 0..3 {
-        sum[(row + i, column + i)] += factor;
-        sum[(column + i, row + i)] += factor;
-    }
+fn add(sum: &mut PairVector, vector: usize, value: &Vec3) {
+    let mut column = sum.column_mut(vector);
+    column += value;
 }

@@ -2,7 +2,7 @@
 
 use super::configuration::Configuration;
 use super::marker::{ByCoordinates, Marker, MarkerMatrix, MarkerVector};
-use super::pose::axis_place;
+use super::pose::axis_vector;
 use crate::math::Vec3;
 use crate::math::jet::Jet;
 use serde::{Deserialize, Serialize};
@@ -189,7 +189,11 @@ impl Load {
             Direction::Follower => {
                 let (motion, pose_q) = (marker.motion(c), marker.pose_q(c));
                 let turned = |local: &Vec3| -> ByCoordinates {
-                    (0..3).map(|i| pose_q.fixed_rows::<3>(axis_place(i)) * local[i]).sum()
+                    let mut sum = ByCoordinates::zeros();
+                    for number in 0..pose_q.count() {
+                        sum.set_column(number, &(pose_q.column(number).fixed_columns::<3>(axis_vector(0)) * local));
+                    }
+                    sum
                 };
                 let share = self.points[number].1;
                 sum + motion.place_q.tr_mul(&turned(&(wrench.force * share)))

@@ -1,11 +1,12 @@
 //! A point and a frame that joints, loads and sensors hold on to: on the ground, a moving frame, a body, at a node, inside an element.
 //!
 //! Loads ask a marker for its pose, how it moves with the coordinates (`motion`), and how the generalized force of a wrench
-//! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` and `pose_qq`.
+//! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` (`pose_gradient`).
 
 use super::configuration::Configuration;
 use super::mesh::Mesh;
-use super::pose::{Pose, PoseGradient, PoseVector, axis_place, moment};
+use super::pose::Pose;
+use super::pose_gradient::{PoseGradient, Turning};
 use super::rigid_body;
 use crate::math::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
@@ -119,11 +120,6 @@ impl Marker {
         }
     }
 
-    /// Whether its pose is no linear function of its coordinates: at a node, or inside an element.
-    pub fn is_of_beam(&self) -> bool {
-        matches!(self, Self::Node { .. } | Self::Section { .. })
-    }
-
     /// Place and axes.
     pub fn pose(&self, c: &Configuration) -> Pose {
         match self {
@@ -166,52 +162,56 @@ impl Marker {
             Self::Node { node, offset, .. } => {
                 let node = &c.mesh.nodes[*node];
                 let arm = node.pose(c).axes * offset;
-                let frozen = node.moment_stiffness(c, &(moment + arm.cross(force)));
                 // The arm turns: d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ.
                 let turning = arm * force.transpose() - Mat3::identity() * arm.dot(force);
-                frozen + turned(&node.motion(c, offset).turn_q, &turning, node.coordinates().len())
+                let mut sum = turned(&node.turn_q(c), &turning, node.coordinates().len());
+                node.add_moment_stiffness(c, &(moment + arm.cross(force)), &mut sum);
+                sum
             }
-            Self::Section { element, xi } => c.mesh.elements[*element].section_moment_stiffness(c, *xi, moment),
-        }
-    }
-
-    /// `∂pose/∂q`, 12×24.
-    pub fn pose_q(&self, c: &Configuration) -> PoseGradient {
-        match self {
-            Self::Ground(_) | Self::Frame { .. } => PoseGradient::zeros(),
-            Self::Body { offset, axes, .. } => rigid_body::pose_q(offset, axes),
-            Self::Node { .. } | Self::Section { .. } => {
-                let (pose, motion) = (self.pose(c), self.motion(c));
-                let axes = [0, 1, 2].map(|axis| pose.axis(axis));
-                let mut sum = PoseGradient::zeros();
-                for column in 0..self.coordinates(c.mesh).len() {
-                    let turn = motion.turn_q.column(column);
-                    sum.fixed_view_mut::<3, 1>(0, column).copy_from(&motion.place_q.column(column));
-                    for (number, axis) in axes.iter().enumerate() {
-                        sum.fixed_view_mut::<3, 1>(axis_place(number), column).copy_from(&turn.cross(axis));
-                    }
-                }
+            Self::Section { element, xi } => {
+                let mut sum = MarkerMatrix::zeros();
+                c.mesh.elements[*element].add_section_moment_stiffness(c, *xi, moment, &mut sum);
                 sum
             }
         }
     }
 
-    /// `∂(pose_qᵀ f)/∂q`, 24×24, of frozen forces `f` on the numbers of the pose.
-    pub fn pose_qq(&self, c: &Configuration, force: &PoseVector) -> MarkerMatrix {
+    /// How the vectors of the pose move with the marker's coordinates.
+    pub fn pose_q(&self, c: &Configuration) -> PoseGradient {
         match self {
-            Self::Ground(_) | Self::Frame { .. } | Self::Body { .. } => MarkerMatrix::zeros(),
-            Self::Node { .. } | Self::Section { .. } => {
-                let pose = self.pose(c);
-                let part = |place: usize| force.fixed_rows::<3>(place).into_owned();
-                let frozen = self.wrench_stiffness(c, &part(0), &moment(&pose, force));
-                // The axes turn: d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ.
-                let turning: Mat3 = (0..3)
-                    .map(|number| {
-                        let (axis, force) = (pose.axis(number), part(axis_place(number)));
-                        axis * force.transpose() - Mat3::identity() * axis.dot(&force)
-                    })
-                    .sum();
-                frozen + turned(&self.motion(c).turn_q, &turning, self.coordinates(c.mesh).len())
+            Self::Ground(_) | Self::Frame { .. } => PoseGradient::Fixed,
+            Self::Body { offset, axes, .. } => PoseGradient::Body(rigid_body::pose_q(offset, axes)),
+            Self::Node { node, offset, axes } => {
+                let node = &c.mesh.nodes[*node];
+                let section = node.pose(c).axes;
+                let mut place_q = ByCoordinates::zeros();
+                (0..3).for_each(|axis| place_q[(axis, axis)] = 1.0);
+                PoseGradient::Beam(Turning {
+                    arms: Pose { place: section * offset, axes: section * axes }.vectors(),
+                    place_q,
+                    turn_q: node.turn_q(c),
+                    count: node.coordinates().len(),
+                    placing: 3,
+                    turning: 3,
+                })
+            }
+            Self::Section { element, xi } => {
+                let element = &c.mesh.elements[*element];
+                let Motion { place_q, turn_q } = element.section_motion(c, *xi);
+                let arms = Pose { place: Vec3::zeros(), axes: element.section_pose(c, *xi).axes }.vectors();
+                let count = element.coordinates().len();
+                PoseGradient::Beam(Turning { arms, place_q, turn_q, count, placing: count, turning: 0 })
+            }
+        }
+    }
+
+    /// Adds `∂(turn_qᵀ m)/∂q` of a moment (N m) frozen in space to `sum`, of what turns in itself: a section of a beam, at a node or between.
+    pub fn add_moment_stiffness(&self, c: &Configuration, moment: &Vec3, sum: &mut MarkerMatrix) {
+        match self {
+            Self::Ground(_) | Self::Frame { .. } | Self::Body { .. } => {}
+            Self::Node { node, .. } => c.mesh.nodes[*node].add_moment_stiffness(c, moment, sum),
+            Self::Section { element, xi } => {
+                c.mesh.elements[*element].add_section_moment_stiffness(c, *xi, moment, sum);
             }
         }
     }

@@ -4,7 +4,7 @@ use super::ancf14::coordinates as ancf14;
 use super::ancf24::coordinates as ancf24;
 use super::ancf24::frame::SectionFrame;
 use super::configuration::Configuration;
-use super::marker::{MarkerMatrix, Motion};
+use super::marker::{ByCoordinates, MarkerMatrix, Motion};
 use super::pose::Pose;
 use crate::math::Vec3;
 use crate::math::rotation::rotation_angle;
@@ -69,21 +69,22 @@ impl Node {
 
     /// How a point `offset` (section axes, m) away moves.
     pub fn motion(&self, c: &Configuration, offset: &Vec3) -> Motion {
-        let (turn_q, arm) = match *self {
-            Self::Ancf14 { frame, .. } => (c.frames[frame].turn_q(), c.frames[frame].section * offset),
-            Self::Ancf24 { start } => {
-                let frame = SectionFrame::of_node(&c.q[start..]);
-                (frame.node_turn_q(), frame.axes * offset)
-            }
-        };
-        Motion::of_arm(&arm, turn_q, self.coordinates().len())
+        Motion::of_arm(&(self.pose(c).axes * offset), self.turn_q(c), self.coordinates().len())
     }
 
-    /// `∂(turn_qᵀ m)/∂q` of a moment (N m) frozen in space.
-    pub fn moment_stiffness(&self, c: &Configuration, moment: &Vec3) -> MarkerMatrix {
+    /// `∂φ/∂q`, 3×24: turn of the section.
+    pub fn turn_q(&self, c: &Configuration) -> ByCoordinates {
         match *self {
-            Self::Ancf14 { frame, .. } => c.frames[frame].moment_stiffness(moment),
-            Self::Ancf24 { start } => SectionFrame::of_node(&c.q[start..]).node_moment_stiffness(moment),
+            Self::Ancf14 { frame, .. } => c.frames[frame].turn_q(),
+            Self::Ancf24 { start } => SectionFrame::of_node(&c.q[start..]).node_turn_q(),
+        }
+    }
+
+    /// Adds `∂(turn_qᵀ m)/∂q` of a moment (N m) frozen in space to `sum`.
+    pub fn add_moment_stiffness(&self, c: &Configuration, moment: &Vec3, sum: &mut MarkerMatrix) {
+        match *self {
+            Self::Ancf14 { frame, .. } => c.frames[frame].add_moment_stiffness(moment, sum),
+            Self::Ancf24 { start } => SectionFrame::of_node(&c.q[start..]).add_node_moment_stiffness(moment, sum),
         }
     }
 

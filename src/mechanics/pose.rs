@@ -3,22 +3,19 @@
 //! Joints are polynomials of the poses of their two sides. In these numbers a rigid body moves linearly, so that nothing but
 //! a node's own geometry has second derivatives.
 
-use super::marker::MARKER;
 use crate::math::{Mat3, Vec3};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 use serde::{Deserialize, Serialize};
 
 /// Numbers of a pose: place, then the three axes.
-pub const POSE: usize = 12;
+pub const POSE: usize = 3 * VECTORS;
+/// Vectors of a pose: place, then the three axes.
+pub const VECTORS: usize = 4;
+/// The vector that is the place.
+pub const PLACE: usize = 0;
 
-/// One number for each number of a pose: place, first, second and third axis.
-pub type PoseVector = SVector<f64, POSE>;
-/// The numbers of a pose by a marker's coordinates, 12×24; columns past the marker's own count are zero.
-pub type PoseGradient = SMatrix<f64, POSE, MARKER>;
-/// One number for each number of two poses: side a, then side b.
-pub type PairVector = SVector<f64, 24>;
-/// Second derivatives by the numbers of two poses.
-pub type PairMatrix = SMatrix<f64, 24, 24>;
+/// A vector for each vector of a pose, as columns: place, first, second and third axis.
+pub type PoseVector = SMatrix<f64, 3, VECTORS>;
 
 /// Place and axes, or their derivatives by time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -52,14 +49,12 @@ impl Pose {
         (self.axes.tr_mul(&(other.place - self.place)), self.axes.tr_mul(&other.axes))
     }
 
-    /// As twelve numbers.
-    pub fn numbers(&self) -> PoseVector {
-        let mut numbers = PoseVector::zeros();
-        numbers.fixed_rows_mut::<3>(0).copy_from(&self.place);
-        for axis in 0..3 {
-            numbers.fixed_rows_mut::<3>(3 + 3 * axis).copy_from(&self.axes.column(axis));
-        }
-        numbers
+    /// As four vectors.
+    pub fn vectors(&self) -> PoseVector {
+        let mut vectors = PoseVector::zeros();
+        vectors.set_column(PLACE, &self.place);
+        vectors.fixed_columns_mut::<3>(axis_vector(0)).copy_from(&self.axes);
+        vectors
     }
 
     /// Axis `number`.
@@ -75,12 +70,17 @@ impl Pose {
 
 /// Where axis `number` starts among the numbers of a pose.
 pub const fn axis_place(number: usize) -> usize {
-    3 + 3 * number
+    3 * axis_vector(number)
 }
 
-/// The moment of forces on the numbers of a pose, N m: `Σ axis × force`.
+/// Where axis `number` is among the vectors of a pose.
+pub const fn axis_vector(number: usize) -> usize {
+    PLACE + 1 + number
+}
+
+/// The moment of forces on the vectors of a pose about its place, N m: `Σ axis × force`.
 pub fn moment(pose: &Pose, force: &PoseVector) -> Vec3 {
-    (0..3).map(|axis| pose.axis(axis).cross(&force.fixed_rows::<3>(axis_place(axis)).into_owned())).sum()
+    (0..3).map(|axis| pose.axis(axis).cross(&force.column(axis_vector(axis)))).sum()
 }
 
 /// The turning of a pose from its derivative by time: angular velocity, rad/s, `½ Σ axis × axis'`.

@@ -4,10 +4,11 @@
 
 use super::joint::Joint;
 use super::joint::primitive::Primitive;
-use super::marker::{Marker, MarkerMatrix, Motion};
-use super::pose::{POSE, Pose, PoseGradient, axis_place};
+use super::marker::{ByCoordinates, Marker, MarkerMatrix, Motion};
+use super::pose::{PLACE, POSE, Pose, VECTORS, axis_place, axis_vector};
 use crate::math::vectors::{set_vec3, vec3};
 use crate::math::{Mat3, Vec3};
+use nalgebra::SMatrix;
 
 /// Coordinates of a body: those of its pose.
 pub const BODY: usize = POSE;
@@ -120,30 +121,29 @@ pub fn pose(q: &[f64], start: usize) -> Pose {
     Pose { place: part(0), axes: Mat3::from_columns(&[0, 1, 2].map(|axis| part(axis_place(axis)))) }
 }
 
-/// The pose of a point tied to a body by its coordinates, 12×12: constant.
-pub fn pose_q(offset: &Vec3, axes: &Mat3) -> PoseGradient {
-    let mut sum = PoseGradient::zeros();
-    for i in 0..3 {
-        sum[(i, i)] = 1.0;
-        for director in 0..3 {
-            sum[(i, axis_place(director) + i)] = offset[director];
-            for axis in 0..3 {
-                sum[(axis_place(axis) + i, axis_place(director) + i)] = axes[(director, axis)];
-            }
+/// Each vector of the pose of a point tied to a body as a sum of the body's own vectors: their factors, a column each.
+pub fn pose_q(offset: &Vec3, axes: &Mat3) -> SMatrix<f64, VECTORS, VECTORS> {
+    let mut factors = SMatrix::zeros();
+    factors[(PLACE, PLACE)] = 1.0;
+    for director in 0..3 {
+        factors[(axis_vector(director), PLACE)] = offset[director];
+        for axis in 0..3 {
+            factors[(axis_vector(director), axis_vector(axis))] = axes[(director, axis)];
         }
     }
-    sum
+    factors
 }
 
 /// How a point tied to a body moves; a moment `m` acts on director `d` as `(m × d)/2` (MECHANICS 6).
 pub fn motion(q: &[f64], start: usize, offset: &Vec3) -> Motion {
-    let gradient = pose_q(offset, &Mat3::identity());
-    let mut turn_q = super::marker::ByCoordinates::zeros();
+    let (mut place_q, mut turn_q) = (ByCoordinates::zeros(), ByCoordinates::zeros());
+    place_q.fixed_columns_mut::<3>(0).copy_from(&Mat3::identity());
     for axis in 0..3 {
         let place = axis_place(axis);
+        place_q.fixed_columns_mut::<3>(place).copy_from(&(Mat3::identity() * offset[axis]));
         turn_q.fixed_columns_mut::<3>(place).copy_from(&(vec3(q, start + place).cross_matrix() * 0.5));
     }
-    Motion { place_q: gradient.fixed_rows::<3>(0).into_owned(), turn_q }
+    Motion { place_q, turn_q }
 }
 
 /// `∂(place_qᵀ f + turn_qᵀ m)/∂q`, 12×12, of a force and a moment frozen in space.

@@ -4,9 +4,11 @@
 
 use super::configuration::{Configuration, Passage, Rates};
 use super::gauge::Gauge;
-use super::joint::{own_velocity, pull_back};
+use super::joint::own_velocity;
 use super::marker::{MarkerMatrix, MarkerVector};
-use super::pose::{POSE, PairVector};
+use super::pair::{PairHessian, PairVector};
+use super::pose::VECTORS;
+use super::pose_gradient::{of_side, pull_back};
 
 /// A spring with a damper.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,25 +74,19 @@ impl Spring {
         let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
         let tension = self.tension(gauge, c, passage);
         let by_poses = gauge.measure.gradient(&a, &b);
-        let hessian = gauge.measure.hessian(&a, &b);
+        let mut hessian = PairHessian::default();
+        gauge.measure.add_hessian(&a, &b, tension, &mut hessian);
         let mut blocks = [MarkerMatrix::zeros(); 4];
-        pull_back(
-            c,
-            [&gauge.a, &gauge.b],
-            &(by_poses * tension),
-            &(by_poses * by_poses.transpose() * self.stiffness + hessian * tension),
-            &mut blocks,
-        );
+        pull_back(c, [&gauge.a, &gauge.b], &(by_poses * tension), &hessian, &mut blocks);
+        let here = reading_q(gauge, c);
+        add_products(&here, &here, self.stiffness, &mut blocks);
         if self.damping != 0.0 {
-            let here = reading_q(gauge, c);
             let rate_q = match &passage.rates {
                 Rates::Rest => return blocks,
                 Rates::Step { end, duration, .. } => reading_q(gauge, end).map(|by_side| by_side * (2.0 / duration)),
                 Rates::Instant(velocity) => reading_rate_q(gauge, c, velocity),
             };
-            for (number, block) in blocks.iter_mut().enumerate() {
-                *block += here[number / 2] * rate_q[number % 2].transpose() * self.damping;
-            }
+            add_products(&here, &rate_q, self.damping, &mut blocks);
         }
         blocks
     }
@@ -98,10 +94,12 @@ impl Spring {
     /// Derivative of [`Self::gradient`] by the velocities of both sides, blocks `aa, ab, ba, bb`.
     pub fn damping_matrix(&self, gauge: &Gauge, c: &Configuration) -> [MarkerMatrix; 4] {
         let here = reading_q(gauge, c);
-        [0, 1, 2, 3].map(|number: usize| here[number / 2] * here[number % 2].transpose() * self.damping)
+        let mut blocks = [MarkerMatrix::zeros(); 4];
+        add_products(&here, &here, self.damping, &mut blocks);
+        blocks
     }
 
-    /// Minus its forces on the numbers of both poses, 24×1.
+    /// Minus its forces on the vectors of both poses.
     pub fn tension_x(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> PairVector {
         if self.is_idle() {
             return PairVector::zeros();
@@ -118,16 +116,22 @@ impl Spring {
 /// Reading of a gauge by the coordinates of both its sides, 24×1 each.
 pub fn reading_q(gauge: &Gauge, c: &Configuration) -> [MarkerVector; 2] {
     let by_poses = gauge.measure.gradient(&gauge.a.pose(c), &gauge.b.pose(c));
-    let side = |side: usize| by_poses.fixed_rows::<POSE>(POSE * side).into_owned();
-    [gauge.a.pose_q(c).tr_mul(&side(0)), gauge.b.pose_q(c).tr_mul(&side(1))]
+    [gauge.a.pose_q(c).generalized(&of_side(&by_poses, 0)), gauge.b.pose_q(c).generalized(&of_side(&by_poses, 1))]
+}
+
+/// Adds `factor` times the products of both sides of `left` and `right` to the blocks `aa, ab, ba, bb`.
+fn add_products(left: &[MarkerVector; 2], right: &[MarkerVector; 2], factor: f64, blocks: &mut [MarkerMatrix; 4]) {
+    for (number, block) in blocks.iter_mut().enumerate() {
+        block.ger(factor, &left[number / 2], &right[number % 2], 1.0);
+    }
 }
 
 /// How fast the poses of both sides change, 24×1.
 fn pose_rates(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> PairVector {
     let mut rates = PairVector::zeros();
     for (side, marker) in [&gauge.a, &gauge.b].into_iter().enumerate() {
-        let rate = marker.pose_q(c) * own_velocity(c, marker, velocity) + marker.pose_t(c)[0].numbers();
-        rates.fixed_rows_mut::<POSE>(POSE * side).copy_from(&rate);
+        let rate = marker.pose_q(c).times(&own_velocity(c, marker, velocity)) + marker.pose_t(c)[0].vectors();
+        rates.fixed_columns_mut::<VECTORS>(VECTORS * side).copy_from(&rate);
     }
     rates
 }
@@ -141,10 +145,13 @@ pub fn reading_rate(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> f64 {
 fn reading_rate_q(gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> [MarkerVector; 2] {
     let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
     let by_poses = gauge.measure.gradient(&a, &b);
-    let turned = gauge.measure.hessian(&a, &b) * pose_rates(gauge, c, velocity);
-    let side = |vector: &PairVector, side: usize| vector.fixed_rows::<POSE>(POSE * side).into_owned();
+    let mut hessian = PairHessian::default();
+    gauge.measure.add_hessian(&a, &b, 1.0, &mut hessian);
+    let turned = hessian.times(&pose_rates(gauge, c, velocity));
     [(0, &gauge.a), (1, &gauge.b)].map(|(number, marker)| {
-        let own = own_velocity(c, marker, velocity);
-        marker.pose_q(c).tr_mul(&side(&turned, number)) + marker.pose_qq(c, &side(&by_poses, number)).tr_mul(&own)
+        let (own, pose_q) = (own_velocity(c, marker, velocity), marker.pose_q(c));
+        let mut bend = MarkerMatrix::zeros();
+        pose_q.add_bend(marker, c, &of_side(&by_poses, number), &mut bend);
+        pose_q.generalized(&of_side(&turned, number)) + bend.tr_mul(&own)
     })
 }

@@ -6,7 +6,9 @@ use super::configuration::{Configuration, Passage};
 use super::gauge::Gauge;
 use super::joint::Joint;
 use super::marker::Marker;
-use super::pose::{POSE, PairVector, PoseVector, moment};
+use super::pair::PairVector;
+use super::pose::{PLACE, moment};
+use super::pose_gradient::of_side;
 use super::system::System;
 use crate::math::Vec3;
 
@@ -119,13 +121,12 @@ impl Action<'_> {
         self.acting([&gauge.a, &gauge.b], side, &-spring.tension_x(gauge, self.c, self.passage))
     }
 
-    /// Forces on the numbers of both poses as force and moment on one side.
+    /// Forces on the vectors of both poses as force and moment on one side.
     fn acting(&self, [a, b]: [&Marker; 2], side: Side, forces: &PairVector) -> Acting {
-        let (pose, start) = match side {
-            Side::A => (a.pose(self.c), 0),
-            Side::B => (b.pose(self.c), POSE),
+        let (pose, own) = match side {
+            Side::A => (a.pose(self.c), of_side(forces, 0)),
+            Side::B => (b.pose(self.c), of_side(forces, 1)),
         };
-        let own: PoseVector = forces.fixed_rows::<POSE>(start).into_owned();
-        Acting { place: pose.place, force: own.fixed_rows::<3>(0).into_owned(), moment: moment(&pose, &own) }
+        Acting { place: pose.place, force: own.column(PLACE).into_owned(), moment: moment(&pose, &own) }
     }
 }

@@ -7,7 +7,7 @@ use crate::random::Random;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::driven::Driven;
 use ancf14::mechanics::joint::primitive::Primitive;
-use ancf14::mechanics::joint::{Joint, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld};
+use ancf14::mechanics::joint::{Joint, JointGradient, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld};
 use ancf14::mechanics::marker::MarkerMatrix;
 use ancf14::mechanics::rigid_body;
 use nalgebra::SVector;
@@ -54,7 +54,8 @@ fn check_joint(machine: &Machine, joint: &Joint, random: &mut Random) {
     joint.phi(&c, &mut phi);
     assert!((weighted(&phi) - value).abs() < ROUNDING);
 
-    let own = joint.phi_q(&c);
+    let mut own = JointGradient::default();
+    joint.phi_q(&c, &mut own);
     let mut closed = SVector::<f64, COUNT>::zeros();
     for (marker, block) in [(&joint.a, own.a), (&joint.b, own.b)] {
         for (local, index) in marker.coordinates(&machine.mesh).enumerate() {

@@ -7,7 +7,7 @@ use ancf14::math::Vec3;
 use ancf14::mechanics::assembly::Assembly;
 use ancf14::mechanics::beam_design::BeamDesign;
 use ancf14::mechanics::centreline::Centreline;
-use ancf14::mechanics::joint::{Joint, primitive::Primitive, revolute, spherical, weld};
+use ancf14::mechanics::joint::{Joint, JointGradient, primitive::Primitive, revolute, spherical, weld};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::pose::Pose;
@@ -68,7 +68,8 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
 /// Rows of the joint's gradient that are independent.
 fn rank(system: &System, state: &State, joint: usize) -> usize {
     let mut snapshot = Snapshot::default();
-    let gradient = system.joints[joint].phi_q(&snapshot.of(system, state));
+    let mut gradient = JointGradient::default();
+    system.joints[joint].phi_q(&snapshot.of(system, state), &mut gradient);
     let rows = system.joints[joint].rows();
     let both = nalgebra::DMatrix::from_fn(rows, 28, |row, column| {
         if column < 14 { gradient.a[(row, column)] } else { gradient.b[(row, column - 14)] }

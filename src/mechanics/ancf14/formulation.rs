@@ -159,11 +159,9 @@ impl Formulation for Element {
         Motion { place_q, turn_q }
     }
 
-    fn section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3) -> MarkerMatrix {
-        let mut sum = MarkerMatrix::zeros();
-        let own = SectionPoint::new(c, self, xi).moment_stiffness(c, moment);
-        sum.fixed_view_mut::<ELEMENT, ELEMENT>(0, 0).copy_from(&own);
-        sum
+    fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
+        let mut own = sum.fixed_view_mut::<ELEMENT, ELEMENT>(0, 0);
+        own += SectionPoint::new(c, self, xi).moment_stiffness(c, moment);
     }
 
     fn relaxed_turn(&self, c: &Configuration, xi: f64) -> f64 {

@@ -78,13 +78,13 @@ impl NodeFrame {
         turn_q
     }
 
-    /// `∂(turn_qᵀ m)/∂q`, 7×7 and zeros, of the moment `moment` (N m) frozen in space.
-    pub fn moment_stiffness(&self, moment: &Vec3) -> MarkerMatrix {
+    /// Adds `∂(turn_qᵀ m)/∂q`, 7×7, of the moment `moment` (N m) frozen in space to `sum`.
+    pub fn add_moment_stiffness(&self, moment: &Vec3, sum: &mut MarkerMatrix) {
         let (by_p, along_p) = self.moment_force_p(moment);
-        let mut sum = MarkerMatrix::zeros();
-        sum.fixed_view_mut::<3, 3>(P, P).copy_from(&by_p);
-        sum.fixed_view_mut::<1, 3>(THETA, P).copy_from(&along_p.transpose());
-        sum
+        let mut slopes = sum.fixed_view_mut::<3, 3>(P, P);
+        slopes += by_p;
+        let mut angle = sum.fixed_view_mut::<1, 3>(THETA, P);
+        angle += along_p.transpose();
     }
 
     /// `[Q_p, Q_theta]`: generalized force of the spatial moment `moment`, N m (MECHANICS 3.5).

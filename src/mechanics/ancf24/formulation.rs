@@ -164,9 +164,9 @@ impl Formulation for Element {
         Motion { place_q, turn_q: self.frame(c, xi).turn_q([&y, &z]) }
     }
 
-    fn section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3) -> MarkerMatrix {
+    fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
         let [y, z] = sources(xi);
-        self.frame(c, xi).moment_stiffness(moment, [&y, &z])
+        self.frame(c, xi).add_moment_stiffness(moment, [&y, &z], sum);
     }
 
     fn section_shape(&self, c: &Configuration, xi: f64) -> SectionShape {

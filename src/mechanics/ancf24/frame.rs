@@ -110,20 +110,19 @@ impl SectionFrame {
         turn_q
     }
 
-    /// `∂(turn_qᵀ m)/∂q` of the moment `moment`, N m, frozen in space.
-    pub fn moment_stiffness(&self, moment: &Vec3, sources: [Sources; 2]) -> MarkerMatrix {
+    /// Adds `∂(turn_qᵀ m)/∂q` of the moment `moment`, N m, frozen in space to `sum`.
+    pub fn add_moment_stiffness(&self, moment: &Vec3, sources: [Sources; 2], sum: &mut MarkerMatrix) {
         let by = self.moment_force_by(moment);
-        let mut sum = MarkerMatrix::zeros();
         for (rows, by) in sources.into_iter().zip(&by) {
             for (columns, by) in sources.into_iter().zip(by) {
                 for (row, left) in rows {
                     for (column, right) in columns {
-                        sum.fixed_view_mut::<3, 3>(*row, *column).copy_from(&(by * (left * right)));
+                        let mut view = sum.fixed_view_mut::<3, 3>(*row, *column);
+                        view += by * (left * right);
                     }
                 }
             }
         }
-        sum
     }
 
     /// [`Self::turn_q`] of a node.
@@ -131,8 +130,8 @@ impl SectionFrame {
         self.turn_q(OF_NODE)
     }
 
-    /// [`Self::moment_stiffness`] of a node.
-    pub fn node_moment_stiffness(&self, moment: &Vec3) -> MarkerMatrix {
-        self.moment_stiffness(moment, OF_NODE)
+    /// [`Self::add_moment_stiffness`] of a node.
+    pub fn add_node_moment_stiffness(&self, moment: &Vec3, sum: &mut MarkerMatrix) {
+        self.add_moment_stiffness(moment, OF_NODE, sum);
     }
 }

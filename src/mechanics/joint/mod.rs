@@ -15,7 +15,9 @@ pub mod weld;
 
 use super::configuration::Configuration;
 use super::marker::{MARKER, Marker, MarkerMatrix, MarkerVector};
-use super::pose::{POSE, PairMatrix, PairVector, Pose, PoseVector};
+use super::pair::{PairHessian, PairVector};
+use super::pose::{Pose, VECTORS};
+use super::pose_gradient::{of_side, pull_back};
 use crate::math::jet::Jet;
 use nalgebra::SMatrix;
 use primitive::{MOST_ROWS, Primitive};
@@ -38,8 +40,8 @@ pub struct Joint {
     pub drive: Option<usize>,
 }
 
-/// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×24 each; unused rows are zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×24 each, of which only the rows of conditions and the columns of coordinates are set.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JointGradient {
     /// By the coordinates of side a.
     pub a: SMatrix<f64, MOST_CONDITIONS, MARKER>,
@@ -69,7 +71,7 @@ impl Joint {
         }
     }
 
-    /// Gradients of all rows by the numbers of both poses, in order.
+    /// Gradients of all rows by the vectors of both poses, in order.
     fn rows_x(&self, a: &Pose, b: &Pose) -> ([PairVector; MOST_CONDITIONS], usize) {
         let mut gradients = [PairVector::zeros(); MOST_CONDITIONS];
         let mut row = 0;
@@ -82,25 +84,21 @@ impl Joint {
         (gradients, row)
     }
 
-    /// `∂phi/∂q` of both sides.
-    pub fn phi_q(&self, c: &Configuration) -> JointGradient {
-        let (gradients, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
-        let mut gradient = JointGradient { a: SMatrix::zeros(), b: SMatrix::zeros() };
+    /// Sets `gradient` to `∂phi/∂q` of both sides.
+    pub fn phi_q(&self, c: &Configuration, gradient: &mut JointGradient) {
+        let (rows_x, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
         for (side, (marker, target)) in [(&self.a, &mut gradient.a), (&self.b, &mut gradient.b)].into_iter().enumerate()
         {
             let pose_q = marker.pose_q(c);
-            for column in 0..marker.coordinates(c.mesh).len() {
-                for (row, phi_x) in gradients[..rows].iter().enumerate() {
-                    target[(row, column)] = phi_x.fixed_rows::<POSE>(POSE * side).dot(&pose_q.column(column));
-                }
+            for (row, phi_x) in rows_x[..rows].iter().enumerate() {
+                pose_q.pull_back(&of_side(phi_x, side), |column, value| target[(row, column)] = value);
             }
         }
-        gradient
     }
 
-    /// Gradient and second derivative of `lambda·phi` by the numbers of both poses.
-    fn weighted(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> (PairVector, PairMatrix) {
-        let mut hessian = PairMatrix::zeros();
+    /// Gradient and second derivative of `lambda·phi` by the vectors of both poses.
+    fn weighted(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> (PairVector, PairHessian) {
+        let mut hessian = PairHessian::default();
         let mut row = 0;
         for primitive in self.primitives {
             debug_assert!(primitive.rows() <= MOST_ROWS);
@@ -124,42 +122,35 @@ impl Joint {
     /// `phi''` at an instant without the part of the accelerations, `v·phi_qq·v + 2 phi_qt·v + phi_tt`, row after row.
     pub fn phi_tt(&self, c: &Configuration, velocity: &[f64], phi_tt: &mut [f64]) {
         let (a, b) = (self.a.pose(c), self.b.pose(c));
-        let moves = [&self.a, &self.b].map(|marker| {
-            let own = own_velocity(c, marker, velocity);
-            let [explicit, acceleration] = marker.pose_t(c);
-            (own, marker.pose_q(c) * own + explicit.numbers(), acceleration.numbers())
-        });
-        let mut rate = PairVector::zeros();
-        let mut acceleration = PairVector::zeros();
-        for (side, (_, first, second)) in moves.iter().enumerate() {
-            rate.fixed_rows_mut::<POSE>(POSE * side).copy_from(first);
-            acceleration.fixed_rows_mut::<POSE>(POSE * side).copy_from(second);
+        let (mut rate, mut acceleration) = (PairVector::zeros(), PairVector::zeros());
+        for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
+            let (own, pose_q) = (own_velocity(c, marker, velocity), marker.pose_q(c));
+            let [first, second] = marker.pose_t(c).map(|pose| pose.vectors());
+            let start = VECTORS * side;
+            rate.fixed_columns_mut::<VECTORS>(start).copy_from(&(pose_q.times(&own) + first));
+            let convective = pose_q.convective(marker, c, &own);
+            acceleration.fixed_columns_mut::<VECTORS>(start).copy_from(&(convective + second));
         }
         let rows = self.rows();
         for (row, phi_tt) in phi_tt.iter_mut().enumerate() {
             let mut unit = [0.0; MOST_CONDITIONS];
             unit[row] = 1.0;
             let (gradient, hessian) = self.weighted(&a, &b, &unit[..rows]);
-            *phi_tt = rate.dot(&(hessian * rate)) + gradient.dot(&acceleration) - self.prescribed(c).second;
-            for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
-                let own = &moves[side].0;
-                let force: PoseVector = gradient.fixed_rows::<POSE>(POSE * side).into_owned();
-                *phi_tt += own.dot(&(marker.pose_qq(c, &force) * own));
-            }
+            *phi_tt = hessian.times(&rate).dot(&rate) + gradient.dot(&acceleration) - self.prescribed(c).second;
         }
     }
 
     /// `∂phi/∂t` at fixed coordinates, row after row.
     pub fn phi_t(&self, c: &Configuration, phi_t: &mut [f64]) {
-        let moving = [&self.a, &self.b].map(|marker| marker.pose_t(c)[0].numbers());
+        let moving = [&self.a, &self.b].map(|marker| marker.pose_t(c)[0].vectors());
         let (gradients, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
         for (phi_t, gradient) in phi_t.iter_mut().zip(&gradients[..rows]) {
-            let by_frames: f64 = (0..2).map(|side| gradient.fixed_rows::<POSE>(POSE * side).dot(&moving[side])).sum();
+            let by_frames: f64 = (0..2).map(|side| of_side(gradient, side).dot(&moving[side])).sum();
             *phi_t = by_frames - self.prescribed(c).first;
         }
     }
 
-    /// `∂(lambda·phi)/∂X` by the numbers of both poses, 24×1: minus the forces of the joint on them.
+    /// `∂(lambda·phi)/∂X` by the vectors of both poses: minus the forces of the joint on them.
     pub fn phi_x(&self, c: &Configuration, lambda: &[f64]) -> PairVector {
         self.force_x(&self.a.pose(c), &self.b.pose(c), lambda)
     }
@@ -177,44 +168,4 @@ pub fn own_velocity(c: &Configuration, marker: &Marker, velocity: &[f64]) -> Mar
     let mut own = MarkerVector::zeros();
     own.as_mut_slice()[..range.len()].copy_from_slice(&velocity[range]);
     own
-}
-
-/// Sets `blocks` to the second derivative by the coordinates of both sides, `aa, ab, ba, bb`, of what has these derivatives by the poses' numbers.
-/// Only the rows and columns of the markers' own coordinates are set.
-pub fn pull_back(
-    c: &Configuration,
-    [a, b]: [&Marker; 2],
-    gradient: &PairVector,
-    hessian: &PairMatrix,
-    blocks: &mut [MarkerMatrix; 4],
-) {
-    let sides = [a, b];
-    let gradients = [a.pose_q(c), b.pose_q(c)];
-    // Ground and frames have no coordinates.
-    let counts = sides.map(|side| side.coordinates(c.mesh).len());
-    for (number, product) in blocks.iter_mut().enumerate() {
-        let (left, right) = (number / 2, number % 2);
-        let block = hessian.fixed_view::<POSE, POSE>(POSE * left, POSE * right);
-        // Most conditions do not bend all sides.
-        let bends = counts[left] > 0 && block.iter().any(|value| *value != 0.0);
-        for column in 0..counts[right] {
-            let mut target = product.column_mut(column);
-            if !bends {
-                target.rows_mut(0, counts[left]).fill(0.0);
-                continue;
-            }
-            let bent: PoseVector = block * gradients[right].column(column);
-            for row in 0..counts[left] {
-                target[row] = gradients[left].column(row).dot(&bent);
-            }
-        }
-    }
-    for (side, marker) in sides.into_iter().enumerate().filter(|(_, marker)| marker.is_of_beam()) {
-        let force: PoseVector = gradient.fixed_rows::<POSE>(POSE * side).into_owned();
-        let own = marker.pose_qq(c, &force);
-        for column in 0..counts[side] {
-            let mut target = blocks[3 * side].column_mut(column);
-            (0..counts[side]).for_each(|row| target[row] += own[(row, column)]);
-        }
-    }
 }

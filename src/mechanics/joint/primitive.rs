@@ -1,11 +1,11 @@
-//! What joints are made of: scalar conditions between two poses, with their derivatives by the poses' numbers.
+//! What joints are made of: scalar conditions between two poses, with their derivatives by the poses' vectors.
 //!
 //! All but angles are bilinear in the two poses. Conditions by products of axes hold at half-turn relatives of what is meant
 //! too; `is_upright` tells them apart (MECHANICS 6).
 
-use crate::math::Vec3;
-use crate::mechanics::gauge::{Measure, add_symmetric, near};
-use crate::mechanics::pose::{POSE, PairMatrix, PairVector, Pose, axis_place};
+use crate::mechanics::gauge::{Measure, near};
+use crate::mechanics::pair::{PairHessian, PairVector};
+use crate::mechanics::pose::{Pose, VECTORS, axis_vector};
 
 /// Most rows a primitive has.
 pub const MOST_ROWS: usize = 3;
@@ -73,29 +73,28 @@ impl Primitive {
         }
     }
 
-    /// Gradient of row `row` by the numbers of both poses, 24×1.
+    /// Gradient of row `row` by the vectors of both poses.
     pub fn phi_x(self, a: &Pose, b: &Pose, row: usize) -> PairVector {
         let mut sum = PairVector::zeros();
-        let mut put = |place: usize, value: Vec3| sum.fixed_rows_mut::<3>(place).copy_from(&value);
         match self {
             Self::Coincident => sum = -Measure::Distance(row).gradient(a, b),
             Self::Measured(measure) => sum = measure.gradient(a, b),
             Self::Rigid(i, j) => {
-                put(POSE + axis_place(i), b.axis(j));
-                put(POSE + axis_place(j), b.axis(i));
+                sum.set_column(VECTORS + axis_vector(i), &b.axis(j));
+                sum.set_column(VECTORS + axis_vector(j), &b.axis(i));
             }
             _ => {
                 if let Some((i, j)) = self.product(row) {
-                    put(axis_place(i), b.axis(j));
-                    put(POSE + axis_place(j), a.axis(i));
+                    sum.set_column(axis_vector(i), &b.axis(j));
+                    sum.set_column(VECTORS + axis_vector(j), &a.axis(i));
                 }
             }
         }
         sum
     }
 
-    /// Adds the second derivative of `Σ lambda·phi` by the numbers of both poses, 24×24.
-    pub fn add_phi_xx(self, a: &Pose, b: &Pose, lambda: &[f64], sum: &mut PairMatrix) {
+    /// Adds the second derivative of `Σ lambda·phi` by the vectors of both poses.
+    pub fn add_phi_xx(self, a: &Pose, b: &Pose, lambda: &[f64], sum: &mut PairHessian) {
         match self {
             Self::Coincident => {
                 for (axis, lambda) in lambda.iter().enumerate() {
@@ -104,13 +103,12 @@ impl Primitive {
             }
             Self::Measured(measure) => measure.add_hessian(a, b, lambda[0], sum),
             Self::Rigid(i, j) => {
-                let (row, column) = (POSE + axis_place(i), POSE + axis_place(j));
-                add_symmetric(sum, row, column, if i == j { 0.5 * lambda[0] } else { lambda[0] });
+                sum.add_product(VECTORS + axis_vector(i), VECTORS + axis_vector(j), lambda[0]);
             }
             _ => {
                 for (row, lambda) in lambda.iter().enumerate() {
                     if let Some((i, j)) = self.product(row) {
-                        add_symmetric(sum, axis_place(i), POSE + axis_place(j), *lambda);
+                        sum.add_product(axis_vector(i), VECTORS + axis_vector(j), *lambda);
                     }
                 }
             }

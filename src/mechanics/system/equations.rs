@@ -48,7 +48,7 @@ impl System {
         self.add_springs(c, passage, forces);
     }
 
-    /// [`Self::forces`], and `scale` times their derivative by `q` into the first blocks of `tangent`
+    /// [`Self::forces`], and `scale` times their derivative by `q` into the first blocks of `tangent`, which are zero
     /// (over a step: twice the derivative by the coordinates at its end).
     pub fn forces_and_tangent(
         &self,
@@ -75,6 +75,11 @@ impl System {
         }
         self.add_springs(c, passage, forces);
         for spring in &self.springs {
+            // Every coordinate of a joint has a spring, most of them do nothing.
+            if spring.is_idle() {
+                block += 4;
+                continue;
+            }
             let counts = self.sides(spring.gauge).map(|marker| marker.coordinates(&self.mesh).len());
             let parts = spring.hessian(&self.gauges[spring.gauge], c, passage);
             for (number, part) in parts.iter().enumerate() {
@@ -86,7 +91,7 @@ impl System {
     }
 
     fn add_springs(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
-        for spring in &self.springs {
+        for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let parts = spring.gradient(&self.gauges[spring.gauge], c, passage);
             for (marker, part) in self.sides(spring.gauge).into_iter().zip(&parts) {
                 let range = marker.coordinates(&self.mesh);
@@ -168,8 +173,10 @@ impl System {
 
     /// `∂g/∂q`, a pair of blocks a joint.
     pub fn constraint_gradients(&self, c: &Configuration, gradients: &mut Vec<JointGradient>) {
-        gradients.clear();
-        gradients.extend(self.joints.iter().map(|joint| joint.phi_q(c)));
+        gradients.resize(self.joints.len(), JointGradient::default());
+        for (joint, gradient) in self.joints.iter().zip(gradients) {
+            joint.phi_q(c, gradient);
+        }
     }
 
     /// `rates += ∂g/∂q · velocity`.
