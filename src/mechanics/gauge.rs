@@ -107,7 +107,9 @@ impl Measure {
             }
             Self::Length => {
                 let length = (b.place - a.place).norm();
-                for (one, other, sign) in [(PLACE, PLACE, 1.0), (PLACE, VECTORS + PLACE, -1.0), (VECTORS + PLACE, VECTORS + PLACE, 1.0)] {
+                for (one, other, sign) in
+                    [(PLACE, PLACE, 1.0), (PLACE, VECTORS + PLACE, -1.0), (VECTORS + PLACE, VECTORS + PLACE, 1.0)]
+                {
                     sum.add_product(one, other, sign * factor / length);
                 }
                 sum.set_products([self.gradient(a, b), PairVector::zeros()], [-factor / length, 0.0, 0.0]);

@@ -136,12 +136,7 @@ impl PoseGradient {
 
     /// Sets `block` to the second derivative by the coordinates of this pose (rows) and of `other` (columns) of what has the second derivatives
     /// `scalars` times the identity by their vectors.
-    fn pull_back_scalars(
-        &self,
-        scalars: &SMatrix<f64, VECTORS, VECTORS>,
-        other: &Self,
-        block: &mut MarkerMatrix,
-    ) {
+    fn pull_back_scalars(&self, scalars: &SMatrix<f64, VECTORS, VECTORS>, other: &Self, block: &mut MarkerMatrix) {
         let is_zero = scalars.iter().all(|value| *value == 0.0);
         if is_zero || matches!((self, other), (Self::Body(_), Self::Body(_))) {
             (0..other.count()).for_each(|column| block.column_mut(column).rows_mut(0, self.count()).fill(0.0));
@@ -151,7 +146,9 @@ impl PoseGradient {
         }
         if let (Self::Body(left), Self::Body(right)) = (self, other) {
             let own = left * scalars * right.transpose();
-            for (row, column, axis) in (0..BODY).flat_map(|row| (0..VECTORS).map(move |column| (row / 3, column, row % 3))) {
+            for (row, column, axis) in
+                (0..BODY).flat_map(|row| (0..VECTORS).map(move |column| (row / 3, column, row % 3)))
+            {
                 block[(3 * row + axis, 3 * column + axis)] = own[(row, column)];
             }
             return;
@@ -227,7 +224,8 @@ pub fn pull_back(
     }
     if hessian.has_products() {
         let [first, both, second] = hessian.weights;
-        let vectors = hessian.vectors.each_ref().map(|vector| [0, 1].map(|side| sides[side].generalized(&of_side(vector, side))));
+        let vectors =
+            hessian.vectors.each_ref().map(|vector| [0, 1].map(|side| sides[side].generalized(&of_side(vector, side))));
         for (number, block) in blocks.iter_mut().enumerate() {
             let (left, right) = (number / 2, number % 2);
             for column in 0..counts[right] {

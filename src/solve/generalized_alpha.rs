@@ -305,6 +305,13 @@ impl Problem for Step<'_> {
         self.end
     }
 
+    fn residual(&mut self, right: &mut [f64]) -> Option<f64> {
+        self.scratch.place(self.system, self.state, self.weights, self.step);
+        self.scratch.act(self.system, self.state);
+        self.balance(right);
+        Some(self.end)
+    }
+
     fn correct(&mut self, correction: &[f64]) {
         let (coordinates, multipliers) = correction.split_at(self.scratch.increment.len());
         for (value, correction) in self.scratch.increment.iter_mut().zip(coordinates) {
@@ -337,10 +344,7 @@ impl Linearized for GeneralizedAlpha {
     }
 
     fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
-        let mut problem = self.scratch.at(system, state, self.weights, span, unknowns);
-        problem.scratch.place(system, state, self.weights, span.step);
-        problem.scratch.act(system, state);
-        problem.balance(right);
+        self.scratch.at(system, state, self.weights, span, unknowns).residual(right);
     }
 
     fn conclude(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], next: &mut State) {

@@ -127,7 +127,7 @@ impl Kkt {
     /// The matrix is singular: the error names the part of the machine that the lost direction moves most.
     pub fn solve(&mut self, system: &System, vector: &mut [f64], time: f64) -> Result<(), Error> {
         let solved = self.solver.factorize(&self.blocks).and_then(|()| self.solver.solve(&self.blocks, vector));
-        solved.map_err(|Singular| Error::Singular { time, what: self.lost_direction(system) })
+        solved.map_err(|Singular| self.singular(system, time))
     }
 
     /// Factorizes, for [`Self::solve_again`].
@@ -136,7 +136,12 @@ impl Kkt {
     /// The matrix is singular: the error names the part of the machine that the lost direction moves most.
     pub fn factorize(&mut self, system: &System, time: f64) -> Result<(), Error> {
         let factorized = self.solver.factorize(&self.blocks);
-        factorized.map_err(|Singular| Error::Singular { time, what: self.lost_direction(system) })
+        factorized.map_err(|Singular| self.singular(system, time))
+    }
+
+    /// The error of a matrix that is singular: it names the part of the machine that the lost direction moves most.
+    pub fn singular(&self, system: &System, time: f64) -> Error {
+        Error::Singular { time, what: self.lost_direction(system) }
     }
 
     /// Solves in place with the last factorization.
@@ -145,6 +150,14 @@ impl Kkt {
     /// The solution is not accurate.
     pub fn solve_again(&mut self, vector: &mut [f64]) -> Result<(), Singular> {
         self.solver.solve(&self.blocks, vector)
+    }
+
+    /// [`Self::solve_again`] with a backward error below `error`.
+    ///
+    /// # Errors
+    /// The solution is not that accurate.
+    pub fn solve_to(&mut self, error: f64, vector: &mut [f64]) -> Result<(), Singular> {
+        self.solver.solve_to(error, &self.blocks, vector)
     }
 
     /// How many independent motions that the constraints allow release energy, by the symmetric part of the matrix that is set and has

@@ -6,7 +6,7 @@
 
 use super::front_matrix::{eliminate, solve_lower, solve_upper};
 use super::fronts::{Front, Fronts, Run};
-use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, Singular};
+use super::linear::{NEGLIGIBLE, REFINEMENTS, Singular};
 use crate::math::blocks::Blocks;
 
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
@@ -133,17 +133,17 @@ impl Multifrontal {
         self.scale[index]
     }
 
-    /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are those that were factorized.
+    /// Solves for the right side `vector`, in place, refined until the backward error is below `error`. `blocks` are those that were factorized.
     ///
     /// # Errors
     /// The solution is not finite or not accurate; `vector` is as it was.
-    pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
+    pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64], error: f64) -> Result<(), Singular> {
         self.remainder.copy_from_slice(vector);
         self.solution.fill(0.0);
         for _ in 0..=REFINEMENTS {
             self.apply_inverse();
             add(&mut self.solution, &self.remainder);
-            if self.backward_error(blocks, vector) <= BACKWARD_ERROR {
+            if self.backward_error(blocks, vector) <= error {
                 vector.copy_from_slice(&self.solution);
                 return Ok(());
             }
@@ -208,23 +208,19 @@ impl Multifrontal {
             let mut row = 0;
             while row < block.rows && block.columns > 0 {
                 let place = block.row + row;
-                if block.rows - row >= NODE {
-                    subtract_rows::<NODE>(
-                        &values[row..],
-                        block.rows,
-                        factors.clone(),
-                        (&mut remainder[place..], &mut magnitude[place..]),
-                    );
-                    row += NODE;
-                } else {
-                    subtract_rows::<1>(
-                        &values[row..],
-                        block.rows,
-                        factors.clone(),
-                        (&mut remainder[place..], &mut magnitude[place..]),
-                    );
-                    row += 1;
-                }
+                let (values, factors) = (&values[row..], factors.clone());
+                let sums = (&mut remainder[place..], &mut magnitude[place..]);
+                // As many rows as the compiler may keep at hand, of what blocks have: two nodes, a body, the conditions of joints.
+                row += match block.rows - row {
+                    NODE | 14 => subtract_rows::<NODE>(values, block.rows, factors, sums),
+                    12.. => subtract_rows::<12>(values, block.rows, factors, sums),
+                    6.. => subtract_rows::<6>(values, block.rows, factors, sums),
+                    5 => subtract_rows::<5>(values, block.rows, factors, sums),
+                    4 => subtract_rows::<4>(values, block.rows, factors, sums),
+                    3 => subtract_rows::<3>(values, block.rows, factors, sums),
+                    2 => subtract_rows::<2>(values, block.rows, factors, sums),
+                    _ => subtract_rows::<1>(values, block.rows, factors, sums),
+                };
             }
         }
         let mut error = 0.0_f64;
@@ -241,16 +237,16 @@ impl Multifrontal {
 }
 
 /// Takes the products of some rows of a block, whose columns are `stride` apart, with the solution out of `remainder`, and adds their sizes to `magnitude`; `factors`
-/// are the solution and what sizes are multiplied with.
+/// are the solution and what sizes are multiplied with. Returns how many rows.
 fn subtract_rows<const ROWS: usize>(
     values: &[f64],
     stride: usize,
     factors: impl Iterator<Item = (f64, f64)>,
     (remainder, magnitude): (&mut [f64], &mut [f64]),
-) {
+) -> usize {
     let (Some(remainder), Some(magnitude)) = (remainder.first_chunk_mut::<ROWS>(), magnitude.first_chunk_mut::<ROWS>())
     else {
-        return;
+        return ROWS;
     };
     let (mut left, mut size) = (*remainder, *magnitude);
     for (column, (factor, most)) in values.chunks(stride).zip(factors) {
@@ -261,6 +257,7 @@ fn subtract_rows<const ROWS: usize>(
         }
     }
     (*remainder, *magnitude) = (left, size);
+    ROWS
 }
 
 /// `target += column`.
