@@ -7,7 +7,9 @@ use crate::random::Random;
 use ancf14::mechanics::gauge::Measure;
 use ancf14::mechanics::joint::driven::Driven;
 use ancf14::mechanics::joint::primitive::Primitive;
-use ancf14::mechanics::joint::{Joint, JointGradient, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld};
+use ancf14::mechanics::joint::{
+    Joint, JointGradient, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld,
+};
 use ancf14::mechanics::marker::MarkerMatrix;
 use ancf14::mechanics::rigid_body;
 use nalgebra::SVector;
