@@ -313,14 +313,20 @@ fn category(error: &Error) -> LogCategory {
     }
 }
 
-/// A name-based hash of the file, of its overrides and of the variable table: what a host's XML and the model must agree on.
+/// A name-based hash of the file, of its overrides and of what a host reads of the variable table: what its XML and the model must agree on.
 fn guid(text: &str, overrides: &[(String, String)], table: &Table) -> String {
     let mut content = format!("ancf14 {}\n{text}\n", env!("CARGO_PKG_VERSION"));
     for (key, value) in overrides {
         content.push_str(&format!("{key}={value}\n"));
     }
-    for variable in &table.variables {
-        content.push_str(&format!("{variable:?}\n"));
+    let mut content = content.into_bytes();
+    for Variable { name, causality, variability, start, quantity, .. } in &table.variables {
+        content.extend([*causality as u8, *variability as u8]);
+        content.extend(start.number().to_le_bytes());
+        for text in [name, &quantity.unit] {
+            content.extend(text.as_bytes());
+            content.push(0);
+        }
     }
-    format!("{{{}}}", uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_URL, content.as_bytes()))
+    format!("{{{}}}", uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_URL, &content))
 }

@@ -15,7 +15,8 @@ const FAST: f64 = 0.1;
 /// A tolerance above this does not ask for round-off: tangents may serve for more than one iteration. Below it they do not: what they leave is
 /// small in the size of corrections, but has a direction in which stiff beams gain or lose energy (1e-9 in 2,000 steps instead of 1e-12).
 const LOOSE: f64 = 1e-6;
-/// What iterations with a tangent of before may leave, as a share of the tolerance.
+/// What iterations with a tangent of before may leave, as a share of the tolerance, by an estimate from the last two corrections that is too
+/// hopeful: some of it falls slower. Measured: up to 0.13 of the tolerance. A tenth of this share costs a third more iterations.
 const SHARE: f64 = 0.01;
 
 /// Backward error of a correction: the next residual shows what it leaves, the last one leaves this share of a small correction.
@@ -26,6 +27,8 @@ const CORRECTION_ERROR: f64 = 1e-9;
 pub struct Convergence {
     /// Iterations made.
     pub iterations: usize,
+    /// Tangents made for them.
+    pub tangents: usize,
     /// Size of each correction (see [`System::correction_size`]); unused places are 0.
     pub corrections: [f64; MOST_ITERATIONS],
 }
@@ -60,7 +63,7 @@ pub fn solve(
     time: f64,
     iterations: &mut u64,
 ) -> Result<Convergence, Error> {
-    let mut convergence = Convergence { iterations: 0, corrections: [0.0; MOST_ITERATIONS] };
+    let mut convergence = Convergence { iterations: 0, tangents: 0, corrections: [0.0; MOST_ITERATIONS] };
     let mut last = (f64::INFINITY, 0);
     let mut keeps_tangent = false;
     let most_rest = SHARE * tolerance;
@@ -75,6 +78,7 @@ pub fn solve(
         }
         if kept.is_none() {
             kkt.factorize(system, time)?;
+            convergence.tangents += 1;
         }
         kkt.solve_to(CORRECTION_ERROR, right).map_err(|Singular| kkt.singular(system, time))?;
         problem.correct(right);
