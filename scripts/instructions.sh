@@ -1,6 +1,6 @@
 #!/bin/sh
-# Instructions that a call takes, counted by callgrind: of the gradient of an element, of gradient and Hessian, and of a
-# factorization with its solution, for each unknown. Counts do not depend on what else the machine does: they show a loss of speed
+# Instructions that a call takes, counted by callgrind: of the gradient of an element, of gradient and Hessian, of a
+# factorization with its solution, for each unknown, and of a step of the shaft of the benchmark. Counts do not depend on what else the machine does: they show a loss of speed
 # that times hide. Each kernel is run N and 2 N times, so that the difference is N times the kernel and nothing else.
 # Needs Rust and valgrind.
 set -eu
@@ -21,13 +21,14 @@ instructions() {
 }
 
 times=20
-for kernel in gradient hessian factorization; do
+for kernel in gradient hessian factorization shaft; do
     once=$(instructions "$kernel" "$times")
     twice=$(instructions "$kernel" $((2 * times)))
     # How many elements or unknowns a run has.
     parts=$("$program" --count "$kernel" 1)
     case $kernel in
         factorization) part=unknown ;;
+        shaft) part=step ;;
         *) part=element ;;
     esac
     echo "$kernel: $(((twice - once) / times / parts)) instructions for each $part"

@@ -1,23 +1,39 @@
-//! A kernel, so many times and nothing else: for counters of instructions (scripts/instructions.sh).
+//! A kernel, so many times and nothing else: for counters of instructions (scripts/instructions.sh, scripts/profile.sh).
 
+use crate::curves::load;
 use crate::element::Bent;
 use crate::linear::Step;
+use crate::shaft;
+use ancf14::fmi::Model;
 
 /// Elements of the chain whose matrix is factorized.
 const CHAIN: usize = 100;
 
 /// The names of the kernels.
-pub const KERNELS: [&str; 3] = ["gradient", "hessian", "factorization"];
+pub const KERNELS: [&str; 4] = ["gradient", "hessian", "factorization", "shaft"];
 
 /// Runs `kernel` as often as `text` says, and returns how many results a run has.
 pub fn run(kernel: &str, text: &str) -> usize {
     let times: usize = text.parse().unwrap_or_else(|_| panic!("{text} is not a number of runs"));
     let mut step;
     let mut bent;
+    let mut simulation;
     let (parts, mut work): (usize, Box<dyn FnMut()>) = match kernel {
         "factorization" => {
             step = Step::new(CHAIN);
             (step.unknowns(), Box::new(|| step.solve()))
+        }
+        "shaft" => {
+            simulation = load(&shaft::model(), &shaft::OWN);
+            let output_step = simulation.about().output_step;
+            let mut number = 0;
+            let work = move || {
+                number += 1;
+                simulation
+                    .advance(f64::from(number) * output_step)
+                    .unwrap_or_else(|failure| panic!("{}", failure.message));
+            };
+            (shaft::STEPS_AN_OUTPUT, Box::new(work))
         }
         _ => {
             bent = Bent::new("ancf14");

@@ -14,12 +14,15 @@ const PEER: [&str; 2] = ["24", "1e-3"];
 /// Ours: the cheapest setting tried whose error is not above the peer's, of 2, 4, 6 elements, steps from 0.25 to 2 ms, tolerances from 1e-8
 /// to 1e-3 (`variational`: to 1e-4). 2 elements are never below 39 mm, 4 are at 2.9 mm with 0.8 ms, 6 at 3.1 mm with 1 ms; `conserving` is
 /// as exact and takes more time, and the tolerance changes nothing but the time. Not every combination was tried.
-const OWN: [(&str, &str); 4] = [
+pub const OWN: [(&str, &str); 4] = [
     ("shaft.elements", "4"),
     ("simulation.integrator", "generalized_alpha"),
     ("simulation.step", "6.67e-4"),
     ("simulation.tolerance", "1e-3"),
 ];
+
+/// Steps from one output to the next.
+pub const STEPS_AN_OUTPUT: usize = 3;
 
 /// Largest error of `name`, y of the middle, in words.
 fn error(curves: &Curves, name: &str) -> String {

@@ -1,0 +1,48 @@
+#!/bin/sh
+# Where a step of the shaft of the benchmark spends its instructions, counted by callgrind: a table in Markdown, shares of the whole step.
+# A row is a function with all that it calls; rows with the same indentation do not overlap. What the compiler has built into a caller counts there.
+# Needs Rust and valgrind.
+set -eu
+
+cd "$(dirname "$0")/.."
+scripts/valgrind.sh
+program=$(cargo bench --locked --bench speed --no-run 2>&1 | sed -n 's/.*Executable.*(\(.*\))$/\1/p')
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# Two runs, so that the start can be taken out.
+for times in 20 120; do
+    valgrind --tool=callgrind --callgrind-out-file="$folder/$times" "$program" --count shaft "$times" > /dev/null 2> "$folder/log" || {
+        cat "$folder/log" >&2
+        exit 1
+    }
+    callgrind_annotate --inclusive=yes --threshold=100 "$folder/$times" | tr -d , > "$folder/$times.txt"
+done
+
+# instructions PATTERN TIMES: of the function whose line matches, the largest.
+instructions() {
+    grep -E "$1" "$folder/$2.txt" | awk '{ if ($1 > most) most = $1 } END { print most + 0 }'
+}
+
+# difference PATTERN: of 100 outputs.
+difference() {
+    echo $(($(instructions "$1" 120) - $(instructions "$1" 20)))
+}
+
+whole=$(difference 'model::simulation::Simulation as ancf14::fmi::Model>::advance')
+echo "| part of a step | instructions | share |"
+echo "|---|---|---|"
+row() {
+    own=$(difference "$2")
+    echo "| $1 | $((own / 300)) | $((own * 100 / whole)) % |"
+}
+row 'step, all of it' 'model::simulation::Simulation as ancf14::fmi::Model>::advance'
+row 'matrix and right side of an iteration' 'Problem>::linearize'
+row '- elements, loads, springs' 'System>::forces_and_tangent'
+row '- second derivatives of joints' 'Kkt::set_curvatures'
+row '- first derivatives of joints' 'System>::constraint_gradients'
+row 'factorization' 'Multifrontal::factorize'
+row '- elimination of fronts' 'front_matrix::eliminate'
+row 'solution, refined' 'Multifrontal::solve'
+row 'right side alone, with a kept tangent' 'Problem>::residual'
+row 'results and watch' 'simulation::Simulation::measure'
