@@ -79,10 +79,10 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize,
                 let Some(number) = element else { continue };
                 let Element::Ancf14(element) = &system.mesh.elements[number] else { continue };
                 let block = blocks.block_mut(number);
-                for column in [THETA, NODE + THETA] {
+                for (other, column) in [THETA, NODE + THETA].into_iter().enumerate() {
                     for row in 0..3 {
                         block[column * ELEMENT + local + P + row] +=
-                            by_spin[row] * element.mass[(local + THETA, column)];
+                            by_spin[row] * element.mass.spin(local / NODE, other);
                     }
                 }
             }

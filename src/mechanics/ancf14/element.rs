@@ -5,12 +5,13 @@
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, SHAPE_PLACES, add_spread, interpolate, spread};
 use super::frame::NodeFrame;
+use super::inertia::{self, Mass};
 use super::kinematics::Kinematics;
 use super::pullback::{FactorGradients, Factors, Gradients};
 use super::quadratic_twist::{self, Condensation, Twist};
 use super::relative::{RelativeMatrix, RelativeVector};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
-use super::{axial, bending, fourth_moments, inertia, torsion};
+use super::{axial, bending, fourth_moments, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::vectors::add_vec3;
 use crate::math::{Vec3, hermite};
@@ -84,8 +85,8 @@ pub struct Element {
     pub rate_weights: [f64; 3],
     /// Total twist `T` of the undeformed element, rad.
     pub reference_twist: f64,
-    /// Constant mass matrix, 14×14.
-    pub mass: ElementMatrix,
+    /// Constant mass matrix.
+    pub mass: Mass,
     /// `ρA`, kg/m.
     pub line_density: f64,
 }
@@ -141,7 +142,7 @@ impl Element {
             bending,
             rate_weights: GAUSS_WEIGHTS.map(|w| w * length),
             reference_twist: 0.0,
-            mass: inertia::mass(density[0], density[1], length),
+            mass: Mass::new(density[0], density[1], length),
             line_density: density[0],
         };
         // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
