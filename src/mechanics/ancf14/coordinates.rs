@@ -18,10 +18,16 @@ pub const THETA: usize = 6;
 /// Where `X_a` of `X = (r_0, p_0, r_1, p_1)` starts in an element's coordinates.
 pub const SHAPE_PLACES: [usize; 4] = [R, P, NODE + R, NODE + P];
 
+/// Which `X_a` are not `r_0`, and where they start.
+pub const CHORD_PLACES: [(usize, usize); 3] = [(1, P), (2, NODE + R), (3, NODE + P)];
+
 /// One number per coordinate of an element.
 pub type ElementVector = SVector<f64, ELEMENT>;
 /// One number per pair of coordinates of an element.
 pub type ElementMatrix = SMatrix<f64, ELEMENT, ELEMENT>;
+
+/// The columns of such a matrix.
+pub type ElementColumns = [[f64; ELEMENT]; ELEMENT];
 
 /// `Σ_a weight_a X_a` of the element coordinates `q` (14).
 #[inline]
@@ -40,17 +46,58 @@ pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
     sum
 }
 
-/// Adds `weightsᵀ block weights`, 14×14, to `sum`: the stiffness of a force that changes by `block` with `Σ_a weight_a X_a`.
+/// Adds `weightsᵀ block weights`, 14×14, to `sum`: the stiffness of a force that changes by `block` with `Σ_a weight_a X_a`, without
+/// the rows and columns of `r_0`, which [`complete`] sets.
 #[inline]
-pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementMatrix) {
-    for (a, row) in SHAPE_PLACES.into_iter().enumerate() {
-        for (b, column) in SHAPE_PLACES.into_iter().enumerate() {
+pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementColumns) {
+    for (b, column) in CHORD_PLACES {
+        let scaled = block * weights[b];
+        for (a, row) in CHORD_PLACES {
             // At the ends of the element most weights are 0.
             if weights[a] * weights[b] == 0.0 {
                 continue;
             }
-            let mut view = sum.fixed_view_mut::<3, 3>(row, column);
-            view += block * (weights[a] * weights[b]);
+            for j in 0..3 {
+                for i in 0..3 {
+                    sum[column + j][row + i] += scaled[(i, j)] * weights[a];
+                }
+            }
         }
+    }
+}
+
+/// Adds `by_q (weightsᵀ right)ᵀ + weightsᵀ left by_qᵀ`, 14×14, to `sum`, without the rows and columns of `r_0`: of what `by_q` changes by
+/// with a function of `Σ_a weight_a X_a` that has the derivatives `left`, or `right` by the end of a step.
+#[inline]
+pub fn add_between(by_q: &ElementVector, weights: &[f64; 4], [left, right]: [&Vec3; 2], sum: &mut ElementColumns) {
+    for (a, place) in CHORD_PLACES {
+        // At the ends of the element most weights are 0.
+        if weights[a] == 0.0 {
+            continue;
+        }
+        let (left, right) = (left * weights[a], right * weights[a]);
+        for i in 0..3 {
+            for row in P..ELEMENT {
+                sum[place + i][row] += by_q[row] * right[i];
+            }
+        }
+        for column in P..ELEMENT {
+            for i in 0..3 {
+                sum[column][place + i] += left[i] * by_q[column];
+            }
+        }
+    }
+}
+
+/// Sets the rows and columns of `r_0` to the opposite of those of `r_1`: of the two places only the chord between them counts.
+#[inline]
+pub fn complete(sum: &mut ElementColumns) {
+    for column in &mut sum[P..] {
+        for i in 0..3 {
+            column[R + i] = -column[NODE + R + i];
+        }
+    }
+    for i in 0..3 {
+        sum[R + i] = sum[NODE + R + i].map(|value| -value);
     }
 }

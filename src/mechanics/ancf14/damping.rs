@@ -9,7 +9,7 @@
 //!
 //! Over a step the rate is the change of the strains over its length: a rigid motion, however fast, is not damped at all.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, spread};
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, complete, spread};
 use super::element::{Element, Evaluation};
 use super::pullback::{FactorGradients, Factors, Gradients};
 use super::relative::{RelativeMatrix, RelativeVector};
@@ -106,16 +106,18 @@ pub fn stress_hessian(evaluation: &Evaluation, resultants: &StrainVector) -> Ele
     let frozen = [[RelativeVector::zeros(); 3]; 3];
     FactorGradients::new(evaluation, &gradients, &factors, &of_sections, &frozen, 0.0)
         .add_hessian(&gradients, &mut second);
-    let mut sum = ElementMatrix::zeros();
-    kinematics.shape.set_hessian(&factors.gradient(element, kinematics), &second, &mut sum);
+    let mut all = ElementMatrix::zeros();
+    let sum = &mut all.data.0;
+    kinematics.shape.set_hessian(&factors.gradient(element, kinematics), &second, 1.0, sum);
     for (m, slope) in evaluation.slopes.iter().enumerate() {
         let strain_pp = match evaluation.element.stiffness.strain {
             Strain::Small => slope.engineering_strain_pp(),
             Strain::Large | Strain::LargeTruncated => slope.green_strain_pp(),
         };
-        add_spread(&evaluation.element.axial[m].shape_x, &(strain_pp * resultants[m]), &mut sum);
+        add_spread(&evaluation.element.axial[m].shape_x, &(strain_pp * resultants[m]), sum);
     }
-    sum
+    complete(sum);
+    all
 }
 
 /// Where the strains of bending point `g` start.

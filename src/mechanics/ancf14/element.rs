@@ -3,7 +3,9 @@
 //! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
 //! coordinates in pullback.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, SHAPE_PLACES, add_spread, interpolate, spread};
+use super::coordinates::{
+    ELEMENT, ElementColumns, ElementMatrix, ElementVector, SHAPE_PLACES, add_between, add_spread, complete, interpolate,
+};
 use super::frame::NodeFrame;
 use super::inertia::{self, Mass};
 use super::kinematics::Kinematics;
@@ -313,24 +315,29 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
-    #[inline]
     pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
+        let mut hessian = ElementMatrix::zeros();
+        (self.gradient_and_set_hessian(1.0, &mut hessian.data.0), hessian)
+    }
+
+    /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`].
+    #[inline]
+    pub fn gradient_and_set_hessian(&self, scale: f64, hessian: &mut ElementColumns) -> ElementVector {
         let first = self.first_order();
         let by_shape = first.factors.gradient(self.element, &self.kinematics);
         let gradients = Gradients::new(self);
         let mut second = RelativeMatrix::zeros();
         self.add_shape_hessian(&first, &gradients, &mut second);
-        let mut both = (self.with_axial_forces(&by_shape, &first.resultants), ElementMatrix::zeros());
-        let hessian = &mut both.1;
-        self.kinematics.shape.set_hessian(&by_shape, &second, hessian);
+        self.kinematics.shape.set_hessian(&by_shape, &second, scale, hessian);
         match self.element.stiffness.strain {
-            Strain::Small => self.add_small_axial_hessian(hessian),
-            _ => self.add_large_axial_hessian(&first, &gradients, hessian),
+            Strain::Small => self.add_small_axial_hessian(scale, hessian),
+            _ => self.add_large_axial_hessian(&first, &gradients, scale, hessian),
         }
+        complete(hessian);
         if self.element.stiffness.twist == Twist::Quadratic {
-            Condensation::new(self, &gradients).condense(self, hessian);
+            Condensation::new(self, &gradients).condense(self, scale, hessian);
         }
-        both
+        self.with_axial_forces(&by_shape, &first.resultants)
     }
 
     /// Mean torsion per unit length, undeformed value taken off, rad/m; the largest of the bending points in size.
@@ -448,14 +455,15 @@ impl<'a> Evaluation<'a> {
             .add_hessian(gradients, sum);
     }
 
-    fn add_small_axial_hessian(&self, sum: &mut ElementMatrix) {
+    fn add_small_axial_hessian(&self, scale: f64, sum: &mut ElementColumns) {
         for (point, slope) in self.element.axial.iter().zip(&self.slopes) {
-            add_spread(&point.shape_x, &(axial::small::hessian(&self.element.stiffness, slope) * point.weight), sum);
+            let block = axial::small::hessian(&self.element.stiffness, slope) * (point.weight * scale);
+            add_spread(&point.shape_x, &block, sum);
         }
     }
 
     /// All second derivatives that have to do with the Green strains of the axial points.
-    fn add_large_axial_hessian(&self, first: &FirstOrder, gradients: &Gradients, sum: &mut ElementMatrix) {
+    fn add_large_axial_hessian(&self, first: &FirstOrder, gradients: &Gradients, scale: f64, sum: &mut ElementColumns) {
         let (element, stiffness) = (self.element, &self.element.stiffness);
         let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
         for (m, point) in element.axial.iter().enumerate() {
@@ -467,13 +475,14 @@ impl<'a> Evaluation<'a> {
                 let ([g1, g2, _], share) = (&gradients.strains[g], element.bending[g].from_axial[m]);
                 by_green += g1 * (share * rigidities[(0, 3)]) + g2 * (share * rigidities[(1, 3)]);
             }
-            let by_green = self.kinematics.shape.gradient(&by_green);
-            let green_q = spread(&point.shape_x, &slope.green_strain_p());
+            let by_green = self.kinematics.shape.gradient(&by_green) * scale;
+            let green_p = slope.green_strain_p();
             // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.
-            let by_end = green_q + spread(&point.shape_x, &slope.green_strain_increment());
-            sum.ger(1.0, &by_green, &by_end, 1.0);
-            sum.ger(1.0, &green_q, &(by_green + by_end * second[(0, 0)]), 1.0);
-            add_spread(&point.shape_x, &(slope.green_strain_pp() * self.green_force(m, &first.resultants)), sum);
+            let by_end = green_p + slope.green_strain_increment();
+            add_between(&by_green, &point.shape_x, [&green_p, &by_end], sum);
+            let block = green_p * by_end.transpose() * second[(0, 0)]
+                + slope.green_strain_pp() * self.green_force(m, &first.resultants);
+            add_spread(&point.shape_x, &(block * scale), sum);
         }
     }
 }

@@ -96,9 +96,9 @@ impl Formulation for Element {
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        let (gradient, hessian) = self.evaluation(c, increment).gradient_and_hessian();
-        self.add(&gradient, forces);
-        block.iter_mut().zip(hessian.as_slice()).for_each(|(target, value)| *target = scale * value);
+        let (columns, _) = block.as_chunks_mut::<ELEMENT>();
+        let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
+        self.add(&self.evaluation(c, increment).gradient_and_set_hessian(scale, columns), forces);
     }
 
     fn add_damping(&self, c: &Configuration, rates: &Rates, forces: &mut [f64]) {

@@ -5,7 +5,7 @@
 //! is the one at `b` held; the Hessian is condensed, `U_qq − U_qb U_qbᵀ / U_bb`. The total twist and the mean torsion of the axial
 //! points do not change with `b`.
 
-use super::coordinates::{ElementMatrix, ElementVector, spread};
+use super::coordinates::{ElementColumns, ElementVector, spread};
 use super::element::Evaluation;
 use super::pullback::Gradients;
 use super::relative::RelativeVector;
@@ -136,11 +136,16 @@ impl Condensation {
     }
 
     /// Takes off `hessian` (over a step: twice the derivative by the coordinates at its end) what `b` gives way.
-    pub fn condense(&self, evaluation: &Evaluation, hessian: &mut ElementMatrix) {
+    pub fn condense(&self, evaluation: &Evaluation, scale: f64, hessian: &mut ElementColumns) {
         let mut by_end = self.by_q;
         for (m, point) in evaluation.element.axial.iter().enumerate() {
             by_end += spread(&point.shape_x, &(evaluation.slopes[m].green_strain_increment() * self.by_green[m]));
         }
-        hessian.ger(-1.0 / self.by_b, &self.by_q, &by_end, 1.0);
+        for (column, by_end) in hessian.iter_mut().zip(&by_end) {
+            let factor = -scale / self.by_b * by_end;
+            for row in 0..column.len() {
+                column[row] += self.by_q[row] * factor;
+            }
+        }
     }
 }

@@ -4,10 +4,10 @@
 //! slope lies along `t`); beside them the twist between the nodes, `θ_1 − θ_0 + β`, and `θ_0`. Strains are differentiated by these
 //! nine; the way back to the 14 coordinates, turn of the frame and holonomy included, is here alone.
 
-use super::coordinates::{ElementMatrix, ElementVector, NODE, P, R, THETA};
+use super::coordinates::{ElementColumns, ElementVector, NODE, P, R, THETA};
 use super::frame::NodeFrame;
 use super::kinematics::Holonomy;
-use crate::math::rotation::{cross_times, times_cross};
+use crate::math::rotation::times_cross;
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
@@ -39,10 +39,7 @@ pub struct RelativeShape<'a> {
     pub holonomy: Holonomy,
     /// Twist between the nodes, rad.
     pub twist: f64,
-    /// Chord and second slope in space, m and 1.
-    chord: Vec3,
-    slope: Vec3,
-    /// The same in the first node's frame.
+    /// Chord and second slope in the first node's frame, m and 1.
     chord_local: Vec3,
     slope_local: Vec3,
 }
@@ -54,15 +51,12 @@ impl<'a> RelativeShape<'a> {
     pub fn new(q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
         let [first, second] = frames;
         let holonomy = Holonomy::new(first, second, previous);
-        let (chord, slope) = (vec3(q, NODE + R) - vec3(q, R), vec3(q, NODE + P));
         Self {
             frames,
             twist: q[NODE + THETA] - q[THETA] + holonomy.angle,
             holonomy,
-            chord,
-            slope,
-            chord_local: first.components(&chord),
-            slope_local: first.components(&slope),
+            chord_local: first.components(&(vec3(q, NODE + R) - vec3(q, R))),
+            slope_local: first.components(&vec3(q, NODE + P)),
         }
     }
 
@@ -77,10 +71,11 @@ impl<'a> RelativeShape<'a> {
     /// `∂F/∂q`, 14×1, of what has the derivatives `by` by the relative shape.
     pub fn gradient(&self, by: &RelativeVector) -> ElementVector {
         let [first, second] = self.frames;
-        let (by_chord, by_slope) = (first.in_space(&block(by, CHORD)), first.in_space(&block(by, SLOPE)));
+        let (by_chord, by_slope) = (block(by, CHORD), block(by, SLOPE));
         let (twist_p0, twist_p1) = self.holonomy.gradient(first, second);
-        let by_p0 =
-            first.moment_force(&self.moment(&by_chord, &by_slope)).0 + first.t * by[STRETCH] + twist_p0 * by[TWIST];
+        let moved = Vec3::new(by[STRETCH], 0.0, 0.0) + first.turn_force(&self.moment(&by_chord, &by_slope));
+        let (by_chord, by_slope) = (first.in_space(&by_chord), first.in_space(&by_slope));
+        let by_p0 = first.in_space(&moved) + twist_p0 * by[TWIST];
         let by_p1 = by_slope + twist_p1 * by[TWIST];
         let mut sum = ElementVector::zeros();
         for i in 0..3 {
@@ -94,96 +89,119 @@ impl<'a> RelativeShape<'a> {
         sum
     }
 
-    /// Sets `sum` to `∂²F/∂q²`, 14×14, of what has the derivatives `by` and the second derivatives `second` by the relative shape.
-    pub fn set_hessian(&self, by: &RelativeVector, second: &RelativeMatrix, sum: &mut ElementMatrix) {
+    /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`super::coordinates::complete`]), of what has the derivatives `by` and
+    /// the second derivatives `second` by the relative shape.
+    ///
+    /// All of it is done in the axes `[t u v]` of the first frame, in which `∂φ/∂p_0` and all that has to do with `t` are mostly zeros.
+    pub fn set_hessian(&self, by: &RelativeVector, second: &RelativeMatrix, scale: f64, sum: &mut ElementColumns) {
         let [start, end] = self.frames;
-        let t = start.t;
-        let axes = Mat3::from_columns(&[start.t, start.u, start.v]);
-        let in_space = |row: usize, column: usize| {
-            let half = axes * second.fixed_view::<3, 3>(row, column);
-            let (along, u, v) = (half.column(0), half.column(1), half.column(2));
-            let turned = |i: usize| along * start.t[i] + u * start.u[i] + v * start.v[i];
-            Mat3::from_columns(&[turned(0), turned(1), turned(2)])
+        let (chord, slope) = (&self.chord_local, &self.slope_local);
+        let (cc, sc) = (symmetric(second, CHORD), second.fixed_view::<3, 3>(SLOPE, CHORD).into_owned());
+        let (cs, ss) = (sc.transpose(), symmetric(second, SLOPE));
+        let (by_chord, by_slope, by_twist) = (block(by, CHORD), block(by, SLOPE), by[TWIST]);
+        let row = |place: usize, column: usize| {
+            Vec3::new(second[(place, column)], second[(place, column + 1)], second[(place, column + 2)])
         };
-        let row = |row: usize, column: usize| {
-            start.in_space(&Vec3::new(second[(row, column)], second[(row, column + 1)], second[(row, column + 2)]))
+        let per_stretch = 1.0 / start.stretch;
+        let k = start.k_local();
+        // `[∂φ/∂p]ᵀ moment` and `turn ∂φ/∂p`: along `t` they are zero.
+        let force =
+            |moment: &Vec3| Vec3::new(0.0, moment[2] - k[0] * moment[0], -moment[1] - k[1] * moment[0]) * per_stretch;
+        let by_slope_turn = |turn: &Mat3| {
+            let (along, u, v) = (turn.column(0), turn.column(1), turn.column(2));
+            [(v - along * k[0]) * per_stretch, (u + along * k[1]) * -per_stretch]
         };
-        let (cc, sc, ss) = (in_space(CHORD, CHORD), in_space(SLOPE, CHORD), in_space(SLOPE, SLOPE));
-        let cs = sc.transpose();
-        let (by_chord, by_slope) = (start.in_space(&block(by, CHORD)), start.in_space(&block(by, SLOPE)));
 
         // By the turn of the first frame, which all the rest sees as the opposite turn of chord and slope.
-        let c_turn = times_cross(&cc, &self.chord) + times_cross(&cs, &self.slope) - by_chord.cross_matrix();
-        let s_turn = times_cross(&sc, &self.chord) + times_cross(&ss, &self.slope) - by_slope.cross_matrix();
-        let turn_turn = -(cross_times(&self.chord, &c_turn) + cross_times(&self.slope, &s_turn));
-        let turn_p = start.turn_p();
-        let scalar = |place: usize| {
-            let (by_c, by_s) = (row(place, CHORD), row(place, SLOPE));
-            let by_p = turn_p.tr_mul(&self.moment(&by_c, &by_s));
-            (by_c, by_p, by_s)
-        };
+        let [cu, cv] = by_slope_turn(&(times_cross(&cc, chord) + times_cross(&cs, slope) - by_chord.cross_matrix()));
+        let [su, sv] = by_slope_turn(&(times_cross(&sc, chord) + times_cross(&ss, slope) - by_slope.cross_matrix()));
+        let pu = force(&-(chord.cross(&cu) + slope.cross(&su)));
+        let pv = force(&-(chord.cross(&cv) + slope.cross(&sv)));
+        let frozen = self.moment(&by_chord, &by_slope);
+        let frozen_force = force(&frozen);
 
         // By the first slope: it turns the frame and stretches.
-        let (stretch_c, stretch_p, stretch_s) = scalar(STRETCH);
-        let mut cp = c_turn * turn_p + stretch_c * t.transpose();
-        let mut sp = s_turn * turn_p + stretch_s * t.transpose();
-        let mut pp = turn_p.tr_mul(&(turn_turn * turn_p))
-            + start.moment_force_p(&self.moment(&by_chord, &by_slope)).0
-            + start.t_p() * by[STRETCH]
-            + stretch_p * t.transpose()
-            + t * (stretch_p + t * second[(STRETCH, STRETCH)]).transpose();
+        let (stretch_c, stretch_s) = (row(STRETCH, CHORD), row(STRETCH, SLOPE));
+        let stretch_p = force(&self.moment(&stretch_c, &stretch_s));
 
         // By the twist between the nodes, in which the holonomy is.
-        let (b0, b1) = self.holonomy.gradient(start, end);
-        let [h00, h01, h11] = self.holonomy.hessian(start, end);
-        let (twist_c, mut twist_p, twist_s) = scalar(TWIST);
-        twist_p += t * second[(TWIST, STRETCH)];
+        let holonomy = self.holonomy.local(start, end);
+        let (b0, b1) = (&holonomy.p0, &holonomy.p1);
+        let (twist_c, twist_s) = (row(TWIST, CHORD), row(TWIST, SLOPE));
+        let mut twist_p = force(&self.moment(&twist_c, &twist_s));
+        twist_p[0] = second[(TWIST, STRETCH)];
         let stiffness = second[(TWIST, TWIST)];
         let (all_p, all_s) = (twist_p + b0 * stiffness, twist_s + b1 * stiffness);
-        cp += twist_c * b0.transpose();
-        sp += twist_s * b0.transpose() + b1 * all_p.transpose() + h01.transpose() * by[TWIST];
-        pp += all_p * b0.transpose() + b0 * twist_p.transpose() + h00 * by[TWIST];
+        let [h00_uu, h00_vu, h00_vv] = holonomy.p0_p0;
+        let [h01_u, h01_v] = &holonomy.p0_p1;
+
+        let cp = [stretch_c, cu + twist_c * b0[1], cv + twist_c * b0[2]];
         let cs = cs + twist_c * b1.transpose();
-        let ss = ss + all_s * b1.transpose() + b1 * twist_s.transpose() + h11 * by[TWIST];
+        let sp = [
+            stretch_s + b1 * all_p[0],
+            su + twist_s * b0[1] + b1 * all_p[1] + h01_u * by_twist,
+            sv + twist_s * b0[2] + b1 * all_p[2] + h01_v * by_twist,
+        ];
+        let ss = ss + all_s * b1.transpose() + b1 * twist_s.transpose() + holonomy.p1_p1 * by_twist;
+        // Of the symmetric `pp` the lower triangle; the moment's part is [`NodeFrame::moment_force_p`].
+        let half = 0.5 * (k[0] * k[0] - k[1] * k[1]);
+        let square = per_stretch * per_stretch;
+        let round = by[STRETCH] * per_stretch;
+        let pp = [
+            second[(STRETCH, STRETCH)],
+            stretch_p[1] - frozen_force[1] * per_stretch + b0[1] * (all_p[0] - by_twist * per_stretch),
+            stretch_p[2] - frozen_force[2] * per_stretch + b0[2] * (all_p[0] - by_twist * per_stretch),
+            pu[1] + round - k[0] * (frozen[0] * k[1] + frozen[1]) * square
+                + (all_p[1] + twist_p[1]) * b0[1]
+                + h00_uu * by_twist,
+            pu[2]
+                + (frozen[0] * (0.5 + half) - k[1] * frozen[1]) * square
+                + all_p[2] * b0[1]
+                + b0[2] * twist_p[1]
+                + h00_vu * by_twist,
+            pv[2]
+                + round
+                + k[1] * (frozen[0] * k[0] - frozen[2]) * square
+                + (all_p[2] + twist_p[2]) * b0[2]
+                + h00_vv * by_twist,
+        ];
 
         // By the angle of the first node.
-        let (angle_c, mut angle_p, angle_s) = scalar(ANGLE);
+        let (angle_c, angle_s) = (row(ANGLE, CHORD), row(ANGLE, SLOPE));
+        let mut angle_p = force(&self.moment(&angle_c, &angle_s));
+        angle_p[0] = second[(ANGLE, STRETCH)];
         let mixed = second[(ANGLE, TWIST)];
-        angle_p += t * second[(ANGLE, STRETCH)] + b0 * mixed - all_p;
-        let first_angle = [angle_c - twist_c, angle_p, angle_s + b1 * mixed - all_s];
+        let first_angle = [angle_c - twist_c, angle_p + b0 * mixed - all_p, angle_s + b1 * mixed - all_s];
 
-        set(sum, NODE + R, NODE + R, &cc);
-        set(sum, R, R, &cc);
-        set(sum, P, P, &pp);
-        set(sum, NODE + P, NODE + P, &ss);
-        for (row, column, block) in [
-            (R, NODE + R, -cc),
-            (NODE + R, P, cp),
-            (R, P, -cp),
-            (NODE + R, NODE + P, cs),
-            (R, NODE + P, -cs),
-            (NODE + P, P, sp),
-        ] {
-            set(sum, row, column, &block);
-            set(sum, column, row, &block.transpose());
+        let axes = [start.t, start.u, start.v];
+        let scaled = axes.map(|axis| axis * scale);
+        let lower = |block: &Mat3| [block[0], block[1], block[2], block[4], block[5], block[8]];
+        for (place, block) in [(NODE + R, lower(&cc)), (P, pp), (NODE + P, lower(&ss))] {
+            set_symmetric(sum, place, &scaled, &axes, &block);
+        }
+        let cs = [0, 1, 2].map(|column| cs.column(column).into_owned());
+        for (row, column, block) in [(NODE + R, P, cp), (NODE + R, NODE + P, cs), (NODE + P, P, sp)] {
+            set_both(sum, row, column, &scaled, &axes, &block);
         }
         for (theta, [by_c, by_p, by_s]) in [(THETA, first_angle), (NODE + THETA, [twist_c, all_p, all_s])] {
-            for (place, block) in [(R, -by_c), (P, by_p), (NODE + R, by_c), (NODE + P, by_s)] {
+            for (place, block) in [(P, by_p), (NODE + R, by_c), (NODE + P, by_s)] {
                 for i in 0..3 {
-                    sum[(theta, place + i)] = block[i];
-                    sum[(place + i, theta)] = block[i];
+                    let value = scaled[0][i] * block[0] + scaled[1][i] * block[1] + scaled[2][i] * block[2];
+                    sum[place + i][theta] = value;
+                    sum[theta][place + i] = value;
                 }
             }
         }
-        sum[(THETA, THETA)] = second[(ANGLE, ANGLE)] - 2.0 * mixed + stiffness;
-        sum[(THETA, NODE + THETA)] = mixed - stiffness;
-        sum[(NODE + THETA, THETA)] = mixed - stiffness;
-        sum[(NODE + THETA, NODE + THETA)] = stiffness;
+        sum[THETA][THETA] = (second[(ANGLE, ANGLE)] - 2.0 * mixed + stiffness) * scale;
+        sum[THETA][NODE + THETA] = (mixed - stiffness) * scale;
+        sum[NODE + THETA][THETA] = (mixed - stiffness) * scale;
+        sum[NODE + THETA][NODE + THETA] = stiffness * scale;
     }
 
-    /// Moment on the first node's frame of forces on the chord and on the second slope, by invariance (MECHANICS 8).
+    /// Moment on the first node's frame of forces on the chord and on the second slope, by invariance (MECHANICS 8); all in its axes.
+    #[inline]
     fn moment(&self, by_chord: &Vec3, by_slope: &Vec3) -> Vec3 {
-        by_chord.cross(&self.chord) + by_slope.cross(&self.slope)
+        by_chord.cross(&self.chord_local) + by_slope.cross(&self.slope_local)
     }
 }
 
@@ -227,6 +245,45 @@ fn block(vector: &RelativeVector, place: usize) -> Vec3 {
     vector.fixed_rows::<3>(place).into_owned()
 }
 
-fn set(sum: &mut ElementMatrix, row: usize, column: usize, block: &Mat3) {
-    sum.fixed_view_mut::<3, 3>(row, column).copy_from(block);
+/// The symmetric block on the diagonal of `matrix` from `place` on, of which the lower triangle counts.
+#[inline]
+fn symmetric(matrix: &RelativeMatrix, place: usize) -> Mat3 {
+    let [xx, yx, zx] = [0, 1, 2].map(|i| matrix[(place + i, place)]);
+    let [yy, zy, zz] = [(1, 1), (2, 1), (2, 2)].map(|(i, j)| matrix[(place + i, place + j)]);
+    Mat3::new(xx, yx, zx, yx, yy, zy, zx, zy, zz)
+}
+
+/// Sets the block of `sum` at `row` and `column` to `left block rightᵀ`, and its mirror image too; columns all.
+#[inline]
+fn set_both(
+    sum: &mut ElementColumns,
+    row: usize,
+    column: usize,
+    left: &[Vec3; 3],
+    right: &[Vec3; 3],
+    block: &[Vec3; 3],
+) {
+    let [t, u, v] = block.map(|of| left[0] * of[0] + left[1] * of[1] + left[2] * of[2]);
+    for j in 0..3 {
+        let turned = t * right[0][j] + u * right[1][j] + v * right[2][j];
+        for i in 0..3 {
+            sum[column + j][row + i] = turned[i];
+            sum[row + i][column + j] = turned[i];
+        }
+    }
+}
+
+/// The same of a symmetric block on the diagonal, from `place` on, of which `[xx, yx, zx, yy, zy, zz]` is given.
+#[inline]
+fn set_symmetric(sum: &mut ElementColumns, place: usize, left: &[Vec3; 3], right: &[Vec3; 3], block: &[f64; 6]) {
+    let [xx, yx, zx, yy, zy, zz] = *block;
+    let [t, u, v] =
+        [[xx, yx, zx], [yx, yy, zy], [zx, zy, zz]].map(|of| left[0] * of[0] + left[1] * of[1] + left[2] * of[2]);
+    for j in 0..3 {
+        for i in j..3 {
+            let turned = t[i] * right[0][j] + u[i] * right[1][j] + v[i] * right[2][j];
+            sum[place + j][place + i] = turned;
+            sum[place + i][place + j] = turned;
+        }
+    }
 }
