@@ -89,6 +89,17 @@ pub fn add_between(by_q: &ElementVector, weights: &[f64; 4], [left, right]: [&Ve
     }
 }
 
+/// Adds `factor by_row by_columnᵀ`, 14×14, to `sum`, without the rows and columns of `r_0`.
+#[inline]
+pub fn add_product(factor: f64, by_row: &ElementVector, by_column: &ElementVector, sum: &mut ElementColumns) {
+    for column in P..ELEMENT {
+        let factor = factor * by_column[column];
+        for row in P..ELEMENT {
+            sum[column][row] += by_row[row] * factor;
+        }
+    }
+}
+
 /// Sets the rows and columns of `r_0` to the opposite of those of `r_1`: of the two places only the chord between them counts.
 #[inline]
 pub fn complete(sum: &mut ElementColumns) {

@@ -63,46 +63,6 @@ impl CurvePoint {
         let (omega_p, omega_w) = gradients.twist_rate();
         (kappa_p + omega_p * c[2], kappa_w + omega_w * c[2])
     }
-
-    /// `∂²F/∂P²` and `∂²F/∂P∂W` of `F = c·(κ1, κ2, ω)`; `∂²F/∂W²` is zero (MECHANICS 8).
-    #[inline]
-    pub fn hessian(&self, c: &[f64; 3]) -> (Mat3, Mat3) {
-        let gradients @ CurveGradients { per_stretch, per_area, n, d, h_p, h_w, .. } = self.gradients();
-        let (kappa_p, kappa_w) = gradients.curvature([c[0], c[1]]);
-        let (omega_p, omega_w) = gradients.twist_rate();
-        let depth = self.stretch + self.p[0];
-        let along = n.dot(&self.w);
-        // Both curvatures at once, K = c1 κ1 + c2 κ2; `across` = (c1 P1 + c2 P2)/(|P| D).
-        let kappa = c[0] * self.curvatures[0] + c[1] * self.curvatures[1];
-        let across = (c[0] * self.p[1] + c[1] * self.p[2]) * per_area;
-        let rate = c[2] * per_area;
-        let rate_area_p = (n * depth + d * self.stretch) * rate;
-        // What multiplies Q = (I − n nᵀ)/|P|.
-        let q = (across * (along * per_stretch + self.h)
-            - kappa * per_stretch
-            - rate * self.twist_rate * (depth + self.stretch))
-            * per_stretch;
-        let with_n = (self.w - n * along) * (across * per_stretch * per_stretch)
-            - kappa_p * per_stretch
-            - d * (rate * self.twist_rate)
-            - n * (0.5 * q);
-        let across = across * per_stretch;
-        let w_with_n = n * across - kappa_w * per_stretch;
-        let (mut pp, mut pw) = (Mat3::zeros(), Mat3::zeros());
-        for i in 0..3 {
-            for j in 0..3 {
-                pp[(i, j)] = (n[i] * with_n[j] + with_n[i] * n[j])
-                    - (h_p[i] * kappa_w[j] + kappa_w[i] * h_p[j])
-                    - (omega_p[i] * rate_area_p[j] + rate_area_p[i] * omega_p[j]);
-                pw[(i, j)] = n[i] * w_with_n[j] - kappa_w[i] * h_w[j] - rate_area_p[i] * omega_w[j];
-            }
-            pp[(i, i)] += q;
-            pw[(i, i)] -= across;
-        }
-        pw[(2, 1)] += rate;
-        pw[(1, 2)] -= rate;
-        (pp, pw)
-    }
 }
 
 impl CurveGradients<'_> {
@@ -125,5 +85,46 @@ impl CurveGradients<'_> {
                 - (self.n * self.per_stretch + self.h_w) * self.point.twist_rate,
             Vec3::new(0.0, p[2], -p[1]) * self.per_area,
         )
+    }
+
+    /// `∂²F/∂P²`, of which the lower triangle counts, and `∂²F/∂P∂W` of `F = c·(κ1, κ2, ω)`; `∂²F/∂W²` is zero (MECHANICS 8).
+    #[inline]
+    pub fn hessian(&self, c: &[f64; 3]) -> (Mat3, Mat3) {
+        let &Self { point, per_stretch, per_area, n, d, h_p, h_w } = self;
+        let &CurvePoint { stretch, curvatures, twist_rate, p, w, h } = point;
+        let (kappa_p, kappa_w) = self.curvature([c[0], c[1]]);
+        let (omega_p, omega_w) = self.twist_rate();
+        let depth = stretch + p[0];
+        let along = n.dot(&w);
+        // Both curvatures at once, K = c1 κ1 + c2 κ2; `across` = (c1 P1 + c2 P2)/(|P| D).
+        let kappa = c[0] * curvatures[0] + c[1] * curvatures[1];
+        let across = (c[0] * p[1] + c[1] * p[2]) * per_area;
+        let rate = c[2] * per_area;
+        let rate_area_p = (n * depth + d * stretch) * rate;
+        // What multiplies Q = (I − n nᵀ)/|P|.
+        let q = (across * (along * per_stretch + h) - kappa * per_stretch - rate * twist_rate * (depth + stretch))
+            * per_stretch;
+        let with_n = (w - n * along) * (across * per_stretch * per_stretch)
+            - kappa_p * per_stretch
+            - d * (rate * twist_rate)
+            - n * (0.5 * q);
+        let across = across * per_stretch;
+        let w_with_n = n * across - kappa_w * per_stretch;
+        let (mut pp, mut pw) = (Mat3::zeros(), Mat3::zeros());
+        for i in 0..3 {
+            for j in 0..3 {
+                if i >= j {
+                    pp[(i, j)] = (n[i] * with_n[j] + with_n[i] * n[j])
+                        - (h_p[i] * kappa_w[j] + kappa_w[i] * h_p[j])
+                        - (omega_p[i] * rate_area_p[j] + rate_area_p[i] * omega_p[j]);
+                }
+                pw[(i, j)] = n[i] * w_with_n[j] - kappa_w[i] * h_w[j] - rate_area_p[i] * omega_w[j];
+            }
+            pp[(i, i)] += q;
+            pw[(i, i)] -= across;
+        }
+        pw[(2, 1)] += rate;
+        pw[(1, 2)] -= rate;
+        (pp, pw)
     }
 }

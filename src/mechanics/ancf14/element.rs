@@ -3,17 +3,15 @@
 //! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
 //! coordinates in pullback.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
-use super::coordinates::{
-    ELEMENT, ElementColumns, ElementMatrix, ElementVector, SHAPE_PLACES, add_between, add_spread, complete, interpolate,
-};
+use super::coordinates::{ELEMENT, ElementColumns, ElementMatrix, ElementVector, SHAPE_PLACES, complete, interpolate};
 use super::frame::NodeFrame;
 use super::inertia::{self, Mass};
 use super::kinematics::Kinematics;
-use super::pullback::{FactorGradients, Factors, Gradients};
+use super::pullback::{Couplings, Forces, Gradients};
 use super::quadratic_twist::{self, Condensation, Twist};
-use super::relative::{RelativeMatrix, RelativeVector};
+use super::relative::{RELATIVE, RelativeVector};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
-use super::{axial, bending, fourth_moments, torsion};
+use super::{axial, bending, fourth_moments, stretching, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::vectors::add_vec3;
 use crate::math::{Vec3, hermite};
@@ -200,8 +198,8 @@ pub struct Evaluation<'a> {
     /// Curvatures and twist rates of the carried frame.
     pub kinematics: Kinematics<'a>,
     pub(super) slopes: [axial::Slope; 3],
-    green: [f64; 3],
-    mean_torsion: [f64; 3],
+    pub(super) green: [f64; 3],
+    pub(super) mean_torsion: [f64; 3],
     /// Internal coordinate `b` of the quadratic twist, rad; 0 for linear twist.
     pub bubble: f64,
     /// `cos α/J0` and `sin α/J0` at the bending points, `b` included in `α`.
@@ -216,7 +214,8 @@ pub struct Evaluation<'a> {
 struct FirstOrder {
     /// Derivatives of the energy by the strains of the bending points, quadrature weights included.
     resultants: [Resultants; 3],
-    factors: Factors,
+    /// By what strains are made of.
+    forces: Forces,
 }
 
 impl<'a> Evaluation<'a> {
@@ -266,16 +265,35 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Sets the internal coordinate of the quadratic twist, rad, and the strains that follow from it.
+    #[inline]
     pub(super) fn set_bubble(&mut self, bubble: f64) {
         self.bubble = bubble;
-        let twist = self.kinematics.twist;
         for (g, point) in self.element.bending.iter().enumerate() {
             let (sin, cos) = (self.kinematics.alpha[g] + bubble * quadratic_twist::shape(point.xi)).sin_cos();
-            let turn @ [cos, sin] = [cos / point.reference_stretch, sin / point.reference_stretch];
+            self.turn[g] = [cos / point.reference_stretch, sin / point.reference_stretch];
+        }
+        self.set_strains();
+    }
+
+    /// Adds to the internal coordinate a `correction` so small that its square is below rounding: the sine of such a turn is its angle.
+    pub(super) fn correct_bubble(&mut self, correction: f64) {
+        self.bubble += correction;
+        for (turn, point) in self.turn.iter_mut().zip(&self.element.bending) {
+            let ([cos, sin], angle) = (*turn, correction * quadratic_twist::shape(point.xi));
+            *turn = [cos - sin * angle, sin + cos * angle];
+        }
+        self.set_strains();
+    }
+
+    /// Strains of the bending points, as `bubble` and `turn` are.
+    #[inline]
+    fn set_strains(&mut self) {
+        let twist = self.kinematics.twist;
+        for (g, point) in self.element.bending.iter().enumerate() {
+            let [cos, sin] = self.turn[g];
             let [kappa1, kappa2] = self.kinematics.points[g].curvatures;
             let gammahat = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
-            let twist_xi = twist + bubble * quadratic_twist::shape_xi(point.xi);
-            self.turn[g] = turn;
+            let twist_xi = twist + self.bubble * quadratic_twist::shape_xi(point.xi);
             self.gammahat[g] = gammahat;
             self.strains[g] = Strains::new(
                 gammahat[0] - point.reference[0],
@@ -310,7 +328,7 @@ impl<'a> Evaluation<'a> {
     #[inline]
     pub fn gradient(&self) -> ElementVector {
         let first = self.first_order();
-        let by_shape = first.factors.gradient(self.element, &self.kinematics);
+        let by_shape = first.forces.factors(self.element).gradient(self.element, &self.kinematics);
         self.with_axial_forces(&by_shape, &first.resultants)
     }
 
@@ -323,20 +341,36 @@ impl<'a> Evaluation<'a> {
     /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`].
     #[inline]
     pub fn gradient_and_set_hessian(&self, scale: f64, hessian: &mut ElementColumns) -> ElementVector {
-        let first = self.first_order();
-        let by_shape = first.factors.gradient(self.element, &self.kinematics);
-        let gradients = Gradients::new(self);
-        let mut second = RelativeMatrix::zeros();
-        self.add_shape_hessian(&first, &gradients, &mut second);
+        let (element, first) = (self.element, self.first_order());
+        let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
+        let gradients = Gradients::new(element, &self.kinematics);
+        let torque_by_twist = stretching::torque_by_twist(self);
+        let couplings = Couplings::new(self, &first.resultants, &rigidities, torque_by_twist);
+        // At fixed Green strains of the axial points.
+        let by_shape = gradients.sum(&first.forces);
+        let mut second = [[0.0; RELATIVE]; RELATIVE];
+        gradients.add_frozen(&first.forces.factors(element), element, &mut second);
+        gradients.add_couplings(&couplings, &mut second);
+        let condensation = (element.stiffness.twist == Twist::Quadratic)
+            .then(|| Condensation::new(self, &gradients, &couplings, &rigidities));
+        if let Some(condensation) = &condensation {
+            condensation.condense(&mut second);
+        }
         self.kinematics.shape.set_hessian(&by_shape, &second, scale, hessian);
-        match self.element.stiffness.strain {
-            Strain::Small => self.add_small_axial_hessian(scale, hessian),
-            _ => self.add_large_axial_hessian(&first, &gradients, scale, hessian),
+        match element.stiffness.strain {
+            Strain::Small => stretching::add_small_hessian(self, scale, hessian),
+            _ => {
+                let first = stretching::Large {
+                    evaluation: self,
+                    resultants: &first.resultants,
+                    rigidities: &rigidities,
+                    gradients: &gradients,
+                    condensation: condensation.as_ref(),
+                };
+                first.add_hessian(scale, hessian);
+            }
         }
         complete(hessian);
-        if self.element.stiffness.twist == Twist::Quadratic {
-            Condensation::new(self, &gradients).condense(self, scale, hessian);
-        }
         self.with_axial_forces(&by_shape, &first.resultants)
     }
 
@@ -372,7 +406,7 @@ impl<'a> Evaluation<'a> {
         let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
         let mut density = bending::hessian(stiffness, strains) + torsion::hessian(stiffness, strains);
         if stiffness.strain == Strain::Large {
-            density += fourth_moments::hessian(stiffness, strains);
+            density = density + fourth_moments::hessian(stiffness, strains);
         }
         density * self.element.bending[g].weight
     }
@@ -381,7 +415,14 @@ impl<'a> Evaluation<'a> {
     pub fn bubble_q(&self) -> ElementVector {
         match self.element.stiffness.twist {
             Twist::Linear => ElementVector::zeros(),
-            Twist::Quadratic => Condensation::new(self, &Gradients::new(self)).bubble_q(),
+            Twist::Quadratic => {
+                let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
+                let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
+                let gradients = Gradients::new(self.element, &self.kinematics);
+                // Torques of the axial points do not change with `b`.
+                let couplings = Couplings::new(self, &resultants, &rigidities, 0.0);
+                Condensation::new(self, &gradients, &couplings, &rigidities).bubble_q(self)
+            }
         }
     }
 
@@ -394,7 +435,7 @@ impl<'a> Evaluation<'a> {
                 torques[m] = point.weight * axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1];
             }
         }
-        FirstOrder { resultants, factors: Factors::new(self, &resultants, &torques) }
+        FirstOrder { resultants, forces: Forces::new(self, &resultants, &torques) }
     }
 
     /// The whole gradient, of which `by_shape` is the part of bending and torsion by the relative shape.
@@ -421,68 +462,10 @@ impl<'a> Evaluation<'a> {
     }
 
     /// `F_m`, N m: derivative of the large-strain energy by the Green strain of axial point `m`.
-    fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
+    pub(super) fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
         let (element, point) = (self.element, &self.element.axial[m]);
         let here = axial::large::gradient(&element.stiffness, self.green[m], self.mean_torsion[m])[0];
         let bending: f64 = (0..3).map(|g| element.bending[g].from_axial[m] * resultants[g][3]).sum();
         point.weight * here + bending
-    }
-
-    /// Adds to `sum` the second derivatives by the relative shape, at fixed Green strains of the axial points.
-    fn add_shape_hessian(&self, first: &FirstOrder, gradients: &Gradients, sum: &mut RelativeMatrix) {
-        let (element, stiffness) = (self.element, &self.element.stiffness);
-        let mut resultants_x = [[RelativeVector::zeros(); 3]; 3];
-        for (g, of_point) in resultants_x.iter_mut().enumerate() {
-            let rigidities = self.rigidities(g);
-            for (i, resultant_x) in of_point.iter_mut().enumerate() {
-                for (j, strain_x) in gradients.strains[g].iter().enumerate() {
-                    // Without fourth moments strains do not act on each other.
-                    if rigidities[(i, j)] != 0.0 {
-                        *resultant_x += strain_x * rigidities[(i, j)];
-                    }
-                }
-            }
-        }
-        let mut torque_by_twist = 0.0;
-        if stiffness.strain != Strain::Small {
-            for (m, point) in element.axial.iter().enumerate() {
-                let second = axial::large::hessian(stiffness, self.green[m], self.mean_torsion[m]);
-                torque_by_twist += point.weight * second[(1, 1)] * point.torsion_by_twist.powi(2);
-            }
-        }
-        first.factors.add_hessian(element, &self.kinematics, sum);
-        FactorGradients::new(self, gradients, &first.factors, &first.resultants, &resultants_x, torque_by_twist)
-            .add_hessian(gradients, sum);
-    }
-
-    fn add_small_axial_hessian(&self, scale: f64, sum: &mut ElementColumns) {
-        for (point, slope) in self.element.axial.iter().zip(&self.slopes) {
-            let block = axial::small::hessian(&self.element.stiffness, slope) * (point.weight * scale);
-            add_spread(&point.shape_x, &block, sum);
-        }
-    }
-
-    /// All second derivatives that have to do with the Green strains of the axial points.
-    fn add_large_axial_hessian(&self, first: &FirstOrder, gradients: &Gradients, scale: f64, sum: &mut ElementColumns) {
-        let (element, stiffness) = (self.element, &self.element.stiffness);
-        let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
-        for (m, point) in element.axial.iter().enumerate() {
-            let slope = &self.slopes[m];
-            let second = axial::large::hessian(stiffness, self.green[m], self.mean_torsion[m]) * point.weight;
-            // By this Green strain, of the gradient by the relative shape.
-            let mut by_green = gradients.twist * (second[(0, 1)] * point.torsion_by_twist);
-            for (g, rigidities) in rigidities.iter().enumerate() {
-                let ([g1, g2, _], share) = (&gradients.strains[g], element.bending[g].from_axial[m]);
-                by_green += g1 * (share * rigidities[(0, 3)]) + g2 * (share * rigidities[(1, 3)]);
-            }
-            let by_green = self.kinematics.shape.gradient(&by_green) * scale;
-            let green_p = slope.green_strain_p();
-            // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.
-            let by_end = green_p + slope.green_strain_increment();
-            add_between(&by_green, &point.shape_x, [&green_p, &by_end], sum);
-            let block = green_p * by_end.transpose() * second[(0, 0)]
-                + slope.green_strain_pp() * self.green_force(m, &first.resultants);
-            add_spread(&point.shape_x, &(block * scale), sum);
-        }
     }
 }

@@ -10,7 +10,6 @@ use super::kinematics::Holonomy;
 use crate::math::rotation::times_cross;
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
-use nalgebra::{SMatrix, SVector};
 
 /// Place of the chord, m.
 const CHORD: usize = 0;
@@ -23,12 +22,12 @@ pub const TWIST: usize = 7;
 /// Place of the first node's angle `θ_0`, rad.
 pub const ANGLE: usize = 8;
 /// Nine and one that stays 0: processors take numbers in pairs.
-const RELATIVE: usize = 10;
+pub const RELATIVE: usize = 10;
 
 /// One number per number of the relative shape, and a 0.
-pub type RelativeVector = SVector<f64, RELATIVE>;
-/// One number per pair of numbers of the relative shape; of symmetric ones the lower triangle counts.
-pub type RelativeMatrix = SMatrix<f64, RELATIVE, RELATIVE>;
+pub type RelativeVector = [f64; RELATIVE];
+/// One number per pair of numbers of the relative shape, by columns; all are symmetric, and the lower triangle counts.
+pub type RelativeMatrix = [[f64; RELATIVE]; RELATIVE];
 
 /// The shape of an element as its first node sees it.
 #[derive(Clone, Debug)]
@@ -96,11 +95,11 @@ impl<'a> RelativeShape<'a> {
     pub fn set_hessian(&self, by: &RelativeVector, second: &RelativeMatrix, scale: f64, sum: &mut ElementColumns) {
         let [start, end] = self.frames;
         let (chord, slope) = (&self.chord_local, &self.slope_local);
-        let (cc, sc) = (symmetric(second, CHORD), second.fixed_view::<3, 3>(SLOPE, CHORD).into_owned());
+        let (cc, sc) = (symmetric(second, CHORD), Mat3::from_fn(|i, j| second[CHORD + j][SLOPE + i]));
         let (cs, ss) = (sc.transpose(), symmetric(second, SLOPE));
         let (by_chord, by_slope, by_twist) = (block(by, CHORD), block(by, SLOPE), by[TWIST]);
         let row = |place: usize, column: usize| {
-            Vec3::new(second[(place, column)], second[(place, column + 1)], second[(place, column + 2)])
+            Vec3::new(second[column][place], second[column + 1][place], second[column + 2][place])
         };
         let per_stretch = 1.0 / start.stretch;
         let k = start.k_local();
@@ -129,8 +128,8 @@ impl<'a> RelativeShape<'a> {
         let (b0, b1) = (&holonomy.p0, &holonomy.p1);
         let (twist_c, twist_s) = (row(TWIST, CHORD), row(TWIST, SLOPE));
         let mut twist_p = force(&self.moment(&twist_c, &twist_s));
-        twist_p[0] = second[(TWIST, STRETCH)];
-        let stiffness = second[(TWIST, TWIST)];
+        twist_p[0] = second[STRETCH][TWIST];
+        let stiffness = second[TWIST][TWIST];
         let (all_p, all_s) = (twist_p + b0 * stiffness, twist_s + b1 * stiffness);
         let [h00_uu, h00_vu, h00_vv] = holonomy.p0_p0;
         let [h01_u, h01_v] = &holonomy.p0_p1;
@@ -148,7 +147,7 @@ impl<'a> RelativeShape<'a> {
         let square = per_stretch * per_stretch;
         let round = by[STRETCH] * per_stretch;
         let pp = [
-            second[(STRETCH, STRETCH)],
+            second[STRETCH][STRETCH],
             stretch_p[1] - frozen_force[1] * per_stretch + b0[1] * (all_p[0] - by_twist * per_stretch),
             stretch_p[2] - frozen_force[2] * per_stretch + b0[2] * (all_p[0] - by_twist * per_stretch),
             pu[1] + round - k[0] * (frozen[0] * k[1] + frozen[1]) * square
@@ -169,8 +168,8 @@ impl<'a> RelativeShape<'a> {
         // By the angle of the first node.
         let (angle_c, angle_s) = (row(ANGLE, CHORD), row(ANGLE, SLOPE));
         let mut angle_p = force(&self.moment(&angle_c, &angle_s));
-        angle_p[0] = second[(ANGLE, STRETCH)];
-        let mixed = second[(ANGLE, TWIST)];
+        angle_p[0] = second[STRETCH][ANGLE];
+        let mixed = second[TWIST][ANGLE];
         let first_angle = [angle_c - twist_c, angle_p + b0 * mixed - all_p, angle_s + b1 * mixed - all_s];
 
         let axes = [start.t, start.u, start.v];
@@ -192,7 +191,7 @@ impl<'a> RelativeShape<'a> {
                 }
             }
         }
-        sum[THETA][THETA] = (second[(ANGLE, ANGLE)] - 2.0 * mixed + stiffness) * scale;
+        sum[THETA][THETA] = (second[ANGLE][ANGLE] - 2.0 * mixed + stiffness) * scale;
         sum[THETA][NODE + THETA] = (mixed - stiffness) * scale;
         sum[NODE + THETA][THETA] = (mixed - stiffness) * scale;
         sum[NODE + THETA][NODE + THETA] = stiffness * scale;
@@ -205,51 +204,50 @@ impl<'a> RelativeShape<'a> {
     }
 }
 
-/// By the relative shape, of what has the derivatives `by_p` and `by_w` by `r'` and `r''`, components in the first node's frame; the
-/// weights are those of [`RelativeShape::interpolate`].
+/// By chord, second slope and first stretch, of what has the derivatives `by_p` and `by_w` by `r'` and `r''`, components in the first
+/// node's frame; the weights are those of [`RelativeShape::interpolate`].
 #[inline]
 pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3) -> RelativeVector {
-    let mut sum = RelativeVector::zeros();
-    for i in 0..3 {
-        sum[CHORD + i] = by_p[i] * shape_x[2] + by_w[i] * shape_xx[2];
-        sum[SLOPE + i] = by_p[i] * shape_x[3] + by_w[i] * shape_xx[3];
-    }
-    sum[STRETCH] = by_p[0] * shape_x[1] + by_w[0] * shape_xx[1];
-    sum
+    let of = |i: usize, a: usize| by_p[i] * shape_x[a] + by_w[i] * shape_xx[a];
+    [of(0, 2), of(1, 2), of(2, 2), of(0, 3), of(1, 3), of(2, 3), of(0, 1), 0.0, 0.0, 0.0]
 }
 
-/// Adds to `sum` what has the second derivatives `pp` by `r'` and `pw` by `r'` and `r''`, none by `r''` twice.
+/// Adds to the lower triangle of `sum` what has the second derivatives `pp` by `r'`, of which the lower triangle counts, and `pw` by `r'`
+/// and `r''`, none by `r''` twice.
+#[inline]
 pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3, sum: &mut RelativeMatrix) {
-    let wp = pw.transpose();
-    let between = |a: usize, b: usize| {
-        pp * (shape_x[a] * shape_x[b]) + pw * (shape_x[a] * shape_xx[b]) + wp * (shape_xx[a] * shape_x[b])
+    let between = |i: usize, a: usize, j: usize, b: usize| {
+        let pp = if i > j { pp[(i, j)] } else { pp[(j, i)] };
+        pp * (shape_x[a] * shape_x[b])
+            + pw[(i, j)] * (shape_x[a] * shape_xx[b])
+            + pw[(j, i)] * (shape_xx[a] * shape_x[b])
     };
-    for (a, b, row, column) in [(2, 2, CHORD, CHORD), (3, 2, SLOPE, CHORD), (3, 3, SLOPE, SLOPE)] {
-        let mut view = sum.fixed_view_mut::<3, 3>(row, column);
-        view += between(a, b);
-    }
-    let [along_p, along_w, by_along_p] = [pp.column(0), wp.column(0), pw.column(0)];
-    for (b, column) in [(2, CHORD), (3, SLOPE)] {
-        let row = along_p * (shape_x[1] * shape_x[b])
-            + along_w * (shape_x[1] * shape_xx[b])
-            + by_along_p * (shape_xx[1] * shape_x[b]);
+    for j in 0..3 {
+        for i in j..3 {
+            for (a, place) in [(2, CHORD), (3, SLOPE)] {
+                sum[place + j][place + i] += between(i, a, j, a);
+            }
+        }
         for i in 0..3 {
-            sum[(STRETCH, column + i)] += row[i];
+            sum[CHORD + j][SLOPE + i] += between(i, 3, j, 2);
+        }
+        for (b, column) in [(2, CHORD), (3, SLOPE)] {
+            sum[column + j][STRETCH] += between(0, 1, j, b);
         }
     }
-    sum[(STRETCH, STRETCH)] += pp[0] * (shape_x[1] * shape_x[1]) + 2.0 * pw[0] * (shape_x[1] * shape_xx[1]);
+    sum[STRETCH][STRETCH] += between(0, 1, 0, 1);
 }
 
 /// The three numbers of `vector` from `place` on.
 fn block(vector: &RelativeVector, place: usize) -> Vec3 {
-    vector.fixed_rows::<3>(place).into_owned()
+    Vec3::new(vector[place], vector[place + 1], vector[place + 2])
 }
 
 /// The symmetric block on the diagonal of `matrix` from `place` on, of which the lower triangle counts.
 #[inline]
 fn symmetric(matrix: &RelativeMatrix, place: usize) -> Mat3 {
-    let [xx, yx, zx] = [0, 1, 2].map(|i| matrix[(place + i, place)]);
-    let [yy, zy, zz] = [(1, 1), (2, 1), (2, 2)].map(|(i, j)| matrix[(place + i, place + j)]);
+    let [xx, yx, zx] = [0, 1, 2].map(|i| matrix[place][place + i]);
+    let [yy, zy, zz] = [(1, 1), (2, 1), (2, 2)].map(|(i, j)| matrix[place + j][place + i]);
     Mat3::new(xx, yx, zx, yx, yy, zy, zx, zy, zz)
 }
 

@@ -3,8 +3,8 @@
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, complete, interpolate};
 use super::element::Element;
 use super::kinematics::Kinematics;
-use super::pullback::Factors;
-use super::relative::RelativeMatrix;
+use super::pullback::{Factors, Gradients};
+use super::relative::RELATIVE;
 use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second, normal_projector};
 use crate::math::{Mat3, Vec3, hermite, quadrature};
 use crate::mechanics::configuration::Configuration;
@@ -102,8 +102,8 @@ impl<'a> SectionPoint<'a> {
         let tilt_p = (moment.cross_matrix() * t_p - tilt * self.t.transpose()) / self.stretch;
         // Second derivatives of the spin's exact part, α.
         let angle = self.angle(along);
-        let (mut second, mut sum) = (RelativeMatrix::zeros(), ElementMatrix::zeros());
-        angle.add_hessian(element, kinematics, &mut second);
+        let (mut second, mut sum) = ([[0.0; RELATIVE]; RELATIVE], ElementMatrix::zeros());
+        Gradients::new(element, kinematics).add_frozen(&angle, element, &mut second);
         let by_shape = angle.gradient(element, kinematics);
         kinematics.shape.set_hessian(&by_shape, &second, 1.0, &mut sum.data.0);
         complete(&mut sum.data.0);
