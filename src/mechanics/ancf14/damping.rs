@@ -108,7 +108,7 @@ pub fn stress_hessian(evaluation: &Evaluation, resultants: &StrainVector) -> Ele
     gradients.add_couplings(&couplings, &mut second);
     let mut all = ElementMatrix::zeros();
     let sum = &mut all.data.0;
-    kinematics.shape.set_hessian(&gradients.sum(&forces), &second, 1.0, sum);
+    kinematics.shape.set_hessian(&gradients.sum(&forces), &mut second, 1.0, sum);
     for (m, slope) in evaluation.slopes.iter().enumerate() {
         let strain_pp = match evaluation.element.stiffness.strain {
             Strain::Small => slope.engineering_strain_pp(),

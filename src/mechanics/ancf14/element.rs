@@ -356,7 +356,7 @@ impl<'a> Evaluation<'a> {
         if let Some(condensation) = &condensation {
             condensation.condense(&mut second);
         }
-        self.kinematics.shape.set_hessian(&by_shape, &second, scale, hessian);
+        self.kinematics.shape.set_hessian(&by_shape, &mut second, scale, hessian);
         match element.stiffness.strain {
             Strain::Small => stretching::add_small_hessian(self, scale, hessian),
             _ => {

@@ -2,7 +2,7 @@
 //! `α` of each bending point and of `T`: their derivatives by these ([`Forces`], [`Couplings`]) and those of these by the shape
 //! ([`Gradients`]) are all there is. Elastic and viscous resultants go the same way.
 
-use super::curve_point::{CurveGradients, CurvePoint};
+use super::curve_point::CurveGradients;
 use super::element::{Element, Evaluation};
 use super::kinematics::Kinematics;
 use super::relative::{self, ANGLE, RELATIVE, RelativeMatrix, RelativeVector, TWIST};
@@ -24,7 +24,8 @@ impl<'a> Gradients<'a> {
     /// Of `element` at the configuration of `kinematics`.
     #[inline]
     pub fn new(element: &Element, kinematics: &'a Kinematics) -> Self {
-        let curves = kinematics.points.each_ref().map(CurvePoint::gradients);
+        let [first, middle, last] = &kinematics.points;
+        let curves = [first.gradients(), middle.gradients(), last.gradients()];
         let none = [0.0; RELATIVE];
         let mut all = Self { curves, curvatures: [[none; 2]; 3], alpha: [none; 3], twist: none };
         let mut rates = [none; 3];
@@ -74,7 +75,7 @@ impl<'a> Gradients<'a> {
     }
 
     /// Adds to the lower triangle of `sum` the Hessian of the weighted sum `factors`, at frozen factors; with [`Self::add_couplings`] it is all of it.
-    #[inline]
+    #[inline(never)]
     pub fn add_frozen(&self, factors: &Factors, element: &Element, sum: &mut RelativeMatrix) {
         for (g, rule) in element.bending.iter().enumerate() {
             let (pp, pw) = self.curves[g].hessian(&factors.points[g]);
@@ -83,7 +84,7 @@ impl<'a> Gradients<'a> {
     }
 
     /// Adds to the lower triangle of `sum` the part of the Hessian in which the factors change, by `couplings`.
-    #[inline]
+    #[inline(never)]
     pub fn add_couplings(&self, couplings: &Couplings, sum: &mut RelativeMatrix) {
         let none = [0.0; RELATIVE];
         // What strains are made of, and how the derivative by each changes with the shape.
@@ -173,12 +174,13 @@ impl Forces {
     pub fn factors(&self, element: &Element) -> Factors {
         let rules = &element.bending;
         let twist = self.twist + rules.iter().zip(&self.alpha).map(|(rule, by_alpha)| by_alpha * rule.xi).sum::<f64>();
-        let points = [0, 1, 2].map(|g| {
+        let point = |g: usize| {
             let by_rate: f64 =
                 rules.iter().zip(&self.alpha).map(|(rule, by_alpha)| by_alpha * rule.collocation[g]).sum();
             let [by_1, by_2] = self.curvatures[g];
             [by_1, by_2, element.rate_weights[g] * twist - by_rate]
-        });
+        };
+        let points = [point(0), point(1), point(2)];
         Factors { points, twist, alpha: self.alpha.iter().sum() }
     }
 }
@@ -237,7 +239,8 @@ impl Couplings {
         rigidities: &[Rigidities; 3],
         torque_by_twist: f64,
     ) -> Self {
-        let points = [0, 1, 2].map(|g| PointCouplings::new(evaluation, g, &resultants[g], &rigidities[g]));
+        let point = |g: usize| PointCouplings::new(evaluation, g, &resultants[g], &rigidities[g]);
+        let points = [point(0), point(1), point(2)];
         let torsion = evaluation.element.bending.iter().zip(rigidities);
         let by_torsion = torsion.map(|(rule, rigidities)| rigidities.torsion * rule.torsion_by_twist.powi(2));
         Self { points, twist_twist: torque_by_twist + by_torsion.sum::<f64>() }

@@ -7,7 +7,6 @@
 use super::coordinates::{ElementColumns, ElementVector, NODE, P, R, THETA};
 use super::frame::NodeFrame;
 use super::kinematics::Holonomy;
-use crate::math::rotation::times_cross;
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
 
@@ -88,101 +87,78 @@ impl<'a> RelativeShape<'a> {
         sum
     }
 
-    /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`super::coordinates::complete`]), of what has the derivatives `by` and
-    /// the second derivatives `second` by the relative shape.
+    /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`super::coordinates::complete`]), of what has the
+    /// derivatives `by` and the second derivatives `second` by the relative shape; fills in the upper triangle of `second`.
     ///
     /// All of it is done in the axes `[t u v]` of the first frame, in which `∂φ/∂p_0` and all that has to do with `t` are mostly zeros.
-    pub fn set_hessian(&self, by: &RelativeVector, second: &RelativeMatrix, scale: f64, sum: &mut ElementColumns) {
+    pub fn set_hessian(&self, by: &RelativeVector, second: &mut RelativeMatrix, scale: f64, sum: &mut ElementColumns) {
+        mirror(second);
         let [start, end] = self.frames;
-        let (chord, slope) = (&self.chord_local, &self.slope_local);
-        let (cc, sc) = (symmetric(second, CHORD), Mat3::from_fn(|i, j| second[CHORD + j][SLOPE + i]));
-        let (cs, ss) = (sc.transpose(), symmetric(second, SLOPE));
         let (by_chord, by_slope, by_twist) = (block(by, CHORD), block(by, SLOPE), by[TWIST]);
-        let row = |place: usize, column: usize| {
-            Vec3::new(second[column][place], second[column + 1][place], second[column + 2][place])
-        };
         let per_stretch = 1.0 / start.stretch;
-        let k = start.k_local();
-        // `[∂φ/∂p]ᵀ moment` and `turn ∂φ/∂p`: along `t` they are zero.
-        let force =
-            |moment: &Vec3| Vec3::new(0.0, moment[2] - k[0] * moment[0], -moment[1] - k[1] * moment[0]) * per_stretch;
-        let by_slope_turn = |turn: &Mat3| {
-            let (along, u, v) = (turn.column(0), turn.column(1), turn.column(2));
-            [(v - along * k[0]) * per_stretch, (u + along * k[1]) * -per_stretch]
-        };
-
-        // By the turn of the first frame, which all the rest sees as the opposite turn of chord and slope.
-        let [cu, cv] = by_slope_turn(&(times_cross(&cc, chord) + times_cross(&cs, slope) - by_chord.cross_matrix()));
-        let [su, sv] = by_slope_turn(&(times_cross(&sc, chord) + times_cross(&ss, slope) - by_slope.cross_matrix()));
-        let pu = force(&-(chord.cross(&cu) + slope.cross(&su)));
-        let pv = force(&-(chord.cross(&cv) + slope.cross(&sv)));
-        let frozen = self.moment(&by_chord, &by_slope);
-        let frozen_force = force(&frozen);
-
-        // By the first slope: it turns the frame and stretches.
-        let (stretch_c, stretch_s) = (row(STRETCH, CHORD), row(STRETCH, SLOPE));
-        let stretch_p = force(&self.moment(&stretch_c, &stretch_s));
-
-        // By the twist between the nodes, in which the holonomy is.
+        let [k_u, k_v] = start.k_local();
         let holonomy = self.holonomy.local(start, end);
         let (b0, b1) = (&holonomy.p0, &holonomy.p1);
-        let (twist_c, twist_s) = (row(TWIST, CHORD), row(TWIST, SLOPE));
-        let mut twist_p = force(&self.moment(&twist_c, &twist_s));
-        twist_p[0] = second[STRETCH][TWIST];
-        let stiffness = second[TWIST][TWIST];
-        let (all_p, all_s) = (twist_p + b0 * stiffness, twist_s + b1 * stiffness);
-        let [h00_uu, h00_vu, h00_vv] = holonomy.p0_p0;
-        let [h01_u, h01_v] = &holonomy.p0_p1;
 
-        let cp = [stretch_c, cu + twist_c * b0[1], cv + twist_c * b0[2]];
-        let cs = cs + twist_c * b1.transpose();
-        let sp = [
-            stretch_s + b1 * all_p[0],
-            su + twist_s * b0[1] + b1 * all_p[1] + h01_u * by_twist,
-            sv + twist_s * b0[2] + b1 * all_p[2] + h01_v * by_twist,
-        ];
-        let ss = ss + all_s * b1.transpose() + b1 * twist_s.transpose() + holonomy.p1_p1 * by_twist;
-        // Of the symmetric `pp` the lower triangle; the moment's part is [`NodeFrame::moment_force_p`].
-        let half = 0.5 * (k[0] * k[0] - k[1] * k[1]);
+        // By the first slope: along `t` it stretches; along `u` and `v` it turns the frame, which all the rest sees as the opposite turn of
+        // chord and slope, and it changes the holonomy.
+        let turns = [Vec3::new(-k_u, 0.0, 1.0) * per_stretch, Vec3::new(-k_v, -1.0, 0.0) * per_stretch]; // columns of ∂φ/∂p
+        let along = &second[STRETCH];
+        let (shape_u, u) = self.by_turn(&turns[0], b0[1], second, [&by_chord, &by_slope]);
+        let (shape_v, v) = self.by_turn(&turns[1], b0[2], second, [&by_chord, &by_slope]);
+        let dot = |a: &RelativeVector, b: &RelativeVector| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let moment = self.moment(&by_chord, &by_slope);
+        let force_u = (moment[2] - k_u * moment[0]) * per_stretch;
+        let force_v = (-moment[1] - k_v * moment[0]) * per_stretch;
+        let half = 0.5 * (k_u * k_u - k_v * k_v);
         let square = per_stretch * per_stretch;
         let round = by[STRETCH] * per_stretch;
+        // The lower triangle; the part of the moment is that of [`NodeFrame::moment_force_p`].
         let pp = [
-            second[STRETCH][STRETCH],
-            stretch_p[1] - frozen_force[1] * per_stretch + b0[1] * (all_p[0] - by_twist * per_stretch),
-            stretch_p[2] - frozen_force[2] * per_stretch + b0[2] * (all_p[0] - by_twist * per_stretch),
-            pu[1] + round - k[0] * (frozen[0] * k[1] + frozen[1]) * square
-                + (all_p[1] + twist_p[1]) * b0[1]
-                + h00_uu * by_twist,
-            pu[2]
-                + (frozen[0] * (0.5 + half) - k[1] * frozen[1]) * square
-                + all_p[2] * b0[1]
-                + b0[2] * twist_p[1]
-                + h00_vu * by_twist,
-            pv[2]
-                + round
-                + k[1] * (frozen[0] * k[0] - frozen[2]) * square
-                + (all_p[2] + twist_p[2]) * b0[2]
-                + h00_vv * by_twist,
+            along[STRETCH],
+            u[STRETCH] - (force_u + b0[1] * by_twist) * per_stretch,
+            v[STRETCH] - (force_v + b0[2] * by_twist) * per_stretch,
+            dot(&shape_u, &u) + round - k_u * (moment[0] * k_v + moment[1]) * square + holonomy.p0_p0[0] * by_twist,
+            dot(&shape_v, &u) + (moment[0] * (0.5 + half) - k_v * moment[1]) * square + holonomy.p0_p0[1] * by_twist,
+            dot(&shape_v, &v) + round + k_v * (moment[0] * k_u - moment[2]) * square + holonomy.p0_p0[2] * by_twist,
+        ];
+        let cp = [block(along, CHORD), block(&u, CHORD), block(&v, CHORD)];
+        let sp = [
+            block(along, SLOPE) + b1 * along[TWIST],
+            block(&u, SLOPE) + b1 * u[TWIST] + holonomy.p0_p1[0] * by_twist,
+            block(&v, SLOPE) + b1 * v[TWIST] + holonomy.p0_p1[1] * by_twist,
         ];
 
-        // By the angle of the first node.
-        let (angle_c, angle_s) = (row(ANGLE, CHORD), row(ANGLE, SLOPE));
-        let mut angle_p = force(&self.moment(&angle_c, &angle_s));
-        angle_p[0] = second[STRETCH][ANGLE];
-        let mixed = second[TWIST][ANGLE];
-        let first_angle = [angle_c - twist_c, angle_p + b0 * mixed - all_p, angle_s + b1 * mixed - all_s];
+        // By the second slope, which changes the holonomy too.
+        let (twist, angle) = (&second[TWIST], &second[ANGLE]);
+        let (twist_c, twist_s) = (block(twist, CHORD), block(twist, SLOPE) + b1 * twist[TWIST]);
+        let (angle_c, angle_s) = (block(angle, CHORD), block(angle, SLOPE) + b1 * angle[TWIST]);
+        let column = |j: usize| block(&second[SLOPE + j], CHORD) + twist_c * b1[j];
+        let cs = [column(0), column(1), column(2)];
+        let entry = |i: usize, j: usize| {
+            second[SLOPE + j][SLOPE + i]
+                + twist_s[i] * b1[j]
+                + b1[i] * twist[SLOPE + j]
+                + holonomy.p1_p1[(i, j)] * by_twist
+        };
+        let ss = [entry(0, 0), entry(1, 0), entry(2, 0), entry(1, 1), entry(2, 1), entry(2, 2)];
+        let lower = |j: usize, i: usize| second[CHORD + j][CHORD + i];
+        let cc = [lower(0, 0), lower(0, 1), lower(0, 2), lower(1, 1), lower(1, 2), lower(2, 2)];
 
         let axes = [start.t, start.u, start.v];
         let scaled = axes.map(|axis| axis * scale);
-        let lower = |block: &Mat3| [block[0], block[1], block[2], block[4], block[5], block[8]];
-        for (place, block) in [(NODE + R, lower(&cc)), (P, pp), (NODE + P, lower(&ss))] {
+        for (place, block) in [(NODE + R, cc), (P, pp), (NODE + P, ss)] {
             set_symmetric(sum, place, &scaled, &axes, &block);
         }
-        let cs = [0, 1, 2].map(|column| cs.column(column).into_owned());
         for (row, column, block) in [(NODE + R, P, cp), (NODE + R, NODE + P, cs), (NODE + P, P, sp)] {
             set_both(sum, row, column, &scaled, &axes, &block);
         }
-        for (theta, [by_c, by_p, by_s]) in [(THETA, first_angle), (NODE + THETA, [twist_c, all_p, all_s])] {
+        let twist_p = Vec3::new(along[TWIST], u[TWIST], v[TWIST]);
+        let angle_p = Vec3::new(along[ANGLE], u[ANGLE], v[ANGLE]);
+        for (theta, [by_c, by_p, by_s]) in [
+            (THETA, [angle_c - twist_c, angle_p - twist_p, angle_s - twist_s]),
+            (NODE + THETA, [twist_c, twist_p, twist_s]),
+        ] {
             for (place, block) in [(P, by_p), (NODE + R, by_c), (NODE + P, by_s)] {
                 for i in 0..3 {
                     let value = scaled[0][i] * block[0] + scaled[1][i] * block[1] + scaled[2][i] * block[2];
@@ -191,10 +167,34 @@ impl<'a> RelativeShape<'a> {
                 }
             }
         }
-        sum[THETA][THETA] = (second[ANGLE][ANGLE] - 2.0 * mixed + stiffness) * scale;
+        let (mixed, stiffness) = (angle[TWIST], twist[TWIST]);
+        sum[THETA][THETA] = (angle[ANGLE] - 2.0 * mixed + stiffness) * scale;
         sum[THETA][NODE + THETA] = (mixed - stiffness) * scale;
         sum[NODE + THETA][THETA] = (mixed - stiffness) * scale;
         sum[NODE + THETA][NODE + THETA] = stiffness * scale;
+    }
+
+    /// What the relative shape changes by with a first slope that makes the frame turn by `turn` and the holonomy change by `twist`; and
+    /// what the derivatives `by`, in the axes of the frame, change by with it.
+    #[inline]
+    fn by_turn(
+        &self,
+        turn: &Vec3,
+        twist: f64,
+        second: &RelativeMatrix,
+        [by_chord, by_slope]: [&Vec3; 2],
+    ) -> (RelativeVector, RelativeVector) {
+        let (chord, slope) = (self.chord_local.cross(turn), self.slope_local.cross(turn));
+        let shape = [chord[0], chord[1], chord[2], slope[0], slope[1], slope[2], 0.0, twist, 0.0, 0.0];
+        let (of_chord, of_slope) = (turn.cross(by_chord), turn.cross(by_slope));
+        let mut change =
+            [of_chord[0], of_chord[1], of_chord[2], of_slope[0], of_slope[1], of_slope[2], 0.0, 0.0, 0.0, 0.0];
+        for (column, moved) in [0, 1, 2, 3, 4, 5, TWIST].map(|place| (&second[place], shape[place])) {
+            for row in 0..RELATIVE {
+                change[row] += column[row] * moved;
+            }
+        }
+        (shape, change)
     }
 
     /// Moment on the first node's frame of forces on the chord and on the second slope, by invariance (MECHANICS 8); all in its axes.
@@ -243,12 +243,14 @@ fn block(vector: &RelativeVector, place: usize) -> Vec3 {
     Vec3::new(vector[place], vector[place + 1], vector[place + 2])
 }
 
-/// The symmetric block on the diagonal of `matrix` from `place` on, of which the lower triangle counts.
+/// Fills in the upper triangle of a symmetric matrix.
 #[inline]
-fn symmetric(matrix: &RelativeMatrix, place: usize) -> Mat3 {
-    let [xx, yx, zx] = [0, 1, 2].map(|i| matrix[place][place + i]);
-    let [yy, zy, zz] = [(1, 1), (2, 1), (2, 2)].map(|(i, j)| matrix[place + j][place + i]);
-    Mat3::new(xx, yx, zx, yx, yy, zy, zx, zy, zz)
+fn mirror(matrix: &mut RelativeMatrix) {
+    for column in 1..=ANGLE {
+        for row in 0..column {
+            matrix[column][row] = matrix[row][column];
+        }
+    }
 }
 
 /// Sets the block of `sum` at `row` and `column` to `left block rightᵀ`, and its mirror image too; columns all.

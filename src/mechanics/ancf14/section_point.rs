@@ -105,7 +105,7 @@ impl<'a> SectionPoint<'a> {
         let (mut second, mut sum) = ([[0.0; RELATIVE]; RELATIVE], ElementMatrix::zeros());
         Gradients::new(element, kinematics).add_frozen(&angle, element, &mut second);
         let by_shape = angle.gradient(element, kinematics);
-        kinematics.shape.set_hessian(&by_shape, &second, 1.0, &mut sum.data.0);
+        kinematics.shape.set_hessian(&by_shape, &mut second, 1.0, &mut sum.data.0);
         complete(&mut sum.data.0);
         // Its inexact part, −(k_0 + kb)·dp_0/|p_0| − kb·dp/|p|.
         let k_t0 = half_turn_by_first(&first.t, &self.t, &self.k);
