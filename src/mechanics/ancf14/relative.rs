@@ -243,13 +243,23 @@ fn block(vector: &RelativeVector, place: usize) -> Vec3 {
     Vec3::new(vector[place], vector[place + 1], vector[place + 2])
 }
 
-/// Fills in the upper triangle of a symmetric matrix.
+/// Fills in the upper triangle of a symmetric matrix; a column at a time, whose places the compiler knows.
 #[inline]
 fn mirror(matrix: &mut RelativeMatrix) {
-    for column in 1..=ANGLE {
-        for row in 0..column {
-            matrix[column][row] = matrix[row][column];
-        }
+    mirror_column::<0>(matrix);
+    mirror_column::<1>(matrix);
+    mirror_column::<2>(matrix);
+    mirror_column::<3>(matrix);
+    mirror_column::<4>(matrix);
+    mirror_column::<5>(matrix);
+    mirror_column::<6>(matrix);
+    mirror_column::<7>(matrix);
+}
+
+#[inline]
+fn mirror_column<const COLUMN: usize>(matrix: &mut RelativeMatrix) {
+    for row in COLUMN + 1..=ANGLE {
+        matrix[row][COLUMN] = matrix[COLUMN][row];
     }
 }
 
