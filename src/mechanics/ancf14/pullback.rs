@@ -32,7 +32,7 @@ impl<'a> Gradients<'a> {
         for (g, rule) in element.bending.iter().enumerate() {
             let curve = &all.curves[g];
             let spread = |(by_p, by_w)| relative::spread(&rule.shape_x, &rule.shape_xx, &by_p, &by_w);
-            all.curvatures[g] = [spread(curve.curvature([1.0, 0.0])), spread(curve.curvature([0.0, 1.0]))];
+            all.curvatures[g] = [spread(curve.curvature(1)), spread(curve.curvature(2))];
             rates[g] = spread(curve.twist_rate());
         }
         all.twist[TWIST] = 1.0;
