@@ -50,18 +50,24 @@ pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
 /// the rows and columns of `r_0`, which [`complete`] sets.
 #[inline]
 pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementColumns) {
+    // At the ends of the element all weights but one are 0.
+    if weights[2] == 0.0 {
+        let (a, place) = if weights[1] == 0.0 { (3, NODE + P) } else { (1, P) };
+        add_block(&(block * (weights[a] * weights[a])), place, place, sum);
+        return;
+    }
     for (b, column) in CHORD_PLACES {
-        let scaled = block * weights[b];
         for (a, row) in CHORD_PLACES {
-            // At the ends of the element most weights are 0.
-            if weights[a] * weights[b] == 0.0 {
-                continue;
-            }
-            for j in 0..3 {
-                for i in 0..3 {
-                    sum[column + j][row + i] += scaled[(i, j)] * weights[a];
-                }
-            }
+            add_block(&(block * (weights[a] * weights[b])), row, column, sum);
+        }
+    }
+}
+
+#[inline]
+fn add_block(block: &Mat3, row: usize, column: usize, sum: &mut ElementColumns) {
+    for j in 0..3 {
+        for i in 0..3 {
+            sum[column + j][row + i] += block[(i, j)];
         }
     }
 }

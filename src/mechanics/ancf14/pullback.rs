@@ -75,7 +75,7 @@ impl<'a> Gradients<'a> {
     }
 
     /// Adds to the lower triangle of `sum` the Hessian of the weighted sum `factors`, at frozen factors; with [`Self::add_couplings`] it is all of it.
-    #[inline(never)]
+    #[inline]
     pub fn add_frozen(&self, factors: &Factors, element: &Element, sum: &mut RelativeMatrix) {
         for (g, rule) in element.bending.iter().enumerate() {
             let (pp, pw) = self.curves[g].hessian(&factors.points[g]);
@@ -84,12 +84,13 @@ impl<'a> Gradients<'a> {
     }
 
     /// Adds to the lower triangle of `sum` the part of the Hessian in which the factors change, by `couplings`.
-    #[inline(never)]
+    #[inline]
     pub fn add_couplings(&self, couplings: &Couplings, sum: &mut RelativeMatrix) {
-        let none = [0.0; RELATIVE];
-        // What strains are made of, and how the derivative by each changes with the shape.
-        let (mut parts, mut changes) = ([none; 10], [none; 10]);
-        (parts[9], changes[9]) = (self.twist, self.twist.map(|by| by * couplings.twist_twist));
+        // How the derivative by each of what strains are made of changes with the shape.
+        let mut changes = [[0.0; RELATIVE]; 10];
+        changes[9] = self.twist.map(|by| by * couplings.twist_twist);
+        let mut parts = changes;
+        parts[9] = self.twist;
         for (g, of_point) in couplings.points.iter().enumerate() {
             let [kappa1, kappa2] = self.curvatures[g];
             let own = [kappa1, kappa2, self.alpha[g]];
