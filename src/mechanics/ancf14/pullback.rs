@@ -8,16 +8,16 @@ use super::kinematics::Kinematics;
 use super::relative::{self, ANGLE, RELATIVE, RelativeMatrix, RelativeVector, TWIST};
 use super::strain::{Resultants, Rigidities};
 
+/// How many numbers strains are made of: `κ1`, `κ2`, `α` of each bending point in turn, and `T`.
+const PARTS: usize = 10;
+/// Place of `T` among them.
+const TOTAL: usize = 9;
+
 /// First derivatives, by the relative shape, of what strains are made of.
 #[derive(Clone, Debug)]
 pub struct Gradients<'a> {
     curves: [CurveGradients<'a>; 3],
-    /// Of κ1, κ2 of each bending point.
-    curvatures: [[RelativeVector; 2]; 3],
-    /// Of α at each bending point, rad.
-    alpha: [RelativeVector; 3],
-    /// Of `T`, rad.
-    twist: RelativeVector,
+    parts: [RelativeVector; PARTS],
 }
 
 impl<'a> Gradients<'a> {
@@ -26,38 +26,49 @@ impl<'a> Gradients<'a> {
     pub fn new(element: &Element, kinematics: &'a Kinematics) -> Self {
         let [first, middle, last] = &kinematics.points;
         let curves = [first.gradients(), middle.gradients(), last.gradients()];
-        let none = [0.0; RELATIVE];
-        let mut all = Self { curves, curvatures: [[none; 2]; 3], alpha: [none; 3], twist: none };
-        let mut rates = [none; 3];
-        for (g, rule) in element.bending.iter().enumerate() {
-            let curve = &all.curves[g];
-            let spread = |(by_p, by_w)| relative::spread(&rule.shape_x, &rule.shape_xx, &by_p, &by_w);
-            all.curvatures[g] = [spread(curve.curvature(1)), spread(curve.curvature(2))];
-            rates[g] = spread(curve.twist_rate());
-        }
-        all.twist[TWIST] = 1.0;
-        for (rate, weight) in rates.iter().zip(element.rate_weights) {
-            add_times(&mut all.twist, weight, rate);
-        }
-        for (alpha, rule) in all.alpha.iter_mut().zip(&element.bending) {
-            alpha[ANGLE] = 1.0;
-            add_times(alpha, rule.xi, &all.twist);
-            for (rate, weight) in rates.iter().zip(rule.collocation) {
-                add_times(alpha, -weight, rate);
+        let rules = &element.bending;
+        let spread = |g: usize, (by_p, by_w)| relative::spread(&rules[g].shape_x, &rules[g].shape_xx, &by_p, &by_w);
+        let kappa = |g: usize, q: usize| spread(g, curves[g].curvature(q));
+        let rate = |g: usize| spread(g, curves[g].twist_rate());
+        let rates = [rate(0), rate(1), rate(2)];
+        let with_rates = |mut sum: RelativeVector, weights: &[f64; 3], sign: f64| {
+            for (rate, weight) in rates.iter().zip(weights) {
+                add_times(&mut sum, sign * weight, rate);
             }
-        }
-        all
+            sum
+        };
+        let mut between = [0.0; RELATIVE];
+        between[TWIST] = 1.0;
+        let twist = with_rates(between, &element.rate_weights, 1.0);
+        let alpha = |g: usize| {
+            let mut sum = twist.map(|by| by * rules[g].xi);
+            sum[ANGLE] += 1.0;
+            with_rates(sum, &rules[g].collocation, -1.0)
+        };
+        let parts = [
+            kappa(0, 1),
+            kappa(0, 2),
+            alpha(0),
+            kappa(1, 1),
+            kappa(1, 2),
+            alpha(1),
+            kappa(2, 1),
+            kappa(2, 2),
+            alpha(2),
+            twist,
+        ];
+        Self { curves, parts }
     }
 
     /// Gradient of what has the derivatives `forces`.
     #[inline]
     pub fn sum(&self, forces: &Forces) -> RelativeVector {
-        let mut sum = self.twist.map(|by| by * forces.twist);
+        let mut sum = self.parts[TOTAL].map(|by| by * forces.twist);
         for g in 0..3 {
-            let ([kappa1, kappa2], [by_1, by_2]) = (&self.curvatures[g], forces.curvatures[g]);
-            add_times(&mut sum, by_1, kappa1);
-            add_times(&mut sum, by_2, kappa2);
-            add_times(&mut sum, forces.alpha[g], &self.alpha[g]);
+            let ([by_1, by_2], by_alpha) = (forces.curvatures[g], forces.alpha[g]);
+            for (i, factor) in [by_1, by_2, by_alpha].into_iter().enumerate() {
+                add_times(&mut sum, factor, &self.parts[3 * g + i]);
+            }
         }
         sum
     }
@@ -86,28 +97,33 @@ impl<'a> Gradients<'a> {
     /// Adds to the lower triangle of `sum` the part of the Hessian in which the factors change, by `couplings`.
     #[inline]
     pub fn add_couplings(&self, couplings: &Couplings, sum: &mut RelativeMatrix) {
+        let parts = &self.parts;
         // How the derivative by each of what strains are made of changes with the shape.
-        let mut changes = [[0.0; RELATIVE]; 10];
-        changes[9] = self.twist.map(|by| by * couplings.twist_twist);
-        let mut parts = changes;
-        parts[9] = self.twist;
-        for (g, of_point) in couplings.points.iter().enumerate() {
-            let [kappa1, kappa2] = self.curvatures[g];
-            let own = [kappa1, kappa2, self.alpha[g]];
-            for i in 0..3 {
-                let mut change = self.twist.map(|by| by * of_point.twist[i]);
-                for j in 0..3 {
-                    add_times(&mut change, of_point.own[i][j], &own[j]);
-                }
-                (parts[3 * g + i], changes[3 * g + i]) = (own[i], change);
-                add_times(&mut changes[9], of_point.twist[i], &own[i]);
+        let change = |g: usize, i: usize| {
+            let of_point = &couplings.points[g];
+            let mut sum = parts[TOTAL].map(|by| by * of_point.twist[i]);
+            for (j, factor) in of_point.own[i].into_iter().enumerate() {
+                add_times(&mut sum, factor, &parts[3 * g + j]);
             }
-        }
-        add_products::<0>(&parts, &changes, sum);
-        add_products::<2>(&parts, &changes, sum);
-        add_products::<4>(&parts, &changes, sum);
-        add_products::<6>(&parts, &changes, sum);
-        add_products::<8>(&parts, &changes, sum);
+            sum
+        };
+        let changes = [
+            change(0, 0),
+            change(0, 1),
+            change(0, 2),
+            change(1, 0),
+            change(1, 1),
+            change(1, 2),
+            change(2, 0),
+            change(2, 1),
+            change(2, 2),
+            self.sum(&couplings.by_twist()),
+        ];
+        add_products::<0>(parts, &changes, sum);
+        add_products::<2>(parts, &changes, sum);
+        add_products::<4>(parts, &changes, sum);
+        add_products::<6>(parts, &changes, sum);
+        add_products::<8>(parts, &changes, sum);
     }
 }
 
@@ -115,8 +131,8 @@ impl<'a> Gradients<'a> {
 /// processor keeps them at hand.
 #[inline]
 fn add_products<const FIRST: usize>(
-    parts: &[RelativeVector; 10],
-    changes: &[RelativeVector; 10],
+    parts: &[RelativeVector; PARTS],
+    changes: &[RelativeVector; PARTS],
     sum: &mut RelativeMatrix,
 ) {
     let mut gathered = [[0.0; RELATIVE]; 2];
@@ -245,6 +261,17 @@ impl Couplings {
         let torsion = evaluation.element.bending.iter().zip(rigidities);
         let by_torsion = torsion.map(|(rule, rigidities)| rigidities.torsion * rule.torsion_by_twist.powi(2));
         Self { points, twist_twist: torque_by_twist + by_torsion.sum::<f64>() }
+    }
+
+    /// What the derivative by `T` has for derivatives.
+    #[inline]
+    fn by_twist(&self) -> Forces {
+        let [first, middle, last] = [&self.points[0].twist, &self.points[1].twist, &self.points[2].twist];
+        Forces {
+            curvatures: [[first[0], first[1]], [middle[0], middle[1]], [last[0], last[1]]],
+            alpha: [first[2], middle[2], last[2]],
+            twist: self.twist_twist,
+        }
     }
 }
 
