@@ -41,7 +41,7 @@ impl<'a> Gradients<'a> {
         between[TWIST] = 1.0;
         let twist = with_rates(between, &element.rate_weights, 1.0);
         let alpha = |g: usize| {
-            let mut sum = twist.map(|by| by * rules[g].xi);
+            let mut sum = times(rules[g].xi, &twist);
             sum[ANGLE] += 1.0;
             with_rates(sum, &rules[g].collocation, -1.0)
         };
@@ -63,7 +63,7 @@ impl<'a> Gradients<'a> {
     /// Gradient of what has the derivatives `forces`.
     #[inline]
     pub fn sum(&self, forces: &Forces) -> RelativeVector {
-        let mut sum = self.parts[TOTAL].map(|by| by * forces.twist);
+        let mut sum = times(forces.twist, &self.parts[TOTAL]);
         for g in 0..3 {
             let ([by_1, by_2], by_alpha) = (forces.curvatures[g], forces.alpha[g]);
             for (i, factor) in [by_1, by_2, by_alpha].into_iter().enumerate() {
@@ -101,7 +101,7 @@ impl<'a> Gradients<'a> {
         // How the derivative by each of what strains are made of changes with the shape.
         let change = |g: usize, i: usize| {
             let of_point = &couplings.points[g];
-            let mut sum = parts[TOTAL].map(|by| by * of_point.twist[i]);
+            let mut sum = times(of_point.twist[i], &parts[TOTAL]);
             for (j, factor) in of_point.own[i].into_iter().enumerate() {
                 add_times(&mut sum, factor, &parts[3 * g + j]);
             }
@@ -299,6 +299,14 @@ impl PointCouplings {
             twist: [d1t * cos - d2t * sin, d1t * sin + d2t * cos, d1t * gamma2 - d2t * gamma1],
         }
     }
+}
+
+/// `factor values`.
+#[inline]
+fn times(factor: f64, values: &RelativeVector) -> RelativeVector {
+    let mut product = *values;
+    product.iter_mut().for_each(|value| *value *= factor);
+    product
 }
 
 /// `sum += factor values`.

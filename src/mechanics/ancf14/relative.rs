@@ -216,6 +216,15 @@ pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3)
 /// and `r''`, none by `r''` twice.
 #[inline]
 pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3, sum: &mut RelativeMatrix) {
+    let (square, both) = (|a: usize| shape_x[a] * shape_x[a], |a: usize| shape_x[a] * shape_xx[a]);
+    for j in 0..3 {
+        for i in j..3 {
+            let (twice, once) = (pp[(i, j)], pw[(i, j)] + pw[(j, i)]);
+            for (a, place) in [(2, CHORD), (3, SLOPE)] {
+                sum[place + j][place + i] += twice * square(a) + once * both(a);
+            }
+        }
+    }
     let between = |i: usize, a: usize, j: usize, b: usize| {
         let pp = if i > j { pp[(i, j)] } else { pp[(j, i)] };
         pp * (shape_x[a] * shape_x[b])
@@ -223,11 +232,6 @@ pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3,
             + pw[(j, i)] * (shape_xx[a] * shape_x[b])
     };
     for j in 0..3 {
-        for i in j..3 {
-            for (a, place) in [(2, CHORD), (3, SLOPE)] {
-                sum[place + j][place + i] += between(i, a, j, a);
-            }
-        }
         for i in 0..3 {
             sum[CHORD + j][SLOPE + i] += between(i, 3, j, 2);
         }
@@ -235,7 +239,7 @@ pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3,
             sum[column + j][STRETCH] += between(0, 1, j, b);
         }
     }
-    sum[STRETCH][STRETCH] += between(0, 1, 0, 1);
+    sum[STRETCH][STRETCH] += pp[(0, 0)] * square(1) + 2.0 * pw[(0, 0)] * both(1);
 }
 
 /// The three numbers of `vector` from `place` on.
