@@ -1,6 +1,6 @@
 //! Order of the coordinates (MECHANICS 3.3): a node is `r` (3), `p = r'` (3), `theta` (1); an element is its two nodes.
 
-use crate::math::vectors::vec3;
+use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
 
@@ -36,6 +36,34 @@ pub fn interpolate(weights: &[f64; 4], q: &[f64]) -> Vec3 {
     vec3(q, R) * weights[0] + vec3(q, P) * weights[1] + vec3(q, NODE + R) * weights[2] + vec3(q, NODE + P) * weights[3]
 }
 
+/// `r'` at an axial point where `X_a` have the weights `weights`: at the ends of the element it is the slope of a node.
+#[inline]
+pub fn slope(weights: &[f64; 4], q: &[f64]) -> Vec3 {
+    match slope_of_node(weights) {
+        Some((a, place)) => vec3(q, place) * weights[a],
+        None => interpolate(weights, q),
+    }
+}
+
+/// Which `X_a` alone has a weight in `r'`, and where it starts, at the ends of the element.
+#[inline]
+fn slope_of_node(weights: &[f64; 4]) -> Option<(usize, usize)> {
+    (weights[2] == 0.0).then_some(if weights[1] == 0.0 { (3, NODE + P) } else { (1, P) })
+}
+
+/// Adds `weightsᵀ v` to `sum`, 14×1, where `weights` are those of [`slope`].
+#[inline]
+pub fn add_slope_force(weights: &[f64; 4], v: &Vec3, sum: &mut ElementVector) {
+    match slope_of_node(weights) {
+        Some((a, place)) => add_vec3(sum.as_mut_slice(), place, &(v * weights[a])),
+        None => {
+            for (weight, place) in weights.iter().zip(SHAPE_PLACES) {
+                add_vec3(sum.as_mut_slice(), place, &(v * *weight));
+            }
+        }
+    }
+}
+
 /// `weightsᵀ v`, 14×1: the generalized force of a vector `v` that works on `Σ_a weight_a X_a`.
 #[inline]
 pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
@@ -50,9 +78,7 @@ pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
 /// the rows and columns of `r_0`, which [`complete`] sets.
 #[inline]
 pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementColumns) {
-    // At the ends of the element all weights but one are 0.
-    if weights[2] == 0.0 {
-        let (a, place) = if weights[1] == 0.0 { (3, NODE + P) } else { (1, P) };
+    if let Some((a, place)) = slope_of_node(weights) {
         add_block(&(block * (weights[a] * weights[a])), place, place, sum);
         return;
     }

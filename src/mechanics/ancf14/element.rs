@@ -3,7 +3,9 @@
 //! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
 //! coordinates in pullback.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
-use super::coordinates::{ELEMENT, ElementColumns, ElementMatrix, ElementVector, SHAPE_PLACES, complete, interpolate};
+use super::coordinates::{
+    ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slope as slope_at,
+};
 use super::frame::NodeFrame;
 use super::inertia::{self, Mass};
 use super::kinematics::Kinematics;
@@ -13,7 +15,6 @@ use super::relative::{RELATIVE, RelativeVector};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 use super::{axial, bending, fourth_moments, stretching, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
-use crate::math::vectors::add_vec3;
 use crate::math::{Vec3, hermite};
 use crate::mechanics::configuration::Configuration;
 
@@ -198,6 +199,7 @@ pub struct Evaluation<'a> {
     /// Curvatures and twist rates of the carried frame.
     pub kinematics: Kinematics<'a>,
     pub(super) slopes: [axial::Slope; 3],
+    /// Green strains of the axial points; 0 for small strain.
     pub(super) green: [f64; 3],
     pub(super) mean_torsion: [f64; 3],
     /// Internal coordinate `b` of the quadratic twist, rad; 0 for linear twist.
@@ -247,15 +249,19 @@ impl<'a> Evaluation<'a> {
     ) -> Self {
         let kinematics = Kinematics::new(element, q, frames, previous);
         let slope = |point: &AxialPoint| axial::Slope {
-            middle: interpolate(&point.shape_x, q),
-            increment: increment.map_or_else(Vec3::zeros, |increment| interpolate(&point.shape_x, increment)),
+            middle: slope_at(&point.shape_x, q),
+            increment: increment.map_or_else(Vec3::zeros, |increment| slope_at(&point.shape_x, increment)),
             reference_stretch: point.reference_stretch,
             reference_square: point.reference_square,
         };
         let torsion = |point: &AxialPoint| kinematics.twist * point.torsion_by_twist - point.reference_torsion;
         let [first, middle, last] = &element.axial;
         let slopes = [slope(first), slope(middle), slope(last)];
-        let green = [slopes[0].green_strain(), slopes[1].green_strain(), slopes[2].green_strain()];
+        let green = match element.stiffness.strain {
+            // Nothing depends on them.
+            Strain::Small => [0.0; 3],
+            _ => [slopes[0].green_strain(), slopes[1].green_strain(), slopes[2].green_strain()],
+        };
         let mean_torsion = [torsion(first), torsion(middle), torsion(last)];
         let (turn, gammahat, strains) = ([[0.0; 2]; 3], [[0.0; 2]; 3], [Strains::zeros(); 3]);
         let mut evaluation =
@@ -443,10 +449,7 @@ impl<'a> Evaluation<'a> {
     fn with_axial_forces(&self, by_shape: &RelativeVector, resultants: &[Resultants; 3]) -> ElementVector {
         let mut sum = self.kinematics.shape.gradient(by_shape);
         for (m, point) in self.element.axial.iter().enumerate() {
-            let force = self.axial_force(m, resultants);
-            for (weight, place) in point.shape_x.iter().zip(SHAPE_PLACES) {
-                add_vec3(sum.as_mut_slice(), place, &(force * *weight));
-            }
+            add_slope_force(&point.shape_x, &self.axial_force(m, resultants), &mut sum);
         }
         sum
     }

@@ -7,6 +7,7 @@ use super::frame::NodeFrame;
 use super::relative::RelativeShape;
 use crate::math::rotation::{carry, half_turn};
 use crate::math::{Mat3, Vec3};
+use std::f64::consts::TAU;
 
 /// Holonomy angle of the second node's frame against the first node's carried by one minimal rotation (2.7).
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +23,8 @@ impl Holonomy {
     pub fn new(first: &NodeFrame, second: &NodeFrame, previous: f64) -> Self {
         let u_c = carry(&first.t, &second.t, &first.u);
         let (s, c) = (second.u.dot(&second.t.cross(&u_c)), second.u.dot(&u_c));
-        let (sin, cos) = previous.sin_cos();
-        Self { angle: previous + (s * cos - c * sin).atan2(c * cos + s * sin), k: half_turn(&first.t, &second.t) }
+        let angle = s.atan2(c);
+        Self { angle: angle + TAU * ((previous - angle) / TAU).round(), k: half_turn(&first.t, &second.t) }
     }
 
     /// `(∂β/∂p_0, ∂β/∂p_1)`, rad (2.8).
