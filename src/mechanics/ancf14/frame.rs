@@ -59,7 +59,7 @@ impl NodeFrame {
 
     /// The derivative by `p` of what has the derivative `by_t` by the tangent: `by_t ∂t/∂p`, 3×3.
     #[inline]
-    pub fn by_p(&self, by_t: &Mat3) -> Mat3 {
+    fn by_p(&self, by_t: &Mat3) -> Mat3 {
         (by_t - by_t * self.t * self.t.transpose()) / self.stretch
     }
 
