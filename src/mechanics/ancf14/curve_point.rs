@@ -28,6 +28,7 @@ pub struct CurveGradients<'a> {
     d: Vec3,
     h_p: Vec3,
     h_w: Vec3,
+    omega_p: Vec3,
 }
 
 impl CurvePoint {
@@ -52,27 +53,32 @@ impl CurvePoint {
         let n = self.p * per_stretch;
         let d = n + Vec3::x();
         let h_p = (self.w - n * n.dot(&self.w)) * per_area - d * (self.h * per_depth);
-        CurveGradients { point: self, per_stretch, per_area, n, d, h_p, h_w: d * per_depth }
-    }
-
-    /// `(∂F/∂P, ∂F/∂W)` of `F = c·(κ1, κ2, ω)`.
-    #[inline]
-    pub fn gradient(&self, c: &[f64; 3]) -> (Vec3, Vec3) {
-        let gradients = self.gradients();
-        let CurveGradients { per_stretch, n, h_p, h_w, .. } = &gradients;
-        let across = (c[0] * self.p[1] + c[1] * self.p[2]) * per_stretch;
-        let kappa = (c[0] * self.curvatures[0] + c[1] * self.curvatures[1]) * per_stretch;
-        let (omega_p, omega_w) = gradients.twist_rate();
-        let (mut by_p, mut by_w) = (omega_p * c[2] - h_p * across - n * kappa, -h_w * across);
-        for q in 1..3 {
-            by_p[q] -= c[q - 1] * self.h * per_stretch;
-            by_w[q] += c[q - 1] * per_stretch + omega_w[q] * c[2];
-        }
-        (by_p, by_w)
+        let h_w = d * per_depth;
+        let mut omega_p = (n * per_stretch + h_w) * -self.twist_rate;
+        omega_p[1] -= self.w[2] * per_area;
+        omega_p[2] += self.w[1] * per_area;
+        CurveGradients { point: self, per_stretch, per_area, n, d, h_p, h_w, omega_p }
     }
 }
 
 impl CurveGradients<'_> {
+    /// `(∂F/∂P, ∂F/∂W)` of `F = c·(κ1, κ2, ω)`.
+    #[inline]
+    pub fn gradient(&self, c: &[f64; 3]) -> (Vec3, Vec3) {
+        let &Self { point, per_stretch, per_area, n, h_p, h_w, omega_p, .. } = self;
+        let across = (c[0] * point.p[1] + c[1] * point.p[2]) * per_stretch;
+        let kappa = (c[0] * point.curvatures[0] + c[1] * point.curvatures[1]) * per_stretch;
+        let rate = c[2] * per_area;
+        let (mut by_p, mut by_w) = (omega_p * c[2] - h_p * across - n * kappa, -h_w * across);
+        for q in 1..3 {
+            by_p[q] -= c[q - 1] * point.h * per_stretch;
+            by_w[q] += c[q - 1] * per_stretch;
+        }
+        by_w[1] += point.p[2] * rate;
+        by_w[2] -= point.p[1] * rate;
+        (by_p, by_w)
+    }
+
     /// `(∂κ/∂P, ∂κ/∂W)` of one of the curvatures, number `q` (1 or 2).
     #[inline]
     pub fn curvature(&self, q: usize) -> (Vec3, Vec3) {
@@ -87,11 +93,8 @@ impl CurveGradients<'_> {
     /// `(∂ω/∂P, ∂ω/∂W)`; the latter has nothing along the first axis.
     #[inline]
     pub fn twist_rate(&self) -> (Vec3, Vec3) {
-        let (p, w) = (&self.point.p, &self.point.w);
-        let mut by_p = (self.n * self.per_stretch + self.h_w) * -self.point.twist_rate;
-        by_p[1] -= w[2] * self.per_area;
-        by_p[2] += w[1] * self.per_area;
-        (by_p, Vec3::new(0.0, p[2] * self.per_area, -p[1] * self.per_area))
+        let p = &self.point.p;
+        (self.omega_p, Vec3::new(0.0, p[2] * self.per_area, -p[1] * self.per_area))
     }
 
     /// `∂²F/∂P²`, of which the lower triangle counts, and `∂²F/∂P∂W` of `F = c·(κ1, κ2, ω)`; `∂²F/∂W²` is zero.
@@ -101,9 +104,8 @@ impl CurveGradients<'_> {
     /// `F_PP = q I + (n, z1) + (x, z2) − (h_P, a)/|P|`, `F_PW = n z3ᵀ + x z4ᵀ − a dᵀ/(|P| D) − A/|P| I + s (e2 e1ᵀ − e1 e2ᵀ)`.
     #[inline]
     pub fn hessian(&self, c: &[f64; 3]) -> (Mat3, Mat3) {
-        let &Self { point, per_stretch, per_area, n, d, h_p, h_w } = self;
+        let &Self { point, per_stretch, per_area, n, d, h_p, h_w, omega_p } = self;
         let &CurvePoint { stretch, curvatures, twist_rate, p, w, h } = point;
-        let (omega_p, _) = self.twist_rate();
         let depth = stretch + p[0];
         let kappa = (c[0] * curvatures[0] + c[1] * curvatures[1]) * per_stretch;
         let across = (c[0] * p[1] + c[1] * p[2]) * per_area;

@@ -353,9 +353,10 @@ impl<'a> Evaluation<'a> {
         let torque_by_twist = stretching::torque_by_twist(self);
         let couplings = Couplings::new(self, &first.resultants, &rigidities, torque_by_twist);
         // At fixed Green strains of the axial points.
-        let by_shape = gradients.sum(&first.forces);
+        let factors = first.forces.factors(element);
+        let by_shape = gradients.weighted(&factors, element);
         let mut second = [[0.0; RELATIVE]; RELATIVE];
-        gradients.add_frozen(&first.forces.factors(element), element, &mut second);
+        gradients.add_frozen(&factors, element, &mut second);
         gradients.add_couplings(&couplings, &mut second);
         let condensation = (element.stiffness.twist == Twist::Quadratic)
             .then(|| Condensation::new(self, &gradients, &couplings, &rigidities));

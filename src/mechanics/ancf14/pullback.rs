@@ -60,6 +60,12 @@ impl<'a> Gradients<'a> {
         Self { curves, parts }
     }
 
+    /// Gradient of the weighted sum `factors`: the same to the last bit as [`Factors::gradient`].
+    #[inline]
+    pub fn weighted(&self, factors: &Factors, element: &Element) -> RelativeVector {
+        factors.gradient_on(element, &self.curves)
+    }
+
     /// Gradient of what has the derivatives `forces`.
     #[inline]
     pub fn sum(&self, forces: &Forces) -> RelativeVector {
@@ -214,12 +220,18 @@ pub struct Factors {
 }
 
 impl Factors {
-    /// Gradient of the sum; it takes less than [`Gradients`] do.
+    /// Gradient of the sum; it takes less than [`Gradients::new`].
     #[inline]
     pub fn gradient(&self, element: &Element, kinematics: &Kinematics) -> RelativeVector {
+        let [first, middle, last] = &kinematics.points;
+        self.gradient_on(element, &[first.gradients(), middle.gradients(), last.gradients()])
+    }
+
+    #[inline]
+    fn gradient_on(&self, element: &Element, curves: &[CurveGradients; 3]) -> RelativeVector {
         let mut sum = [0.0; RELATIVE];
         for (g, rule) in element.bending.iter().enumerate() {
-            let (by_p, by_w) = kinematics.points[g].gradient(&self.points[g]);
+            let (by_p, by_w) = curves[g].gradient(&self.points[g]);
             add_times(&mut sum, 1.0, &relative::spread(&rule.shape_x, &rule.shape_xx, &by_p, &by_w));
         }
         sum[TWIST] = self.twist;
