@@ -29,20 +29,6 @@ pub fn normal_projector(t: &Vec3) -> Mat3 {
     Mat3::identity() - t * t.transpose()
 }
 
-/// `matrix [v]×`, 3×3.
-#[inline]
-pub fn times_cross(matrix: &Mat3, v: &Vec3) -> Mat3 {
-    let (x, y, z) = (matrix.column(0), matrix.column(1), matrix.column(2));
-    Mat3::from_columns(&[y * v[2] - z * v[1], z * v[0] - x * v[2], x * v[1] - y * v[0]])
-}
-
-/// `[v]× matrix`, 3×3.
-#[inline]
-pub fn cross_times(v: &Vec3, matrix: &Mat3) -> Mat3 {
-    let turned = |column: usize| v.cross(&matrix.column(column));
-    Mat3::from_columns(&[turned(0), turned(1), turned(2)])
-}
-
 /// Angle of the turn between two triads, rad, 0 to pi.
 pub fn rotation_angle(a: &Mat3, b: &Mat3) -> f64 {
     (0.5 * (a.tr_mul(b).trace() - 1.0)).clamp(-1.0, 1.0).acos()

@@ -79,10 +79,10 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize,
                 let Some(number) = element else { continue };
                 let Element::Ancf14(element) = &system.mesh.elements[number] else { continue };
                 let block = blocks.block_mut(number);
-                for column in [THETA, NODE + THETA] {
+                for (other, column) in [THETA, NODE + THETA].into_iter().enumerate() {
                     for row in 0..3 {
                         block[column * ELEMENT + local + P + row] +=
-                            by_spin[row] * element.mass[(local + THETA, column)];
+                            by_spin[row] * element.mass.spin(local / NODE, other);
                     }
                 }
             }
@@ -141,7 +141,7 @@ pub fn add_rate_tangent(
         let force = spin_force(frame, &slope_rate);
         let force_p = slope_rate.cross_matrix() / stretch.powi(3) - force * t.transpose() * (3.0 / stretch);
         let force_v = -t.cross_matrix() / (stretch * stretch);
-        let chart_p = frame.k * t.transpose() / (stretch * stretch) - frame.k_t * frame.t_p() / stretch;
+        let chart_p = frame.k * t.transpose() / (stretch * stretch) - frame.k_p() / stretch;
         let by_slope = (force_p + force_v * velocity_by_q) * spin + chart_p * spin_rate;
         let by_spin = force * velocity_by_q - frame.k * (acceleration_by_q / stretch);
         (by_slope * scale, by_spin * scale)

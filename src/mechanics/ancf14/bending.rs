@@ -35,14 +35,10 @@ pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
 pub fn hessian(stiffness: &Stiffness, strains: &Strains) -> Rigidities {
     let [g1, g2, _, e] = (*strains).into();
     let factor = 1.0 + coupling(stiffness) * e;
-    let (with_1, with_2) =
-        (coupling(stiffness) * stiffness.bending_z * g1, coupling(stiffness) * stiffness.bending_y * g2);
-    let mut sum = Rigidities::zeros();
-    sum[(0, 0)] = factor * stiffness.bending_z;
-    sum[(1, 1)] = factor * stiffness.bending_y;
-    sum[(0, 3)] = with_1;
-    sum[(3, 0)] = with_1;
-    sum[(1, 3)] = with_2;
-    sum[(3, 1)] = with_2;
-    sum
+    let [about_z, about_y] = [stiffness.bending_z, stiffness.bending_y];
+    Rigidities {
+        bending: [factor * about_z, factor * about_y],
+        with_axial: [coupling(stiffness) * about_z * g1, coupling(stiffness) * about_y * g2],
+        ..Rigidities::default()
+    }
 }

@@ -28,6 +28,7 @@ pub struct CurveGradients<'a> {
     d: Vec3,
     h_p: Vec3,
     h_w: Vec3,
+    omega_p: Vec3,
 }
 
 impl CurvePoint {
@@ -52,78 +53,101 @@ impl CurvePoint {
         let n = self.p * per_stretch;
         let d = n + Vec3::x();
         let h_p = (self.w - n * n.dot(&self.w)) * per_area - d * (self.h * per_depth);
-        CurveGradients { point: self, per_stretch, per_area, n, d, h_p, h_w: d * per_depth }
-    }
-
-    /// `(∂F/∂P, ∂F/∂W)` of `F = c·(κ1, κ2, ω)`.
-    #[inline]
-    pub fn gradient(&self, c: &[f64; 3]) -> (Vec3, Vec3) {
-        let gradients = self.gradients();
-        let (kappa_p, kappa_w) = gradients.curvature([c[0], c[1]]);
-        let (omega_p, omega_w) = gradients.twist_rate();
-        (kappa_p + omega_p * c[2], kappa_w + omega_w * c[2])
-    }
-
-    /// `∂²F/∂P²` and `∂²F/∂P∂W` of `F = c·(κ1, κ2, ω)`; `∂²F/∂W²` is zero (MECHANICS 8).
-    #[inline]
-    pub fn hessian(&self, c: &[f64; 3]) -> (Mat3, Mat3) {
-        let gradients @ CurveGradients { per_stretch, per_area, n, d, h_p, h_w, .. } = self.gradients();
-        let (kappa_p, kappa_w) = gradients.curvature([c[0], c[1]]);
-        let (omega_p, omega_w) = gradients.twist_rate();
-        let depth = self.stretch + self.p[0];
-        let along = n.dot(&self.w);
-        // Both curvatures at once, K = c1 κ1 + c2 κ2; `across` = (c1 P1 + c2 P2)/(|P| D).
-        let kappa = c[0] * self.curvatures[0] + c[1] * self.curvatures[1];
-        let across = (c[0] * self.p[1] + c[1] * self.p[2]) * per_area;
-        let rate = c[2] * per_area;
-        let rate_area_p = (n * depth + d * self.stretch) * rate;
-        // What multiplies Q = (I − n nᵀ)/|P|.
-        let q = (across * (along * per_stretch + self.h)
-            - kappa * per_stretch
-            - rate * self.twist_rate * (depth + self.stretch))
-            * per_stretch;
-        let with_n = (self.w - n * along) * (across * per_stretch * per_stretch)
-            - kappa_p * per_stretch
-            - d * (rate * self.twist_rate)
-            - n * (0.5 * q);
-        let across = across * per_stretch;
-        let w_with_n = n * across - kappa_w * per_stretch;
-        let (mut pp, mut pw) = (Mat3::zeros(), Mat3::zeros());
-        for i in 0..3 {
-            for j in 0..3 {
-                pp[(i, j)] = (n[i] * with_n[j] + with_n[i] * n[j])
-                    - (h_p[i] * kappa_w[j] + kappa_w[i] * h_p[j])
-                    - (omega_p[i] * rate_area_p[j] + rate_area_p[i] * omega_p[j]);
-                pw[(i, j)] = n[i] * w_with_n[j] - kappa_w[i] * h_w[j] - rate_area_p[i] * omega_w[j];
-            }
-            pp[(i, i)] += q;
-            pw[(i, i)] -= across;
-        }
-        pw[(2, 1)] += rate;
-        pw[(1, 2)] -= rate;
-        (pp, pw)
+        let h_w = d * per_depth;
+        let mut omega_p = (n * per_stretch + h_w) * -self.twist_rate;
+        omega_p[1] -= self.w[2] * per_area;
+        omega_p[2] += self.w[1] * per_area;
+        CurveGradients { point: self, per_stretch, per_area, n, d, h_p, h_w, omega_p }
     }
 }
 
 impl CurveGradients<'_> {
-    /// `(∂K/∂P, ∂K/∂W)` of `K = c·(κ1, κ2)`.
+    /// `(∂F/∂P, ∂F/∂W)` of `F = c·(κ1, κ2, ω)`.
     #[inline]
-    pub fn curvature(&self, c: [f64; 2]) -> (Vec3, Vec3) {
-        let point = self.point;
-        let across = (c[0] * point.p[1] + c[1] * point.p[2]) * self.per_stretch;
-        let kappa = (c[0] * point.curvatures[0] + c[1] * point.curvatures[1]) * self.per_stretch;
-        let axis = Vec3::new(0.0, c[0], c[1]) * self.per_stretch;
-        (-axis * point.h - self.h_p * across - self.n * kappa, axis - self.h_w * across)
+    pub fn gradient(&self, c: &[f64; 3]) -> (Vec3, Vec3) {
+        let &Self { point, per_stretch, per_area, n, h_p, h_w, omega_p, .. } = self;
+        let across = (c[0] * point.p[1] + c[1] * point.p[2]) * per_stretch;
+        let kappa = (c[0] * point.curvatures[0] + c[1] * point.curvatures[1]) * per_stretch;
+        let rate = c[2] * per_area;
+        let (mut by_p, mut by_w) = (omega_p * c[2] - h_p * across - n * kappa, -h_w * across);
+        for q in 1..3 {
+            by_p[q] -= c[q - 1] * point.h * per_stretch;
+            by_w[q] += c[q - 1] * per_stretch;
+        }
+        by_w[1] += point.p[2] * rate;
+        by_w[2] -= point.p[1] * rate;
+        (by_p, by_w)
     }
 
-    /// `(∂ω/∂P, ∂ω/∂W)`.
+    /// `(∂κ/∂P, ∂κ/∂W)` of one of the curvatures, number `q` (1 or 2).
+    #[inline]
+    pub fn curvature(&self, q: usize) -> (Vec3, Vec3) {
+        let point = self.point;
+        let (across, kappa) = (point.p[q] * self.per_stretch, point.curvatures[q - 1] * self.per_stretch);
+        let (mut by_p, mut by_w) = (-self.h_p * across - self.n * kappa, -self.h_w * across);
+        by_p[q] -= point.h * self.per_stretch;
+        by_w[q] += self.per_stretch;
+        (by_p, by_w)
+    }
+
+    /// `(∂ω/∂P, ∂ω/∂W)`; the latter has nothing along the first axis.
     #[inline]
     pub fn twist_rate(&self) -> (Vec3, Vec3) {
-        let (p, w) = (&self.point.p, &self.point.w);
-        (
-            Vec3::new(0.0, -w[2], w[1]) * self.per_area
-                - (self.n * self.per_stretch + self.h_w) * self.point.twist_rate,
-            Vec3::new(0.0, p[2], -p[1]) * self.per_area,
-        )
+        let p = &self.point.p;
+        (self.omega_p, Vec3::new(0.0, p[2] * self.per_area, -p[1] * self.per_area))
+    }
+
+    /// `∂²F/∂P²`, of which the lower triangle counts, and `∂²F/∂P∂W` of `F = c·(κ1, κ2, ω)`; `∂²F/∂W²` is zero.
+    ///
+    /// What MECHANICS 8 says, sorted by the vectors that it is made of: with `x` the first axis, `d = n + x`, `a = (0, c1, c2)`,
+    /// `m = (0, P2, −P1)`, `A = a·P/(|P| D)`, `s = c3/(|P| D)`, and `(x, y) = x yᵀ + y xᵀ`,
+    /// `F_PP = q I + (n, z1) + (x, z2) − (h_P, a)/|P|`, `F_PW = n z3ᵀ + x z4ᵀ − a dᵀ/(|P| D) − A/|P| I + s (e2 e1ᵀ − e1 e2ᵀ)`.
+    #[inline]
+    pub fn hessian(&self, c: &[f64; 3]) -> (Mat3, Mat3) {
+        let &Self { point, per_stretch, per_area, n, d, h_p, h_w, omega_p } = self;
+        let &CurvePoint { stretch, curvatures, twist_rate, p, w, h } = point;
+        let depth = stretch + p[0];
+        let kappa = (c[0] * curvatures[0] + c[1] * curvatures[1]) * per_stretch;
+        let across = (c[0] * p[1] + c[1] * p[2]) * per_area;
+        let per_length = across * per_stretch;
+        let rate = c[2] * per_area;
+        let both = rate * (depth + stretch);
+        let turned = h * per_length - rate * twist_rate;
+        let q = (across * (n.dot(&w) * per_stretch + h) - kappa - both * twist_rate) * per_stretch;
+        let axis = [c[0] * per_stretch, c[1] * per_stretch];
+
+        let mut z1 =
+            h_p * (2.0 * per_length * depth + across) + n * (kappa * per_stretch - 0.5 * q + turned) - omega_p * both;
+        z1[0] += turned;
+        z1[1] += axis[0] * h * per_stretch;
+        z1[2] += axis[1] * h * per_stretch;
+        let z2 = h_p * across - omega_p * (rate * stretch);
+        let mut pp = Mat3::zeros();
+        pp[(0, 0)] = 2.0 * (n[0] * z1[0] + z2[0]) + q;
+        pp[(1, 0)] = n[1] * z1[0] + n[0] * z1[1] + z2[1] - h_p[0] * axis[0];
+        pp[(2, 0)] = n[2] * z1[0] + n[0] * z1[2] + z2[2] - h_p[0] * axis[1];
+        pp[(1, 1)] = 2.0 * (n[1] * z1[1] - h_p[1] * axis[0]) + q;
+        pp[(2, 1)] = n[2] * z1[1] + n[1] * z1[2] - h_p[1] * axis[1] - h_p[2] * axis[0];
+        pp[(2, 2)] = 2.0 * (n[2] * z1[2] - h_p[2] * axis[1]) + q;
+
+        let z4 = h_w * across;
+        let mut z3 = n * (2.0 * per_length) + z4;
+        z3[0] += per_length;
+        z3[1] -= axis[0] * per_stretch + p[2] * both * per_area;
+        z3[2] -= axis[1] * per_stretch - p[1] * both * per_area;
+        let (about_1, about_2) = (c[0] * per_area, c[1] * per_area);
+        let mut pw = n * z3.transpose();
+        for j in 0..3 {
+            pw[(0, j)] += z4[j];
+            pw[(1, j)] -= about_1 * d[j];
+            pw[(2, j)] -= about_2 * d[j];
+            pw[(j, j)] -= per_length;
+        }
+        let across_rate = rate * stretch * per_area;
+        pw[(0, 1)] -= p[2] * across_rate;
+        pw[(0, 2)] += p[1] * across_rate;
+        pw[(2, 1)] += rate;
+        pw[(1, 2)] -= rate;
+        (pp, pw)
     }
 }

@@ -9,11 +9,11 @@
 //!
 //! Over a step the rate is the change of the strains over its length: a rigid motion, however fast, is not damped at all.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, spread};
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, complete, spread};
 use super::element::{Element, Evaluation};
-use super::pullback::{FactorGradients, Factors, Gradients};
-use super::relative::{RelativeMatrix, RelativeVector};
-use super::strain::{Resultants, Strain};
+use super::pullback::{Couplings, Forces, Gradients};
+use super::relative::RELATIVE;
+use super::strain::{Resultants, Rigidities, Strain};
 use nalgebra::{SMatrix, SVector};
 
 /// Strains of an element: three axial points, then `g1`, `g2`, `tau` of each bending point.
@@ -87,9 +87,9 @@ pub fn strains_q(evaluation: &Evaluation) -> SMatrix<f64, ELEMENT, STRAINS> {
         };
         columns.set_column(m, &spread(&evaluation.element.axial[m].shape_x, &strain_p));
     }
-    let gradients = Gradients::new(evaluation);
+    let gradients = Gradients::new(evaluation.element, &evaluation.kinematics);
     for g in 0..3 {
-        for (i, by_shape) in gradients.strains[g].iter().enumerate() {
+        for (i, by_shape) in gradients.strains(evaluation, g).iter().enumerate() {
             columns.set_column(first_strain(g) + i, &evaluation.kinematics.shape.gradient(by_shape));
         }
     }
@@ -100,22 +100,24 @@ pub fn strains_q(evaluation: &Evaluation) -> SMatrix<f64, ELEMENT, STRAINS> {
 pub fn stress_hessian(evaluation: &Evaluation, resultants: &StrainVector) -> ElementMatrix {
     let of_sections: [Resultants; 3] = std::array::from_fn(|g| resultants.fixed_rows::<3>(first_strain(g)).push(0.0));
     let (element, kinematics) = (evaluation.element, &evaluation.kinematics);
-    let (factors, gradients) = (Factors::new(evaluation, &of_sections, &[0.0; 3]), Gradients::new(evaluation));
-    let mut second = RelativeMatrix::zeros();
-    factors.add_hessian(element, kinematics, &mut second);
-    let frozen = [[RelativeVector::zeros(); 3]; 3];
-    FactorGradients::new(evaluation, &gradients, &factors, &of_sections, &frozen, 0.0)
-        .add_hessian(&gradients, &mut second);
-    let mut sum = ElementMatrix::zeros();
-    kinematics.shape.set_hessian(&factors.gradient(element, kinematics), &second, &mut sum);
+    let (forces, gradients) = (Forces::new(evaluation, &of_sections, &[0.0; 3]), Gradients::new(element, kinematics));
+    let mut second = [[0.0; RELATIVE]; RELATIVE];
+    gradients.add_frozen(&forces.factors(element), element, &mut second);
+    let frozen = [Rigidities::default(); 3];
+    let couplings = Couplings::new(evaluation, &of_sections, &frozen, 0.0);
+    gradients.add_couplings(&couplings, &mut second);
+    let mut all = ElementMatrix::zeros();
+    let sum = &mut all.data.0;
+    kinematics.shape.set_hessian(&gradients.sum(&forces), &mut second, 1.0, sum);
     for (m, slope) in evaluation.slopes.iter().enumerate() {
         let strain_pp = match evaluation.element.stiffness.strain {
             Strain::Small => slope.engineering_strain_pp(),
             Strain::Large | Strain::LargeTruncated => slope.green_strain_pp(),
         };
-        add_spread(&evaluation.element.axial[m].shape_x, &(strain_pp * resultants[m]), &mut sum);
+        add_spread(&evaluation.element.axial[m].shape_x, &(strain_pp * resultants[m]), sum);
     }
-    sum
+    complete(sum);
+    all
 }
 
 /// Where the strains of bending point `g` start.

@@ -3,16 +3,18 @@
 //! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
 //! coordinates in pullback.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, SHAPE_PLACES, add_spread, interpolate, spread};
+use super::coordinates::{
+    ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slope as slope_at,
+};
 use super::frame::NodeFrame;
+use super::inertia::{self, Mass};
 use super::kinematics::Kinematics;
-use super::pullback::{FactorGradients, Factors, Gradients};
+use super::pullback::{Couplings, Forces, Gradients};
 use super::quadratic_twist::{self, Condensation, Twist};
-use super::relative::{RelativeMatrix, RelativeVector};
+use super::relative::{RELATIVE, RelativeVector};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
-use super::{axial, bending, fourth_moments, inertia, torsion};
+use super::{axial, bending, fourth_moments, stretching, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
-use crate::math::vectors::add_vec3;
 use crate::math::{Vec3, hermite};
 use crate::mechanics::configuration::Configuration;
 
@@ -84,8 +86,8 @@ pub struct Element {
     pub rate_weights: [f64; 3],
     /// Total twist `T` of the undeformed element, rad.
     pub reference_twist: f64,
-    /// Constant mass matrix, 14×14.
-    pub mass: ElementMatrix,
+    /// Constant mass matrix.
+    pub mass: Mass,
     /// `ρA`, kg/m.
     pub line_density: f64,
 }
@@ -141,7 +143,7 @@ impl Element {
             bending,
             rate_weights: GAUSS_WEIGHTS.map(|w| w * length),
             reference_twist: 0.0,
-            mass: inertia::mass(density[0], density[1], length),
+            mass: Mass::new(density[0], density[1], length),
             line_density: density[0],
         };
         // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
@@ -197,8 +199,9 @@ pub struct Evaluation<'a> {
     /// Curvatures and twist rates of the carried frame.
     pub kinematics: Kinematics<'a>,
     pub(super) slopes: [axial::Slope; 3],
-    green: [f64; 3],
-    mean_torsion: [f64; 3],
+    /// Green strains of the axial points; 0 for small strain.
+    pub(super) green: [f64; 3],
+    pub(super) mean_torsion: [f64; 3],
     /// Internal coordinate `b` of the quadratic twist, rad; 0 for linear twist.
     pub bubble: f64,
     /// `cos α/J0` and `sin α/J0` at the bending points, `b` included in `α`.
@@ -213,7 +216,8 @@ pub struct Evaluation<'a> {
 struct FirstOrder {
     /// Derivatives of the energy by the strains of the bending points, quadrature weights included.
     resultants: [Resultants; 3],
-    factors: Factors,
+    /// By what strains are made of.
+    forces: Forces,
 }
 
 impl<'a> Evaluation<'a> {
@@ -245,15 +249,19 @@ impl<'a> Evaluation<'a> {
     ) -> Self {
         let kinematics = Kinematics::new(element, q, frames, previous);
         let slope = |point: &AxialPoint| axial::Slope {
-            middle: interpolate(&point.shape_x, q),
-            increment: increment.map_or_else(Vec3::zeros, |increment| interpolate(&point.shape_x, increment)),
+            middle: slope_at(&point.shape_x, q),
+            increment: increment.map_or_else(Vec3::zeros, |increment| slope_at(&point.shape_x, increment)),
             reference_stretch: point.reference_stretch,
             reference_square: point.reference_square,
         };
         let torsion = |point: &AxialPoint| kinematics.twist * point.torsion_by_twist - point.reference_torsion;
         let [first, middle, last] = &element.axial;
         let slopes = [slope(first), slope(middle), slope(last)];
-        let green = [slopes[0].green_strain(), slopes[1].green_strain(), slopes[2].green_strain()];
+        let green = match element.stiffness.strain {
+            // Nothing depends on them.
+            Strain::Small => [0.0; 3],
+            _ => [slopes[0].green_strain(), slopes[1].green_strain(), slopes[2].green_strain()],
+        };
         let mean_torsion = [torsion(first), torsion(middle), torsion(last)];
         let (turn, gammahat, strains) = ([[0.0; 2]; 3], [[0.0; 2]; 3], [Strains::zeros(); 3]);
         let mut evaluation =
@@ -263,16 +271,35 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Sets the internal coordinate of the quadratic twist, rad, and the strains that follow from it.
+    #[inline]
     pub(super) fn set_bubble(&mut self, bubble: f64) {
         self.bubble = bubble;
-        let twist = self.kinematics.twist;
         for (g, point) in self.element.bending.iter().enumerate() {
             let (sin, cos) = (self.kinematics.alpha[g] + bubble * quadratic_twist::shape(point.xi)).sin_cos();
-            let turn @ [cos, sin] = [cos / point.reference_stretch, sin / point.reference_stretch];
+            self.turn[g] = [cos / point.reference_stretch, sin / point.reference_stretch];
+        }
+        self.set_strains();
+    }
+
+    /// Adds to the internal coordinate a `correction` so small that its square is below rounding: the sine of such a turn is its angle.
+    pub(super) fn correct_bubble(&mut self, correction: f64) {
+        self.bubble += correction;
+        for (turn, point) in self.turn.iter_mut().zip(&self.element.bending) {
+            let ([cos, sin], angle) = (*turn, correction * quadratic_twist::shape(point.xi));
+            *turn = [cos - sin * angle, sin + cos * angle];
+        }
+        self.set_strains();
+    }
+
+    /// Strains of the bending points, as `bubble` and `turn` are.
+    #[inline]
+    fn set_strains(&mut self) {
+        let twist = self.kinematics.twist;
+        for (g, point) in self.element.bending.iter().enumerate() {
+            let [cos, sin] = self.turn[g];
             let [kappa1, kappa2] = self.kinematics.points[g].curvatures;
             let gammahat = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
-            let twist_xi = twist + bubble * quadratic_twist::shape_xi(point.xi);
-            self.turn[g] = turn;
+            let twist_xi = twist + self.bubble * quadratic_twist::shape_xi(point.xi);
             self.gammahat[g] = gammahat;
             self.strains[g] = Strains::new(
                 gammahat[0] - point.reference[0],
@@ -307,29 +334,51 @@ impl<'a> Evaluation<'a> {
     #[inline]
     pub fn gradient(&self) -> ElementVector {
         let first = self.first_order();
-        let by_shape = first.factors.gradient(self.element, &self.kinematics);
+        let by_shape = first.forces.factors(self.element).gradient(self.element, &self.kinematics);
         self.with_axial_forces(&by_shape, &first.resultants)
     }
 
     /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
-    #[inline]
     pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
-        let first = self.first_order();
-        let by_shape = first.factors.gradient(self.element, &self.kinematics);
-        let gradients = Gradients::new(self);
-        let mut second = RelativeMatrix::zeros();
-        self.add_shape_hessian(&first, &gradients, &mut second);
-        let mut both = (self.with_axial_forces(&by_shape, &first.resultants), ElementMatrix::zeros());
-        let hessian = &mut both.1;
-        self.kinematics.shape.set_hessian(&by_shape, &second, hessian);
-        match self.element.stiffness.strain {
-            Strain::Small => self.add_small_axial_hessian(hessian),
-            _ => self.add_large_axial_hessian(&first, &gradients, hessian),
+        let mut hessian = ElementMatrix::zeros();
+        (self.gradient_and_set_hessian(1.0, &mut hessian.data.0), hessian)
+    }
+
+    /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`].
+    #[inline]
+    pub fn gradient_and_set_hessian(&self, scale: f64, hessian: &mut ElementColumns) -> ElementVector {
+        let (element, first) = (self.element, self.first_order());
+        let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
+        let gradients = Gradients::new(element, &self.kinematics);
+        let torque_by_twist = stretching::torque_by_twist(self);
+        let couplings = Couplings::new(self, &first.resultants, &rigidities, torque_by_twist);
+        // At fixed Green strains of the axial points.
+        let factors = first.forces.factors(element);
+        let by_shape = gradients.weighted(&factors, element);
+        let mut second = [[0.0; RELATIVE]; RELATIVE];
+        gradients.add_frozen(&factors, element, &mut second);
+        gradients.add_couplings(&couplings, &mut second);
+        let condensation = (element.stiffness.twist == Twist::Quadratic)
+            .then(|| Condensation::new(self, &gradients, &couplings, &rigidities));
+        if let Some(condensation) = &condensation {
+            condensation.condense(&mut second);
         }
-        if self.element.stiffness.twist == Twist::Quadratic {
-            Condensation::new(self, &gradients).condense(self, hessian);
+        self.kinematics.shape.set_hessian(&by_shape, &mut second, scale, hessian);
+        match element.stiffness.strain {
+            Strain::Small => stretching::add_small_hessian(self, scale, hessian),
+            _ => {
+                let first = stretching::Large {
+                    evaluation: self,
+                    resultants: &first.resultants,
+                    rigidities: &rigidities,
+                    gradients: &gradients,
+                    condensation: condensation.as_ref(),
+                };
+                first.add_hessian(scale, hessian);
+            }
         }
-        both
+        complete(hessian);
+        self.with_axial_forces(&by_shape, &first.resultants)
     }
 
     /// Mean torsion per unit length, undeformed value taken off, rad/m; the largest of the bending points in size.
@@ -364,7 +413,7 @@ impl<'a> Evaluation<'a> {
         let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
         let mut density = bending::hessian(stiffness, strains) + torsion::hessian(stiffness, strains);
         if stiffness.strain == Strain::Large {
-            density += fourth_moments::hessian(stiffness, strains);
+            density = density + fourth_moments::hessian(stiffness, strains);
         }
         density * self.element.bending[g].weight
     }
@@ -373,7 +422,14 @@ impl<'a> Evaluation<'a> {
     pub fn bubble_q(&self) -> ElementVector {
         match self.element.stiffness.twist {
             Twist::Linear => ElementVector::zeros(),
-            Twist::Quadratic => Condensation::new(self, &Gradients::new(self)).bubble_q(),
+            Twist::Quadratic => {
+                let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
+                let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
+                let gradients = Gradients::new(self.element, &self.kinematics);
+                // Torques of the axial points do not change with `b`.
+                let couplings = Couplings::new(self, &resultants, &rigidities, 0.0);
+                Condensation::new(self, &gradients, &couplings, &rigidities).bubble_q(self)
+            }
         }
     }
 
@@ -386,7 +442,7 @@ impl<'a> Evaluation<'a> {
                 torques[m] = point.weight * axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1];
             }
         }
-        FirstOrder { resultants, factors: Factors::new(self, &resultants, &torques) }
+        FirstOrder { resultants, forces: Forces::new(self, &resultants, &torques) }
     }
 
     /// The whole gradient, of which `by_shape` is the part of bending and torsion by the relative shape.
@@ -394,10 +450,7 @@ impl<'a> Evaluation<'a> {
     fn with_axial_forces(&self, by_shape: &RelativeVector, resultants: &[Resultants; 3]) -> ElementVector {
         let mut sum = self.kinematics.shape.gradient(by_shape);
         for (m, point) in self.element.axial.iter().enumerate() {
-            let force = self.axial_force(m, resultants);
-            for (weight, place) in point.shape_x.iter().zip(SHAPE_PLACES) {
-                add_vec3(sum.as_mut_slice(), place, &(force * *weight));
-            }
+            add_slope_force(&point.shape_x, &self.axial_force(m, resultants), &mut sum);
         }
         sum
     }
@@ -413,66 +466,10 @@ impl<'a> Evaluation<'a> {
     }
 
     /// `F_m`, N m: derivative of the large-strain energy by the Green strain of axial point `m`.
-    fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
+    pub(super) fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
         let (element, point) = (self.element, &self.element.axial[m]);
         let here = axial::large::gradient(&element.stiffness, self.green[m], self.mean_torsion[m])[0];
         let bending: f64 = (0..3).map(|g| element.bending[g].from_axial[m] * resultants[g][3]).sum();
         point.weight * here + bending
-    }
-
-    /// Adds to `sum` the second derivatives by the relative shape, at fixed Green strains of the axial points.
-    fn add_shape_hessian(&self, first: &FirstOrder, gradients: &Gradients, sum: &mut RelativeMatrix) {
-        let (element, stiffness) = (self.element, &self.element.stiffness);
-        let mut resultants_x = [[RelativeVector::zeros(); 3]; 3];
-        for (g, of_point) in resultants_x.iter_mut().enumerate() {
-            let rigidities = self.rigidities(g);
-            for (i, resultant_x) in of_point.iter_mut().enumerate() {
-                for (j, strain_x) in gradients.strains[g].iter().enumerate() {
-                    // Without fourth moments strains do not act on each other.
-                    if rigidities[(i, j)] != 0.0 {
-                        *resultant_x += strain_x * rigidities[(i, j)];
-                    }
-                }
-            }
-        }
-        let mut torque_by_twist = 0.0;
-        if stiffness.strain != Strain::Small {
-            for (m, point) in element.axial.iter().enumerate() {
-                let second = axial::large::hessian(stiffness, self.green[m], self.mean_torsion[m]);
-                torque_by_twist += point.weight * second[(1, 1)] * point.torsion_by_twist.powi(2);
-            }
-        }
-        first.factors.add_hessian(element, &self.kinematics, sum);
-        FactorGradients::new(self, gradients, &first.factors, &first.resultants, &resultants_x, torque_by_twist)
-            .add_hessian(gradients, sum);
-    }
-
-    fn add_small_axial_hessian(&self, sum: &mut ElementMatrix) {
-        for (point, slope) in self.element.axial.iter().zip(&self.slopes) {
-            add_spread(&point.shape_x, &(axial::small::hessian(&self.element.stiffness, slope) * point.weight), sum);
-        }
-    }
-
-    /// All second derivatives that have to do with the Green strains of the axial points.
-    fn add_large_axial_hessian(&self, first: &FirstOrder, gradients: &Gradients, sum: &mut ElementMatrix) {
-        let (element, stiffness) = (self.element, &self.element.stiffness);
-        let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
-        for (m, point) in element.axial.iter().enumerate() {
-            let slope = &self.slopes[m];
-            let second = axial::large::hessian(stiffness, self.green[m], self.mean_torsion[m]) * point.weight;
-            // By this Green strain, of the gradient by the relative shape.
-            let mut by_green = gradients.twist * (second[(0, 1)] * point.torsion_by_twist);
-            for (g, rigidities) in rigidities.iter().enumerate() {
-                let ([g1, g2, _], share) = (&gradients.strains[g], element.bending[g].from_axial[m]);
-                by_green += g1 * (share * rigidities[(0, 3)]) + g2 * (share * rigidities[(1, 3)]);
-            }
-            let by_green = self.kinematics.shape.gradient(&by_green);
-            let green_q = spread(&point.shape_x, &slope.green_strain_p());
-            // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.
-            let by_end = green_q + spread(&point.shape_x, &slope.green_strain_increment());
-            sum.ger(1.0, &by_green, &by_end, 1.0);
-            sum.ger(1.0, &green_q, &(by_green + by_end * second[(0, 0)]), 1.0);
-            add_spread(&point.shape_x, &(slope.green_strain_pp() * self.green_force(m, &first.resultants)), sum);
-        }
     }
 }

@@ -64,16 +64,16 @@ impl Formulation for Element {
     }
 
     fn add_mass(&self, factor: f64, block: &mut [f64]) {
-        add_matrix(&self.mass, factor, block);
+        self.mass.add(factor, block);
     }
 
     fn add_mass_times(&self, vector: &[f64], product: &mut [f64]) {
-        self.add(&(self.mass * ElementVector::from_column_slice(self.own(vector))), product);
+        self.add(&self.mass.times(self.own(vector)), product);
     }
 
     fn mass_form(&self, vector: &[f64]) -> f64 {
-        let own = ElementVector::from_column_slice(self.own(vector));
-        own.dot(&(self.mass * own))
+        let own = self.own(vector);
+        own.iter().zip(&self.mass.times(own)).map(|(value, product)| value * product).sum()
     }
 
     fn weight_form(&self, gravity: &Vec3, q: &[f64]) -> f64 {
@@ -96,9 +96,9 @@ impl Formulation for Element {
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        let (gradient, hessian) = self.evaluation(c, increment).gradient_and_hessian();
-        self.add(&gradient, forces);
-        block.iter_mut().zip(hessian.as_slice()).for_each(|(target, value)| *target = scale * value);
+        let (columns, _) = block.as_chunks_mut::<ELEMENT>();
+        let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
+        self.add(&self.evaluation(c, increment).gradient_and_set_hessian(scale, columns), forces);
     }
 
     fn add_damping(&self, c: &Configuration, rates: &Rates, forces: &mut [f64]) {

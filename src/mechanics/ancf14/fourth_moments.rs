@@ -17,6 +17,7 @@ pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {
 }
 
 /// Derivatives by the strains: moments and torque, N m.
+#[inline]
 pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau, _] = (*strains).into();
@@ -29,18 +30,19 @@ pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
 }
 
 /// Second derivatives by the strains.
+#[inline]
 pub fn hessian(stiffness: &Stiffness, strains: &Strains) -> Rigidities {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau, _] = (*strains).into();
-    let (g1_g2, g1_tau, g2_tau) = (3.0 * g1 * g2 * yyzz, tau * g1 * (yyyy + yyzz), tau * g2 * (zzzz + yyzz));
-    let mut sum = Rigidities::zeros();
-    sum[(0, 0)] = 0.5 * (tau * tau * (yyyy + yyzz) + 3.0 * g1 * g1 * yyyy + 3.0 * g2 * g2 * yyzz);
-    sum[(1, 1)] = 0.5 * (tau * tau * (zzzz + yyzz) + 3.0 * g2 * g2 * zzzz + 3.0 * g1 * g1 * yyzz);
-    sum[(2, 2)] =
-        0.5 * (3.0 * tau * tau * (yyyy + 2.0 * yyzz + zzzz) + g1 * g1 * (yyyy + yyzz) + g2 * g2 * (zzzz + yyzz));
-    for ((row, column), value) in [((0, 1), g1_g2), ((0, 2), g1_tau), ((1, 2), g2_tau)] {
-        sum[(row, column)] = value;
-        sum[(column, row)] = value;
+    Rigidities {
+        bending: [
+            0.5 * (tau * tau * (yyyy + yyzz) + 3.0 * g1 * g1 * yyyy + 3.0 * g2 * g2 * yyzz),
+            0.5 * (tau * tau * (zzzz + yyzz) + 3.0 * g2 * g2 * zzzz + 3.0 * g1 * g1 * yyzz),
+        ],
+        cross: 3.0 * g1 * g2 * yyzz,
+        torsion: 0.5
+            * (3.0 * tau * tau * (yyyy + 2.0 * yyzz + zzzz) + g1 * g1 * (yyyy + yyzz) + g2 * g2 * (zzzz + yyzz)),
+        with_torsion: [tau * g1 * (yyyy + yyzz), tau * g2 * (zzzz + yyzz)],
+        with_axial: [0.0; 2],
     }
-    sum
 }

@@ -1,7 +1,7 @@
 //! The frame of a node: a reference triad carried in time, turned by the slope and by `theta` (MECHANICS 2.1-2.6).
 
 use super::coordinates::{P, THETA};
-use crate::math::rotation::{carry, half_turn, half_turn_by_second, normal_projector};
+use crate::math::rotation::{carry, half_turn, normal_projector};
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::marker::{ByCoordinates, MarkerMatrix};
@@ -22,8 +22,6 @@ pub struct NodeFrame {
     pub k: Vec3,
     /// Section axes `[t y z]` (2.4).
     pub section: Mat3,
-    /// `∂k/∂t`, 3×3: `E` of (2.9).
-    pub k_t: Mat3,
 }
 
 impl NodeFrame {
@@ -37,7 +35,7 @@ impl NodeFrame {
         let k = half_turn(&triad.t, &t);
         let (sin, cos) = q[THETA].sin_cos();
         let section = Mat3::from_columns(&[t, u * cos + v * sin, v * cos - u * sin]);
-        Self { stretch, t, u, v, k, section, k_t: half_turn_by_second(&triad.t, &t, &k) }
+        Self { stretch, t, u, v, k, section }
     }
 
     /// `∂t/∂p = (I − t tᵀ)/|p|`, 3×3.
@@ -46,9 +44,22 @@ impl NodeFrame {
         normal_projector(&self.t) / self.stretch
     }
 
+    /// `∂k/∂p = E ∂t/∂p`, 3×3, with `E` of (2.9): `([t]×/2 − t kᵀ + (k lᵀ + l kᵀ)/2)/|p|`, `l = k × t`.
+    pub fn k_p(&self) -> Mat3 {
+        let l = self.k.cross(&self.t);
+        let half = (self.t.cross_matrix() + self.k * l.transpose() + l * self.k.transpose()) * 0.5;
+        (half - self.t * self.k.transpose()) / self.stretch
+    }
+
+    /// `k` along `u` and `v`; there is nothing of it along `t`.
+    #[inline]
+    pub fn k_local(&self) -> [f64; 2] {
+        [self.u.dot(&self.k), self.v.dot(&self.k)]
+    }
+
     /// The derivative by `p` of what has the derivative `by_t` by the tangent: `by_t ∂t/∂p`, 3×3.
     #[inline]
-    pub fn by_p(&self, by_t: &Mat3) -> Mat3 {
+    fn by_p(&self, by_t: &Mat3) -> Mat3 {
         (by_t - by_t * self.t * self.t.transpose()) / self.stretch
     }
 
@@ -87,6 +98,13 @@ impl NodeFrame {
         angle += along_p.transpose();
     }
 
+    /// `∂φ/∂pᵀ moment`, N m, all in the axes `[t u v]`: nothing of it is along `t`.
+    #[inline]
+    pub fn turn_force(&self, moment: &Vec3) -> Vec3 {
+        let [k_u, k_v] = self.k_local();
+        Vec3::new(0.0, moment[2] - k_u * moment[0], -moment[1] - k_v * moment[0]) / self.stretch
+    }
+
     /// `[Q_p, Q_theta]`: generalized force of the spatial moment `moment`, N m (MECHANICS 3.5).
     #[inline]
     pub fn moment_force(&self, moment: &Vec3) -> (Vec3, f64) {
@@ -100,7 +118,7 @@ impl NodeFrame {
     pub fn moment_force_p(&self, moment: &Vec3) -> (Mat3, Vec3) {
         let (force, along) = self.moment_force(moment);
         let across = (moment - self.t * along) / self.stretch;
-        let turn = self.by_p(&(moment.cross_matrix() - self.k_t * along)) - self.k * across.transpose();
+        let turn = self.by_p(&moment.cross_matrix()) - self.k_p() * along - self.k * across.transpose();
         let by_p = (turn - force * self.t.transpose()) / self.stretch;
         (by_p, across)
     }

@@ -5,8 +5,9 @@ use super::curve_point::CurvePoint;
 use super::element::{BendingPoint, Element};
 use super::frame::NodeFrame;
 use super::relative::RelativeShape;
-use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second};
+use crate::math::rotation::{carry, half_turn};
 use crate::math::{Mat3, Vec3};
+use std::f64::consts::TAU;
 
 /// Holonomy angle of the second node's frame against the first node's carried by one minimal rotation (2.7).
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +23,8 @@ impl Holonomy {
     pub fn new(first: &NodeFrame, second: &NodeFrame, previous: f64) -> Self {
         let u_c = carry(&first.t, &second.t, &first.u);
         let (s, c) = (second.u.dot(&second.t.cross(&u_c)), second.u.dot(&u_c));
-        let (sin, cos) = previous.sin_cos();
-        Self { angle: previous + (s * cos - c * sin).atan2(c * cos + s * sin), k: half_turn(&first.t, &second.t) }
+        let angle = s.atan2(c);
+        Self { angle: angle + TAU * ((previous - angle) / TAU).round(), k: half_turn(&first.t, &second.t) }
     }
 
     /// `(∂β/∂p_0, ∂β/∂p_1)`, rad (2.8).
@@ -32,18 +33,58 @@ impl Holonomy {
         ((self.k + first.k) / first.stretch, (self.k - second.k) / second.stretch)
     }
 
-    /// `∂²β/∂p_0²`, `∂²β/∂p_0∂p_1`, `∂²β/∂p_1²`, rad: the blocks `H_00, H_01, H_11` of (2.9).
+    /// First and second derivatives in the axes of the first frame.
+    ///
+    /// Each part of (2.9) is `∂kb/∂t (I − t tᵀ) = [t]×/2 − t kᵀ + (k lᵀ + l kᵀ)/2`, `l = k × t`, of a turn `k` to the tangent `t` or
+    /// away from it; what is not symmetric cancels in the derivatives by the same slope twice.
     #[inline]
-    pub fn hessian(&self, first: &NodeFrame, second: &NodeFrame) -> [Mat3; 3] {
-        let (l0, l1) = (first.stretch, second.stretch);
-        let by_t0 = half_turn_by_first(&first.t, &second.t, &self.k);
-        let by_t1 = half_turn_by_second(&first.t, &second.t, &self.k);
-        [
-            (first.by_p(&(by_t0 + first.k_t)) - (self.k + first.k) * first.t.transpose() / l0) / l0,
-            second.by_p(&by_t1) / l0,
-            (second.by_p(&(by_t1 - second.k_t)) - (self.k - second.k) * second.t.transpose() / l1) / l1,
-        ]
+    pub fn local(&self, first: &NodeFrame, second: &NodeFrame) -> LocalHolonomy {
+        let (per_0, per_1) = (1.0 / first.stretch, 1.0 / second.stretch);
+        let [k0_u, k0_v] = first.k_local();
+        let [u, v] = [first.u.dot(&self.k), first.v.dot(&self.k)];
+        let (t, k1) = (first.components(&second.t), first.components(&second.k));
+        let k = Vec3::new(0.0, u, v);
+        let (l, l1) = (Vec3::new(u * t[2] - v * t[1], v * t[0], -u * t[0]), k1.cross(&t));
+        let change = k - k1;
+        let square = 0.5 * per_0 * per_0;
+        let (square_1, both) = (per_1 * per_1, per_0 * per_1);
+        let mut p1_p1 = Mat3::zeros();
+        for j in 0..3 {
+            for i in j..3 {
+                let turned = 0.5 * (k[i] * l[j] + l[i] * k[j] - k1[i] * l1[j] - l1[i] * k1[j]);
+                p1_p1[(i, j)] = (turned - t[i] * change[j] - change[i] * t[j]) * square_1;
+            }
+        }
+        LocalHolonomy {
+            p0: Vec3::new(0.0, u + k0_u, v + k0_v) * per_0,
+            p1: change * per_1,
+            p0_p0: [
+                2.0 * (k0_u * k0_v - u * v) * square,
+                (k0_v * k0_v - k0_u * k0_u + u * u - v * v) * square,
+                2.0 * (u * v - k0_u * k0_v) * square,
+            ],
+            p0_p1: [
+                (Vec3::new(t[2], 0.0, -t[0]) * 0.5 + l * (0.5 * u) + k * (0.5 * l[1] - t[1])) * both,
+                (Vec3::new(-t[1], t[0], 0.0) * 0.5 + l * (0.5 * v) + k * (0.5 * l[2] - t[2])) * both,
+            ],
+            p1_p1,
+        }
     }
+}
+
+/// Derivatives of the holonomy angle in the axes `[t u v]` of the first frame, rad.
+#[derive(Clone, Copy, Debug)]
+pub struct LocalHolonomy {
+    /// `∂β/∂p_0`; nothing along `t`.
+    pub p0: Vec3,
+    /// `∂β/∂p_1`.
+    pub p1: Vec3,
+    /// `∂²β/∂p_0²`: `uu`, `vu`, `vv`. Along `t` it is 0 with `t`, and `−∂β/∂p_0/|p_0|` with the others.
+    pub p0_p0: [f64; 3],
+    /// Rows `u` and `v` of `∂²β/∂p_0∂p_1`; the first one is 0.
+    pub p0_p1: [Vec3; 2],
+    /// `∂²β/∂p_1²`; the lower triangle counts.
+    pub p1_p1: Mat3,
 }
 
 /// Everything first order that an element's energy needs, at one configuration.

@@ -19,4 +19,5 @@ pub mod relative;
 pub mod section;
 mod section_point;
 pub mod strain;
+pub mod stretching;
 pub mod torsion;

@@ -5,11 +5,11 @@
 //! is the one at `b` held; the Hessian is condensed, `U_qq − U_qb U_qbᵀ / U_bb`. The total twist and the mean torsion of the axial
 //! points do not change with `b`.
 
-use super::coordinates::{ElementMatrix, ElementVector, spread};
-use super::element::Evaluation;
-use super::pullback::Gradients;
-use super::relative::RelativeVector;
-use super::strain::{Resultants, Rigidities, Strains};
+use super::coordinates::{ElementVector, spread};
+use super::element::{BendingPoint, Evaluation};
+use super::pullback::{Couplings, Forces, Gradients, PointCouplings};
+use super::relative::{ANGLE, RelativeMatrix, RelativeVector};
+use super::strain::Rigidities;
 
 /// How the twist runs inside an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,10 +47,11 @@ pub fn relax(evaluation: &mut Evaluation) {
         // Towards a minimum, never to a maximum.
         let divisor = if stiffness > SOFTEST * torsion { stiffness } else { torsion };
         let correction = (-force / divisor).clamp(-LARGEST_CORRECTION, LARGEST_CORRECTION);
-        evaluation.set_bubble(evaluation.bubble + correction);
         if correction.abs() < TOLERANCE {
+            evaluation.correct_bubble(correction);
             return;
         }
+        evaluation.set_bubble(evaluation.bubble + correction);
     }
     evaluation.set_bubble(f64::NAN);
 }
@@ -58,89 +59,88 @@ pub fn relax(evaluation: &mut Evaluation) {
 /// `(∂U/∂b, ∂²U/∂b²)`, J and J.
 fn derivatives(evaluation: &Evaluation) -> (f64, f64) {
     let (mut force, mut stiffness) = (0.0, 0.0);
-    for g in 0..3 {
-        let (resultants, rigidities) = (evaluation.resultants(g), evaluation.rigidities(g));
-        let strains_b = strains_b(evaluation, g);
-        force += resultants.dot(&strains_b);
-        stiffness += stiffness_of_point(evaluation, g, &resultants, &rigidities, &strains_b);
+    for (g, point) in evaluation.element.bending.iter().enumerate() {
+        let ([n1, n2, torque, _], rigidities) = (evaluation.resultants(g).into(), evaluation.rigidities(g));
+        let ([gamma1, gamma2], turn) = (evaluation.gammahat[g], shape(point.xi));
+        let [g1_b, g2_b, tau_b] = [gamma2 * turn, -gamma1 * turn, shape_xi(point.xi) * point.torsion_by_twist];
+        let ([d11, d22], [d1t, d2t]) = (rigidities.bending, rigidities.with_torsion);
+        force += n1 * g1_b + n2 * g2_b + torque * tau_b;
+        stiffness += d11 * g1_b * g1_b
+            + d22 * g2_b * g2_b
+            + rigidities.torsion * tau_b * tau_b
+            + 2.0 * (rigidities.cross * g1_b * g2_b + (d1t * g1_b + d2t * g2_b) * tau_b)
+            - (n1 * gamma1 + n2 * gamma2) * turn * turn;
     }
     (force, stiffness)
 }
 
 /// What Saint-Venant torsion alone gives to `∂²U/∂b²`, J.
 fn torsion_stiffness(evaluation: &Evaluation) -> f64 {
-    let points = evaluation.element.bending.iter().enumerate();
-    points
-        .map(|(g, point)| point.weight * evaluation.element.stiffness.torsion * strains_b(evaluation, g)[2].powi(2))
-        .sum()
-}
-
-/// `∂(g1, g2, tau, e)/∂b` at bending point `g`.
-fn strains_b(evaluation: &Evaluation, g: usize) -> Strains {
-    let point = &evaluation.element.bending[g];
-    let ([gamma1, gamma2], turn) = (evaluation.gammahat[g], shape(point.xi));
-    let torsion = shape_xi(point.xi) * point.torsion_by_twist;
-    Strains::new(gamma2 * turn, -gamma1 * turn, torsion, 0.0)
-}
-
-/// Share of bending point `g` in `∂²U/∂b²`; resultants and rigidities include the quadrature weight.
-fn stiffness_of_point(
-    evaluation: &Evaluation,
-    g: usize,
-    resultants: &Resultants,
-    rigidities: &Rigidities,
-    strains_b: &Strains,
-) -> f64 {
-    let ([gamma1, gamma2], turn) = (evaluation.gammahat[g], shape(evaluation.element.bending[g].xi));
-    strains_b.dot(&(rigidities * strains_b)) - (resultants[0] * gamma1 + resultants[1] * gamma2) * turn * turn
+    let of_point = |point: &BendingPoint| point.weight * (shape_xi(point.xi) * point.torsion_by_twist).powi(2);
+    evaluation.element.stiffness.torsion * evaluation.element.bending.iter().map(of_point).sum::<f64>()
 }
 
 /// Second derivatives of the energy by `b` and everything else: what is condensed.
 #[derive(Clone, Copy, Debug)]
 pub struct Condensation {
-    /// `∂²U/∂q∂b`, 14×1.
-    by_q: ElementVector,
+    /// `∂²U/∂x∂b` by the relative shape.
+    pub by_shape: RelativeVector,
     /// `∂²U/∂b²`, J.
-    by_b: f64,
+    pub by_b: f64,
     /// `∂²U/∂e∂b` by the Green strain of each axial point, J; 0 for small strain.
-    by_green: [f64; 3],
+    pub by_green: [f64; 3],
 }
 
 impl Condensation {
-    /// At the configuration of `evaluation`, whose first derivatives are `gradients`.
-    pub fn new(evaluation: &Evaluation, gradients: &Gradients) -> Self {
-        let (mut by_shape, mut by_b, mut by_green) = (RelativeVector::zeros(), 0.0, [0.0; 3]);
+    /// At the configuration of `evaluation`, with the second derivatives there.
+    pub fn new(
+        evaluation: &Evaluation,
+        gradients: &Gradients,
+        couplings: &Couplings,
+        rigidities: &[Rigidities; 3],
+    ) -> Self {
+        let (mut forces, mut by_b, mut by_green) = (Forces::default(), 0.0, [0.0; 3]);
         for (g, point) in evaluation.element.bending.iter().enumerate() {
-            let (resultants, rigidities) = (evaluation.resultants(g), evaluation.rigidities(g));
-            let strains_b = strains_b(evaluation, g);
-            let resultants_b = rigidities * strains_b;
-            let ([g1_x, g2_x, tau_x], turn) = (&gradients.strains[g], shape(point.xi));
-            by_shape += g1_x * (resultants_b[0] - resultants[1] * turn)
-                + g2_x * (resultants_b[1] + resultants[0] * turn)
-                + tau_x * resultants_b[2];
-            by_b += stiffness_of_point(evaluation, g, &resultants, &rigidities, &strains_b);
+            let ([gamma1, gamma2], [with_1, with_2]) = (evaluation.gammahat[g], rigidities[g].with_axial);
+            let by_axial = (with_1 * gamma2 - with_2 * gamma1) * shape(point.xi);
+            // `b` is a part of `α` and, as `T` is, of the torsion.
+            let PointCouplings { own: [by_1, by_2, by_alpha], twist } = couplings.points[g];
+            let (turn, twist_b) = (shape(point.xi), shape_xi(point.xi));
+            let torsion = rigidities[g].torsion * point.torsion_by_twist * point.torsion_by_twist * twist_b;
+            forces.curvatures[g] = [by_1[2] * turn + twist[0] * twist_b, by_2[2] * turn + twist[1] * twist_b];
+            forces.alpha[g] = by_alpha[2] * turn + twist[2] * twist_b;
+            forces.twist += twist[2] * turn + torsion;
+            by_b += forces.alpha[g] * turn + (twist[2] * turn + torsion) * twist_b;
             for (sum, share) in by_green.iter_mut().zip(point.from_axial) {
-                *sum += resultants_b[3] * share;
+                *sum += by_axial * share;
             }
         }
-        let mut by_q = evaluation.kinematics.shape.gradient(&by_shape);
-        for (m, point) in evaluation.element.axial.iter().enumerate() {
-            by_q += spread(&point.shape_x, &(evaluation.slopes[m].green_strain_p() * by_green[m]));
-        }
-        Self { by_q, by_b, by_green }
+        Self { by_shape: gradients.sum(&forces), by_b, by_green }
     }
 
     /// `∂b/∂q`, 14×1: how `b` follows the coordinates.
-    pub fn bubble_q(&self) -> ElementVector {
-        -self.by_q / self.by_b
+    pub fn bubble_q(&self, evaluation: &Evaluation) -> ElementVector {
+        let mut by_q = evaluation.kinematics.shape.gradient(&self.by_shape);
+        for (m, point) in evaluation.element.axial.iter().enumerate() {
+            by_q += spread(&point.shape_x, &(evaluation.slopes[m].green_strain_p() * self.by_green[m]));
+        }
+        -by_q / self.by_b
     }
 
-    /// Takes off `hessian` (over a step: twice the derivative by the coordinates at its end) what `b` gives way.
-    pub fn condense(&self, evaluation: &Evaluation, hessian: &mut ElementMatrix) {
-        let mut by_end = self.by_q;
-        for (m, point) in evaluation.element.axial.iter().enumerate() {
-            by_end += spread(&point.shape_x, &(evaluation.slopes[m].green_strain_increment() * self.by_green[m]));
+    /// Takes off `by`, derivatives by the relative shape of what changes by `share` with `b`, what `b` gives way.
+    #[inline]
+    pub fn take_off(&self, share: f64, by: &mut RelativeVector) {
+        let factor = share / self.by_b;
+        by.iter_mut().zip(&self.by_shape).for_each(|(by, by_shape)| *by -= by_shape * factor);
+    }
+
+    /// Takes off the lower triangle of `second`, the second derivatives by the relative shape, what `b` gives way.
+    pub fn condense(&self, second: &mut RelativeMatrix) {
+        for column in 0..=ANGLE {
+            let factor = self.by_shape[column] / self.by_b;
+            for row in column..=ANGLE {
+                second[column][row] -= self.by_shape[row] * factor;
+            }
         }
-        hessian.ger(-1.0 / self.by_b, &self.by_q, &by_end, 1.0);
     }
 }

@@ -4,13 +4,11 @@
 //! slope lies along `t`); beside them the twist between the nodes, `θ_1 − θ_0 + β`, and `θ_0`. Strains are differentiated by these
 //! nine; the way back to the 14 coordinates, turn of the frame and holonomy included, is here alone.
 
-use super::coordinates::{ElementMatrix, ElementVector, NODE, P, R, THETA};
+use super::coordinates::{ElementColumns, ElementVector, NODE, P, R, THETA};
 use super::frame::NodeFrame;
 use super::kinematics::Holonomy;
-use crate::math::rotation::{cross_times, times_cross};
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
-use nalgebra::{SMatrix, SVector};
 
 /// Place of the chord, m.
 const CHORD: usize = 0;
@@ -23,12 +21,12 @@ pub const TWIST: usize = 7;
 /// Place of the first node's angle `θ_0`, rad.
 pub const ANGLE: usize = 8;
 /// Nine and one that stays 0: processors take numbers in pairs.
-const RELATIVE: usize = 10;
+pub const RELATIVE: usize = 10;
 
 /// One number per number of the relative shape, and a 0.
-pub type RelativeVector = SVector<f64, RELATIVE>;
-/// One number per pair of numbers of the relative shape; of symmetric ones the lower triangle counts.
-pub type RelativeMatrix = SMatrix<f64, RELATIVE, RELATIVE>;
+pub type RelativeVector = [f64; RELATIVE];
+/// One number per pair of numbers of the relative shape, by columns; all are symmetric, and the lower triangle counts.
+pub type RelativeMatrix = [[f64; RELATIVE]; RELATIVE];
 
 /// The shape of an element as its first node sees it.
 #[derive(Clone, Debug)]
@@ -39,10 +37,7 @@ pub struct RelativeShape<'a> {
     pub holonomy: Holonomy,
     /// Twist between the nodes, rad.
     pub twist: f64,
-    /// Chord and second slope in space, m and 1.
-    chord: Vec3,
-    slope: Vec3,
-    /// The same in the first node's frame.
+    /// Chord and second slope in the first node's frame, m and 1.
     chord_local: Vec3,
     slope_local: Vec3,
 }
@@ -54,15 +49,12 @@ impl<'a> RelativeShape<'a> {
     pub fn new(q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
         let [first, second] = frames;
         let holonomy = Holonomy::new(first, second, previous);
-        let (chord, slope) = (vec3(q, NODE + R) - vec3(q, R), vec3(q, NODE + P));
         Self {
             frames,
             twist: q[NODE + THETA] - q[THETA] + holonomy.angle,
             holonomy,
-            chord,
-            slope,
-            chord_local: first.components(&chord),
-            slope_local: first.components(&slope),
+            chord_local: first.components(&(vec3(q, NODE + R) - vec3(q, R))),
+            slope_local: first.components(&vec3(q, NODE + P)),
         }
     }
 
@@ -77,10 +69,11 @@ impl<'a> RelativeShape<'a> {
     /// `∂F/∂q`, 14×1, of what has the derivatives `by` by the relative shape.
     pub fn gradient(&self, by: &RelativeVector) -> ElementVector {
         let [first, second] = self.frames;
-        let (by_chord, by_slope) = (first.in_space(&block(by, CHORD)), first.in_space(&block(by, SLOPE)));
+        let (by_chord, by_slope) = (block(by, CHORD), block(by, SLOPE));
         let (twist_p0, twist_p1) = self.holonomy.gradient(first, second);
-        let by_p0 =
-            first.moment_force(&self.moment(&by_chord, &by_slope)).0 + first.t * by[STRETCH] + twist_p0 * by[TWIST];
+        let moved = Vec3::new(by[STRETCH], 0.0, 0.0) + first.turn_force(&self.moment(&by_chord, &by_slope));
+        let (by_chord, by_slope) = (first.in_space(&by_chord), first.in_space(&by_slope));
+        let by_p0 = first.in_space(&moved) + twist_p0 * by[TWIST];
         let by_p1 = by_slope + twist_p1 * by[TWIST];
         let mut sum = ElementVector::zeros();
         for i in 0..3 {
@@ -94,139 +87,217 @@ impl<'a> RelativeShape<'a> {
         sum
     }
 
-    /// Sets `sum` to `∂²F/∂q²`, 14×14, of what has the derivatives `by` and the second derivatives `second` by the relative shape.
-    pub fn set_hessian(&self, by: &RelativeVector, second: &RelativeMatrix, sum: &mut ElementMatrix) {
+    /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`super::coordinates::complete`]), of what has the
+    /// derivatives `by` and the second derivatives `second` by the relative shape; fills in the upper triangle of `second`.
+    ///
+    /// All of it is done in the axes `[t u v]` of the first frame, in which `∂φ/∂p_0` and all that has to do with `t` are mostly zeros.
+    pub fn set_hessian(&self, by: &RelativeVector, second: &mut RelativeMatrix, scale: f64, sum: &mut ElementColumns) {
+        mirror(second);
         let [start, end] = self.frames;
-        let t = start.t;
-        let axes = Mat3::from_columns(&[start.t, start.u, start.v]);
-        let in_space = |row: usize, column: usize| {
-            let half = axes * second.fixed_view::<3, 3>(row, column);
-            let (along, u, v) = (half.column(0), half.column(1), half.column(2));
-            let turned = |i: usize| along * start.t[i] + u * start.u[i] + v * start.v[i];
-            Mat3::from_columns(&[turned(0), turned(1), turned(2)])
+        let (by_chord, by_slope, by_twist) = (block(by, CHORD), block(by, SLOPE), by[TWIST]);
+        let per_stretch = 1.0 / start.stretch;
+        let [k_u, k_v] = start.k_local();
+        let holonomy = self.holonomy.local(start, end);
+        let (b0, b1) = (&holonomy.p0, &holonomy.p1);
+
+        // By the first slope: along `t` it stretches; along `u` and `v` it turns the frame, which all the rest sees as the opposite turn of
+        // chord and slope, and it changes the holonomy.
+        let turns = [Vec3::new(-k_u, 0.0, 1.0) * per_stretch, Vec3::new(-k_v, -1.0, 0.0) * per_stretch]; // columns of ∂φ/∂p
+        let along = &second[STRETCH];
+        let (shape_u, u) = self.by_turn(&turns[0], b0[1], second, [&by_chord, &by_slope]);
+        let (shape_v, v) = self.by_turn(&turns[1], b0[2], second, [&by_chord, &by_slope]);
+        let dot = |a: &RelativeVector, b: &RelativeVector| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let moment = self.moment(&by_chord, &by_slope);
+        let force_u = (moment[2] - k_u * moment[0]) * per_stretch;
+        let force_v = (-moment[1] - k_v * moment[0]) * per_stretch;
+        let half = 0.5 * (k_u * k_u - k_v * k_v);
+        let square = per_stretch * per_stretch;
+        let round = by[STRETCH] * per_stretch;
+        // The lower triangle; the part of the moment is that of [`NodeFrame::moment_force_p`].
+        let pp = [
+            along[STRETCH],
+            u[STRETCH] - (force_u + b0[1] * by_twist) * per_stretch,
+            v[STRETCH] - (force_v + b0[2] * by_twist) * per_stretch,
+            dot(&shape_u, &u) + round - k_u * (moment[0] * k_v + moment[1]) * square + holonomy.p0_p0[0] * by_twist,
+            dot(&shape_v, &u) + (moment[0] * (0.5 + half) - k_v * moment[1]) * square + holonomy.p0_p0[1] * by_twist,
+            dot(&shape_v, &v) + round + k_v * (moment[0] * k_u - moment[2]) * square + holonomy.p0_p0[2] * by_twist,
+        ];
+        let cp = [block(along, CHORD), block(&u, CHORD), block(&v, CHORD)];
+        let sp = [
+            block(along, SLOPE) + b1 * along[TWIST],
+            block(&u, SLOPE) + b1 * u[TWIST] + holonomy.p0_p1[0] * by_twist,
+            block(&v, SLOPE) + b1 * v[TWIST] + holonomy.p0_p1[1] * by_twist,
+        ];
+
+        // By the second slope, which changes the holonomy too.
+        let (twist, angle) = (&second[TWIST], &second[ANGLE]);
+        let (twist_c, twist_s) = (block(twist, CHORD), block(twist, SLOPE) + b1 * twist[TWIST]);
+        let (angle_c, angle_s) = (block(angle, CHORD), block(angle, SLOPE) + b1 * angle[TWIST]);
+        let column = |j: usize| block(&second[SLOPE + j], CHORD) + twist_c * b1[j];
+        let cs = [column(0), column(1), column(2)];
+        let entry = |i: usize, j: usize| {
+            second[SLOPE + j][SLOPE + i]
+                + twist_s[i] * b1[j]
+                + b1[i] * twist[SLOPE + j]
+                + holonomy.p1_p1[(i, j)] * by_twist
         };
-        let row = |row: usize, column: usize| {
-            start.in_space(&Vec3::new(second[(row, column)], second[(row, column + 1)], second[(row, column + 2)]))
-        };
-        let (cc, sc, ss) = (in_space(CHORD, CHORD), in_space(SLOPE, CHORD), in_space(SLOPE, SLOPE));
-        let cs = sc.transpose();
-        let (by_chord, by_slope) = (start.in_space(&block(by, CHORD)), start.in_space(&block(by, SLOPE)));
+        let ss = [entry(0, 0), entry(1, 0), entry(2, 0), entry(1, 1), entry(2, 1), entry(2, 2)];
+        let lower = |j: usize, i: usize| second[CHORD + j][CHORD + i];
+        let cc = [lower(0, 0), lower(0, 1), lower(0, 2), lower(1, 1), lower(1, 2), lower(2, 2)];
 
-        // By the turn of the first frame, which all the rest sees as the opposite turn of chord and slope.
-        let c_turn = times_cross(&cc, &self.chord) + times_cross(&cs, &self.slope) - by_chord.cross_matrix();
-        let s_turn = times_cross(&sc, &self.chord) + times_cross(&ss, &self.slope) - by_slope.cross_matrix();
-        let turn_turn = -(cross_times(&self.chord, &c_turn) + cross_times(&self.slope, &s_turn));
-        let turn_p = start.turn_p();
-        let scalar = |place: usize| {
-            let (by_c, by_s) = (row(place, CHORD), row(place, SLOPE));
-            let by_p = turn_p.tr_mul(&self.moment(&by_c, &by_s));
-            (by_c, by_p, by_s)
-        };
-
-        // By the first slope: it turns the frame and stretches.
-        let (stretch_c, stretch_p, stretch_s) = scalar(STRETCH);
-        let mut cp = c_turn * turn_p + stretch_c * t.transpose();
-        let mut sp = s_turn * turn_p + stretch_s * t.transpose();
-        let mut pp = turn_p.tr_mul(&(turn_turn * turn_p))
-            + start.moment_force_p(&self.moment(&by_chord, &by_slope)).0
-            + start.t_p() * by[STRETCH]
-            + stretch_p * t.transpose()
-            + t * (stretch_p + t * second[(STRETCH, STRETCH)]).transpose();
-
-        // By the twist between the nodes, in which the holonomy is.
-        let (b0, b1) = self.holonomy.gradient(start, end);
-        let [h00, h01, h11] = self.holonomy.hessian(start, end);
-        let (twist_c, mut twist_p, twist_s) = scalar(TWIST);
-        twist_p += t * second[(TWIST, STRETCH)];
-        let stiffness = second[(TWIST, TWIST)];
-        let (all_p, all_s) = (twist_p + b0 * stiffness, twist_s + b1 * stiffness);
-        cp += twist_c * b0.transpose();
-        sp += twist_s * b0.transpose() + b1 * all_p.transpose() + h01.transpose() * by[TWIST];
-        pp += all_p * b0.transpose() + b0 * twist_p.transpose() + h00 * by[TWIST];
-        let cs = cs + twist_c * b1.transpose();
-        let ss = ss + all_s * b1.transpose() + b1 * twist_s.transpose() + h11 * by[TWIST];
-
-        // By the angle of the first node.
-        let (angle_c, mut angle_p, angle_s) = scalar(ANGLE);
-        let mixed = second[(ANGLE, TWIST)];
-        angle_p += t * second[(ANGLE, STRETCH)] + b0 * mixed - all_p;
-        let first_angle = [angle_c - twist_c, angle_p, angle_s + b1 * mixed - all_s];
-
-        set(sum, NODE + R, NODE + R, &cc);
-        set(sum, R, R, &cc);
-        set(sum, P, P, &pp);
-        set(sum, NODE + P, NODE + P, &ss);
-        for (row, column, block) in [
-            (R, NODE + R, -cc),
-            (NODE + R, P, cp),
-            (R, P, -cp),
-            (NODE + R, NODE + P, cs),
-            (R, NODE + P, -cs),
-            (NODE + P, P, sp),
-        ] {
-            set(sum, row, column, &block);
-            set(sum, column, row, &block.transpose());
+        let axes = [start.t, start.u, start.v];
+        let scaled = axes.map(|axis| axis * scale);
+        for (place, block) in [(NODE + R, cc), (P, pp), (NODE + P, ss)] {
+            set_symmetric(sum, place, &scaled, &axes, &block);
         }
-        for (theta, [by_c, by_p, by_s]) in [(THETA, first_angle), (NODE + THETA, [twist_c, all_p, all_s])] {
-            for (place, block) in [(R, -by_c), (P, by_p), (NODE + R, by_c), (NODE + P, by_s)] {
+        for (row, column, block) in [(NODE + R, P, cp), (NODE + R, NODE + P, cs), (NODE + P, P, sp)] {
+            set_both(sum, row, column, &scaled, &axes, &block);
+        }
+        let twist_p = Vec3::new(along[TWIST], u[TWIST], v[TWIST]);
+        let angle_p = Vec3::new(along[ANGLE], u[ANGLE], v[ANGLE]);
+        for (theta, [by_c, by_p, by_s]) in [
+            (THETA, [angle_c - twist_c, angle_p - twist_p, angle_s - twist_s]),
+            (NODE + THETA, [twist_c, twist_p, twist_s]),
+        ] {
+            for (place, block) in [(P, by_p), (NODE + R, by_c), (NODE + P, by_s)] {
                 for i in 0..3 {
-                    sum[(theta, place + i)] = block[i];
-                    sum[(place + i, theta)] = block[i];
+                    let value = scaled[0][i] * block[0] + scaled[1][i] * block[1] + scaled[2][i] * block[2];
+                    sum[place + i][theta] = value;
+                    sum[theta][place + i] = value;
                 }
             }
         }
-        sum[(THETA, THETA)] = second[(ANGLE, ANGLE)] - 2.0 * mixed + stiffness;
-        sum[(THETA, NODE + THETA)] = mixed - stiffness;
-        sum[(NODE + THETA, THETA)] = mixed - stiffness;
-        sum[(NODE + THETA, NODE + THETA)] = stiffness;
+        let (mixed, stiffness) = (angle[TWIST], twist[TWIST]);
+        sum[THETA][THETA] = (angle[ANGLE] - 2.0 * mixed + stiffness) * scale;
+        sum[THETA][NODE + THETA] = (mixed - stiffness) * scale;
+        sum[NODE + THETA][THETA] = (mixed - stiffness) * scale;
+        sum[NODE + THETA][NODE + THETA] = stiffness * scale;
     }
 
-    /// Moment on the first node's frame of forces on the chord and on the second slope, by invariance (MECHANICS 8).
+    /// What the relative shape changes by with a first slope that makes the frame turn by `turn` and the holonomy change by `twist`; and
+    /// what the derivatives `by`, in the axes of the frame, change by with it.
+    #[inline]
+    fn by_turn(
+        &self,
+        turn: &Vec3,
+        twist: f64,
+        second: &RelativeMatrix,
+        [by_chord, by_slope]: [&Vec3; 2],
+    ) -> (RelativeVector, RelativeVector) {
+        let (chord, slope) = (self.chord_local.cross(turn), self.slope_local.cross(turn));
+        let shape = [chord[0], chord[1], chord[2], slope[0], slope[1], slope[2], 0.0, twist, 0.0, 0.0];
+        let (of_chord, of_slope) = (turn.cross(by_chord), turn.cross(by_slope));
+        let mut change =
+            [of_chord[0], of_chord[1], of_chord[2], of_slope[0], of_slope[1], of_slope[2], 0.0, 0.0, 0.0, 0.0];
+        for (column, moved) in [0, 1, 2, 3, 4, 5, TWIST].map(|place| (&second[place], shape[place])) {
+            for row in 0..RELATIVE {
+                change[row] += column[row] * moved;
+            }
+        }
+        (shape, change)
+    }
+
+    /// Moment on the first node's frame of forces on the chord and on the second slope, by invariance (MECHANICS 8); all in its axes.
+    #[inline]
     fn moment(&self, by_chord: &Vec3, by_slope: &Vec3) -> Vec3 {
-        by_chord.cross(&self.chord) + by_slope.cross(&self.slope)
+        by_chord.cross(&self.chord_local) + by_slope.cross(&self.slope_local)
     }
 }
 
-/// By the relative shape, of what has the derivatives `by_p` and `by_w` by `r'` and `r''`, components in the first node's frame; the
-/// weights are those of [`RelativeShape::interpolate`].
+/// By chord, second slope and first stretch, of what has the derivatives `by_p` and `by_w` by `r'` and `r''`, components in the first
+/// node's frame; the weights are those of [`RelativeShape::interpolate`].
 #[inline]
 pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3) -> RelativeVector {
-    let mut sum = RelativeVector::zeros();
-    for i in 0..3 {
-        sum[CHORD + i] = by_p[i] * shape_x[2] + by_w[i] * shape_xx[2];
-        sum[SLOPE + i] = by_p[i] * shape_x[3] + by_w[i] * shape_xx[3];
-    }
-    sum[STRETCH] = by_p[0] * shape_x[1] + by_w[0] * shape_xx[1];
-    sum
+    let of = |i: usize, a: usize| by_p[i] * shape_x[a] + by_w[i] * shape_xx[a];
+    [of(0, 2), of(1, 2), of(2, 2), of(0, 3), of(1, 3), of(2, 3), of(0, 1), 0.0, 0.0, 0.0]
 }
 
-/// Adds to `sum` what has the second derivatives `pp` by `r'` and `pw` by `r'` and `r''`, none by `r''` twice.
+/// Adds to the lower triangle of `sum` what has the second derivatives `pp` by `r'`, of which the lower triangle counts, and `pw` by `r'`
+/// and `r''`, none by `r''` twice.
+#[inline]
 pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3, sum: &mut RelativeMatrix) {
-    let wp = pw.transpose();
-    let between = |a: usize, b: usize| {
-        pp * (shape_x[a] * shape_x[b]) + pw * (shape_x[a] * shape_xx[b]) + wp * (shape_xx[a] * shape_x[b])
-    };
-    for (a, b, row, column) in [(2, 2, CHORD, CHORD), (3, 2, SLOPE, CHORD), (3, 3, SLOPE, SLOPE)] {
-        let mut view = sum.fixed_view_mut::<3, 3>(row, column);
-        view += between(a, b);
-    }
-    let [along_p, along_w, by_along_p] = [pp.column(0), wp.column(0), pw.column(0)];
-    for (b, column) in [(2, CHORD), (3, SLOPE)] {
-        let row = along_p * (shape_x[1] * shape_x[b])
-            + along_w * (shape_x[1] * shape_xx[b])
-            + by_along_p * (shape_xx[1] * shape_x[b]);
-        for i in 0..3 {
-            sum[(STRETCH, column + i)] += row[i];
+    let (square, both) = (|a: usize| shape_x[a] * shape_x[a], |a: usize| shape_x[a] * shape_xx[a]);
+    for j in 0..3 {
+        for i in j..3 {
+            let (twice, once) = (pp[(i, j)], pw[(i, j)] + pw[(j, i)]);
+            for (a, place) in [(2, CHORD), (3, SLOPE)] {
+                sum[place + j][place + i] += twice * square(a) + once * both(a);
+            }
         }
     }
-    sum[(STRETCH, STRETCH)] += pp[0] * (shape_x[1] * shape_x[1]) + 2.0 * pw[0] * (shape_x[1] * shape_xx[1]);
+    let between = |i: usize, a: usize, j: usize, b: usize| {
+        let pp = if i > j { pp[(i, j)] } else { pp[(j, i)] };
+        pp * (shape_x[a] * shape_x[b])
+            + pw[(i, j)] * (shape_x[a] * shape_xx[b])
+            + pw[(j, i)] * (shape_xx[a] * shape_x[b])
+    };
+    for j in 0..3 {
+        for i in 0..3 {
+            sum[CHORD + j][SLOPE + i] += between(i, 3, j, 2);
+        }
+        for (b, column) in [(2, CHORD), (3, SLOPE)] {
+            sum[column + j][STRETCH] += between(0, 1, j, b);
+        }
+    }
+    sum[STRETCH][STRETCH] += pp[(0, 0)] * square(1) + 2.0 * pw[(0, 0)] * both(1);
 }
 
 /// The three numbers of `vector` from `place` on.
 fn block(vector: &RelativeVector, place: usize) -> Vec3 {
-    vector.fixed_rows::<3>(place).into_owned()
+    Vec3::new(vector[place], vector[place + 1], vector[place + 2])
 }
 
-fn set(sum: &mut ElementMatrix, row: usize, column: usize, block: &Mat3) {
-    sum.fixed_view_mut::<3, 3>(row, column).copy_from(block);
+/// Fills in the upper triangle of a symmetric matrix; a column at a time, whose places the compiler knows.
+#[inline]
+fn mirror(matrix: &mut RelativeMatrix) {
+    mirror_column::<0>(matrix);
+    mirror_column::<1>(matrix);
+    mirror_column::<2>(matrix);
+    mirror_column::<3>(matrix);
+    mirror_column::<4>(matrix);
+    mirror_column::<5>(matrix);
+    mirror_column::<6>(matrix);
+    mirror_column::<7>(matrix);
+}
+
+#[inline]
+fn mirror_column<const COLUMN: usize>(matrix: &mut RelativeMatrix) {
+    for row in COLUMN + 1..=ANGLE {
+        matrix[row][COLUMN] = matrix[COLUMN][row];
+    }
+}
+
+/// Sets the block of `sum` at `row` and `column` to `left block rightᵀ`, and its mirror image too; columns all.
+#[inline]
+fn set_both(
+    sum: &mut ElementColumns,
+    row: usize,
+    column: usize,
+    left: &[Vec3; 3],
+    right: &[Vec3; 3],
+    block: &[Vec3; 3],
+) {
+    let [t, u, v] = block.map(|of| left[0] * of[0] + left[1] * of[1] + left[2] * of[2]);
+    for j in 0..3 {
+        let turned = t * right[0][j] + u * right[1][j] + v * right[2][j];
+        for i in 0..3 {
+            sum[column + j][row + i] = turned[i];
+            sum[row + i][column + j] = turned[i];
+        }
+    }
+}
+
+/// The same of a symmetric block on the diagonal, from `place` on, of which `[xx, yx, zx, yy, zy, zz]` is given.
+#[inline]
+fn set_symmetric(sum: &mut ElementColumns, place: usize, left: &[Vec3; 3], right: &[Vec3; 3], block: &[f64; 6]) {
+    let [xx, yx, zx, yy, zy, zz] = *block;
+    let [t, u, v] =
+        [[xx, yx, zx], [yx, yy, zy], [zx, zy, zz]].map(|of| left[0] * of[0] + left[1] * of[1] + left[2] * of[2]);
+    for j in 0..3 {
+        for i in j..3 {
+            let turned = t[i] * right[0][j] + u[i] * right[1][j] + v[i] * right[2][j];
+            sum[place + j][place + i] = turned;
+            sum[place + i][place + j] = turned;
+        }
+    }
 }

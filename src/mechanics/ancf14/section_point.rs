@@ -1,10 +1,10 @@
 //! A section inside an element, as a point to hold on to (MECHANICS 2.13, 2.17).
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, interpolate};
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, complete, interpolate};
 use super::element::Element;
 use super::kinematics::Kinematics;
-use super::pullback::Factors;
-use super::relative::RelativeMatrix;
+use super::pullback::{Factors, Gradients};
+use super::relative::RELATIVE;
 use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second, normal_projector};
 use crate::math::{Mat3, Vec3, hermite, quadrature};
 use crate::mechanics::configuration::Configuration;
@@ -102,16 +102,18 @@ impl<'a> SectionPoint<'a> {
         let tilt_p = (moment.cross_matrix() * t_p - tilt * self.t.transpose()) / self.stretch;
         // Second derivatives of the spin's exact part, α.
         let angle = self.angle(along);
-        let (mut second, mut sum) = (RelativeMatrix::zeros(), ElementMatrix::zeros());
-        angle.add_hessian(element, kinematics, &mut second);
+        let (mut second, mut sum) = ([[0.0; RELATIVE]; RELATIVE], ElementMatrix::zeros());
+        Gradients::new(element, kinematics).add_frozen(&angle, element, &mut second);
         let by_shape = angle.gradient(element, kinematics);
-        kinematics.shape.set_hessian(&by_shape, &second, &mut sum);
+        kinematics.shape.set_hessian(&by_shape, &mut second, 1.0, &mut sum.data.0);
+        complete(&mut sum.data.0);
         // Its inexact part, −(k_0 + kb)·dp_0/|p_0| − kb·dp/|p|.
         let k_t0 = half_turn_by_first(&first.t, &self.t, &self.k);
         let k_t = half_turn_by_second(&first.t, &self.t, &self.k);
         let (l0, l) = (first.stretch, self.stretch);
         let mut base = sum.fixed_view_mut::<3, 3>(P, P);
-        base -= ((first.k_t + k_t0) * first.t_p() / l0 - (first.k + self.k) * first.t.transpose() / (l0 * l0)) * along;
+        base -=
+            ((first.k_p() + k_t0 * first.t_p()) / l0 - (first.k + self.k) * first.t.transpose() / (l0 * l0)) * along;
         let base_by_p = k_t * t_p * (along / l0);
         let p_by_base = k_t0 * first.t_p() * (along / l);
         let p_by_p = tilt_p - (k_t * t_p / l - self.k * self.t.transpose() / (l * l)) * along;

@@ -1,15 +1,60 @@
 //! What an energy density of a bending point depends on, and its derivatives in the same order.
 
 use super::quadratic_twist::Twist;
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
+use std::ops::{Add, Mul};
 
 /// Strains at a bending point: `[g1, g2, tau, e]` = curvature about z and (negative) about y (1/m), torsion (rad/m),
 /// axial Green strain of the axial points carried to the bending point (1).
 pub type Strains = SVector<f64, 4>;
 /// Derivatives of a density by [`Strains`]: stress resultants.
 pub type Resultants = SVector<f64, 4>;
-/// Second derivatives of a density by [`Strains`].
-pub type Rigidities = SMatrix<f64, 4, 4>;
+
+/// Second derivatives of a density by [`Strains`]; those that are not here are 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rigidities {
+    /// By `g1` twice and by `g2` twice, N m².
+    pub bending: [f64; 2],
+    /// By `g1` and `g2`, N m².
+    pub cross: f64,
+    /// By `tau` twice, N m².
+    pub torsion: f64,
+    /// By `g1` and by `g2`, and by `tau`, N m².
+    pub with_torsion: [f64; 2],
+    /// By `g1` and by `g2`, and by `e`, N m.
+    pub with_axial: [f64; 2],
+}
+
+impl Add for Rigidities {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let pair = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+        Self {
+            bending: pair(self.bending, other.bending),
+            cross: self.cross + other.cross,
+            torsion: self.torsion + other.torsion,
+            with_torsion: pair(self.with_torsion, other.with_torsion),
+            with_axial: pair(self.with_axial, other.with_axial),
+        }
+    }
+}
+
+impl Mul<f64> for Rigidities {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        Self {
+            bending: self.bending.map(|rigidity| rigidity * factor),
+            cross: self.cross * factor,
+            torsion: self.torsion * factor,
+            with_torsion: self.with_torsion.map(|rigidity| rigidity * factor),
+            with_axial: self.with_axial.map(|rigidity| rigidity * factor),
+        }
+    }
+}
 
 /// Which terms of the strain energy are kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

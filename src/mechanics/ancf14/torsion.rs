@@ -16,7 +16,5 @@ pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
 /// Second derivatives by the strains.
 #[inline]
 pub fn hessian(stiffness: &Stiffness, _strains: &Strains) -> Rigidities {
-    let mut sum = Rigidities::zeros();
-    sum[(2, 2)] = stiffness.torsion;
-    sum
+    Rigidities { torsion: stiffness.torsion, ..Rigidities::default() }
 }

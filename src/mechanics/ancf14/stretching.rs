@@ -1,0 +1,92 @@
+//! Second derivatives that have to do with the stretch of the axial points: they act on all coordinates of an element, in space
+//! (MECHANICS 8). Densities are those of axial.rs.
+
+use super::axial;
+use super::coordinates::{ElementColumns, ElementVector, add_between, add_product, add_spread, spread};
+use super::element::Evaluation;
+use super::pullback::{Forces, Gradients};
+use super::quadratic_twist::Condensation;
+use super::strain::{Resultants, Rigidities, Strain};
+
+/// `∂²U/∂T²` of the axial points, N m: what Wagner's term has.
+#[inline]
+pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
+    let (element, stiffness) = (evaluation.element, &evaluation.element.stiffness);
+    let mut sum = 0.0;
+    if stiffness.strain != Strain::Small {
+        for (m, point) in element.axial.iter().enumerate() {
+            let second = axial::large::hessian(stiffness, evaluation.green[m], evaluation.mean_torsion[m]);
+            sum += point.weight * second[(1, 1)] * point.torsion_by_twist.powi(2);
+        }
+    }
+    sum
+}
+
+/// Adds `scale` times the small-strain part to `sum`, without the rows and columns of `r_0`.
+#[inline]
+pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementColumns) {
+    let element = evaluation.element;
+    for (point, slope) in element.axial.iter().zip(&evaluation.slopes) {
+        add_spread(&point.shape_x, &(axial::small::hessian(&element.stiffness, slope) * (point.weight * scale)), sum);
+    }
+}
+
+/// What the second derivatives by the Green strains of the axial points are made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Large<'a> {
+    /// Where they are taken.
+    pub evaluation: &'a Evaluation<'a>,
+    /// First derivatives by the strains of the bending points.
+    pub resultants: &'a [Resultants; 3],
+    /// Second derivatives by the strains of the bending points.
+    pub rigidities: &'a [Rigidities; 3],
+    /// Derivatives of the curvatures.
+    pub gradients: &'a Gradients<'a>,
+    /// Of the quadratic twist.
+    pub condensation: Option<&'a Condensation>,
+}
+
+impl Large<'_> {
+    /// Adds `scale` times all second derivatives by the Green strains of the axial points to `sum`, without the rows and columns of `r_0`.
+    #[inline]
+    pub fn add_hessian(&self, scale: f64, sum: &mut ElementColumns) {
+        let (element, shape) = (self.evaluation.element, &self.evaluation.kinematics.shape);
+        let (mut bubble_q, mut bubble_end) = (ElementVector::zeros(), ElementVector::zeros());
+        for (m, point) in element.axial.iter().enumerate() {
+            let slope = &self.evaluation.slopes[m];
+            let density =
+                axial::large::hessian(&element.stiffness, self.evaluation.green[m], self.evaluation.mean_torsion[m])
+                    * point.weight;
+            // By this Green strain, of the gradient by the relative shape.
+            let mut by_green = self.gradients.sum(&self.forces(m, density[(0, 1)] * point.torsion_by_twist));
+            let green_p = slope.green_strain_p();
+            // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.
+            let by_end = green_p + slope.green_strain_increment();
+            if let Some(condensation) = self.condensation {
+                let share = condensation.by_green[m];
+                condensation.take_off(share, &mut by_green);
+                bubble_q += spread(&point.shape_x, &(green_p * share));
+                bubble_end += spread(&point.shape_x, &(by_end * share));
+            }
+            add_between(&(shape.gradient(&by_green) * scale), &point.shape_x, [&green_p, &by_end], sum);
+            let block = green_p * by_end.transpose() * density[(0, 0)]
+                + slope.green_strain_pp() * self.evaluation.green_force(m, self.resultants);
+            add_spread(&point.shape_x, &(block * scale), sum);
+        }
+        if let Some(condensation) = self.condensation {
+            add_product(-scale / condensation.by_b, &bubble_q, &bubble_end, sum);
+        }
+    }
+
+    /// Derivatives of what the energy has by the Green strain of axial point `m`, by the strains of the bending points; `by_twist` is
+    /// the one by `T`, N m.
+    #[inline]
+    fn forces(&self, m: usize, by_twist: f64) -> Forces {
+        let mut forces = Forces { twist: by_twist, ..Forces::default() };
+        for (g, point) in self.evaluation.element.bending.iter().enumerate() {
+            let moments = self.rigidities[g].with_axial.map(|rigidity| rigidity * point.from_axial[m]);
+            forces.add_moments(self.evaluation, g, moments);
+        }
+        forces
+    }
+}
