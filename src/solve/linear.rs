@@ -25,7 +25,7 @@ pub(super) const NEGLIGIBLE: f64 = 1e-10;
 /// A direction that the matrix maps to less than this share of its terms is a null direction. Measured: 1e-16 and below for free and
 /// doubly held machines (round-off of a row's sum), 2.5e-13 and 3.2e-15 for the softest direction of a slender cantilever of 1,000
 /// and 3,000 elements. From some 4,000 on, such a beam cannot be told from a free one in double precision.
-const ROUND_OFF: f64 = 1e-15;
+pub(super) const ROUND_OFF: f64 = 1e-15;
 
 /// A number between 0.5 and 1.5 for each unknown, with no pattern that a null vector could be orthogonal to.
 pub fn irregular(index: usize) -> f64 {
