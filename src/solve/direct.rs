@@ -12,7 +12,9 @@ pub struct DirectSolver {
     fronts: Option<Multifrontal>,
     /// Made when it is first needed.
     general: Option<Box<SparseLu>>,
-    /// Which of the two has the factorization.
+    /// Whether the fronts have factorized the last matrix.
+    is_frontal: bool,
+    /// Whether the general one is solved with.
     is_general: bool,
     /// How many factorizations the general one had to make.
     fallbacks: u64,
@@ -22,7 +24,7 @@ impl DirectSolver {
     /// For the pattern of `blocks`, of `size` unknowns; those up to `kinds[0]` are of nodes, up to `kinds[1]` of bodies, the others multipliers.
     pub fn new(size: usize, kinds: [usize; 2], blocks: &Blocks) -> Self {
         let fronts = Multifrontal::new(size, kinds, blocks);
-        Self { size, fronts, general: None, is_general: false, fallbacks: 0 }
+        Self { size, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
     }
 
     /// Takes the values of `blocks` (of the same layout as at the start) and factorizes. They must not change as long as the factorization is used.
@@ -31,8 +33,8 @@ impl DirectSolver {
     /// The matrix is singular, or a value not finite.
     pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
         self.is_general = false;
-        let factorized = self.fronts.as_mut().is_some_and(|fronts| fronts.factorize(blocks).is_ok());
-        if factorized { Ok(()) } else { self.fall_back(blocks) }
+        self.is_frontal = self.fronts.as_mut().is_some_and(|fronts| fronts.factorize(blocks).is_ok());
+        if self.is_frontal { Ok(()) } else { self.fall_back(blocks) }
     }
 
     /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are those that were factorized.
@@ -61,12 +63,12 @@ impl DirectSolver {
 
     /// Factorizes with the general solver, as the other one did not do.
     fn fall_back(&mut self, blocks: &Blocks) -> Result<(), Singular> {
-        self.fallbacks += 1;
         self.is_general = true;
         self.factorize_generally(blocks)
     }
 
     fn factorize_generally(&mut self, blocks: &Blocks) -> Result<(), Singular> {
+        self.fallbacks += 1;
         if self.general.is_none() {
             self.general = Some(Box::new(SparseLu::new(self.size, blocks)?));
         }
@@ -82,8 +84,12 @@ impl DirectSolver {
         }
     }
 
-    /// Whether the factorized matrix, `blocks`, is regular to working precision: that takes pivots sought among all rows.
+    /// Whether the factorized matrix, `blocks`, is regular to working precision. That it is the fronts may show; that it is not takes pivots sought
+    /// among all rows. The answer is of the matrix alone, whatever has been solved with it.
     pub fn regularity(&mut self, blocks: &Blocks) -> Regularity {
+        if self.is_frontal && self.fronts.as_mut().is_some_and(|fronts| fronts.is_surely_regular(blocks)) {
+            return Regularity::Regular;
+        }
         if self.factorize_generally(blocks).is_err() {
             return Regularity::Unknown;
         }

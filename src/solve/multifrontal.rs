@@ -6,7 +6,7 @@
 
 use super::front_matrix::{eliminate, solve_lower, solve_upper};
 use super::fronts::{Front, Fronts, Run};
-use super::linear::{NEGLIGIBLE, REFINEMENTS, Singular};
+use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Singular, irregular};
 use crate::math::blocks::Blocks;
 
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
@@ -14,6 +14,10 @@ const NODE: usize = 7;
 
 /// A diagonal below this share of the largest one is round-off: stiff and soft coordinates differ by 1e12 at most.
 const VANISHING: f64 = 1e-13;
+
+/// How many times softer than it was found a matrix may be for all that the fronts know: scaled otherwise than by the general solver, and asked by
+/// a vector that is not quite its softest one.
+const DOUBT: f64 = 100.0;
 
 /// Order, memory and factors of one matrix.
 #[derive(Debug)]
@@ -151,6 +155,36 @@ impl Multifrontal {
         Err(Singular)
     }
 
+    /// Whether the factorized matrix, `blocks`, is beyond doubt regular to working precision.
+    ///
+    /// A null vector `l` of the transpose would leave `lᵀ(b − A x) = lᵀ b` whatever `x` is. So where `b` has no pattern, an accurate and moderate `x`
+    /// proves that there is none, however the pivots were found: what is left of `b`, and the round-off of the terms of `A x`, must be small beside
+    /// it, all of them scaled. A second `b`, the first solution, shows a soft direction as it is (`linear` asks the same way).
+    pub fn is_surely_regular(&mut self, blocks: &Blocks) -> bool {
+        let mut vector: Vec<f64> =
+            self.scale.iter().enumerate().map(|(index, scale)| irregular(index) / scale).collect();
+        let (mut terms, mut left) = (0.0, 0.0);
+        for _ in 0..2 {
+            if self.solve(blocks, &mut vector, BACKWARD_ERROR).is_err() {
+                return false;
+            }
+            let largest = |values: &[f64]| {
+                values
+                    .iter()
+                    .zip(&self.scale)
+                    .fold(0.0_f64, |largest, (value, scale)| largest.max((value * scale).abs()))
+            };
+            // The solution counts in units of the scale, the rows in those of its inverse.
+            (terms, left) = (largest(&self.magnitude), largest(&self.remainder));
+            for (value, scale) in vector.iter_mut().zip(&self.scale) {
+                *value /= scale * scale;
+            }
+            let size = largest(&vector);
+            vector.iter_mut().for_each(|value| *value /= size);
+        }
+        DOUBT * (ROUND_OFF * terms + left) < 1.0
+    }
+
     /// `remainder = A⁻¹ remainder`.
     fn apply_inverse(&mut self) {
         for (unknown, value) in self.fronts.unknowns.iter().zip(&mut self.work) {
@@ -273,7 +307,7 @@ fn add(target: &mut [f64], column: &[f64]) {
 }
 
 /// Adds the pieces of the matrix that belong to a front.
-fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], matrix: &mut [f64]) {
+pub(super) fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], matrix: &mut [f64]) {
     let stride = front.shape.stride();
     for piece in &fronts.pieces[front.pieces.clone()] {
         let (mut from, mut to) = (piece.source, piece.target - front.start);
@@ -286,7 +320,7 @@ fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], matrix: &mut [f64]
 }
 
 /// Adds what is left of a child to the `matrix` of its parent, whose columns are `stride` apart.
-fn add_rest(done: &[f64], child: &Front, runs: &[Run], matrix: &mut [f64], stride: usize) {
+pub(super) fn add_rest(done: &[f64], child: &Front, runs: &[Run], matrix: &mut [f64], stride: usize) {
     let own_stride = child.shape.stride();
     let rest = &done[child.start..child.start + child.shape.size()];
     for columns in runs {

@@ -61,8 +61,8 @@ impl Stability {
     }
 
     /// Whether the last equilibrium judged is unstable and the one of `before` is not, or the other way round.
-    pub fn differs(&self, before: Option<Judgement>) -> bool {
-        self.known.zip(before).is_some_and(|(now, before)| (now.unstable == 0) != (before.unstable == 0))
+    pub fn differs(&self, before: Judgement) -> bool {
+        self.known.is_some_and(|now| (now.unstable == 0) != (before.unstable == 0))
     }
 
     /// Remarks that the equilibrium `state`, the first one, is unstable: what would leave it is `softest`.

@@ -103,8 +103,10 @@ impl Statics {
         next.clone_from(state);
         let mut outcome = self.ramp(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
         let hopeless = matches!(outcome, Err(Error::NotFinite { .. }));
+        next.time = time;
+        let mut unstable = first && outcome.is_ok() && self.judge(system, &next);
         // As drawn it may be slack, or Newton has gone up to a place of rest that nothing holds.
-        if first && !hopeless && (outcome.is_err() || self.judge(system, &next)) {
+        if first && !hopeless && (outcome.is_err() || unstable) {
             let tried = next.statistics;
             next.clone_from(state);
             next.statistics = tried;
@@ -114,11 +116,17 @@ impl Statics {
                 (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
                 (_, relaxed) => relaxed,
             };
+            next.time = time;
+            unstable = outcome.is_ok() && self.judge(system, &next);
         }
         if outcome.is_ok() {
-            next.time = time;
             next.statistics.steps += 1;
-            self.watch_stability(system, state, &next, before);
+            match before {
+                Some(before) => self.watch_stability(system, state, &next, before),
+                // Of the first one it is known already.
+                None if unstable || !first && self.judge(system, &next) => self.remark_start(system, &next),
+                None => {}
+            }
             std::mem::swap(state, &mut next);
         } else {
             state.statistics = next.statistics;
@@ -127,25 +135,24 @@ impl Statics {
         outcome
     }
 
+    /// Remarks that the equilibrium `state`, just judged, is unstable and follows from none that is known.
+    fn remark_start(&mut self, system: &System, state: &State) {
+        if let Some(softest) = stability::softest(system, &mut self.kkt, state.time) {
+            self.stability.remark_start(system, state, &softest);
+        }
+    }
+
     /// Looks whether the path has become unstable, or stable again, from `state`, of which `before` is known, to `next`.
-    fn watch_stability(&mut self, system: &System, state: &State, next: &State, before: Option<Judgement>) {
-        let Some(before) = before else {
-            if self.judge(system, next)
-                && let Some(softest) = stability::softest(system, &mut self.kkt, next.time)
-            {
-                self.stability.remark_start(system, next, &softest);
-            }
-            return;
-        };
+    fn watch_stability(&mut self, system: &System, state: &State, next: &State, before: Judgement) {
         self.stability.judge(system, &mut self.kkt, next.time);
-        if !self.stability.differs(Some(before)) {
+        if !self.stability.differs(before) {
             return;
         }
         // Newton's last matrix is of its last iterate but one: both ends are asked themselves before it is told.
         self.judge(system, state);
         let Some(before) = self.stability.known() else { return };
         let unstable_now = self.judge(system, next);
-        if !self.stability.differs(Some(before)) {
+        if !self.stability.differs(before) {
             return;
         }
         let (unstable, stable) = if unstable_now { (next, state) } else { (state, next) };

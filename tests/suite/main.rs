@@ -67,6 +67,7 @@ mod rotating_shaft;
 mod running;
 mod section_forces;
 mod shaken_cantilever;
+mod signature;
 mod spring_derivatives;
 mod static_buckling;
 mod static_motions;
