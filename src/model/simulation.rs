@@ -183,9 +183,14 @@ impl Model for Simulation {
             self.inputs.iter().for_each(|(number, value)| document.set_start(number, value));
         }
         self.document.check().map_err(wrong)?;
-        let built = build::build(&self.document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;
-        let mut machine = Machine::new(built, &self.document, start);
         let document = &self.document;
+        let mut machine = match self.machine.if_drawn(document, start) {
+            Some(machine) => machine,
+            None => {
+                let built = build::build(document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;
+                Machine::new(built, document, start)
+            }
+        };
         build::aim(document, |number| self.inputs.line(number), [start; 2], &mut machine.state.targets)
             .map_err(wrong)?;
         let warnings = machine.find_initial_state(document, self.table.needs_response());
