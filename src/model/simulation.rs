@@ -184,7 +184,7 @@ impl Model for Simulation {
         }
         self.document.check().map_err(wrong)?;
         let document = &self.document;
-        let mut machine = match self.machine.as_built(document, start) {
+        let mut machine = match self.machine.if_drawn(document, start) {
             Some(machine) => machine,
             None => {
                 let built = build::build(document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;

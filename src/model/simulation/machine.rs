@@ -57,10 +57,19 @@ pub(super) enum Solver {
 
 impl Machine {
     pub(super) fn new(built: Built, document: &Arc<Document>, start: f64) -> Self {
-        let Built { system, state } = built;
+        Self::drawn(Arc::new(built.system), built.state, document, start)
+    }
+
+    /// The machine that `document` draws at `start`, s, if this is one and has not been initialized yet: drawing it anew would give the same.
+    pub(super) fn if_drawn(&self, document: &Arc<Document>, start: f64) -> Option<Self> {
+        let same = Arc::ptr_eq(&self.drawn, document) && self.start == start && !self.is_initialized();
+        same.then(|| Self::drawn(Arc::clone(&self.system), self.state.clone(), document, start))
+    }
+
+    fn drawn(system: Arc<System>, state: State, document: &Arc<Document>, start: f64) -> Self {
         Self {
             drawn: Arc::clone(document),
-            system: Arc::new(system),
+            system,
             stale: false,
             backup: state.clone(),
             state,
