@@ -10,6 +10,9 @@ use super::linear::minimum_degree;
 use crate::math::blocks::Blocks;
 use std::ops::Range;
 
+/// As how many groups of coordinates a body counts in the search for an order: more than the neighbours of a node of a beam.
+const BODY_WEIGHT: usize = 4;
+
 /// Unknowns that are eliminated together. They are renumbered in the order of their elimination.
 #[derive(Clone, Debug, Default)]
 pub struct Front {
@@ -151,11 +154,21 @@ impl Fronts {
                 graph[*group].extend(tied.iter().filter(|other| *other != group));
             }
         }
+        // What is tied to bodies, which come last, stays in the borders up to them: it should come late. Bodies count for many.
+        for body in bodies..coordinates {
+            for _ in 1..BODY_WEIGHT {
+                let (own, tied) = (graph.len(), graph[body].clone());
+                tied.iter().for_each(|group| graph[*group].push(own));
+                graph[body].push(own);
+                graph.push([tied, vec![body]].concat());
+            }
+        }
         for list in &mut graph {
             list.sort_unstable();
             list.dedup();
         }
         let mut order = minimum_degree(&graph)?;
+        order.retain(|group| *group < coordinates);
         order.sort_by_key(|group| *group >= bodies);
         Some(Self::with_order(&Order::new(&groups, &links, &order, multipliers), blocks))
     }

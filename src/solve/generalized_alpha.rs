@@ -172,10 +172,11 @@ impl Scratch {
         system.prescribe(state, end, &mut self.prescribed);
     }
 
-    /// Start of the iteration: `Dq = h v_n`, `λ = λ_n`.
+    /// Start of the iteration: `Dq = h v_n + h²/2 a_n`, `λ = λ_n`.
     fn predict(&mut self, state: &State, weights: Weights, step: f64) {
-        for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
-            *increment = step * velocity;
+        let before = state.velocity.iter().zip(&state.accelerations.algorithmic);
+        for (increment, (velocity, acceleration)) in self.increment.iter_mut().zip(before) {
+            *increment = step * (velocity + 0.5 * step * acceleration);
         }
         let [_, acceleration_by_q] = weights.by_q(step);
         for (scaled, multiplier) in self.scaled_multipliers.iter_mut().zip(&state.multipliers) {

@@ -82,23 +82,6 @@ impl Machine {
         }
     }
 
-    /// The same machine again, if it is still as it was built, from `document` and for `start`, s.
-    pub(super) fn as_built(&self, document: &Arc<Document>, start: f64) -> Option<Self> {
-        // A document that anything was set in is another one.
-        let is_as_built = !self.is_initialized() && Arc::ptr_eq(&self.drawn, document) && self.start == start;
-        is_as_built.then(|| Self {
-            drawn: Arc::clone(document),
-            system: Arc::clone(&self.system),
-            state: self.state.clone(),
-            backup: self.state.clone(),
-            initialization: Arc::new(()),
-            solver: Solver::None,
-            responder: None,
-            response: Response::default(),
-            ..*self
-        })
-    }
-
     pub(super) fn is_initialized(&self) -> bool {
         !matches!(self.solver, Solver::None)
     }
