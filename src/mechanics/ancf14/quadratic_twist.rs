@@ -8,7 +8,7 @@
 use super::coordinates::{ElementVector, spread};
 use super::element::{BendingPoint, Evaluation};
 use super::pullback::{Couplings, Forces, Gradients, PointCouplings};
-use super::relative::{ANGLE, RelativeMatrix, RelativeVector};
+use super::relative::{RelativeMatrix, RelativeVector};
 use super::strain::Rigidities;
 
 /// How the twist runs inside an element.
@@ -134,13 +134,10 @@ impl Condensation {
         by.iter_mut().zip(&self.by_shape).for_each(|(by, by_shape)| *by -= by_shape * factor);
     }
 
-    /// Takes off the lower triangle of `second`, the second derivatives by the relative shape, what `b` gives way.
+    /// Takes off `second`, the second derivatives by the relative shape, what `b` gives way.
     pub fn condense(&self, second: &mut RelativeMatrix) {
-        for column in 0..=ANGLE {
-            let factor = self.by_shape[column] / self.by_b;
-            for row in column..=ANGLE {
-                second[column][row] -= self.by_shape[row] * factor;
-            }
+        for (column, by_shape) in second.iter_mut().zip(self.by_shape) {
+            self.take_off(by_shape, column);
         }
     }
 }

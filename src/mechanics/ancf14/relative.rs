@@ -261,6 +261,7 @@ fn mirror(matrix: &mut RelativeMatrix) {
 }
 
 #[inline]
+#[expect(clippy::needless_range_loop, reason = "of iterators over columns the compiler does not know the places")]
 fn mirror_column<const COLUMN: usize>(matrix: &mut RelativeMatrix) {
     for row in COLUMN + 1..=ANGLE {
         matrix[row][COLUMN] = matrix[COLUMN][row];
