@@ -150,7 +150,7 @@ impl Integrator for GeneralizedAlpha {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         assert_eq!(state.accelerations.algorithmic.len(), state.q.len(), "the state has not begun to move");
         self.scratch.prepare(system, state, end);
-        self.scratch.predict(state, self.weights, step);
+        self.scratch.predict(state, self.weights, self.tolerance, step);
         limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
         let mut problem = Step { system, state, weights: self.weights, step, end, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
@@ -172,11 +172,13 @@ impl Scratch {
         system.prescribe(state, end, &mut self.prescribed);
     }
 
-    /// Start of the iteration: `Dq = h v_n + h²/2 a_n`, `λ = λ_n`.
-    fn predict(&mut self, state: &State, weights: Weights, step: f64) {
+    /// Start of the iteration: `Dq = h v_n`, `λ = λ_n`. With a loose tolerance `Dq = h v_n + h²/2 a_n`, from where one iteration is often enough; it
+    /// saves little with others, where noise of fast vibrations in `a_n` can cost more.
+    fn predict(&mut self, state: &State, weights: Weights, tolerance: f64, step: f64) {
+        let share = if tolerance > newton::LOOSE { 0.5 } else { 0.0 };
         let before = state.velocity.iter().zip(&state.accelerations.algorithmic);
         for (increment, (velocity, acceleration)) in self.increment.iter_mut().zip(before) {
-            *increment = step * (velocity + 0.5 * step * acceleration);
+            *increment = step * (velocity + share * step * acceleration);
         }
         let [_, acceleration_by_q] = weights.by_q(step);
         for (scaled, multiplier) in self.scaled_multipliers.iter_mut().zip(&state.multipliers) {

@@ -14,7 +14,7 @@ const BEND: f64 = 3.0;
 const FAST: f64 = 0.1;
 /// A tolerance above this does not ask for round-off: tangents may serve for more than one iteration. Below it they do not: what they leave is
 /// small in the size of corrections, but has a direction in which stiff beams gain or lose energy (1e-9 in 2,000 steps instead of 1e-12).
-const LOOSE: f64 = 1e-6;
+pub const LOOSE: f64 = 1e-6;
 /// What iterations with a tangent of before may leave, as a share of the tolerance, by an estimate from the last two corrections that is too
 /// hopeful: some of it falls slower. Measured: up to 0.13 of the tolerance. A tenth of this share costs a third more iterations.
 const SHARE: f64 = 0.01;
