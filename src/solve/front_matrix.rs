@@ -43,8 +43,13 @@ pub fn eliminate(shape: Shape, matrix: &mut [f64], weights: &mut [f64], rows: &m
     match shape.pivots {
         6 => eliminate_sized::<6>(shape, matrix, weights, rows),
         7 => eliminate_sized::<7>(shape, matrix, weights, rows),
+        8 => eliminate_sized::<8>(shape, matrix, weights, rows),
+        9 => eliminate_sized::<9>(shape, matrix, weights, rows),
+        10 => eliminate_sized::<10>(shape, matrix, weights, rows),
+        11 => eliminate_sized::<11>(shape, matrix, weights, rows),
         12 => eliminate_sized::<12>(shape, matrix, weights, rows),
         13 => eliminate_sized::<13>(shape, matrix, weights, rows),
+        18 => eliminate_sized::<18>(shape, matrix, weights, rows),
         _ => eliminate_sized::<0>(shape, matrix, weights, rows),
     }
 }
@@ -61,7 +66,7 @@ fn eliminate_sized<const PIVOTS: usize>(
     for number in 0..pivots {
         let (before, rest) = matrix.split_at_mut(number * stride);
         let column = &mut rest[..stride];
-        reduce::<0>(pivots, before, column, &rows[..number]);
+        reduce::<PIVOTS>(pivots, before, column, &rows[..number]);
         let mut best = number;
         let mut largest = 0.0;
         for row in number..pivots {
@@ -126,10 +131,10 @@ fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64]
     }
     let stride = column.len();
     let (upper, border) = column.split_at_mut(pivots);
-    if PIVOTS > 0 && before.len() == PIVOTS * stride {
-        // All of them, of a number that the compiler knows: it unrolls this.
+    if PIVOTS > 0 {
+        // At most a number that the compiler knows: it unrolls this.
         for number in 0..PIVOTS {
-            let lower = &before[number * stride..number * stride + PIVOTS];
+            let Some(lower) = before.get(number * stride..number * stride + PIVOTS) else { break };
             for row in number + 1..PIVOTS {
                 upper[row] -= upper[number] * lower[row];
             }
