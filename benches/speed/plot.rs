@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// As the charts of the validation page.
 const SIZE: (u32, u32) = (960, 540);
-const COLOURS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
+const COLOURS: [RGBColor; 3] = [RGBColor(0, 114, 178), RGBColor(0, 158, 115), RGBColor(213, 94, 0)];
 const INK: RGBColor = RGBColor(50, 50, 50);
 const GRID: RGBColor = RGBColor(225, 225, 225);
 
@@ -17,9 +17,10 @@ const ROOM: f64 = 1.5;
 /// Draws ours, and the peer's if it is known, into `file`.
 pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
     let micro = |cost: &Cost, time: f64| (cost.elements as f64, 1e6 * time / cost.elements as f64);
-    let own: Vec<_> = costs.iter().map(|cost| micro(cost, cost.own)).collect();
+    let [exact, loose] =
+        [0, 1].map(|number| costs.iter().map(|cost| micro(cost, cost.own[number])).collect::<Vec<_>>());
     let peer: Vec<_> = costs.iter().filter_map(|cost| Some(micro(cost, cost.peer?))).collect();
-    let all = || own.iter().chain(&peer);
+    let all = || exact.iter().chain(&loose).chain(&peer);
     let span = |values: &dyn Fn(&(f64, f64)) -> f64| {
         let low = all().map(values).fold(f64::INFINITY, f64::min);
         let high = all().map(values).fold(0.0, f64::max);
@@ -45,7 +46,8 @@ pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
         .x_label_formatter(&|value| value.to_string())
         .y_label_formatter(&|value| value.to_string())
         .draw()?;
-    for ((name, points), colour) in [("ancf14", &own), ("EXUDYN 1.13.6", &peer)].into_iter().zip(COLOURS) {
+    let series = [("ancf14, tolerance 1e-8", &exact), ("ancf14, tolerance 1e-4", &loose), ("EXUDYN 1.13.6", &peer)];
+    for ((name, points), colour) in series.into_iter().zip(COLOURS) {
         if points.is_empty() {
             continue;
         }
@@ -55,6 +57,7 @@ pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
     }
     chart
         .configure_series_labels()
+        .position(SeriesLabelPosition::UpperMiddle)
         .border_style(GRID)
         .background_style(WHITE)
         .label_font(("sans-serif", 15).into_font().color(&INK))

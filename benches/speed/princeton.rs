@@ -20,7 +20,7 @@ const OWN: [(&str, &str); 5] = [
     ("arm.twist", "quadratic"),
     ("simulation.step", "1"),
     ("simulation.output_step", "1"),
-    ("simulation.tolerance", "1e-5"),
+    ("simulation.tolerance", "1e-4"),
 ];
 
 /// Largest errors of the tip in the weak and in the stiff direction over all loads, relative to the largest displacement, in words.

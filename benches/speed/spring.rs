@@ -19,7 +19,7 @@ const OWN: [(&str, &str); 5] = [
     ("coil.twist", "quadratic"),
     ("simulation.step", "1"),
     ("simulation.output_step", "1"),
-    ("simulation.tolerance", "1e-5"),
+    ("simulation.tolerance", "1e-3"),
 ];
 
 /// How far the force at 40 mm is off, relative, in words.

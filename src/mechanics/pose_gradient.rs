@@ -114,7 +114,7 @@ impl PoseGradient {
             Self::Fixed => {}
             Self::Body(factors) => {
                 let own: PoseVector = force * factors.transpose();
-                own.iter().enumerate().for_each(|(number, value)| put(number, *value));
+                own.as_slice().iter().enumerate().for_each(|(number, value)| put(number, *value));
             }
             Self::Beam(beam) => {
                 let (place, moment) = (force.column(PLACE), beam.moment(force));
@@ -137,7 +137,7 @@ impl PoseGradient {
     /// Sets `block` to the second derivative by the coordinates of this pose (rows) and of `other` (columns) of what has the second derivatives
     /// `scalars` times the identity by their vectors.
     fn pull_back_scalars(&self, scalars: &SMatrix<f64, VECTORS, VECTORS>, other: &Self, block: &mut MarkerMatrix) {
-        let is_zero = scalars.iter().all(|value| *value == 0.0);
+        let is_zero = scalars.as_slice().iter().all(|value| *value == 0.0);
         if is_zero || matches!((self, other), (Self::Body(_), Self::Body(_))) {
             (0..other.count()).for_each(|column| block.column_mut(column).rows_mut(0, self.count()).fill(0.0));
         }
