@@ -51,7 +51,8 @@ impl DirectSolver {
     /// As those of [`Self::solve`].
     pub fn solve_to(&mut self, error: f64, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
         if !self.is_general {
-            if let Some(fronts) = &mut self.fronts
+            if self.is_frontal
+                && let Some(fronts) = &mut self.fronts
                 && fronts.solve(blocks, vector, error).is_ok()
             {
                 return Ok(());
@@ -63,8 +64,9 @@ impl DirectSolver {
 
     /// Factorizes with the general solver, as the other one did not do.
     fn fall_back(&mut self, blocks: &Blocks) -> Result<(), Singular> {
+        self.factorize_generally(blocks)?;
         self.is_general = true;
-        self.factorize_generally(blocks)
+        Ok(())
     }
 
     fn factorize_generally(&mut self, blocks: &Blocks) -> Result<(), Singular> {

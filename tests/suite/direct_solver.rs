@@ -189,4 +189,8 @@ fn a_ring_of_blocks() {
     zero.clear();
     let outcome = solver.factorize(&zero).and_then(|()| solver.solve(&zero, &mut vector));
     assert!(outcome.is_err() && solver.fallbacks() == 1);
+    // Nor of what is not finite, also where its failure is not heeded.
+    zero.block_mut(0)[0] = f64::NAN;
+    assert!(solver.factorize(&zero).is_err());
+    assert!(solver.solve(&zero, &mut vector).is_err());
 }
