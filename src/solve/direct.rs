@@ -1,7 +1,7 @@
 //! The direct solver of a constrained system: front by front (`multifrontal`), and a general sparse LU (`linear`) where that gives no accurate
 //! solution, as without the mass of a body or with a floating machine.
 
-use super::linear::{BACKWARD_ERROR, Regularity, Singular, SparseLu};
+use super::linear::{Regularity, Singular, SparseLu};
 use super::multifrontal::Multifrontal;
 use crate::math::blocks::Blocks;
 
@@ -42,18 +42,10 @@ impl DirectSolver {
     /// # Errors
     /// The solution is not finite or not accurate: the matrix is singular to working precision. `vector` is then spoilt.
     pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
-        self.solve_to(BACKWARD_ERROR, blocks, vector)
-    }
-
-    /// [`Self::solve`], refined until the backward error is below `error`.
-    ///
-    /// # Errors
-    /// As those of [`Self::solve`].
-    pub fn solve_to(&mut self, error: f64, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
         if !self.is_general {
             if self.is_frontal
                 && let Some(fronts) = &mut self.fronts
-                && fronts.solve(blocks, vector, error).is_ok()
+                && fronts.solve(blocks, vector).is_ok()
             {
                 return Ok(());
             }

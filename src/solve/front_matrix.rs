@@ -9,10 +9,6 @@ use super::linear::Singular;
 /// Rows of the border that are worked on at a time.
 const LANES: usize = 8;
 
-/// Most that a pivot of a symmetric matrix may have grown to, in its measure: round-off grows with it. As much as springs for conditions are stiffer
-/// than the rest (`kkt`), so that no more is lost than by them.
-const MOST_GROWTH: f64 = 1e5;
-
 /// Numbers of pivots and of border rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Shape {
@@ -93,32 +89,6 @@ fn eliminate_sized<const PIVOTS: usize>(
         reduce::<PIVOTS>(pivots, before, column, rows);
     }
     Ok(())
-}
-
-/// Eliminates the pivots of a symmetric `matrix` one after the other, as `L D Lᵀ`, and returns how many are negative. None where one is round-off in its
-/// measure, which `measures` have, or has grown so far beyond it that the round-off of others hides them.
-pub fn eliminate_symmetric(shape: Shape, matrix: &mut [f64], measures: &[f64]) -> Option<usize> {
-    let (stride, mut negative) = (shape.stride(), 0);
-    for (number, measure) in measures.iter().enumerate() {
-        let (before, rest) = matrix.split_at_mut(number * stride);
-        let column = &mut rest[..stride];
-        reduce::<0>(shape.pivots, before, column, &[]);
-        let size = column[number].abs() / measure;
-        if !(size > f64::EPSILON && size < MOST_GROWTH) {
-            return None;
-        }
-        negative += usize::from(column[number] < 0.0);
-        let inverse = 1.0 / column[number];
-        column[number + 1..].iter_mut().for_each(|value| *value *= inverse);
-    }
-    let (before, rest) = matrix.split_at_mut(shape.pivots * stride);
-    for column in rest.chunks_exact_mut(stride) {
-        match shape.pivots {
-            7 => reduce::<7>(7, before, column, &[]),
-            pivots => reduce::<0>(pivots, before, column, &[]),
-        }
-    }
-    Some(negative)
 }
 
 /// Takes the pivots, whose columns are `before`, out of a column; `rows` say how they were exchanged.

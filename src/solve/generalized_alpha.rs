@@ -150,7 +150,7 @@ impl Integrator for GeneralizedAlpha {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         assert_eq!(state.accelerations.algorithmic.len(), state.q.len(), "the state has not begun to move");
         self.scratch.prepare(system, state, end);
-        self.scratch.predict(state, self.weights, self.tolerance, step);
+        self.scratch.predict(state, self.weights, step);
         limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
         let mut problem = Step { system, state, weights: self.weights, step, end, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
@@ -172,13 +172,10 @@ impl Scratch {
         system.prescribe(state, end, &mut self.prescribed);
     }
 
-    /// Start of the iteration: `Dq = h v_n`, `λ = λ_n`. With a loose tolerance `Dq = h v_n + h²/2 a_n`, from where one iteration is often enough; it
-    /// saves little with others, where noise of fast vibrations in `a_n` can cost more.
-    fn predict(&mut self, state: &State, weights: Weights, tolerance: f64, step: f64) {
-        let share = if tolerance > newton::LOOSE { 0.5 } else { 0.0 };
-        let before = state.velocity.iter().zip(&state.accelerations.algorithmic);
-        for (increment, (velocity, acceleration)) in self.increment.iter_mut().zip(before) {
-            *increment = step * (velocity + share * step * acceleration);
+    /// Start of the iteration: `Dq = h v_n`, `λ = λ_n`.
+    fn predict(&mut self, state: &State, weights: Weights, step: f64) {
+        for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
+            *increment = step * velocity;
         }
         let [_, acceleration_by_q] = weights.by_q(step);
         for (scaled, multiplier) in self.scaled_multipliers.iter_mut().zip(&state.multipliers) {
@@ -308,13 +305,6 @@ impl Problem for Step<'_> {
         self.end
     }
 
-    fn residual(&mut self, right: &mut [f64]) -> Option<f64> {
-        self.scratch.place(self.system, self.state, self.weights, self.step);
-        self.scratch.act(self.system, self.state);
-        self.balance(right);
-        Some(self.end)
-    }
-
     fn correct(&mut self, correction: &[f64]) {
         let (coordinates, multipliers) = correction.split_at(self.scratch.increment.len());
         for (value, correction) in self.scratch.increment.iter_mut().zip(coordinates) {
@@ -347,7 +337,10 @@ impl Linearized for GeneralizedAlpha {
     }
 
     fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
-        self.scratch.at(system, state, self.weights, span, unknowns).residual(right);
+        let mut problem = self.scratch.at(system, state, self.weights, span, unknowns);
+        problem.scratch.place(system, state, self.weights, span.step);
+        problem.scratch.act(system, state);
+        problem.balance(right);
     }
 
     fn conclude(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], next: &mut State) {

@@ -1,8 +1,7 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
 use super::direct::DirectSolver;
-use super::linear::{Regularity, Singular, SparseLu, irregular};
-use super::signature::Signature;
+use super::linear::{Regularity, Singular, SparseLdl, SparseLu, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::configuration::Configuration;
@@ -30,29 +29,29 @@ pub struct Kkt {
     /// Second derivatives of one joint.
     parts: Box<[MarkerMatrix; 4]>,
     /// Made when it is first asked for.
-    sprung: Option<Sprung>,
+    inertia: Option<Inertia>,
 }
 
 /// The matrix of the coordinates alone, constraints included as springs.
 #[derive(Debug)]
-struct Sprung {
+struct Inertia {
     /// Which blocks of the whole matrix are in it.
     kept: Vec<usize>,
     blocks: Blocks,
-    signature: Signature,
+    ldl: SparseLdl,
 }
 
-impl Sprung {
-    /// For the blocks `whole` of a matrix whose first unknowns are `coordinates`, the first of which, `nodes`, are those of nodes.
-    fn new(coordinates: usize, nodes: usize, whole: &Blocks) -> Option<Self> {
+impl Inertia {
+    /// For the blocks `whole` of a matrix whose first unknowns are `coordinates`.
+    fn new(coordinates: usize, whole: &Blocks) -> Option<Self> {
         let inside = |block: &Block| block.row < coordinates && block.column < coordinates;
         let (mut kept, mut blocks) = (Vec::new(), Blocks::default());
         for (number, block) in whole.layout().iter().enumerate().filter(|(_, block)| inside(block)) {
             kept.push(number);
             blocks.push(*block);
         }
-        let signature = Signature::new(coordinates, nodes, &blocks)?;
-        Some(Self { kept, blocks, signature })
+        let ldl = SparseLdl::new(coordinates, &blocks).ok()?;
+        Some(Self { kept, blocks, ldl })
     }
 }
 
@@ -84,7 +83,7 @@ impl Kkt {
         let kinds = [system.mesh.coordinates(), system.coordinates()];
         let solver = DirectSolver::new(system.coordinates() + system.constraints(), kinds, &blocks);
         let parts = Box::new([MarkerMatrix::zeros(); 4]);
-        Self { blocks, joints, curvatures, solver, parts, sprung: None }
+        Self { blocks, joints, curvatures, solver, parts, inertia: None }
     }
 
     /// Sets the constraint blocks: `scale` times `columns` transposed on the right, `rows` below.
@@ -153,24 +152,16 @@ impl Kkt {
         self.solver.solve(&self.blocks, vector)
     }
 
-    /// [`Self::solve_again`] with a backward error below `error`.
-    ///
-    /// # Errors
-    /// The solution is not that accurate.
-    pub fn solve_to(&mut self, error: f64, vector: &mut [f64]) -> Result<(), Singular> {
-        self.solver.solve_to(error, &self.blocks, vector)
-    }
-
     /// How many independent motions that the constraints allow release energy, by the symmetric part of the matrix that is set and has
     /// been factorized: Sylvester's law of inertia counts them all, however many softer ones there are. None where a pivot vanishes.
     ///
     /// They are the negative pivots of `A + Bᵀ B/ε = L D Lᵀ`, the constraints being springs that are stiffer than anything else.
     pub fn releasing_motions(&mut self, system: &System) -> Option<usize> {
         let coordinates = system.coordinates();
-        if self.sprung.is_none() {
-            self.sprung = Sprung::new(coordinates, system.mesh.coordinates(), &self.blocks);
+        if self.inertia.is_none() {
+            self.inertia = Inertia::new(coordinates, &self.blocks);
         }
-        let Sprung { kept, blocks, signature } = self.sprung.as_mut()?;
+        let Inertia { kept, blocks, ldl } = self.inertia.as_mut()?;
         for (own, number) in kept.iter().enumerate() {
             blocks.block_mut(own).copy_from_slice(self.blocks.block(*number));
         }
@@ -196,7 +187,7 @@ impl Kkt {
             }
             row += conditions;
         }
-        signature.negative_pivots(blocks, |index| self.solver.scale(index))
+        ldl.negative_pivots(blocks, |index| self.solver.scale(index))
     }
 
     /// How many factorizations the general solver had to make.

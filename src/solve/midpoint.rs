@@ -331,13 +331,6 @@ impl Problem for Step<'_> {
         state.time + 0.5 * h
     }
 
-    fn residual(&mut self, right: &mut [f64]) -> Option<f64> {
-        self.scratch.place(self.system, self.state);
-        self.scratch.act(self.system, self.state, self.rule, self.step);
-        self.balance(right);
-        Some(self.state.time + 0.5 * self.step)
-    }
-
     fn correct(&mut self, correction: &[f64]) {
         let (coordinates, impulses) = correction.split_at(self.scratch.increment.len());
         for (value, correction) in self.scratch.increment.iter_mut().zip(coordinates) {
@@ -370,7 +363,10 @@ impl Linearized for Midpoint {
     }
 
     fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
-        self.scratch.at(system, state, self.rule, span, unknowns).residual(right);
+        let mut problem = self.scratch.at(system, state, self.rule, span, unknowns);
+        problem.scratch.place(system, state);
+        problem.scratch.act(system, state, self.rule, span.step);
+        problem.balance(right);
     }
 
     fn conclude(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], next: &mut State) {

@@ -15,7 +15,6 @@ pub mod newton;
 pub mod projection;
 pub mod response;
 pub mod sensitivity;
-pub mod signature;
 pub mod stability;
 pub mod start;
 pub mod statics;

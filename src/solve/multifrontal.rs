@@ -137,17 +137,17 @@ impl Multifrontal {
         self.scale[index]
     }
 
-    /// Solves for the right side `vector`, in place, refined until the backward error is below `error`. `blocks` are those that were factorized.
+    /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are those that were factorized.
     ///
     /// # Errors
     /// The solution is not finite or not accurate; `vector` is as it was.
-    pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64], error: f64) -> Result<(), Singular> {
+    pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
         self.remainder.copy_from_slice(vector);
         self.solution.fill(0.0);
         for _ in 0..=REFINEMENTS {
             self.apply_inverse();
             add(&mut self.solution, &self.remainder);
-            if self.backward_error(blocks, vector) <= error {
+            if self.backward_error(blocks, vector) <= BACKWARD_ERROR {
                 vector.copy_from_slice(&self.solution);
                 return Ok(());
             }
@@ -165,7 +165,7 @@ impl Multifrontal {
             self.scale.iter().enumerate().map(|(index, scale)| irregular(index) / scale).collect();
         let (mut terms, mut left) = (0.0, 0.0);
         for _ in 0..2 {
-            if self.solve(blocks, &mut vector, BACKWARD_ERROR).is_err() {
+            if self.solve(blocks, &mut vector).is_err() {
                 return false;
             }
             let largest = |values: &[f64]| {
@@ -307,7 +307,7 @@ fn add(target: &mut [f64], column: &[f64]) {
 }
 
 /// Adds the pieces of the matrix that belong to a front.
-pub(super) fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], matrix: &mut [f64]) {
+fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], matrix: &mut [f64]) {
     let stride = front.shape.stride();
     for piece in &fronts.pieces[front.pieces.clone()] {
         let (mut from, mut to) = (piece.source, piece.target - front.start);
@@ -320,7 +320,7 @@ pub(super) fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], matrix:
 }
 
 /// Adds what is left of a child to the `matrix` of its parent, whose columns are `stride` apart.
-pub(super) fn add_rest(done: &[f64], child: &Front, runs: &[Run], matrix: &mut [f64], stride: usize) {
+fn add_rest(done: &[f64], child: &Front, runs: &[Run], matrix: &mut [f64], stride: usize) {
     let own_stride = child.shape.stride();
     let rest = &done[child.start..child.start + child.shape.size()];
     for columns in runs {

@@ -23,8 +23,7 @@ use ancf14::mechanics::spring::Spring;
 use ancf14::mechanics::state::{State, Statistics};
 use ancf14::mechanics::system::System;
 use ancf14::solve::generalized_alpha::GeneralizedAlpha;
-use ancf14::solve::midpoint::{AxialRule, Midpoint};
-use ancf14::solve::start::{self, Dynamics};
+use ancf14::solve::start;
 use ancf14::solve::stepping::{Integrator, MOST_HALVINGS, grid_step};
 use std::sync::Arc;
 
@@ -98,55 +97,6 @@ fn newton_is_quadratic() {
         }
     }
     assert!(seen > 20, "{seen}");
-}
-
-/// A step with a loose tolerance, from the same state as an exact one: the largest difference of their ends over 40 steps, in tolerances.
-fn looseness(tolerance: f64, mut loose: impl Integrator, mut exact: impl Integrator + Dynamics) -> f64 {
-    let (system, mut state) = everything();
-    start::set_motion(&system, &mut exact, &mut state).unwrap();
-    let (step, mut worst) = (1e-3, 0.0_f64);
-    for number in 1..=40 {
-        let (mut other, end) = (state.clone(), step * f64::from(number));
-        loose.step(&system, &mut other, step, end).unwrap();
-        exact.step(&system, &mut state, step, end).unwrap();
-        let mut difference: Vec<f64> = other.q.iter().zip(&state.q).map(|(loose, exact)| loose - exact).collect();
-        difference.resize(system.coordinates() + system.constraints(), 0.0);
-        worst = worst.max(system.correction_size(&difference).0 / tolerance);
-    }
-    worst
-}
-
-/// Where a tangent serves for more than one iteration, what is left stays below the tolerance. Measured: 0.27 of it at most.
-#[test]
-fn kept_tangents_leave_little_of_a_loose_tolerance() {
-    let (system, _) = everything();
-    for tolerance in [1e-3, 1e-4, 1e-5] {
-        let alpha = |tolerance| GeneralizedAlpha::new(&system, 0.7, tolerance);
-        let midpoint = |tolerance| Midpoint::new(&system, AxialRule::Conserving, tolerance);
-        let left = [
-            looseness(tolerance, alpha(tolerance), alpha(1e-10)),
-            looseness(tolerance, midpoint(tolerance), midpoint(1e-10)),
-        ];
-        println!("{tolerance}: {left:?}");
-        assert!(left[0] < 1.0 && left[1] < 1.0, "{tolerance}: {left:?}");
-    }
-}
-
-/// They do serve, and only where the tolerance is loose.
-#[test]
-fn tangents_are_kept_where_the_tolerance_is_loose() {
-    for (tolerance, kept) in [(1e-4, true), (1e-8, false)] {
-        let (system, mut state, mut integrator) = moving(tolerance);
-        let (mut tangents, mut iterations) = (0, 0);
-        for number in 1..=40 {
-            integrator.step(&system, &mut state, 1e-3, 1e-3 * f64::from(number)).unwrap();
-            let convergence = integrator.convergence.unwrap();
-            tangents += convergence.tangents;
-            iterations += convergence.iterations;
-        }
-        println!("{tolerance}: {tangents} tangents for {iterations} iterations");
-        assert!(if kept { tangents < iterations } else { tangents == iterations });
-    }
 }
 
 /// A refused step leaves all but the counts as it was; halved, it goes through.

@@ -67,7 +67,6 @@ mod rotating_shaft;
 mod running;
 mod section_forces;
 mod shaken_cantilever;
-mod signature;
 mod spring_derivatives;
 mod static_buckling;
 mod static_motions;
