@@ -84,7 +84,7 @@ impl DirectSolver {
         if self.is_frontal && self.fronts.as_mut().is_some_and(|fronts| fronts.is_surely_regular(blocks)) {
             return Regularity::Regular;
         }
-        if self.factorize_generally(blocks).is_err() {
+        if !self.is_general && self.factorize_generally(blocks).is_err() {
             return Regularity::Unknown;
         }
         self.general.as_mut().map_or(Regularity::Unknown, |general| general.regularity())

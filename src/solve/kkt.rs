@@ -140,7 +140,7 @@ impl Kkt {
     }
 
     /// The error of a matrix that is singular: it names the part of the machine that the lost direction moves most.
-    pub fn singular(&self, system: &System, time: f64) -> Error {
+    fn singular(&self, system: &System, time: f64) -> Error {
         Error::Singular { time, what: self.lost_direction(system) }
     }
 

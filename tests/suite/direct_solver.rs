@@ -14,7 +14,7 @@ use ancf14::solve::kkt::Kkt;
 use ancf14::solve::linear::{Regularity, SparseLu};
 
 /// Every model, and beams of the other element.
-pub fn machines() -> Vec<(String, Built)> {
+fn machines() -> Vec<(String, Built)> {
     let folder = std::fs::read_dir("models").unwrap().map(|entry| entry.unwrap().path());
     let mut files: Vec<_> = folder.filter(|path| path.extension().is_some_and(|own| own == "toml")).collect();
     files.sort();
@@ -36,7 +36,7 @@ fn built(text: &str, overrides: &[(String, String)]) -> Built {
 }
 
 /// Sets the matrix of a step of `step` s (0: of an equilibrium) at `state`, with the forces `multipliers` in the joints.
-pub fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, multipliers: &[f64]) {
+fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, multipliers: &[f64]) {
     let mut snapshot = Snapshot::default();
     let configuration = snapshot.of(system, state);
     let (mut forces, mut excitation) = (vec![0.0; system.coordinates()], Excitation::default());
