@@ -137,6 +137,9 @@ impl PoseGradient {
     /// Sets `block` to the second derivative by the coordinates of this pose (rows) and of `other` (columns) of what has the second derivatives
     /// `scalars` times the identity by their vectors.
     fn pull_back_scalars(&self, scalars: &SMatrix<f64, VECTORS, VECTORS>, other: &Self, block: &mut MarkerMatrix) {
+        if self.count() == 0 {
+            return;
+        }
         let is_zero = scalars.as_slice().iter().all(|value| *value == 0.0);
         if is_zero || matches!((self, other), (Self::Body(_), Self::Body(_))) {
             (0..other.count()).for_each(|column| block.column_mut(column).rows_mut(0, self.count()).fill(0.0));
@@ -150,6 +153,13 @@ impl PoseGradient {
                 (0..BODY).flat_map(|row| (0..VECTORS).map(move |column| (row / 3, column, row % 3)))
             {
                 block[(3 * row + axis, 3 * column + axis)] = own[(row, column)];
+            }
+            return;
+        }
+        if matches!((self, other), (Self::Beam(_), Self::Body(_))) {
+            for row in 0..self.count() {
+                let force: PoseVector = self.column(row) * scalars;
+                other.pull_back(&force, |column, value| block[(row, column)] = value);
             }
             return;
         }

@@ -7,7 +7,7 @@ mod limits;
 mod motion;
 mod words;
 
-pub use equations::copy_corner;
+pub use equations::{copy_corner, copy_transposed};
 pub use motion::{Extreme, PlaceMotion};
 
 use super::ancf14::frame::NodeFrame;

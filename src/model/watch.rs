@@ -15,6 +15,9 @@ const ENERGY_BAND: f64 = 0.02;
 /// Share of the energies themselves that is round-off: of a machine at rest nothing else is left.
 const ROUND_OFF: f64 = 1e-9;
 
+/// Energy that a molecule has by its warmth, J: what machines have below it is the round-off of nothing.
+const THERMAL: f64 = 4e-21;
+
 /// What has been seen and warned of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
@@ -70,7 +73,7 @@ impl Watch {
         }
         let change = total - start;
         if self.damps && change < 0.0
-            || change.abs() <= ENERGY_BAND * self.largest + ROUND_OFF * (gravity.abs() + total.abs())
+            || change.abs() <= ENERGY_BAND * self.largest + ROUND_OFF * (gravity.abs() + total.abs()) + THERMAL
         {
             return None;
         }

@@ -1,6 +1,7 @@
 //! The direct solver of a constrained system: front by front (`multifrontal`), and a general sparse LU (`linear`) where that gives no accurate
 //! solution, as without the mass of a body or with a floating machine.
 
+use super::fronts::Unknowns;
 use super::linear::{Regularity, Singular, SparseLu};
 use super::multifrontal::Multifrontal;
 use crate::math::blocks::Blocks;
@@ -21,10 +22,10 @@ pub struct DirectSolver {
 }
 
 impl DirectSolver {
-    /// For the pattern of `blocks`, of `size` unknowns; those up to `kinds[0]` are of nodes, up to `kinds[1]` of bodies, the others multipliers.
-    pub fn new(size: usize, kinds: [usize; 2], blocks: &Blocks) -> Self {
-        let fronts = Multifrontal::new(size, kinds, blocks);
-        Self { size, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
+    /// For the pattern of `blocks`.
+    pub fn new(unknowns: Unknowns, blocks: &Blocks) -> Self {
+        let fronts = Multifrontal::new(unknowns, blocks);
+        Self { size: unknowns.count(), fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
     }
 
     /// Takes the values of `blocks` (of the same layout as at the start) and factorizes. They must not change as long as the factorization is used.

@@ -9,6 +9,9 @@ use super::linear::Singular;
 /// Rows of the border that are worked on at a time.
 const LANES: usize = 8;
 
+/// Pivots that are eliminated at a time where their number is not usual.
+const PANEL: usize = 4;
+
 /// Numbers of pivots and of border rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Shape {
@@ -45,35 +48,23 @@ pub fn eliminate(shape: Shape, matrix: &mut [f64], weights: &mut [f64], rows: &m
         11 => eliminate_sized::<11>(shape, matrix, weights, rows),
         12 => eliminate_sized::<12>(shape, matrix, weights, rows),
         13 => eliminate_sized::<13>(shape, matrix, weights, rows),
-        18 => eliminate_sized::<18>(shape, matrix, weights, rows),
-        _ => eliminate_sized::<0>(shape, matrix, weights, rows),
+        _ => eliminate_panels(shape, matrix, weights, rows),
     }
 }
 
-/// With a number of pivots that the compiler knows; 0: with any.
+/// With a number of pivots that the compiler knows and may unroll: column by column, each with all pivots before it.
 fn eliminate_sized<const PIVOTS: usize>(
     shape: Shape,
     matrix: &mut [f64],
     weights: &mut [f64],
     rows: &mut [usize],
 ) -> Result<(), Singular> {
-    let pivots = if PIVOTS > 0 { PIVOTS } else { shape.pivots };
     let stride = shape.stride();
-    for number in 0..pivots {
+    for number in 0..PIVOTS {
         let (before, rest) = matrix.split_at_mut(number * stride);
         let column = &mut rest[..stride];
-        reduce::<PIVOTS>(pivots, before, column, &rows[..number]);
-        let mut best = number;
-        let mut largest = 0.0;
-        for row in number..pivots {
-            let size = column[row].abs() * weights[row];
-            if size > largest {
-                (best, largest) = (row, size);
-            }
-        }
-        if !(largest > 0.0 && largest.is_finite()) {
-            return Err(Singular);
-        }
+        reduce::<PIVOTS>(PIVOTS, before, column, &rows[..number]);
+        let best = number + best_row(&column[number..PIVOTS], &weights[number..])?;
         rows[number] = best;
         if best != number {
             weights.swap(number, best);
@@ -84,11 +75,103 @@ fn eliminate_sized<const PIVOTS: usize>(
         column[number] = inverse;
         column[number + 1..].iter_mut().for_each(|value| *value *= inverse);
     }
-    let (before, rest) = matrix.split_at_mut(pivots * stride);
+    let (before, rest) = matrix.split_at_mut(PIVOTS * stride);
     for column in rest.chunks_exact_mut(stride) {
-        reduce::<PIVOTS>(pivots, before, column, rows);
+        reduce::<PIVOTS>(PIVOTS, before, column, rows);
     }
     Ok(())
+}
+
+/// With any number of pivots: some of them at a time, each lot taken out of all columns to its right.
+fn eliminate_panels(shape: Shape, matrix: &mut [f64], weights: &mut [f64], rows: &mut [usize]) -> Result<(), Singular> {
+    let mut done = 0;
+    while done < shape.pivots {
+        let width = PANEL.min(shape.pivots - done);
+        match width {
+            1 => eliminate_panel::<1>(shape, done, matrix, weights, rows)?,
+            2 => eliminate_panel::<2>(shape, done, matrix, weights, rows)?,
+            3 => eliminate_panel::<3>(shape, done, matrix, weights, rows)?,
+            _ => eliminate_panel::<PANEL>(shape, done, matrix, weights, rows)?,
+        }
+        done += width;
+    }
+    Ok(())
+}
+
+/// Eliminates the pivots from `done` on, as many as the panel has.
+fn eliminate_panel<const WIDTH: usize>(
+    shape: Shape,
+    done: usize,
+    matrix: &mut [f64],
+    weights: &mut [f64],
+    rows: &mut [usize],
+) -> Result<(), Singular> {
+    let (stride, end) = (shape.stride(), done + WIDTH);
+    let (before, rest) = matrix.split_at_mut(done * stride);
+    let (panel, right) = rest.split_at_mut(WIDTH * stride);
+    let rows = &mut rows[done..end];
+    let mut exchanged = false;
+    for (own, row) in rows.iter_mut().enumerate() {
+        let number = done + own;
+        let (left, later) = panel.split_at_mut(own * stride);
+        let (column, later) = later.split_at_mut(stride);
+        let best = number + best_row(&column[number..shape.pivots], &weights[number..])?;
+        *row = best;
+        if best != number {
+            exchanged = true;
+            weights.swap(number, best);
+            column.swap(number, best);
+            for columns in [&mut *before, left, &mut *later] {
+                columns.chunks_exact_mut(stride).for_each(|column| column.swap(number, best));
+            }
+        }
+        let inverse = 1.0 / column[number];
+        column[number] = inverse;
+        column[number + 1..].iter_mut().for_each(|value| *value *= inverse);
+        for other in later.chunks_exact_mut(stride) {
+            let factor = other[number];
+            for (target, entry) in other[number + 1..].iter_mut().zip(&column[number + 1..]) {
+                *target -= factor * entry;
+            }
+        }
+    }
+    let mut lower = [&[] as &[f64]; WIDTH];
+    let mut corner = [[0.0; WIDTH]; WIDTH];
+    for (own, column) in panel.chunks_exact(stride).enumerate() {
+        corner[own].copy_from_slice(&column[done..end]);
+        lower[own] = &column[end..];
+    }
+    for column in right.chunks_exact_mut(stride) {
+        if exchanged {
+            rows.iter().enumerate().for_each(|(own, row)| column.swap(done + own, *row));
+        }
+        let Some((factors, below)) = column[done..].split_first_chunk_mut::<WIDTH>() else { continue };
+        for own in 0..WIDTH {
+            (0..own).for_each(|before| factors[own] -= factors[before] * corner[before][own]);
+        }
+        let lower = lower.map(|entries| &entries[..below.len()]);
+        for row in 0..below.len() {
+            let mut value = below[row];
+            (0..WIDTH).for_each(|own| value -= factors[own] * lower[own][row]);
+            below[row] = value;
+        }
+    }
+    Ok(())
+}
+
+/// The row of the largest entry, each times its weight.
+///
+/// # Errors
+/// All are zero, or the largest is not finite.
+fn best_row(column: &[f64], weights: &[f64]) -> Result<usize, Singular> {
+    let (mut best, mut largest) = (0, 0.0);
+    for (row, (value, weight)) in column.iter().zip(weights).enumerate() {
+        let size = value.abs() * weight;
+        if size > largest {
+            (best, largest) = (row, size);
+        }
+    }
+    if largest > 0.0 && largest.is_finite() { Ok(best) } else { Err(Singular) }
 }
 
 /// Takes the pivots, whose columns are `before`, out of a column; `rows` say how they were exchanged.

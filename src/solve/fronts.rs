@@ -2,8 +2,8 @@
 //!
 //! Unknowns that blocks never part make a group: the coordinates of a node or of a body, the multipliers of a joint. A front eliminates one
 //! group of coordinates and multipliers that act on it, each in the first front that has coordinates left for it: what only joints hold has no
-//! pivots without them. What is left of a front is added into its parent, the front of the first unknown of its border. Bodies come last:
-//! without a mass they have pivots only when what they are joined to is gone.
+//! pivots without them. What is left of a front is added into its parent, the front of the first unknown of its border. Without masses bodies come last:
+//! they have pivots only when what they are joined to is gone. With masses they may come early too, which keeps fronts small where many hang on one node.
 
 use super::front_matrix::Shape;
 use super::linear::minimum_degree;
@@ -12,6 +12,37 @@ use std::ops::Range;
 
 /// As how many groups of coordinates a body counts in the search for an order: more than the neighbours of a node of a beam.
 const BODY_WEIGHT: usize = 4;
+
+/// What the unknowns of a constrained system are, in their order.
+#[derive(Clone, Copy, Debug)]
+pub struct Unknowns {
+    /// Number of coordinates of nodes.
+    pub nodes: usize,
+    /// Number of coordinates of bodies.
+    pub bodies: usize,
+    /// Number of multipliers.
+    pub multipliers: usize,
+    /// Whether the matrix has the masses in it, with which a body's own part of it is regular.
+    pub inertia: bool,
+}
+
+impl Unknowns {
+    /// Number of coordinates.
+    pub fn coordinates(&self) -> usize {
+        self.nodes + self.bodies
+    }
+
+    /// Number of all.
+    pub fn count(&self) -> usize {
+        self.coordinates() + self.multipliers
+    }
+}
+
+/// Conditions that hold a body in all its motions.
+const WELD: usize = 6;
+
+/// Longest column of a front: beams, joints and bodies have some tens, hundreds of bodies on a node without their masses more than this.
+const LONGEST: usize = 256;
 
 /// Unknowns that are eliminated together. They are renumbered in the order of their elimination.
 #[derive(Clone, Debug, Default)]
@@ -119,12 +150,12 @@ impl Groups {
 }
 
 impl Fronts {
-    /// For the pattern of `blocks`, of `size` unknowns; those up to `kinds[0]` are of nodes, up to `kinds[1]` of bodies, the others multipliers. None where
-    /// there is no such order: a multiplier acts on nothing.
-    pub fn new(size: usize, kinds: [usize; 2], blocks: &Blocks) -> Option<Self> {
-        let groups = Groups::new(size, blocks);
-        let multipliers = groups.starts.partition_point(|start| *start < kinds[1])..groups.count();
-        let bodies = groups.starts.partition_point(|start| *start < kinds[0]);
+    /// For the pattern of `blocks`. None where there is no such order, since a multiplier acts on nothing, or where a front becomes so long that a
+    /// general solver, with its larger dense parts, is faster.
+    pub fn new(kinds: Unknowns, blocks: &Blocks) -> Option<Self> {
+        let groups = Groups::new(kinds.count(), blocks);
+        let multipliers = groups.starts.partition_point(|start| *start < kinds.coordinates())..groups.count();
+        let bodies = groups.starts.partition_point(|start| *start < kinds.nodes);
         let mut links: Vec<Vec<usize>> = vec![Vec::new(); groups.count()];
         for block in blocks.layout() {
             for row in groups.within(block.row..block.row + block.rows) {
@@ -169,8 +200,13 @@ impl Fronts {
         }
         let mut order = minimum_degree(&graph)?;
         order.retain(|group| *group < coordinates);
+        let in_order = |list: &[usize]| Order::new(&groups, &links, list, multipliers.clone());
+        let early = (kinds.inertia && bodies < coordinates).then(|| in_order(&order));
         order.sort_by_key(|group| *group >= bodies);
-        Some(Self::with_order(&Order::new(&groups, &links, &order, multipliers), blocks))
+        let late = in_order(&order);
+        let order = early.filter(|early| early.operations() < late.operations()).unwrap_or(late);
+        let fronts = Self::with_order(&order, blocks);
+        (fronts.longest <= LONGEST).then_some(fronts)
     }
 
     fn with_order(order: &Order<'_>, blocks: &Blocks) -> Self {
@@ -268,12 +304,17 @@ impl<'a> Order<'a> {
         list.iter().enumerate().for_each(|(front, group)| front_of[*group] = front);
         let mut members: Vec<Vec<usize>> = list.iter().map(|group| vec![*group]).collect();
         let mut rooms: Vec<usize> = list.iter().map(|group| groups.unknowns(*group).len()).collect();
-        for multiplier in multipliers {
+        // Those that only one group can take, as the rigidity of a body, before those that may go elsewhere.
+        let (bound, free): (Vec<usize>, Vec<usize>) = multipliers.partition(|multiplier| links[*multiplier].len() == 1);
+        for multiplier in bound.into_iter().chain(free) {
             let rows = groups.unknowns(multiplier).len();
             let mut tied: Vec<usize> = links[multiplier].iter().map(|group| front_of[*group]).collect();
             tied.sort_unstable();
-            let roomy = tied.iter().find(|front| rooms[**front] > rows).or(tied.last());
-            let host = roomy.copied().unwrap_or_default();
+            // One that keeps a coordinate to itself. With as many conditions as coordinates there may be no pivot: a rod between two balls turns about
+            // itself all the same. Only a weld is sure to hold all.
+            let roomy = |least: usize| tied.iter().find(|front| rooms[**front] >= least);
+            let exact = roomy(rows).filter(|_| rows == WELD);
+            let host = roomy(rows + 1).or(exact).or(tied.last()).copied().unwrap_or_default();
             rooms[host] = rooms[host].saturating_sub(rows);
             front_of[multiplier] = host;
             members[host].push(multiplier);
@@ -298,6 +339,18 @@ impl<'a> Order<'a> {
             borders[front] = border;
         }
         Self { groups, front_of, renumbered, members, borders, children }
+    }
+
+    /// Multiplications that an elimination takes.
+    fn operations(&self) -> usize {
+        let length = |list: &[usize]| -> usize { list.iter().map(|group| self.groups.unknowns(*group).len()).sum() };
+        let fronts = self.members.iter().zip(&self.borders);
+        fronts
+            .map(|(own, border)| {
+                let (pivots, border) = (length(own), length(border));
+                (border..border + pivots).map(|left| left * left).sum::<usize>()
+            })
+            .sum()
     }
 
     /// The front that gets what is left of another one.

@@ -108,7 +108,7 @@ impl GeneralizedAlpha {
         Self {
             weights: Weights::new(spectral_radius),
             tolerance,
-            kkt: Kkt::for_newton(system),
+            kkt: Kkt::for_steps(system),
             right: vec![0.0; coordinates + conditions],
             scratch,
             convergence: None,

@@ -1,13 +1,14 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
 use super::direct::DirectSolver;
+use super::fronts::Unknowns;
 use super::linear::{Regularity, Singular, SparseLdl, SparseLu, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::configuration::Configuration;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::marker::MarkerMatrix;
-use crate::mechanics::system::{System, copy_corner};
+use crate::mechanics::system::{System, copy_corner, copy_transposed};
 
 /// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
 const SHIFT: f64 = 1e-10;
@@ -59,11 +60,20 @@ impl Kkt {
     /// For projections on the constraints: no second derivatives of them.
     pub fn for_projections(system: &System) -> Self {
         let (blocks, joints) = constraint_layout(system);
-        Self::finish(system, blocks, joints, Vec::new())
+        Self::finish(system, blocks, joints, Vec::new(), true)
     }
 
-    /// For equilibria and steps in time: second derivatives of the constraints included.
-    pub fn for_newton(system: &System) -> Self {
+    /// For steps in time: second derivatives of the constraints included.
+    pub fn for_steps(system: &System) -> Self {
+        Self::for_newton(system, true)
+    }
+
+    /// For equilibria, without inertia: second derivatives of the constraints included.
+    pub fn for_equilibria(system: &System) -> Self {
+        Self::for_newton(system, false)
+    }
+
+    fn for_newton(system: &System, inertia: bool) -> Self {
         let (mut blocks, joints) = constraint_layout(system);
         let mut curvatures = Vec::new();
         for joint in &system.joints {
@@ -76,12 +86,12 @@ impl Kkt {
                 }
             }
         }
-        Self::finish(system, blocks, joints, curvatures)
+        Self::finish(system, blocks, joints, curvatures, inertia)
     }
 
-    fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>) -> Self {
-        let kinds = [system.mesh.coordinates(), system.coordinates()];
-        let solver = DirectSolver::new(system.coordinates() + system.constraints(), kinds, &blocks);
+    /// `inertia`: the matrix will have the masses in it.
+    fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>, inertia: bool) -> Self {
+        let solver = DirectSolver::new(unknowns(system, inertia), &blocks);
         let parts = Box::new([MarkerMatrix::zeros(); 4]);
         Self { blocks, joints, curvatures, solver, parts, inertia: None }
     }
@@ -93,14 +103,10 @@ impl Kkt {
             let (count_a, count_b) = (joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len());
             let conditions = joint.rows();
             let (right, below) = (&columns[number], &rows[number]);
-            copy_corner(self.blocks.block_mut(start), count_a, conditions, |row, column| {
-                scale * right.a[(column, row)]
-            });
-            copy_corner(self.blocks.block_mut(start + 1), count_b, conditions, |row, column| {
-                scale * right.b[(column, row)]
-            });
-            copy_corner(self.blocks.block_mut(start + 2), conditions, count_a, |row, column| below.a[(row, column)]);
-            copy_corner(self.blocks.block_mut(start + 3), conditions, count_b, |row, column| below.b[(row, column)]);
+            copy_transposed(self.blocks.block_mut(start), count_a, &right.a, scale);
+            copy_transposed(self.blocks.block_mut(start + 1), count_b, &right.b, scale);
+            copy_corner(self.blocks.block_mut(start + 2), conditions, &below.a, 1.0);
+            copy_corner(self.blocks.block_mut(start + 3), conditions, &below.b, 1.0);
         }
     }
 
@@ -113,10 +119,8 @@ impl Kkt {
             let [a, b] = [joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len()];
             let parts = &mut *self.parts;
             joint.phi_qq(c, own, parts);
-            for (place, ((rows, columns), part)) in [(a, a), (a, b), (b, a), (b, b)].into_iter().zip(parts).enumerate()
-            {
-                let target = self.blocks.block_mut(first + place);
-                copy_corner(target, rows, columns, |row, column| factor * part[(row, column)]);
+            for (place, (rows, part)) in [a, a, b, b].into_iter().zip(parts).enumerate() {
+                copy_corner(self.blocks.block_mut(first + place), rows, part, factor);
             }
         }
     }
@@ -236,6 +240,12 @@ impl Kkt {
         let scaled = vector.iter().enumerate().map(|(index, value)| (index, (value / self.solver.scale(index)).abs()));
         scaled.max_by(|a, b| a.1.total_cmp(&b.1)).map_or_else(unnamed, |(index, _)| advice(system, index))
     }
+}
+
+/// The unknowns of a machine; `inertia`: the matrix has the masses in it.
+pub fn unknowns(system: &System, inertia: bool) -> Unknowns {
+    let nodes = system.mesh.coordinates();
+    Unknowns { nodes, bodies: system.coordinates() - nodes, multipliers: system.constraints(), inertia }
 }
 
 /// What a null vector that is largest in unknown `index` means.

@@ -47,6 +47,45 @@ pub enum Regularity {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Singular;
 
+/// Entries of a square sparse matrix, sorted by columns and rows, each once.
+struct Columns {
+    column_starts: Vec<usize>,
+    rows: Vec<usize>,
+    /// Where each of the given entries went.
+    scatter: Vec<usize>,
+}
+
+impl Columns {
+    /// Of `size` columns; `places` are column and row of each entry, in any order and number.
+    fn new(size: usize, places: &[(usize, usize)]) -> Self {
+        let mut starts = vec![0; size + 1];
+        places.iter().for_each(|(column, _)| starts[column + 1] += 1);
+        (0..size).for_each(|column| starts[column + 1] += starts[column]);
+        let (mut next, mut by_column) = (starts.clone(), vec![0; places.len()]);
+        for (number, (column, _)) in places.iter().enumerate() {
+            by_column[next[*column]] = number;
+            next[*column] += 1;
+        }
+        let (mut column_starts, mut rows, mut scatter) = (vec![0], Vec::new(), vec![0; places.len()]);
+        // Of each row, the last column that had it, and where.
+        let mut last = vec![(size, 0); size];
+        for column in 0..size {
+            let (own, first) = (&by_column[starts[column]..starts[column + 1]], rows.len());
+            for (_, row) in own.iter().map(|number| places[*number]) {
+                if last[row].0 != column {
+                    last[row].0 = column;
+                    rows.push(row);
+                }
+            }
+            rows[first..].sort_unstable();
+            (first..rows.len()).for_each(|place| last[rows[place]].1 = place);
+            own.iter().for_each(|number| scatter[*number] = last[places[*number].1].1);
+            column_starts.push(rows.len());
+        }
+        Self { column_starts, rows, scatter }
+    }
+}
+
 /// A square sparse matrix whose pattern never changes, and its factorization.
 pub struct SparseLu {
     size: usize,
@@ -87,13 +126,7 @@ impl SparseLu {
                 places.extend((0..block.rows).map(|row| (block.column + column, block.row + row)));
             }
         }
-        let mut sorted = places.clone();
-        sorted.sort_unstable();
-        sorted.dedup();
-        let scatter = places.iter().map(|place| sorted.partition_point(|other| other < place)).collect();
-        let column_starts =
-            (0..=size).map(|column| sorted.partition_point(|place| place.0 < column)).collect::<Vec<_>>();
-        let rows = sorted.iter().map(|place| place.1).collect::<Vec<_>>();
+        let Columns { column_starts, rows, scatter } = Columns::new(size, &places);
         let pattern = SymbolicSparseColMatRef::new_checked(size, size, &column_starts, None, &rows);
         let symbolic = factorize_symbolic_lu(pattern, LuSymbolicParams::default()).map_err(|_| Singular)?;
         let needed = symbolic
@@ -321,13 +354,10 @@ impl SparseLdl {
                 places.extend((block.row..block.row + block.rows).map(|row| (row.min(column), row.max(column))));
             }
         }
-        let mut sorted: Vec<(usize, usize)> = places.iter().copied().chain((0..size).map(|k| (k, k))).collect();
-        sorted.sort_unstable();
-        sorted.dedup();
         let share = |place: &(usize, usize)| if place.0 == place.1 { 1.0 } else { 0.5 };
-        let find = |place: &(usize, usize)| sorted.partition_point(|other| other < place);
-        let column_starts: Vec<usize> = (0..=size).map(|column| sorted.partition_point(|own| own.0 < column)).collect();
-        let rows: Vec<usize> = sorted.iter().map(|place| place.1).collect();
+        let shares: Vec<f64> = places.iter().map(share).collect();
+        places.extend((0..size).map(|k| (k, k)));
+        let Columns { column_starts, rows, scatter } = Columns::new(size, &places);
         let pattern = SymbolicSparseColMatRef::new_checked(size, size, &column_starts, None, &rows);
         // Column by column: `D` then stands at the beginning of each column of `L`.
         let parameters = CholeskySymbolicParams {
@@ -339,7 +369,7 @@ impl SparseLdl {
         let needed = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default());
         Ok(Self {
             size,
-            scatter: places.iter().map(|place| (find(place), share(place))).collect(),
+            scatter: scatter.into_iter().zip(shares).collect(),
             values: vec![0.0; rows.len()],
             factor: vec![0.0; symbolic.len_val()],
             memory: MemBuffer::try_new(needed).map_err(|_| Singular)?,

@@ -86,7 +86,7 @@ impl Midpoint {
         Self {
             rule,
             tolerance,
-            kkt: Kkt::for_newton(system),
+            kkt: Kkt::for_steps(system),
             right: vec![0.0; coordinates + conditions],
             projection: Projection::new(system),
             scratch,

@@ -93,7 +93,7 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     rest.prescribed.stop();
     let mut response = Response::default();
     Responder::new(system).respond(system, &rest, &mut response)?;
-    let mut kkt = Kkt::for_newton(system);
+    let mut kkt = Kkt::for_equilibria(system);
     let stiffness = linearize(system, &rest, &response.multipliers, &mut kkt);
     let symmetric = stiffness.symmetric_part();
 

@@ -1,16 +1,20 @@
 //! A constrained system, factorized front by front (`fronts`): LU with partial pivoting within the pivots of a front.
 //!
 //! Pivots are compared as if rows and columns were scaled: coordinates by the roots of their diagonals, multipliers so that the largest entry of a
-//! condition is 1. What the restricted pivoting and stiff beams cost, refinement restores; a solution counts only with a componentwise backward
+//! condition is 1, which then counts for more. What the restricted pivoting and stiff beams cost, refinement restores; a solution counts only with a componentwise backward
 //! error at round-off. Where there is none, a general solver has to help (`direct`).
 
 use super::front_matrix::{eliminate, solve_lower, solve_upper};
-use super::fronts::{Front, Fronts, Run};
+use super::fronts::{Front, Fronts, Run, Unknowns};
 use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Singular, irregular};
 use crate::math::blocks::Blocks;
 
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
 const NODE: usize = 7;
+
+/// How many times more the row of a condition counts as a pivot than it measures. Where a condition holds a stiff beam, both measure the same: if the beam's row
+/// went first, all that is soft would be the round-off of its stiffness, and every solution would need refinement.
+const PREFERENCE: f64 = 4.0;
 
 /// A diagonal below this share of the largest one is round-off: stiff and soft coordinates differ by 1e12 at most.
 const VANISHING: f64 = 1e-13;
@@ -42,13 +46,13 @@ pub struct Multifrontal {
 }
 
 impl Multifrontal {
-    /// For the pattern of `blocks`, of `size` unknowns; those up to `kinds[0]` are of nodes, up to `kinds[1]` of bodies, the others multipliers. None where
-    /// the order does not exist.
-    pub fn new(size: usize, kinds: [usize; 2], blocks: &Blocks) -> Option<Self> {
-        let fronts = Fronts::new(size, kinds, blocks)?;
+    /// For the pattern of `blocks`. None where the order does not exist.
+    pub fn new(unknowns: Unknowns, blocks: &Blocks) -> Option<Self> {
+        let fronts = Fronts::new(unknowns, blocks)?;
+        let (size, coordinates) = (unknowns.count(), unknowns.coordinates());
         let (mut diagonal, mut conditions, mut first) = (Vec::new(), Vec::new(), 0);
         for (number, block) in blocks.layout().iter().enumerate() {
-            if block.row >= kinds[1] {
+            if block.row >= coordinates {
                 conditions.push(number);
             }
             for column in 0..block.columns {
@@ -60,7 +64,7 @@ impl Multifrontal {
             first += block.rows * block.columns;
         }
         Some(Self {
-            coordinates: kinds[1],
+            coordinates,
             diagonal,
             conditions,
             matrices: vec![0.0; fronts.storage],
@@ -81,7 +85,7 @@ impl Multifrontal {
     /// A pivot vanishes, or a value is not finite.
     pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
         self.set_scale(blocks);
-        let Self { fronts, matrices, rows, scale, column, .. } = self;
+        let Self { fronts, coordinates, matrices, rows, scale, column, .. } = self;
         for front in &fronts.fronts {
             let (done, rest) = matrices.split_at_mut(front.start);
             let matrix = &mut rest[..front.shape.size()];
@@ -93,7 +97,7 @@ impl Multifrontal {
             }
             let weights = &mut column[..front.pivots.len()];
             for (weight, unknown) in weights.iter_mut().zip(&fronts.unknowns[front.pivots.clone()]) {
-                *weight = scale[*unknown];
+                *weight = if unknown < coordinates { scale[*unknown] } else { PREFERENCE * scale[*unknown] };
             }
             eliminate(front.shape, matrix, weights, &mut rows[front.pivots.clone()])?;
         }

@@ -74,7 +74,7 @@ impl Statics {
         };
         Self {
             tolerance,
-            kkt: Kkt::for_newton(system),
+            kkt: Kkt::for_equilibria(system),
             right: vec![0.0; coordinates + conditions],
             target: Excitation::default(),
             current: Excitation::default(),
@@ -114,6 +114,14 @@ impl Statics {
             // Of two failures the first one is about the machine as drawn.
             outcome = match (outcome, relaxed) {
                 (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
+                (_, relaxed @ Err(Error::Singular { .. })) => relaxed,
+                // It may be meant to hang, or nothing may hold it.
+                (Err(Error::Singular { time, what }), Err(fall)) => {
+                    let what = format!(
+                        "{what}. Or, if it is meant to hang: falling from where it is drawn it comes to no rest: {fall}"
+                    );
+                    Err(Error::Singular { time, what })
+                }
                 (_, relaxed) => relaxed,
             };
             next.time = time;
@@ -190,12 +198,21 @@ impl Statics {
 
     /// Factorizes the matrix of the equilibrium `state`.
     fn linearize(&mut self, system: &System, state: &State) -> Result<(), Error> {
-        self.scratch.q.copy_from_slice(&state.q);
-        self.scratch.multipliers.copy_from_slice(&state.multipliers);
-        let (time, excitation, motion) = (state.time, &state.excitation, &state.prescribed);
-        let mut problem = Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch };
-        problem.linearize(&mut self.kkt, &mut self.right);
-        self.kkt.factorize(system, time)
+        let given = (&state.excitation, &state.prescribed);
+        Equilibrium::near(system, state, state.time, given, &mut self.scratch)
+            .linearize(&mut self.kkt, &mut self.right);
+        self.kkt.factorize(system, state.time)
+    }
+
+    /// Whether the machine at `state` has a free part, or one that is held twice: the reason why no load, however small, can be borne.
+    ///
+    /// # Errors
+    /// It has one.
+    fn examine(&mut self, system: &System, state: &State, time: f64) -> Result<(), Error> {
+        let given = (&self.current, &self.current_motion);
+        Equilibrium::near(system, state, time, given, &mut self.scratch).linearize(&mut self.kkt, &mut self.right);
+        self.kkt.factorize(system, time)?;
+        self.kkt.check_unique(system, time)
     }
 
     fn ramp(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
@@ -220,8 +237,11 @@ impl Statics {
                     increment = 0.5 * f64::min(increment, 1.0 - share);
                     if increment < SMALLEST_SHARE {
                         // Not even under a trace of the loads: it is no matter of them.
-                        if share == 0.0 && matches!(reason, Error::Singular { .. }) {
-                            return Err(reason);
+                        if share == 0.0 {
+                            if matches!(reason, Error::Singular { .. }) {
+                                return Err(reason);
+                            }
+                            self.examine(system, state, time)?;
                         }
                         return Err(Error::RampStuck { time, share, reason: Box::new(reason) });
                     }
@@ -262,10 +282,8 @@ impl Statics {
 
     /// Solves for the equilibrium under the current excitation from `state` and writes it there, references carried on.
     fn solve(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
-        self.scratch.q.copy_from_slice(&state.q);
-        self.scratch.multipliers.copy_from_slice(&state.multipliers);
-        let (excitation, motion) = (&self.current, &self.current_motion);
-        let mut problem = Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch };
+        let given = (&self.current, &self.current_motion);
+        let mut problem = Equilibrium::near(system, state, time, given, &mut self.scratch);
         let mut iterations = state.statistics.iterations;
         let control = (self.tolerance, MOST_ITERATIONS);
         let solved =
@@ -304,7 +322,20 @@ struct Equilibrium<'a> {
     scratch: &'a mut Scratch,
 }
 
-impl Equilibrium<'_> {
+impl<'a> Equilibrium<'a> {
+    /// Sought from `state` on, under what is given: excitation and motion.
+    fn near(
+        system: &'a System,
+        state: &'a State,
+        time: f64,
+        (excitation, motion): (&'a Excitation, &'a Prescribed),
+        scratch: &'a mut Scratch,
+    ) -> Self {
+        scratch.q.copy_from_slice(&state.q);
+        scratch.multipliers.copy_from_slice(&state.multipliers);
+        Self { system, state, time, excitation, motion, scratch }
+    }
+
     /// Minus the residual at the current unknowns, whose forces and frames are known, into `right`.
     fn balance(&mut self, right: &mut [f64]) {
         let (system, state) = (self.system, self.state);

@@ -61,6 +61,7 @@ mod quadratic_twist;
 mod random;
 mod reactions;
 mod released_cantilever;
+mod released_motions;
 mod rigid_rotation;
 mod rollback;
 mod rotating_shaft;

@@ -43,9 +43,7 @@ impl System {
         for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.damping != 0.0) {
             let counts = self.sides(spring.gauge).map(|marker| marker.coordinates(&self.mesh).len());
             for (place, part) in spring.damping_matrix(&self.gauges[spring.gauge], c).iter().enumerate() {
-                let (rows, columns) = (counts[place / 2], counts[place % 2]);
-                let block = tangent.block_mut(first + 4 * number + place);
-                add_corner(block, rows, columns, |row, column| factor * part[(row, column)]);
+                add_corner(tangent.block_mut(first + 4 * number + place), counts[place / 2], part, factor);
             }
         }
     }

@@ -4,9 +4,10 @@ use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::configuration::{Configuration, Passage};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
-use crate::mechanics::marker::{MARKER, Marker};
+use crate::mechanics::marker::Marker;
 use crate::mechanics::rigid_body::BODY;
 use crate::mechanics::system::System;
+use nalgebra::SMatrix;
 
 impl System {
     /// Appends the blocks of the tangent: one an element, one a body, one a load point, four a spring.
@@ -68,8 +69,8 @@ impl System {
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for (number, (marker, _)) in load.points.iter().enumerate() {
                 let count = marker.coordinates(&self.mesh).len();
-                let force_q = load.force_q(c, number, wrench) * -scale;
-                copy_corner(tangent.block_mut(block), count, count, |row, column| force_q[(row, column)]);
+                let force_q = load.force_q(c, number, wrench);
+                copy_corner(tangent.block_mut(block), count, &force_q, -scale);
                 block += 1;
             }
         }
@@ -83,8 +84,7 @@ impl System {
             let counts = self.sides(spring.gauge).map(|marker| marker.coordinates(&self.mesh).len());
             let parts = spring.hessian(&self.gauges[spring.gauge], c, passage);
             for (number, part) in parts.iter().enumerate() {
-                let (rows, columns) = (counts[number / 2], counts[number % 2]);
-                copy_corner(tangent.block_mut(block), rows, columns, |row, column| scale * part[(row, column)]);
+                copy_corner(tangent.block_mut(block), counts[number / 2], part, scale);
                 block += 1;
             }
         }
@@ -184,10 +184,10 @@ impl System {
         let mut row = 0;
         for (joint, gradient) in self.joints.iter().zip(gradients) {
             for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
-                for (local, coordinate) in marker.coordinates(&self.mesh).enumerate() {
-                    for condition in 0..joint.rows() {
-                        rates[row + condition] += block[(condition, local)] * velocity[coordinate];
-                    }
+                let own = &mut rates[row..row + joint.rows()];
+                let velocity = &velocity[marker.coordinates(&self.mesh)];
+                for (velocity, column) in velocity.iter().zip(columns(block)) {
+                    own.iter_mut().zip(column).for_each(|(rate, value)| *rate += value * velocity);
                 }
             }
             row += joint.rows();
@@ -205,16 +205,22 @@ impl System {
         let mut row = 0;
         for (joint, gradient) in self.joints.iter().zip(gradients) {
             for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
-                let range = marker.coordinates(&self.mesh);
-                for (local, coordinate) in range.enumerate() {
-                    for condition in 0..joint.rows() {
-                        forces[coordinate] += factor * block[(condition, local)] * multipliers[row + condition];
-                    }
+                let own = &multipliers[row..row + joint.rows()];
+                let forces = &mut forces[marker.coordinates(&self.mesh)];
+                for (force, column) in forces.iter_mut().zip(columns(block)) {
+                    own.iter().zip(column).for_each(|(multiplier, value)| *force += factor * value * multiplier);
                 }
             }
             row += joint.rows();
         }
     }
+}
+
+/// The columns of a matrix.
+fn columns<const ROWS: usize, const COLUMNS: usize>(
+    matrix: &SMatrix<f64, ROWS, COLUMNS>,
+) -> std::slice::ChunksExact<'_, f64> {
+    matrix.as_slice().chunks_exact(ROWS)
 }
 
 /// `target[start..] += values`.
@@ -224,21 +230,39 @@ pub(super) fn add(target: &mut [f64], start: usize, values: &[f64]) {
     }
 }
 
-/// Adds to a column-major `rows × columns` block.
-pub(super) fn add_corner(block: &mut [f64], rows: usize, columns: usize, value: impl Fn(usize, usize) -> f64) {
-    for column in 0..columns {
-        for row in 0..rows {
-            block[column * rows + row] += value(row, column);
-        }
+/// Adds `factor` times the upper left corner of `matrix` to a column-major block of `rows` rows.
+pub(super) fn add_corner<const ROWS: usize, const COLUMNS: usize>(
+    block: &mut [f64],
+    rows: usize,
+    matrix: &SMatrix<f64, ROWS, COLUMNS>,
+    factor: f64,
+) {
+    for (target, source) in block.chunks_exact_mut(rows.max(1)).zip(columns(matrix)) {
+        target.iter_mut().zip(source).for_each(|(target, value)| *target += factor * value);
     }
 }
 
-/// Fills a column-major `rows × columns` block.
-pub fn copy_corner(block: &mut [f64], rows: usize, columns: usize, value: impl Fn(usize, usize) -> f64) {
-    debug_assert!(rows <= MARKER && columns <= MARKER);
-    for column in 0..columns {
-        for row in 0..rows {
-            block[column * rows + row] = value(row, column);
-        }
+/// Fills a column-major block of `rows` rows with `factor` times the upper left corner of `matrix`.
+pub fn copy_corner<const ROWS: usize, const COLUMNS: usize>(
+    block: &mut [f64],
+    rows: usize,
+    matrix: &SMatrix<f64, ROWS, COLUMNS>,
+    factor: f64,
+) {
+    for (target, source) in block.chunks_exact_mut(rows.max(1)).zip(columns(matrix)) {
+        target.iter_mut().zip(source).for_each(|(target, value)| *target = factor * value);
+    }
+}
+
+/// Fills a column-major block of `rows` rows with `factor` times the transpose of the upper left corner of `matrix`.
+pub fn copy_transposed<const ROWS: usize, const COLUMNS: usize>(
+    block: &mut [f64],
+    rows: usize,
+    matrix: &SMatrix<f64, ROWS, COLUMNS>,
+    factor: f64,
+) {
+    for (number, target) in block.chunks_exact_mut(rows.max(1)).enumerate() {
+        let row = columns(matrix).map(|column| column[number]);
+        target.iter_mut().zip(row).for_each(|(target, value)| *target = factor * value);
     }
 }

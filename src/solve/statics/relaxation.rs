@@ -39,11 +39,8 @@ impl Statics {
         for _ in 0..STEPS {
             let next = f64::min(share + increment, 1.0);
             self.current_motion.set_between(&self.begin.prescribed, &self.target_motion, next);
-            self.scratch.q.copy_from_slice(&state.q);
-            self.scratch.multipliers.copy_from_slice(&state.multipliers);
-            let (excitation, motion) = (&self.current, &self.current_motion);
-            let mut problem = Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch };
-            problem.linearize(&mut self.kkt, &mut self.right);
+            let given = (&self.current, &self.current_motion);
+            Equilibrium::near(system, state, time, given, &mut self.scratch).linearize(&mut self.kkt, &mut self.right);
             // At first so much that free fall would make steps of a tenth of the machine.
             let current = *damping.get_or_insert_with(|| {
                 let first = first_damping(system, &self.right);
