@@ -34,7 +34,7 @@ impl Step {
         let mut excitation = Excitation::default();
         system.excite(state.time, &state.targets, &mut excitation);
         let mut right = vec![0.0; system.coordinates()];
-        let mut kkt = Kkt::for_newton(system);
+        let mut kkt = Kkt::for_steps(system);
         let scale = 0.25 * STEP * STEP;
         system.forces_and_tangent(&c, &Passage::REST, &excitation, scale, &mut right, &mut kkt.blocks);
         system.add_mass(1.0, &mut kkt.blocks);

@@ -46,7 +46,7 @@ impl Amount {
             Self::Time(value) => scaled(value, [(1.0, "s"), (1e-3, "ms"), (1e-6, "us"), (1e-9, "ns")]),
             Self::Memory(value) => scaled(value, [(1e9, "GB"), (1e6, "MB"), (1e3, "kB"), (1.0, "B")]),
             Self::Number(value) => digits(value),
-            Self::Unknown => String::from("?"),
+            Self::Unknown => String::new(),
         }
     }
 }
