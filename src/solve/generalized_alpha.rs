@@ -33,6 +33,7 @@ const LARGEST_RADIUS: f64 = 0.99;
 /// Integrator and its scratch memory; nothing in it outlives a step.
 #[derive(Debug)]
 pub struct GeneralizedAlpha {
+    spectral_radius: f64,
     weights: Weights,
     tolerance: f64,
     kkt: Kkt,
@@ -106,6 +107,7 @@ impl GeneralizedAlpha {
             ..Scratch::default()
         };
         Self {
+            spectral_radius,
             weights: Weights::new(spectral_radius),
             tolerance,
             kkt: Kkt::for_steps(system),
@@ -119,8 +121,7 @@ impl GeneralizedAlpha {
 impl GeneralizedAlpha {
     /// Why its spectral radius should not be used with a machine; none: it can.
     pub fn objection(&self, system: &System) -> Option<String> {
-        // α_f = ρ/(ρ + 1).
-        let spectral_radius = self.weights.alpha_f / (1.0 - self.weights.alpha_f);
+        let spectral_radius = self.spectral_radius;
         (spectral_radius > LARGEST_RADIUS && system.constraints() > 0).then(|| {
             format!(
                 "spectral_radius = {spectral_radius} does not damp the forces of joints, which grow without end: take at most \

@@ -107,6 +107,18 @@ fn a_host_s_drive_is_reached_at_the_end_of_a_step() {
 }
 
 #[test]
+fn a_spectral_radius_is_warned_of_beyond_its_limit_only() {
+    let text = String::from(HEAD) + &body("hub", "[0, 0, 0]") + &weld("held", "ground", "hub", 0.0);
+    let with = |radius: &str| {
+        let keys = format!("integrator = \"generalized_alpha\"\nspectral_radius = {radius}\n");
+        run(&(text.clone() + "[simulation]\nstop = 1\nstep = 1e-3\n" + &keys), 0.01).unwrap()
+    };
+    assert_eq!(with("0.99"), Vec::<String>::new());
+    let why = "does not damp the forces of joints, which grow without end: take at most 0.99";
+    assert_eq!(with("0.995"), [format!("spectral_radius = 0.995 {why}")]);
+}
+
+#[test]
 fn a_static_analysis_says_that_dampers_are_not_used() {
     let text = HEAD.to_owned() + &body("bob", "[0, 0, -1]") + &hinge("pivot", "ground", "bob") + "damping = 2.0\n";
     let warnings = run(&(text + "[simulation]\nanalysis = \"static\"\nstop = 1\nstep = 1\n"), 1.0).unwrap();
