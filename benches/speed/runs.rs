@@ -37,8 +37,7 @@ pub fn stepping(model: &str, keys: &[(&str, &str)]) -> f64 {
     })
 }
 
-/// CPU time of equilibria, s, a set of `cases` of keys together: from the file that has been read to the stop time, so that what
-/// is set up for the first of a case counts.
+/// CPU time of equilibria, s, a set of `cases` of keys together: each from the file that has been read, so that what is set up for it counts.
 pub fn equilibria(model: &str, cases: &[Vec<(&str, String)>]) -> f64 {
     clock::least(|| cases.iter().map(|keys| equilibrium(model, keys)).sum())
 }
@@ -47,8 +46,5 @@ fn equilibrium(model: &str, keys: &[(&str, String)]) -> f64 {
     let keys: Vec<_> = keys.iter().map(|(key, value)| (key.to_string(), value.clone())).collect();
     let mut simulation =
         Simulation::load("model.toml", model, &keys).unwrap_or_else(|failure| panic!("{}", failure.message));
-    clock::timed(|| {
-        simulation.initialize(0.0).unwrap_or_else(|failure| panic!("{}", failure.message));
-        finish(&mut simulation);
-    })
+    clock::timed(|| simulation.initialize(0.0).unwrap_or_else(|failure| panic!("{}", failure.message)))
 }

@@ -43,15 +43,17 @@ struct Inertia {
 }
 
 impl Inertia {
-    /// For the blocks `whole` of a matrix whose first unknowns are `coordinates`.
-    fn new(coordinates: usize, whole: &Blocks) -> Option<Self> {
+    /// For the blocks `whole` of a matrix whose first unknowns are `coordinates`, and that `solver` factorizes.
+    fn new(coordinates: usize, whole: &Blocks, solver: &DirectSolver) -> Option<Self> {
         let inside = |block: &Block| block.row < coordinates && block.column < coordinates;
         let (mut kept, mut blocks) = (Vec::new(), Blocks::default());
         for (number, block) in whole.layout().iter().enumerate().filter(|(_, block)| inside(block)) {
             kept.push(number);
             blocks.push(*block);
         }
-        let ldl = SparseLdl::new(coordinates, &blocks).ok()?;
+        let order: Option<Vec<usize>> =
+            solver.order().map(|order| order.iter().copied().filter(|unknown| *unknown < coordinates).collect());
+        let ldl = SparseLdl::new(coordinates, &blocks, order.as_deref()).ok()?;
         Some(Self { kept, blocks, ldl })
     }
 }
@@ -163,7 +165,7 @@ impl Kkt {
     pub fn releasing_motions(&mut self, system: &System) -> Option<usize> {
         let coordinates = system.coordinates();
         if self.inertia.is_none() {
-            self.inertia = Inertia::new(coordinates, &self.blocks);
+            self.inertia = Inertia::new(coordinates, &self.blocks, &self.solver);
         }
         let Inertia { kept, blocks, ldl } = self.inertia.as_mut()?;
         for (own, number) in kept.iter().enumerate() {

@@ -4,6 +4,7 @@
 use crate::math::blocks::Blocks;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
+use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
@@ -58,32 +59,42 @@ struct Columns {
 impl Columns {
     /// Of `size` columns; `places` are column and row of each entry, in any order and number.
     fn new(size: usize, places: &[(usize, usize)]) -> Self {
-        let mut starts = vec![0; size + 1];
-        places.iter().for_each(|(column, _)| starts[column + 1] += 1);
-        (0..size).for_each(|column| starts[column + 1] += starts[column]);
-        let (mut next, mut by_column) = (starts.clone(), vec![0; places.len()]);
-        for (number, (column, _)) in places.iter().enumerate() {
-            by_column[next[*column]] = number;
-            next[*column] += 1;
+        // Row after row, so that each column has its rows in their order and the same ones beside each other.
+        let mut next = starts(size, places.iter().map(|(_, row)| *row));
+        let mut by_row = vec![0; places.len()];
+        for (number, (_, row)) in places.iter().enumerate() {
+            by_row[next[*row]] = number;
+            next[*row] += 1;
         }
-        let (mut column_starts, mut rows, mut scatter) = (vec![0], Vec::new(), vec![0; places.len()]);
-        // Of each row, the last column that had it, and where.
-        let mut last = vec![(size, 0); size];
-        for column in 0..size {
-            let (own, first) = (&by_column[starts[column]..starts[column + 1]], rows.len());
-            for (_, row) in own.iter().map(|number| places[*number]) {
-                if last[row].0 != column {
-                    last[row].0 = column;
-                    rows.push(row);
-                }
+        // Of each column, the row that it was given last.
+        let mut last = vec![size; size];
+        let is_new = |number: &usize| {
+            let (column, row) = places[*number];
+            std::mem::replace(&mut last[column], row) != row
+        };
+        let new: Vec<bool> = by_row.iter().map(is_new).collect();
+        let kept = by_row.iter().zip(&new).filter(|(_, new)| **new);
+        let column_starts = starts(size, kept.map(|(number, _)| places[*number].0));
+        let (mut rows, mut scatter) = (vec![0; column_starts[size]], vec![0; places.len()]);
+        let mut next = column_starts.clone();
+        for (number, new) in by_row.into_iter().zip(new) {
+            let (column, row) = places[number];
+            if new {
+                rows[next[column]] = row;
+                next[column] += 1;
             }
-            rows[first..].sort_unstable();
-            (first..rows.len()).for_each(|place| last[rows[place]].1 = place);
-            own.iter().for_each(|number| scatter[*number] = last[places[*number].1].1);
-            column_starts.push(rows.len());
+            scatter[number] = next[column] - 1;
         }
         Self { column_starts, rows, scatter }
     }
+}
+
+/// Where those of each key below `size` start when they are sorted by `keys`; at the end their number.
+fn starts(size: usize, keys: impl Iterator<Item = usize>) -> Vec<usize> {
+    let mut starts = vec![0; size + 1];
+    keys.for_each(|key| starts[key + 1] += 1);
+    (0..size).for_each(|key| starts[key + 1] += starts[key]);
+    starts
 }
 
 /// A square sparse matrix whose pattern never changes, and its factorization.
@@ -328,8 +339,8 @@ pub struct SparseLdl {
     size: usize,
     column_starts: Vec<usize>,
     rows: Vec<usize>,
-    /// Where each value of the blocks goes, and its share: the two values off the diagonal make one.
-    scatter: Vec<(usize, f64)>,
+    /// Where each value of the blocks goes.
+    scatter: Vec<usize>,
     values: Vec<f64>,
     symbolic: SymbolicCholesky<usize>,
     factor: Vec<f64>,
@@ -343,19 +354,17 @@ impl std::fmt::Debug for SparseLdl {
 }
 
 impl SparseLdl {
-    /// For matrices of `size` rows with the pattern of `blocks`.
+    /// For matrices of `size` rows with the pattern of `blocks`. `order` is one in which few new entries come up when rows are eliminated; none: it is sought.
     ///
     /// # Errors
     /// The symbolic analysis runs out of memory.
-    pub fn new(size: usize, blocks: &Blocks) -> Result<Self, Singular> {
-        let mut places = Vec::with_capacity(blocks.values().len());
+    pub fn new(size: usize, blocks: &Blocks, order: Option<&[usize]>) -> Result<Self, Singular> {
+        let mut places = Vec::with_capacity(blocks.values().len() + size);
         for block in blocks.layout() {
             for column in block.column..block.column + block.columns {
                 places.extend((block.row..block.row + block.rows).map(|row| (row.min(column), row.max(column))));
             }
         }
-        let share = |place: &(usize, usize)| if place.0 == place.1 { 1.0 } else { 0.5 };
-        let shares: Vec<f64> = places.iter().map(share).collect();
         places.extend((0..size).map(|k| (k, k)));
         let Columns { column_starts, rows, scatter } = Columns::new(size, &places);
         let pattern = SymbolicSparseColMatRef::new_checked(size, size, &column_starts, None, &rows);
@@ -364,12 +373,16 @@ impl SparseLdl {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SIMPLICIAL,
             ..CholeskySymbolicParams::default()
         };
-        let symbolic = factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, parameters)
-            .map_err(|_| Singular)?;
+        let mut inverse = vec![0; size];
+        let order = order.map_or(SymmetricOrdering::Amd, |order| {
+            order.iter().enumerate().for_each(|(place, row)| inverse[*row] = place);
+            SymmetricOrdering::Custom(PermRef::new_checked(order, &inverse, size))
+        });
+        let symbolic = factorize_symbolic_cholesky(pattern, Side::Lower, order, parameters).map_err(|_| Singular)?;
         let needed = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default());
         Ok(Self {
             size,
-            scatter: scatter.into_iter().zip(shares).collect(),
+            scatter,
             values: vec![0.0; rows.len()],
             factor: vec![0.0; symbolic.len_val()],
             memory: MemBuffer::try_new(needed).map_err(|_| Singular)?,
@@ -383,12 +396,15 @@ impl SparseLdl {
     /// sides; none where a pivot vanishes.
     pub fn negative_pivots(&mut self, blocks: &Blocks, scale: impl Fn(usize) -> f64) -> Option<usize> {
         self.values.fill(0.0);
-        for ((place, share), value) in self.scatter.iter().zip(blocks.values()) {
-            self.values[*place] += share * value;
+        for (place, value) in self.scatter.iter().zip(blocks.values()) {
+            self.values[*place] += value;
         }
         for column in 0..self.size {
             for place in self.column_starts[column]..self.column_starts[column + 1] {
-                self.values[place] *= scale(column) * scale(self.rows[place]);
+                let row = self.rows[place];
+                // Off the diagonal it is the sum of two.
+                let share = if row == column { 1.0 } else { 0.5 };
+                self.values[place] *= share * scale(column) * scale(row);
             }
         }
         if self.values.iter().any(|value| !value.is_finite()) {

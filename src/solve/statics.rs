@@ -104,7 +104,7 @@ impl Statics {
         let mut outcome = self.ramp(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
         let hopeless = matches!(outcome, Err(Error::NotFinite { .. }));
         next.time = time;
-        let mut unstable = first && outcome.is_ok() && self.judge(system, &next);
+        let mut unstable = first && outcome.is_ok() && self.is_unstable(system, &next);
         // As drawn it may be slack, or Newton has gone up to a place of rest that nothing holds.
         if first && !hopeless && (outcome.is_err() || unstable) {
             let tried = next.statistics;
@@ -125,7 +125,7 @@ impl Statics {
                 (_, relaxed) => relaxed,
             };
             next.time = time;
-            unstable = outcome.is_ok() && self.judge(system, &next);
+            unstable = outcome.is_ok() && self.is_unstable(system, &next);
         }
         if outcome.is_ok() {
             next.statistics.steps += 1;
@@ -185,6 +185,13 @@ impl Statics {
     /// What has been seen on the way that the user should know, once.
     pub fn take_remarks(&mut self) -> Vec<String> {
         self.stability.take_remarks()
+    }
+
+    /// Whether the equilibrium `state`, just found, is unstable. Newton's last matrix is of its last iterate but one: the equilibrium itself is
+    /// asked before it is told.
+    fn is_unstable(&mut self, system: &System, state: &State) -> bool {
+        self.stability.judge(system, &mut self.kkt, state.time);
+        self.stability.known().is_none_or(|known| known.unstable > 0) && self.judge(system, state)
     }
 
     /// Judges the equilibrium `state` by itself: whether it is unstable.

@@ -39,19 +39,25 @@ impl Curves {
 
     /// An initialized simulation, run to its stop time, a row per output step.
     pub fn record(simulation: &mut Simulation) -> Self {
-        let names = simulation.variables().iter().map(|variable| variable.name.clone()).collect();
         let (stop, step) = (simulation.about().stop, simulation.about().output_step);
-        let row = |simulation: &Simulation| -> Vec<f64> {
-            (0..simulation.variables().len()).map(|reference| simulation.value(reference).number()).collect()
-        };
-        let mut curves = Self { names, time: vec![0.0], rows: vec![row(simulation)] };
+        let mut curves = Self::start(simulation);
         for number in 1..=(stop / step).round() as u32 {
             let time = f64::from(number) * step;
             simulation.advance(time).unwrap_or_else(|failure| panic!("{}", failure.message));
             curves.time.push(time);
-            curves.rows.push(row(simulation));
+            curves.rows.push(Self::row(simulation));
         }
         curves
+    }
+
+    /// The one row of a simulation at its start.
+    pub fn start(simulation: &Simulation) -> Self {
+        let names = simulation.variables().iter().map(|variable| variable.name.clone()).collect();
+        Self { names, time: vec![simulation.time()], rows: vec![Self::row(simulation)] }
+    }
+
+    fn row(simulation: &Simulation) -> Vec<f64> {
+        (0..simulation.variables().len()).map(|reference| simulation.value(reference).number()).collect()
     }
 
     /// Largest difference between `own` and `reference`, both at the output times, up to the time `until`.
