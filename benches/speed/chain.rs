@@ -9,8 +9,9 @@ use std::process::Command;
 
 /// Numbers of elements.
 const SIZES: [usize; 4] = [10, 100, 1000, 10_000];
-/// With Newton's exact tangent at every iteration, and with a tolerance that stops at what the step leaves anyway (see [`rows`]): a single tangent.
-const TOLERANCES: [&str; 2] = ["1e-8", "1e-4"];
+/// Integrators and tolerances: what a file has that says nothing; a tolerance that stops at what the step leaves anyway (see [`rows`]), so that a tangent
+/// a step is enough; the same with the peer's integrator. The tangent is Newton's in all of them.
+pub const SETTINGS: [[&str; 2]; 3] = [["conserving", "1e-8"], ["conserving", "1e-4"], ["generalized_alpha", "1e-4"]];
 /// Steps of 1 ms at most.
 const STEPS: u32 = 100;
 /// CPU time of a size, s, after which no further step is taken, and no further run: all steps cost nearly the same.
@@ -38,19 +39,17 @@ simulation = {{ stop = 0.1, step = 1e-3, output_step = 1e-3 }}
 /// Cost of a step, over the number of elements.
 pub struct Cost {
     pub elements: usize,
-    /// CPU time of a step with each tolerance, s.
-    pub own: [f64; 2],
-    /// Newton iterations of a step with each.
-    pub iterations: [f64; 2],
+    /// CPU time (s) and Newton iterations of a step with each of the settings.
+    pub own: [(f64, f64); SETTINGS.len()],
     /// The peer's.
     pub peer: Option<f64>,
 }
 
 /// Least CPU time of a step of ours, s, and its iterations.
-fn own(elements: usize, tolerance: &str) -> (f64, f64) {
+fn own(elements: usize, settings: [&str; 2]) -> (f64, f64) {
     let (begin, mut least) = (clock::cpu(), (f64::INFINITY, 0.0));
     while clock::cpu() - begin < ENOUGH {
-        let run = falling(elements, tolerance);
+        let run = falling(elements, settings);
         if run.0 < least.0 {
             least = run;
         }
@@ -58,9 +57,14 @@ fn own(elements: usize, tolerance: &str) -> (f64, f64) {
     least
 }
 
+/// Settings as keys of the model.
+fn keys([integrator, tolerance]: [&str; 2]) -> [(&'static str, &str); 2] {
+    [("simulation.integrator", integrator), ("simulation.tolerance", tolerance)]
+}
+
 /// CPU time (s) and iterations of a step, in the mean of a run.
-fn falling(elements: usize, tolerance: &str) -> (f64, f64) {
-    let mut simulation = load(&model(elements), &[("simulation.tolerance", tolerance)]);
+fn falling(elements: usize, settings: [&str; 2]) -> (f64, f64) {
+    let mut simulation = load(&model(elements), &keys(settings));
     let (begin, mut steps) = (clock::cpu(), 0);
     while steps < STEPS && clock::cpu() - begin < ENOUGH {
         steps += 1;
@@ -76,39 +80,40 @@ pub fn costs(peer: Option<&Peer>) -> (Vec<Cost>, Option<f64>) {
     let cost = |elements: usize| {
         let found = peer.map(|peer| peer.run("chain", &[&elements.to_string(), &STEPS.to_string()]));
         memory = found.as_ref().map(|found| found.curves.last("memory") / elements as f64);
-        let [exact, loose] = TOLERANCES.map(|tolerance| own(elements, tolerance));
         let peer = found.map(|found| found.seconds / f64::from(STEPS));
-        Cost { elements, own: [exact.0, loose.0], iterations: [exact.1, loose.1], peer }
+        Cost { elements, own: SETTINGS.map(|settings| own(elements, settings)), peer }
     };
     (SIZES.map(cost).into(), memory)
 }
 
 pub fn rows(costs: &[Cost], memory: Option<f64>) -> Vec<Row> {
     let mut rows = Vec::new();
-    for (number, tolerance) in TOLERANCES.into_iter().enumerate() {
+    for (number, [integrator, tolerance]) in SETTINGS.into_iter().enumerate() {
         for cost in costs {
             let each = |time: f64| Amount::Time(time / cost.elements as f64);
+            let (time, iterations) = cost.own[number];
             rows.push(Row {
                 what: format!(
-                    "chain of {} elements, tolerance {tolerance}, {:.1} iterations a step, per element and step",
-                    cost.elements, cost.iterations[number]
+                    "chain of {} elements, {integrator}, tolerance {tolerance}, {iterations:.1} iterations a step, per element and step",
+                    cost.elements
                 ),
-                ours: each(cost.own[number]),
-                peer: cost.peer.map(|time| (each(time), String::from("modified Newton"))),
-                goal: ["4 us", "1.3 us with a kept tangent"][number],
+                ours: each(time),
+                peer: cost.peer.map(|time| (each(time), String::from("generalized-alpha, modified Newton"))),
+                goal: ["4 us", "4 us; 1.3 us with a kept tangent"][number.min(1)],
                 ..Row::default()
             });
         }
     }
-    let [loose, coarse] = departures();
-    rows.push(Row {
-        what: String::from(
-            "chain of 100 elements, tip at 0.1 s: what the loose tolerance changes; what half the step changes",
-        ),
-        errors: [format!("{:.2e} mm; {:.2e} mm", 1e3 * loose, 1e3 * coarse), String::new()],
-        goal: "less",
-        ..Row::default()
-    });
+    let coarse = departure(SETTINGS[0], "5e-4");
+    for settings in &SETTINGS[1..] {
+        let [integrator, tolerance] = settings;
+        rows.push(Row {
+            what: format!("chain of 100 elements, tip at 0.1 s: what {integrator} with tolerance {tolerance} changes; what half the step does"),
+            errors: [format!("{:.2e} mm; {:.2e} mm", 1e3 * departure(*settings, "1e-3"), 1e3 * coarse), String::new()],
+            goal: "less",
+            ..Row::default()
+        });
+    }
     let program = std::env::current_exe().unwrap();
     // In a process of its own: what earlier rows have freed would hide it.
     let output = Command::new(program).arg(MEMORY).output().unwrap();
@@ -123,17 +128,17 @@ pub fn rows(costs: &[Cost], memory: Option<f64>) -> Vec<Row> {
     rows
 }
 
-/// How far the tip of a chain of 100 elements is off at the end, m: by the loose tolerance, and by the step itself, against half of it.
-fn departures() -> [f64; 2] {
-    let tip = |keys: &[(&str, &str)]| {
-        let mut simulation = load(&model(100), keys);
+/// How far the tip of a chain of 100 elements comes at the end from where the first settings bring it, m.
+fn departure(settings: [&str; 2], step: &str) -> f64 {
+    let tip = |settings: [&str; 2], step: &str| {
+        let [integrator, tolerance] = keys(settings);
+        let mut simulation = load(&model(100), &[integrator, tolerance, ("simulation.step", step)]);
         crate::runs::finish(&mut simulation);
         let state = simulation.state();
         let last = simulation.system().mesh.nodes.len() - 1;
         simulation.system().mesh.nodes[last].place(&state.q)
     };
-    let exact = tip(&[]);
-    [("simulation.tolerance", TOLERANCES[1]), ("simulation.step", "5e-4")].map(|key| (tip(&[key]) - exact).norm())
+    (tip(settings, step) - tip(SETTINGS[0], "1e-3")).norm()
 }
 
 /// Growth of the resident memory by building a long chain and its first step, bytes an element; empty where the system does not say.

@@ -1,13 +1,14 @@
 //! Time of a step for each element over the number of elements, both axes logarithmic, as an SVG picture.
 
-use crate::chain::Cost;
+use crate::chain::{Cost, SETTINGS};
 use plotters::prelude::*;
 use std::error::Error;
 use std::path::Path;
 
 /// As the charts of the validation page.
 const SIZE: (u32, u32) = (960, 540);
-const COLOURS: [RGBColor; 3] = [RGBColor(0, 114, 178), RGBColor(0, 158, 115), RGBColor(213, 94, 0)];
+const COLOURS: [RGBColor; SETTINGS.len() + 1] =
+    [RGBColor(0, 114, 178), RGBColor(0, 158, 115), RGBColor(204, 121, 167), RGBColor(213, 94, 0)];
 const INK: RGBColor = RGBColor(50, 50, 50);
 const GRID: RGBColor = RGBColor(225, 225, 225);
 
@@ -17,10 +18,14 @@ const ROOM: f64 = 1.5;
 /// Draws ours, and the peer's if it is known, into `file`.
 pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
     let micro = |cost: &Cost, time: f64| (cost.elements as f64, 1e6 * time / cost.elements as f64);
-    let [exact, loose] =
-        [0, 1].map(|number| costs.iter().map(|cost| micro(cost, cost.own[number])).collect::<Vec<_>>());
-    let peer: Vec<_> = costs.iter().filter_map(|cost| Some(micro(cost, cost.peer?))).collect();
-    let all = || exact.iter().chain(&loose).chain(&peer);
+    let mut series: Vec<(String, Vec<_>)> = Vec::new();
+    for (number, [integrator, tolerance]) in SETTINGS.into_iter().enumerate() {
+        let points = costs.iter().map(|cost| micro(cost, cost.own[number].0)).collect();
+        series.push((format!("ancf14, {integrator}, tolerance {tolerance}"), points));
+    }
+    let peer = costs.iter().filter_map(|cost| Some(micro(cost, cost.peer?))).collect();
+    series.push((String::from("EXUDYN 1.13.6"), peer));
+    let all = || series.iter().flat_map(|(_, points)| points);
     let span = |values: &dyn Fn(&(f64, f64)) -> f64| {
         let low = all().map(values).fold(f64::INFINITY, f64::min);
         let high = all().map(values).fold(0.0, f64::max);
@@ -46,8 +51,7 @@ pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
         .x_label_formatter(&|value| value.to_string())
         .y_label_formatter(&|value| value.to_string())
         .draw()?;
-    let series = [("ancf14, tolerance 1e-8", &exact), ("ancf14, tolerance 1e-4", &loose), ("EXUDYN 1.13.6", &peer)];
-    for ((name, points), colour) in series.into_iter().zip(COLOURS) {
+    for ((name, points), colour) in series.iter().zip(COLOURS) {
         if points.is_empty() {
             continue;
         }
