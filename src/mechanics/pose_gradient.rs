@@ -210,16 +210,17 @@ pub fn of_side(pair: &PairVector, side: usize) -> PoseVector {
     pair.fixed_columns::<VECTORS>(VECTORS * side).into_owned()
 }
 
-/// Sets `blocks` to the second derivative by the coordinates of both sides, `aa, ab, ba, bb`, of what has these derivatives by the vectors of their poses.
+/// Sets `blocks` to the second derivative by the coordinates of both sides, `aa, ab, ba, bb`, of what has these derivatives by the vectors of their poses,
+/// which move as `sides` say.
 /// Only the rows and columns of the markers' own coordinates are set.
 pub fn pull_back(
     c: &Configuration,
     markers: [&Marker; 2],
+    sides: &[PoseGradient; 2],
     gradient: &PairVector,
     hessian: &PairHessian,
     blocks: &mut [MarkerMatrix; 4],
 ) {
-    let sides = markers.map(|marker| marker.pose_q(c));
     let counts = sides.each_ref().map(PoseGradient::count);
     for (place, left, right) in [(0, 0, 0), (1, 0, 1), (3, 1, 1)] {
         let scalars = hessian.scalars.fixed_view::<VECTORS, VECTORS>(VECTORS * left, VECTORS * right);
@@ -229,13 +230,16 @@ pub fn pull_back(
         sides[side].add_bend(marker, c, &of_side(gradient, side), &mut blocks[3 * side]);
     }
     let [_, ab, ba, _] = blocks;
-    for (row, column) in (0..counts[0]).flat_map(|row| (0..counts[1]).map(move |column| (row, column))) {
-        ba[(column, row)] = ab[(row, column)];
+    for row in 0..counts[0] {
+        for column in 0..counts[1] {
+            ba[(column, row)] = ab[(row, column)];
+        }
     }
     if hessian.has_products() {
         let [first, both, second] = hessian.weights;
-        let vectors =
-            hessian.vectors.each_ref().map(|vector| [0, 1].map(|side| sides[side].generalized(&of_side(vector, side))));
+        let generalized = |vector, side: usize| sides[side].generalized(&of_side(vector, side));
+        let [one, other] = &hessian.vectors;
+        let vectors = [[generalized(one, 0), generalized(one, 1)], [generalized(other, 0), generalized(other, 1)]];
         for (number, block) in blocks.iter_mut().enumerate() {
             let (left, right) = (number / 2, number % 2);
             for column in 0..counts[right] {

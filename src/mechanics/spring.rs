@@ -77,7 +77,8 @@ impl Spring {
         let mut hessian = PairHessian::default();
         gauge.measure.add_hessian(&a, &b, tension, &mut hessian);
         let mut blocks = [MarkerMatrix::zeros(); 4];
-        pull_back(c, [&gauge.a, &gauge.b], &(by_poses * tension), &hessian, &mut blocks);
+        let sides = [gauge.a.pose_q(c), gauge.b.pose_q(c)];
+        pull_back(c, [&gauge.a, &gauge.b], &sides, &(by_poses * tension), &hessian, &mut blocks);
         let here = reading_q(gauge, c);
         add_products(&here, &here, self.stiffness, &mut blocks);
         if self.damping != 0.0 {

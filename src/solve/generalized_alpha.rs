@@ -202,11 +202,12 @@ impl Scratch {
         system.mass_times(&self.acceleration, &mut self.momentum_rate);
     }
 
-    /// Forces without those of spins and joints, at the current positions.
+    /// Forces without those of spins and joints, and gradients of these, at the current positions.
     fn act(&mut self, system: &System, state: &State) {
         let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
         let passage = Passage { increment: None, rates: Rates::Instant(&self.velocity) };
         system.forces(&configuration, &passage, &self.excitation, &mut self.forces);
+        system.constraint_gradients(&configuration, &mut self.gradients);
     }
 
     /// The step over `span` at given unknowns.
@@ -260,7 +261,7 @@ struct Step<'a> {
 }
 
 impl Step<'_> {
-    /// Minus the residual at the current unknowns, whose forces and positions are known, into `right`.
+    /// Minus the residual at the current unknowns, whose forces, positions and gradients are known, into `right`.
     fn balance(&mut self, right: &mut [f64]) {
         let (system, state) = (self.system, self.state);
         let scratch = &mut *self.scratch;
@@ -269,7 +270,6 @@ impl Step<'_> {
         let forces = &mut scratch.forces;
         gyroscopic::add_rate_forces(system, &scratch.frames, &scratch.velocity, &scratch.momentum, forces);
         gyroscopic::add_chart_forces(system, &scratch.frames, &scratch.momentum_rate, forces);
-        system.constraint_gradients(&configuration, &mut scratch.gradients);
         system.constraint_conditions(&configuration, &mut scratch.conditions);
 
         let (residual, conditions) = right.split_at_mut(state.q.len());
@@ -300,7 +300,7 @@ impl Problem for Step<'_> {
         system.add_mass(1.0, tangent);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
         gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);
-        kkt.set_curvatures(system, &configuration, &scratch.scaled_multipliers, 1.0);
+        kkt.set_curvatures(system, &configuration, &scratch.scaled_multipliers, 1.0, &mut scratch.gradients);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
         self.end

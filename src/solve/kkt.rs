@@ -112,15 +112,23 @@ impl Kkt {
         }
     }
 
-    /// Sets the stiffness blocks of all joints: `factor · ∂²(multipliers·g)/∂q²` at `c`.
-    pub fn set_curvatures(&mut self, system: &System, c: &Configuration, multipliers: &[f64], factor: f64) {
+    /// Sets the stiffness blocks of all joints: `factor · ∂²(multipliers·g)/∂q²` at `c`, and on the way `gradients` to `∂g/∂q`.
+    pub fn set_curvatures(
+        &mut self,
+        system: &System,
+        c: &Configuration,
+        multipliers: &[f64],
+        factor: f64,
+        gradients: &mut Vec<JointGradient>,
+    ) {
+        gradients.resize(system.joints.len(), JointGradient::default());
         let mut row = 0;
-        for (joint, first) in system.joints.iter().zip(&self.curvatures) {
+        for ((joint, gradient), first) in system.joints.iter().zip(gradients).zip(&self.curvatures) {
             let own = &multipliers[row..row + joint.rows()];
             row += joint.rows();
             let [a, b] = [joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len()];
             let parts = &mut *self.parts;
-            joint.phi_qq(c, own, parts);
+            joint.phi_qq(c, own, gradient, parts);
             for (place, (rows, part)) in [a, a, b, b].into_iter().zip(parts).enumerate() {
                 copy_corner(self.blocks.block_mut(first + place), rows, part, factor);
             }

@@ -193,6 +193,12 @@ impl Scratch {
         system.forces(&middle, &passage, &self.excitation, &mut self.forces);
     }
 
+    /// Gradients of the conditions in the middle, at the current positions.
+    fn differentiate(&mut self, system: &System, state: &State) {
+        let middle = system.configuration(&self.q_middle, &self.frames_middle, state, &self.prescribed_middle);
+        system.constraint_gradients(&middle, &mut self.gradients_middle);
+    }
+
     /// The step over `span` at given unknowns.
     fn at<'a>(
         &'a mut self,
@@ -270,18 +276,11 @@ struct Step<'a> {
 }
 
 impl Step<'_> {
-    /// Minus the residual at the current unknowns, whose forces and positions are known, into `right`; conditions at the end.
+    /// Minus the residual at the current unknowns, whose forces, positions and gradients are known, into `right`; conditions at the end.
     fn balance(&mut self, right: &mut [f64]) {
         let (system, state, h) = (self.system, self.state, self.step);
         let scratch = &mut *self.scratch;
-        let [_, middle, end] = configurations(
-            system,
-            state,
-            [&scratch.q_middle, &scratch.q_end],
-            [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
-            [&scratch.prescribed_middle, &scratch.prescribed_end],
-        );
-        system.constraint_gradients(&middle, &mut scratch.gradients_middle);
+        let end = system.configuration(&scratch.q_end, &scratch.frames_end, state, &scratch.prescribed_end);
         system.constraint_conditions(&end, &mut scratch.conditions);
         system.add_constraint_forces(&scratch.gradients_middle, &scratch.impulses, 2.0 / h, &mut scratch.forces);
 
@@ -323,7 +322,7 @@ impl Problem for Step<'_> {
         );
         system.add_mass(1.0, &mut kkt.blocks);
         system.constraint_gradients(&end, &mut scratch.gradients_end);
-        kkt.set_curvatures(system, &middle, &scratch.impulses, 0.5 * h);
+        kkt.set_curvatures(system, &middle, &scratch.impulses, 0.5 * h, &mut scratch.gradients_middle);
         let frames = [&scratch.frames_start[..], &scratch.frames_end];
         gyroscopic::add_tangent(system, frames[0], frames[1], &scratch.mass_increment, h, &mut kkt.blocks);
         self.balance(right);
@@ -366,6 +365,7 @@ impl Linearized for Midpoint {
         let mut problem = self.scratch.at(system, state, self.rule, span, unknowns);
         problem.scratch.place(system, state);
         problem.scratch.act(system, state, self.rule, span.step);
+        problem.scratch.differentiate(system, state);
         problem.balance(right);
     }
 

@@ -343,12 +343,11 @@ impl<'a> Equilibrium<'a> {
         Self { system, state, time, excitation, motion, scratch }
     }
 
-    /// Minus the residual at the current unknowns, whose forces and frames are known, into `right`.
+    /// Minus the residual at the current unknowns, whose forces, frames and gradients are known, into `right`.
     fn balance(&mut self, right: &mut [f64]) {
         let (system, state) = (self.system, self.state);
         let scratch = &mut *self.scratch;
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, self.motion);
-        system.constraint_gradients(&configuration, &mut scratch.gradients);
         system.constraint_conditions(&configuration, &mut scratch.conditions);
         let (residual, conditions) = right.split_at_mut(state.q.len());
         for (residual, force) in residual.iter_mut().zip(&scratch.forces) {
@@ -370,7 +369,7 @@ impl Problem for Equilibrium<'_> {
         kkt.blocks.clear();
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &Passage::REST, self.excitation, 1.0, forces, tangent);
-        kkt.set_curvatures(system, &configuration, &scratch.multipliers, 1.0);
+        kkt.set_curvatures(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
         self.time
@@ -430,6 +429,7 @@ impl Linearized for Statics {
         system.frames(&scratch.q, &state.triads, &mut scratch.frames);
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, problem.motion);
         system.forces(&configuration, &Passage::REST, problem.excitation, &mut scratch.forces);
+        system.constraint_gradients(&configuration, &mut scratch.gradients);
         problem.balance(right);
     }
 

@@ -17,7 +17,7 @@ use super::configuration::Configuration;
 use super::marker::{MARKER, Marker, MarkerMatrix, MarkerVector};
 use super::pair::{PairHessian, PairVector};
 use super::pose::{Pose, VECTORS};
-use super::pose_gradient::{of_side, pull_back};
+use super::pose_gradient::{PoseGradient, of_side, pull_back};
 use crate::math::jet::Jet;
 use nalgebra::SMatrix;
 use primitive::{MOST_ROWS, Primitive};
@@ -47,6 +47,22 @@ pub struct JointGradient {
     pub a: SMatrix<f64, MOST_CONDITIONS, MARKER>,
     /// By the coordinates of side b.
     pub b: SMatrix<f64, MOST_CONDITIONS, MARKER>,
+}
+
+impl JointGradient {
+    /// Sets it from how the poses of both sides move and the gradients of all rows by their vectors.
+    fn set(&mut self, sides: &[PoseGradient; 2], rows_x: &[PairVector]) {
+        for (side, target) in [&mut self.a, &mut self.b].into_iter().enumerate() {
+            for (row, phi_x) in rows_x.iter().enumerate() {
+                sides[side].pull_back(&of_side(phi_x, side), |column, value| target[(row, column)] = value);
+            }
+        }
+    }
+}
+
+/// The gradient of `lambda·phi` from those of all rows.
+fn weighted(rows_x: &[PairVector], lambda: &[f64]) -> PairVector {
+    rows_x.iter().zip(lambda).map(|(row, lambda)| row * *lambda).sum()
 }
 
 impl Joint {
@@ -87,17 +103,11 @@ impl Joint {
     /// Sets `gradient` to `∂phi/∂q` of both sides.
     pub fn phi_q(&self, c: &Configuration, gradient: &mut JointGradient) {
         let (rows_x, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
-        for (side, (marker, target)) in [(&self.a, &mut gradient.a), (&self.b, &mut gradient.b)].into_iter().enumerate()
-        {
-            let pose_q = marker.pose_q(c);
-            for (row, phi_x) in rows_x[..rows].iter().enumerate() {
-                pose_q.pull_back(&of_side(phi_x, side), |column, value| target[(row, column)] = value);
-            }
-        }
+        gradient.set(&[self.a.pose_q(c), self.b.pose_q(c)], &rows_x[..rows]);
     }
 
-    /// Gradient and second derivative of `lambda·phi` by the vectors of both poses.
-    fn weighted(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> (PairVector, PairHessian) {
+    /// Second derivative of `lambda·phi` by the vectors of both poses.
+    fn stiffness_x(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> PairHessian {
         let mut hessian = PairHessian::default();
         let mut row = 0;
         for primitive in self.primitives {
@@ -105,18 +115,24 @@ impl Joint {
             primitive.add_phi_xx(a, b, &lambda[row..row + primitive.rows()], &mut hessian);
             row += primitive.rows();
         }
-        (self.force_x(a, b, lambda), hessian)
-    }
-
-    fn force_x(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> PairVector {
-        let (gradients, rows) = self.rows_x(a, b);
-        gradients[..rows].iter().zip(lambda).map(|(gradient, lambda)| gradient * *lambda).sum()
+        hessian
     }
 
     /// Sets `blocks` to `∂²(lambda·phi)/∂q²`: `aa, ab, ba, bb`, 24×24 each, of which only the rows and columns of the markers' own coordinates are set.
-    pub fn phi_qq(&self, c: &Configuration, lambda: &[f64], blocks: &mut [MarkerMatrix; 4]) {
-        let (gradient, hessian) = self.weighted(&self.a.pose(c), &self.b.pose(c), lambda);
-        pull_back(c, [&self.a, &self.b], &gradient, &hessian, blocks);
+    /// On the way `gradient` is set as by [`Self::phi_q`].
+    pub fn phi_qq(
+        &self,
+        c: &Configuration,
+        lambda: &[f64],
+        gradient: &mut JointGradient,
+        blocks: &mut [MarkerMatrix; 4],
+    ) {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let (rows_x, rows) = self.rows_x(&a, &b);
+        let sides = [self.a.pose_q(c), self.b.pose_q(c)];
+        gradient.set(&sides, &rows_x[..rows]);
+        let (force, stiffness) = (weighted(&rows_x[..rows], lambda), self.stiffness_x(&a, &b, lambda));
+        pull_back(c, [&self.a, &self.b], &sides, &force, &stiffness, blocks);
     }
 
     /// `phi''` at an instant without the part of the accelerations, `v·phi_qq·v + 2 phi_qt·v + phi_tt`, row after row.
@@ -131,12 +147,12 @@ impl Joint {
             let convective = pose_q.convective(marker, c, &own);
             acceleration.fixed_columns_mut::<VECTORS>(start).copy_from(&(convective + second));
         }
-        let rows = self.rows();
+        let (rows_x, rows) = self.rows_x(&a, &b);
         for (row, phi_tt) in phi_tt.iter_mut().enumerate() {
             let mut unit = [0.0; MOST_CONDITIONS];
             unit[row] = 1.0;
-            let (gradient, hessian) = self.weighted(&a, &b, &unit[..rows]);
-            *phi_tt = hessian.times(&rate).dot(&rate) + gradient.dot(&acceleration) - self.prescribed(c).second;
+            let stiffness = self.stiffness_x(&a, &b, &unit[..rows]);
+            *phi_tt = stiffness.times(&rate).dot(&rate) + rows_x[row].dot(&acceleration) - self.prescribed(c).second;
         }
     }
 
@@ -152,7 +168,8 @@ impl Joint {
 
     /// `∂(lambda·phi)/∂X` by the vectors of both poses: minus the forces of the joint on them.
     pub fn phi_x(&self, c: &Configuration, lambda: &[f64]) -> PairVector {
-        self.force_x(&self.a.pose(c), &self.b.pose(c), lambda)
+        let (rows_x, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
+        weighted(&rows_x[..rows], lambda)
     }
 
     /// Whether the sides are as meant, not half-turn relatives of it (MECHANICS 6).
