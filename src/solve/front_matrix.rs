@@ -62,14 +62,17 @@ fn eliminate_sized<const PIVOTS: usize>(
     let stride = shape.stride();
     for number in 0..PIVOTS {
         let (before, rest) = matrix.split_at_mut(number * stride);
-        let column = &mut rest[..stride];
-        reduce::<PIVOTS>(PIVOTS, before, column, &rows[..number]);
+        let (column, later) = rest.split_at_mut(stride);
+        reduce::<PIVOTS>(PIVOTS, before, column);
         let best = number + best_row(&column[number..PIVOTS], &weights[number..])?;
         rows[number] = best;
         if best != number {
             weights.swap(number, best);
             column.swap(number, best);
-            before.chunks_exact_mut(stride).for_each(|column| column.swap(number, best));
+            // In later columns too, at once: whole lanes of what has just been written would have to wait when they are read.
+            for columns in [before, later] {
+                columns.chunks_exact_mut(stride).for_each(|column| column.swap(number, best));
+            }
         }
         let inverse = 1.0 / column[number];
         column[number] = inverse;
@@ -77,7 +80,7 @@ fn eliminate_sized<const PIVOTS: usize>(
     }
     let (before, rest) = matrix.split_at_mut(PIVOTS * stride);
     for column in rest.chunks_exact_mut(stride) {
-        reduce::<PIVOTS>(PIVOTS, before, column, rows);
+        reduce::<PIVOTS>(PIVOTS, before, column);
     }
     Ok(())
 }
@@ -174,14 +177,9 @@ fn best_row(column: &[f64], weights: &[f64]) -> Result<usize, Singular> {
     if largest > 0.0 && largest.is_finite() { Ok(best) } else { Err(Singular) }
 }
 
-/// Takes the pivots, whose columns are `before`, out of a column; `rows` say how they were exchanged.
+/// Takes the pivots, whose columns are `before`, out of a column.
 #[inline(always)]
-fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64], rows: &[usize]) {
-    for (number, row) in rows.iter().enumerate() {
-        if *row != number {
-            column.swap(number, *row);
-        }
-    }
+fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64]) {
     let stride = column.len();
     let (upper, border) = column.split_at_mut(pivots);
     if PIVOTS > 0 {
@@ -214,9 +212,14 @@ fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64]
 
 /// Solves with `L`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they leave on the border.
 pub fn solve_lower(shape: Shape, matrix: &[f64], rows: &[usize], column: &mut [f64]) {
+    for (number, row) in rows.iter().enumerate() {
+        if *row != number {
+            column.swap(number, *row);
+        }
+    }
     match shape.pivots {
-        7 => reduce::<7>(7, &matrix[..7 * shape.stride()], column, rows),
-        pivots => reduce::<0>(pivots, &matrix[..pivots * shape.stride()], column, rows),
+        7 => reduce::<7>(7, &matrix[..7 * shape.stride()], column),
+        pivots => reduce::<0>(pivots, &matrix[..pivots * shape.stride()], column),
     }
 }
 
