@@ -70,11 +70,6 @@ impl DirectSolver {
         self.general.as_mut().ok_or(Singular)?.factorize(blocks)
     }
 
-    /// The order in which the fronts eliminate the unknowns, where there are fronts.
-    pub fn order(&self) -> Option<&[usize]> {
-        self.fronts.as_ref().map(Multifrontal::order)
-    }
-
     /// Scaling of unknown `index`: what it is measured in.
     pub fn scale(&self, index: usize) -> f64 {
         match (&self.fronts, &self.general) {

@@ -300,7 +300,13 @@ impl Problem for Step<'_> {
         system.add_mass(1.0, tangent);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
         gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);
-        kkt.set_curvatures(system, &configuration, &scratch.scaled_multipliers, 1.0, &mut scratch.gradients);
+        kkt.set_curvatures_and_gradients(
+            system,
+            &configuration,
+            &scratch.scaled_multipliers,
+            1.0,
+            &mut scratch.gradients,
+        );
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
         self.end

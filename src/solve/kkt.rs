@@ -43,17 +43,15 @@ struct Inertia {
 }
 
 impl Inertia {
-    /// For the blocks `whole` of a matrix whose first unknowns are `coordinates`, and that `solver` factorizes.
-    fn new(coordinates: usize, whole: &Blocks, solver: &DirectSolver) -> Option<Self> {
+    /// For the blocks `whole` of a matrix whose first unknowns are `coordinates`.
+    fn new(coordinates: usize, whole: &Blocks) -> Option<Self> {
         let inside = |block: &Block| block.row < coordinates && block.column < coordinates;
         let (mut kept, mut blocks) = (Vec::new(), Blocks::default());
         for (number, block) in whole.layout().iter().enumerate().filter(|(_, block)| inside(block)) {
             kept.push(number);
             blocks.push(*block);
         }
-        let order: Option<Vec<usize>> =
-            solver.order().map(|order| order.iter().copied().filter(|unknown| *unknown < coordinates).collect());
-        let ldl = SparseLdl::new(coordinates, &blocks, order.as_deref()).ok()?;
+        let ldl = SparseLdl::new(coordinates, &blocks).ok()?;
         Some(Self { kept, blocks, ldl })
     }
 }
@@ -113,7 +111,7 @@ impl Kkt {
     }
 
     /// Sets the stiffness blocks of all joints: `factor · ∂²(multipliers·g)/∂q²` at `c`, and on the way `gradients` to `∂g/∂q`.
-    pub fn set_curvatures(
+    pub fn set_curvatures_and_gradients(
         &mut self,
         system: &System,
         c: &Configuration,
@@ -128,7 +126,7 @@ impl Kkt {
             row += joint.rows();
             let [a, b] = [joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len()];
             let parts = &mut *self.parts;
-            joint.phi_qq(c, own, gradient, parts);
+            joint.phi_q_and_qq(c, own, gradient, parts);
             for (place, (rows, part)) in [a, a, b, b].into_iter().zip(parts).enumerate() {
                 copy_corner(self.blocks.block_mut(first + place), rows, part, factor);
             }
@@ -173,7 +171,7 @@ impl Kkt {
     pub fn releasing_motions(&mut self, system: &System) -> Option<usize> {
         let coordinates = system.coordinates();
         if self.inertia.is_none() {
-            self.inertia = Inertia::new(coordinates, &self.blocks, &self.solver);
+            self.inertia = Inertia::new(coordinates, &self.blocks);
         }
         let Inertia { kept, blocks, ldl } = self.inertia.as_mut()?;
         for (own, number) in kept.iter().enumerate() {

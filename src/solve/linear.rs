@@ -4,7 +4,6 @@
 use crate::math::blocks::Blocks;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
-use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
@@ -354,11 +353,11 @@ impl std::fmt::Debug for SparseLdl {
 }
 
 impl SparseLdl {
-    /// For matrices of `size` rows with the pattern of `blocks`. `order` is one in which few new entries come up when rows are eliminated; none: it is sought.
+    /// For matrices of `size` rows with the pattern of `blocks`.
     ///
     /// # Errors
     /// The symbolic analysis runs out of memory.
-    pub fn new(size: usize, blocks: &Blocks, order: Option<&[usize]>) -> Result<Self, Singular> {
+    pub fn new(size: usize, blocks: &Blocks) -> Result<Self, Singular> {
         let mut places = Vec::with_capacity(blocks.values().len() + size);
         for block in blocks.layout() {
             for column in block.column..block.column + block.columns {
@@ -373,12 +372,8 @@ impl SparseLdl {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SIMPLICIAL,
             ..CholeskySymbolicParams::default()
         };
-        let mut inverse = vec![0; size];
-        let order = order.map_or(SymmetricOrdering::Amd, |order| {
-            order.iter().enumerate().for_each(|(place, row)| inverse[*row] = place);
-            SymmetricOrdering::Custom(PermRef::new_checked(order, &inverse, size))
-        });
-        let symbolic = factorize_symbolic_cholesky(pattern, Side::Lower, order, parameters).map_err(|_| Singular)?;
+        let symbolic = factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, parameters)
+            .map_err(|_| Singular)?;
         let needed = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default());
         Ok(Self {
             size,

@@ -322,7 +322,7 @@ impl Problem for Step<'_> {
         );
         system.add_mass(1.0, &mut kkt.blocks);
         system.constraint_gradients(&end, &mut scratch.gradients_end);
-        kkt.set_curvatures(system, &middle, &scratch.impulses, 0.5 * h, &mut scratch.gradients_middle);
+        kkt.set_curvatures_and_gradients(system, &middle, &scratch.impulses, 0.5 * h, &mut scratch.gradients_middle);
         let frames = [&scratch.frames_start[..], &scratch.frames_end];
         gyroscopic::add_tangent(system, frames[0], frames[1], &scratch.mass_increment, h, &mut kkt.blocks);
         self.balance(right);

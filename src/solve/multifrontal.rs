@@ -136,11 +136,6 @@ impl Multifrontal {
         }
     }
 
-    /// The order in which the unknowns are eliminated.
-    pub fn order(&self) -> &[usize] {
-        &self.fronts.unknowns
-    }
-
     /// Scaling of unknown `index`: what it is measured in.
     pub fn scale(&self, index: usize) -> f64 {
         self.scale[index]

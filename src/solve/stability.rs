@@ -1,9 +1,8 @@
 //! Whether an equilibrium is stable: how many motions that the constraints allow release energy, counted by the inertia of the
 //! stiffness. Followed along a static path, the count changes where the path buckles.
 //!
-//! The count is of the matrix that Newton leaves, of the iterate before the last; what seems to change is asked of the equilibria
-//! themselves. Then what buckles, and when, is found from the softest motion of the unstable one: its eigenvalue there, and what the
-//! same motion costs at the stable one.
+//! What buckles, and when, is found from the softest motion of the unstable one: its eigenvalue there, and what the same motion costs at the
+//! stable one. Beside very stiff springs round-off may count a motion too many: the softest one then costs energy, and nothing is told.
 
 use super::kkt::Kkt;
 use super::modes;
@@ -33,8 +32,17 @@ pub struct Judgement {
 pub struct Softest {
     /// Its `ω²`, 1/s².
     pub eigenvalue: f64,
+    /// Whether it is surely the softest one.
+    pub is_found: bool,
     /// The motion, a change of the coordinates with `xᵀ M x = 1`.
     pub shape: Vec<f64>,
+}
+
+impl Softest {
+    /// Whether no motion releases energy, because this one does not.
+    pub fn is_stable(&self) -> bool {
+        self.is_found && self.eigenvalue >= 0.0
+    }
 }
 
 /// Follows the stability along a path of equilibria. Scratch memory, but for remarks that are not taken yet.
@@ -53,6 +61,13 @@ impl Stability {
     /// The next equilibrium does not follow from the last one judged.
     pub fn forget(&mut self) {
         self.known = None;
+    }
+
+    /// The equilibrium of `time`, s, is stable: it was counted wrong.
+    pub fn acquit(&mut self, time: f64) {
+        if let Some(known) = self.known.as_mut().filter(|known| known.time == time) {
+            known.unstable = 0;
+        }
     }
 
     /// Judges the equilibrium of `time`, s, whose matrix `kkt` has and has factorized.
@@ -117,13 +132,13 @@ pub fn softest(system: &System, kkt: &mut Kkt, time: f64) -> Option<Softest> {
     modes::positive_shift(system, kkt, &stiffness, modes::first_shift(system, &stiffness), time).ok()?;
     let freedoms = system.coordinates().saturating_sub(system.constraints());
     let mut block = Subspace::new(system, BLOCK.min(freedoms));
-    for sweep in 0..MOST_SWEEPS {
+    let (mut sweep, mut is_found) = (0, false);
+    while sweep < MOST_SWEEPS && !is_found {
         let ritz = block.sweep(system, kkt).ok()?;
         // The first sweep has only brought the vectors to the constraints; the first vector is the lowest.
-        if sweep > 0 && ritz.first().is_some_and(|first| first.error < ACCURATE) {
-            break;
-        }
+        is_found = sweep > 0 && ritz.first().is_some_and(|first| first.error < ACCURATE);
+        sweep += 1;
     }
     let shape = block.vectors().first()?.clone();
-    Some(Softest { eigenvalue: stiffness.form(&shape, &shape), shape })
+    Some(Softest { eigenvalue: stiffness.form(&shape, &shape), is_found, shape })
 }

@@ -132,7 +132,7 @@ impl Statics {
             match before {
                 Some(before) => self.watch_stability(system, state, &next, before),
                 // Of the first one it is known already.
-                None if unstable || !first && self.judge(system, &next) => self.remark_start(system, &next),
+                None if unstable || !first && self.is_unstable(system, &next) => self.remark_start(system, &next),
                 None => {}
             }
             std::mem::swap(state, &mut next);
@@ -143,22 +143,17 @@ impl Statics {
         outcome
     }
 
-    /// Remarks that the equilibrium `state`, just judged, is unstable and follows from none that is known.
+    /// Remarks that the equilibrium `state` is unstable and follows from none that is known.
     fn remark_start(&mut self, system: &System, state: &State) {
-        if let Some(softest) = stability::softest(system, &mut self.kkt, state.time) {
+        if self.linearize(system, state).is_ok()
+            && let Some(softest) = stability::softest(system, &mut self.kkt, state.time)
+        {
             self.stability.remark_start(system, state, &softest);
         }
     }
 
     /// Looks whether the path has become unstable, or stable again, from `state`, of which `before` is known, to `next`.
     fn watch_stability(&mut self, system: &System, state: &State, next: &State, before: Judgement) {
-        self.stability.judge(system, &mut self.kkt, next.time);
-        if !self.stability.differs(before) {
-            return;
-        }
-        // Newton's last matrix is of its last iterate but one: both ends are asked themselves before it is told.
-        self.judge(system, state);
-        let Some(before) = self.stability.known() else { return };
         let unstable_now = self.judge(system, next);
         if !self.stability.differs(before) {
             return;
@@ -168,6 +163,10 @@ impl Statics {
             return;
         }
         let Some(softest) = stability::softest(system, &mut self.kkt, next.time) else { return };
+        if softest.is_stable() {
+            self.stability.acquit(unstable.time);
+            return;
+        }
         if self.linearize(system, stable).is_err() {
             return;
         }
@@ -187,14 +186,19 @@ impl Statics {
         self.stability.take_remarks()
     }
 
-    /// Whether the equilibrium `state`, just found, is unstable. Newton's last matrix is of its last iterate but one: the equilibrium itself is
-    /// asked before it is told.
+    /// Whether the equilibrium `state` is unstable, beyond doubt as far as its softest motion tells.
     fn is_unstable(&mut self, system: &System, state: &State) -> bool {
-        self.stability.judge(system, &mut self.kkt, state.time);
-        self.stability.known().is_none_or(|known| known.unstable > 0) && self.judge(system, state)
+        let unstable = self.judge(system, state);
+        if unstable && stability::softest(system, &mut self.kkt, state.time).is_some_and(|softest| softest.is_stable())
+        {
+            self.stability.acquit(state.time);
+            return false;
+        }
+        unstable
     }
 
-    /// Judges the equilibrium `state` by itself: whether it is unstable.
+    /// Judges the equilibrium `state`: whether it is unstable, by a count. Not by the matrix that Newton leaves: that is of its last iterate but one, as drawn and
+    /// without the forces of constraints where one iteration is enough.
     fn judge(&mut self, system: &System, state: &State) -> bool {
         // Without a factorization nothing is known.
         if self.linearize(system, state).is_ok() {
@@ -369,7 +373,7 @@ impl Problem for Equilibrium<'_> {
         kkt.blocks.clear();
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &Passage::REST, self.excitation, 1.0, forces, tangent);
-        kkt.set_curvatures(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
+        kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
         self.time

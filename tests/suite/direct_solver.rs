@@ -49,7 +49,7 @@ pub fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, mult
         system.add_mass(1.0, &mut kkt.blocks);
     }
     let mut gradients = Vec::new();
-    kkt.set_curvatures(system, &configuration, multipliers, factor, &mut gradients);
+    kkt.set_curvatures_and_gradients(system, &configuration, multipliers, factor, &mut gradients);
     kkt.set_constraints(system, &gradients, &gradients, if step > 0.0 { step } else { 1.0 });
 }
 

@@ -67,7 +67,7 @@ fn check_joint(machine: &Machine, joint: &Joint, random: &mut Random) {
     assert!((closed - gradient.fixed_rows::<COUNT>(0)).amax() < ROUNDING * gradient.amax().max(1.0));
 
     let (mut same, mut blocks) = (JointGradient::default(), [MarkerMatrix::zeros(); 4]);
-    joint.phi_qq(&c, &lambda, &mut same, &mut blocks);
+    joint.phi_q_and_qq(&c, &lambda, &mut same, &mut blocks);
     assert_eq!(same, own);
     let closed = spread(machine, [&joint.a, &joint.b], &blocks);
     let error = (closed - hessian.fixed_view::<COUNT, COUNT>(0, 0)).amax() / hessian.amax().max(1.0);

@@ -107,7 +107,7 @@ fn a_host_s_drive_is_reached_at_the_end_of_a_step() {
 }
 
 #[test]
-fn a_spectral_radius_is_warned_of_beyond_its_limit_only() {
+fn regression_a_spectral_radius_is_warned_of_beyond_its_limit_only() {
     let text = String::from(HEAD) + &body("hub", "[0, 0, 0]") + &weld("held", "ground", "hub", 0.0);
     let with = |radius: &str| {
         let keys = format!("integrator = \"generalized_alpha\"\nspectral_radius = {radius}\n");

@@ -220,3 +220,83 @@ fn soft_mounts_do_not_hide_the_buckling() {
     let told = path(FLAT, 8, &load(&format!("-{}", 1.2 * euler))).take_warnings();
     assert!(told.iter().any(|told| told.contains("the equilibrium of t = 0 s is unstable")), "{told:?}");
 }
+
+/// With a loose tolerance one iteration is enough for a strut, whose matrix then is still that of the strut as drawn: what is asked is the equilibrium
+/// that it leads to, at the start and on the way.
+#[test]
+fn regression_loose_tolerances_hide_no_buckling() {
+    let euler = PI * PI / 4.0 * STIFFNESS[1];
+    for tolerance in ["1e-5", "1e-3"] {
+        let strut = |load: &str| {
+            let rest = format!("{CLAMP}[load.weight]\nat = \"bar.end\"\nforce = [\"{load}\", 0, 0]\n");
+            start(&(text(FLAT, 8, &rest) + &format!("tolerance = {tolerance}\n")))
+        };
+        let told = warnings(&mut strut(&format!("-{euler}*t")), &steps(0.1, 1.5));
+        assert!(told.len() == 1 && (critical(&told[0]) - 1.0).abs() < 2e-3, "{tolerance}: {told:#?}");
+        let told = strut(&format!("-{}", 1.1 * euler)).take_warnings();
+        assert!(
+            told.len() == 1 && told[0].contains("the equilibrium of t = 0 s is unstable"),
+            "{tolerance}: {told:#?}"
+        );
+    }
+}
+
+/// An upright pendulum of 1 m on a hinge of 5 N m/rad does not move at all under its load: Newton has nothing to do, and falls over beyond 5 N.
+#[test]
+fn regression_what_stands_still_is_judged_under_its_load() {
+    let pendulum = |load: &str| {
+        let text = format!(
+            r#"
+format = 1
+model = {{ name = "Upright" }}
+body.bob = {{ mass = 1, position = [0, 0, 1], inertia = [0.1, 0.1, 0.1] }}
+joint.pivot = {{ type = "revolute", a = "ground", b = "bob", at = [0, 0, 0], axis = [0, 1, 0], stiffness = 5 }}
+load.weight = {{ at = "bob", force = [0, 0, "{load}"] }}
+simulation = {{ analysis = "static", stop = 2, step = 1, output_step = 1 }}
+"#
+        );
+        start(&text)
+    };
+    for (load, warned) in [("-4.9", false), ("-5.1", true)] {
+        let told = pendulum(load).take_warnings();
+        assert_eq!(told.iter().any(|told| told.contains("the equilibrium of t = 0 s is unstable")), warned, "{told:?}");
+    }
+    let told = warnings(&mut pendulum("-5*t"), &steps(0.15, 1.5));
+    // The cost of the motion is linear in the load, and so in time.
+    assert!(told.len() == 1 && (critical(&told[0]) - 1.0).abs() < 1e-6, "{told:#?}");
+}
+
+/// Beside a spring of 2.6e8 N/m at the tip of a strip of half a millimetre round-off counts a motion that releases energy; the softest motion
+/// costs some.
+#[test]
+fn regression_stiff_springs_raise_no_alarm() {
+    let strip = "shape = \"rectangle\"\nwidth = 0.000508896\nheight = 0.00101779";
+    let rest = r#"
+[body.slack]
+mass = 2.207
+position = [1, -0.189, 0.149]
+inertia = [0.01, 0.01, 0.01]
+[joint.hinge]
+type = "revolute"
+a = "bar.end"
+b = "slack"
+at = [1, 0, 0]
+axis = [0, 1, 0]
+stiffness = 21.47
+[body.held]
+mass = 0.1557
+position = [1, 0.003, 0.203]
+inertia = [0.01, 0.01, 0.01]
+[joint.mount]
+type = "weld"
+a = "bar.end"
+b = "held"
+at = [1, 0, 0]
+[spring.stay]
+a = "held"
+b = "ground"
+stiffness = 2.583e8
+"#;
+    let told = warnings(&mut path(strip, 32, &format!("{CLAMP}{rest}")), &steps(1.0, 2.0));
+    assert!(told.is_empty(), "{told:#?}");
+}

@@ -120,7 +120,7 @@ impl Joint {
 
     /// Sets `blocks` to `∂²(lambda·phi)/∂q²`: `aa, ab, ba, bb`, 24×24 each, of which only the rows and columns of the markers' own coordinates are set.
     /// On the way `gradient` is set as by [`Self::phi_q`].
-    pub fn phi_qq(
+    pub fn phi_q_and_qq(
         &self,
         c: &Configuration,
         lambda: &[f64],
