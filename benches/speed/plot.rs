@@ -12,8 +12,10 @@ const COLOURS: [RGBColor; SETTINGS.len() + 1] =
 const INK: RGBColor = RGBColor(50, 50, 50);
 const GRID: RGBColor = RGBColor(225, 225, 225);
 
-/// Room around the points, as a factor.
-const ROOM: f64 = 1.5;
+/// Times that are written at the axis, microseconds.
+const TICKS: [f64; 9] = [1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0];
+/// Room around the points, as factors: below and beside them, and above, where the names of the curves are.
+const ROOM: [f64; 2] = [1.5, 4.0];
 
 /// Draws ours, and the peer's if it is known, into `file`.
 pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
@@ -26,11 +28,13 @@ pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
     let peer = costs.iter().filter_map(|cost| Some(micro(cost, cost.peer?))).collect();
     series.push((String::from("EXUDYN 1.13.6"), peer));
     let all = || series.iter().flat_map(|(_, points)| points);
-    let span = |values: &dyn Fn(&(f64, f64)) -> f64| {
+    let span = |values: &dyn Fn(&(f64, f64)) -> f64, room: f64| {
         let low = all().map(values).fold(f64::INFINITY, f64::min);
         let high = all().map(values).fold(0.0, f64::max);
-        (low / ROOM..high * ROOM).log_scale()
+        low / ROOM[0]..high * room
     };
+    let (elements, times) = (span(&|point| point.0, ROOM[0]), span(&|point| point.1, ROOM[1]));
+    let ticks = TICKS.into_iter().filter(|tick| times.contains(tick)).collect();
     let root = SVGBackend::new(file, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&root)
@@ -38,7 +42,7 @@ pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
         .margin(14)
         .x_label_area_size(48)
         .y_label_area_size(84)
-        .build_cartesian_2d(span(&|point| point.0), span(&|point| point.1))?;
+        .build_cartesian_2d(elements.log_scale(), times.log_scale().with_key_points(ticks))?;
     chart
         .configure_mesh()
         .bold_line_style(GRID)

@@ -58,42 +58,32 @@ struct Columns {
 impl Columns {
     /// Of `size` columns; `places` are column and row of each entry, in any order and number.
     fn new(size: usize, places: &[(usize, usize)]) -> Self {
-        // Row after row, so that each column has its rows in their order and the same ones beside each other.
-        let mut next = starts(size, places.iter().map(|(_, row)| *row));
-        let mut by_row = vec![0; places.len()];
-        for (number, (_, row)) in places.iter().enumerate() {
-            by_row[next[*row]] = number;
-            next[*row] += 1;
+        let mut starts = vec![0; size + 1];
+        places.iter().for_each(|(column, _)| starts[column + 1] += 1);
+        (0..size).for_each(|column| starts[column + 1] += starts[column]);
+        let (mut next, mut by_column) = (starts.clone(), vec![0; places.len()]);
+        for (number, (column, _)) in places.iter().enumerate() {
+            by_column[next[*column]] = number;
+            next[*column] += 1;
         }
-        // Of each column, the row that it was given last.
-        let mut last = vec![size; size];
-        let is_new = |number: &usize| {
-            let (column, row) = places[*number];
-            std::mem::replace(&mut last[column], row) != row
-        };
-        let new: Vec<bool> = by_row.iter().map(is_new).collect();
-        let kept = by_row.iter().zip(&new).filter(|(_, new)| **new);
-        let column_starts = starts(size, kept.map(|(number, _)| places[*number].0));
-        let (mut rows, mut scatter) = (vec![0; column_starts[size]], vec![0; places.len()]);
-        let mut next = column_starts.clone();
-        for (number, new) in by_row.into_iter().zip(new) {
-            let (column, row) = places[number];
-            if new {
-                rows[next[column]] = row;
-                next[column] += 1;
+        let (mut column_starts, mut rows, mut scatter) = (vec![0], Vec::new(), vec![0; places.len()]);
+        // Of each row, the last column that had it, and where.
+        let mut last = vec![(size, 0); size];
+        for column in 0..size {
+            let (own, first) = (&by_column[starts[column]..starts[column + 1]], rows.len());
+            for (_, row) in own.iter().map(|number| places[*number]) {
+                if last[row].0 != column {
+                    last[row].0 = column;
+                    rows.push(row);
+                }
             }
-            scatter[number] = next[column] - 1;
+            rows[first..].sort_unstable();
+            (first..rows.len()).for_each(|place| last[rows[place]].1 = place);
+            own.iter().for_each(|number| scatter[*number] = last[places[*number].1].1);
+            column_starts.push(rows.len());
         }
         Self { column_starts, rows, scatter }
     }
-}
-
-/// Where those of each key below `size` start when they are sorted by `keys`; at the end their number.
-fn starts(size: usize, keys: impl Iterator<Item = usize>) -> Vec<usize> {
-    let mut starts = vec![0; size + 1];
-    keys.for_each(|key| starts[key + 1] += 1);
-    (0..size).for_each(|key| starts[key + 1] += starts[key]);
-    starts
 }
 
 /// A square sparse matrix whose pattern never changes, and its factorization.
