@@ -80,10 +80,11 @@ t = decimal(*.time)
         /// `|r'|`, 1.
         stretch: f64,
     },
-    /// `large_truncated` has no lower bound above this twist rate (MECHANICS, trap 9).
+    /// The strain energy has no lower bound above this twist rate (MECHANICS, trap 9).
     #[error(
-        "element {element} of {beam} is twisted by {rate:.3} rad/m at t = {t} s; above {limit:.3} rad/m the energy of strain = \
-         \"large_truncated\" has no lower bound; use strain = \"large\"",
+        "element {element} of {beam} is twisted by {rate:.3} rad/m at t = {t} s; above {limit:.3} rad/m its strain energy has no lower bound, \
+         because strain = \"large_truncated\" or the section's fourth_moments leave the stiffening by twist out; use strain = \"large\" with the \
+         section's true fourth_moments",
 t = decimal(*.time)
 )]
     TwistBeyondTruncation {

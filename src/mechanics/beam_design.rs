@@ -115,16 +115,22 @@ impl BeamDesign {
         }
     }
 
-    /// `tau_c = sqrt(4 G Jt A / (E Ip²))`, rad/m: above it the truncated energy has no lower bound (MECHANICS, trap 9).
+    /// Twist rate above which the energy of the section is negative and has no lower bound, rad/m: `tau_c = sqrt(4 G Jt/(E (Ip²/A − ∫ r⁴ dA)))`
+    /// (MECHANICS, trap 9). The truncated energy leaves `∫ r⁴ dA` out; a section whose fourth moments are given too small has the same defect.
+    /// Infinite where there is no such rate.
     pub(super) fn twist_limit(&self) -> f64 {
         let (material, section) = (&self.material, &self.section);
-        match self.elements {
+        let stiffening = match self.elements {
             Elements::Ancf14 { strain: Strain::LargeTruncated, torsion: Torsion::Free, .. } => {
-                (4.0 * material.shear * section.torsion_constant * section.area
-                    / (material.young * section.polar_moment.powi(2)))
-                .sqrt()
+                -section.polar_moment.powi(2) / section.area
             }
-            _ => f64::INFINITY,
+            Elements::Ancf14 { strain: Strain::Large, torsion: Torsion::Free, .. } => section.twist_stiffening(),
+            _ => 0.0,
+        };
+        if stiffening < 0.0 {
+            (4.0 * material.shear * section.torsion_constant / (-material.young * stiffening)).sqrt()
+        } else {
+            f64::INFINITY
         }
     }
 }

@@ -4,6 +4,7 @@ use super::configuration::Configuration;
 use super::marker::{ByCoordinates, Marker, MarkerMatrix, MarkerVector};
 use super::pose::axis_vector;
 use crate::math::Vec3;
+use crate::math::integral::integral;
 use crate::math::jet::Jet;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -16,6 +17,8 @@ pub enum Signal {
     Constant(f64),
     /// A function of time, s, with its first two derivatives.
     Function(Arc<dyn Fn(f64) -> Jet + Send + Sync>),
+    /// A function of time, s, in pieces, and the times at which they meet, ascending, s. At such a time the piece that begins there counts.
+    Pieces(Arc<dyn Fn(f64) -> Jet + Send + Sync>, Arc<[f64]>),
 }
 
 impl Signal {
@@ -23,7 +26,7 @@ impl Signal {
     pub fn at(&self, time: f64) -> f64 {
         match self {
             Self::Constant(value) => *value,
-            Self::Function(function) => function(time).value,
+            Self::Function(function) | Self::Pieces(function, _) => function(time).value,
         }
     }
 
@@ -31,8 +34,29 @@ impl Signal {
     pub fn jet(&self, time: f64) -> Jet {
         match self {
             Self::Constant(value) => Jet::constant(*value),
-            Self::Function(function) => function(time),
+            Self::Function(function) | Self::Pieces(function, _) => function(time),
         }
+    }
+
+    /// The times at which its pieces meet, ascending, s.
+    pub fn breaks(&self) -> &[f64] {
+        match self {
+            Self::Constant(_) | Self::Function(_) => &[],
+            Self::Pieces(_, breaks) => breaks,
+        }
+    }
+
+    /// Its integral from `from` to `to`, s: piece by piece, because a quadrature rule may step over a short piece.
+    pub fn integral(&self, from: f64, to: f64) -> f64 {
+        let value = |time: f64| self.at(time);
+        let inner = self.breaks().iter().copied().filter(|time| from < *time && *time < to);
+        let (sum, last) = inner.fold((0.0, from), |(sum, last), time| (sum + integral(&value, last, time), time));
+        sum + integral(&value, last, to)
+    }
+
+    /// By how much its value jumps at `time`, s, one of its breaks.
+    pub fn jump(&self, time: f64) -> f64 {
+        self.at(time) - self.at(time.next_down())
     }
 }
 
@@ -40,7 +64,7 @@ impl fmt::Debug for Signal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Constant(value) => write!(f, "{value}"),
-            Self::Function(_) => write!(f, "f(t)"),
+            Self::Function(_) | Self::Pieces(..) => write!(f, "f(t)"),
         }
     }
 }
@@ -157,6 +181,15 @@ impl Load {
             }
             LoadGuide::Host => target.at(time),
         }
+    }
+
+    /// The functions of time that its components are; none where a host gives them.
+    pub fn signals(&self) -> impl Iterator<Item = &Signal> {
+        let components = match &self.guide {
+            LoadGuide::Signals { force, moment } => Some(force.iter().chain(moment)),
+            LoadGuide::Host => None,
+        };
+        components.into_iter().flatten()
     }
 
     /// The share of point `number` in the components `wrench`, in space: N, N m.

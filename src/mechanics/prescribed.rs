@@ -5,7 +5,6 @@
 use super::host_path::Targets;
 use super::load::Signal;
 use super::pose::Pose;
-use crate::math::integral::integral;
 use crate::math::jet::Jet;
 use crate::math::rotation::{rotation_matrix, rotation_matrix_jet, rotation_vector_near};
 use crate::math::{Mat3, Vec3};
@@ -170,11 +169,19 @@ impl Drive {
         }
     }
 
+    /// The function of time that its value or rate is; none where a host gives it.
+    pub fn signal(&self) -> Option<&Signal> {
+        match &self.guide {
+            Guide::Value(signal) | Guide::Rate(signal) => Some(signal),
+            Guide::HostValue | Guide::HostRate => None,
+        }
+    }
+
     /// Its value and rate at `next` s, from the value `from` at `time` s; `number` is its own among the `targets`.
     pub fn advanced(&self, number: usize, from: f64, (time, next): (f64, f64), targets: &Targets) -> Jet {
         match &self.guide {
             Guide::Value(signal) => signal.jet(next),
-            Guide::Rate(signal) => rated(from + integral(&|time| signal.at(time), time, next), signal.jet(next)),
+            Guide::Rate(signal) => rated(from + signal.integral(time, next), signal.jet(next)),
             Guide::HostValue => targets.value(number, next),
             Guide::HostRate => targets.rate(number, next),
         }
@@ -187,6 +194,15 @@ fn rated(value: f64, rate: Jet) -> Jet {
 }
 
 impl MovingFrame {
+    /// The functions of time that its position and rotation vector are; none where a host gives them.
+    pub fn signals(&self) -> impl Iterator<Item = &Signal> {
+        let components = match &self.guide {
+            FrameGuide::Signals { place, rotation } => Some(place.iter().chain(rotation)),
+            FrameGuide::Host => None,
+        };
+        components.into_iter().flatten()
+    }
+
     /// Its motion at the start, `time` s.
     pub fn start(&self, time: f64, target: &Pose) -> MovingPose {
         match &self.guide {

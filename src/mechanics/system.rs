@@ -1,5 +1,6 @@
 //! The whole machine. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
 
+mod breaks;
 mod dampers;
 mod energy;
 mod equations;
@@ -52,7 +53,7 @@ pub struct Beam {
     pub outline: Outline,
     /// Young's modulus, Pa.
     pub young: f64,
-    /// Largest twist rate that `strain = "large_truncated"` bears, rad/m (MECHANICS, trap 9); infinite for the other strains.
+    /// Twist rate above which its energy has no lower bound, rad/m (MECHANICS, trap 9); infinite where there is none.
     pub twist_limit: f64,
 }
 
@@ -124,6 +125,8 @@ pub struct System {
     pub size: f64,
     /// Gravity, m/s².
     pub gravity: Vec3,
+    /// The times at which pieces of loads, drives and frames meet, ascending, s: steps end there.
+    pub breaks: Vec<f64>,
 }
 
 impl System {

@@ -44,7 +44,7 @@ impl Watch {
         twist.into_iter().chain(self.energy(system, state, energies)).collect()
     }
 
-    /// A beam with `strain = "large_truncated"` twisted beyond half of what that energy bears (MECHANICS 3.7).
+    /// Warns of a beam that is twisted beyond half the rate above which its energy has no lower bound (MECHANICS 3.7).
     fn twist(&mut self, system: &System, state: &State, frames: &mut Snapshot) -> Option<String> {
         if self.twist_warned {
             return None;
@@ -52,8 +52,9 @@ impl Watch {
         let (beam, rate, limit) = system.twist_near_limit(state, frames)?;
         self.twist_warned = true;
         Some(format!(
-            "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: strain = \"large_truncated\" softens and fails above \
-             {limit:.3} rad/m; use strain = \"large\"",
+            "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: its torsion softens and fails above {limit:.3} rad/m, because \
+             strain = \"large_truncated\" or the section's fourth_moments leave the stiffening by twist out; use strain = \"large\" with the \
+             section's true fourth_moments",
             decimal(state.time)
         ))
     }

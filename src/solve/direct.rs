@@ -9,7 +9,7 @@ use crate::math::blocks::Blocks;
 /// A matrix whose pattern never changes, and its factorization.
 #[derive(Debug)]
 pub struct DirectSolver {
-    size: usize,
+    units: Vec<f64>,
     fronts: Option<Multifrontal>,
     /// Made when it is first needed.
     general: Option<Box<SparseLu>>,
@@ -22,10 +22,10 @@ pub struct DirectSolver {
 }
 
 impl DirectSolver {
-    /// For the pattern of `blocks`.
-    pub fn new(unknowns: Unknowns, blocks: &Blocks) -> Self {
-        let fronts = Multifrontal::new(unknowns, blocks);
-        Self { size: unknowns.count(), fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
+    /// For the pattern of `blocks`; `units` is the natural size of each unknown, as [`super::kkt::units`] has it.
+    pub fn new(unknowns: Unknowns, units: Vec<f64>, blocks: &Blocks) -> Self {
+        let fronts = Multifrontal::new(unknowns, &units, blocks);
+        Self { units, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
     }
 
     /// Takes the values of `blocks` (of the same layout as at the start) and factorizes. They must not change as long as the factorization is used.
@@ -65,7 +65,7 @@ impl DirectSolver {
     fn factorize_generally(&mut self, blocks: &Blocks) -> Result<(), Singular> {
         self.fallbacks += 1;
         if self.general.is_none() {
-            self.general = Some(Box::new(SparseLu::new(self.size, blocks)?));
+            self.general = Some(Box::new(SparseLu::new(&self.units, blocks)?));
         }
         self.general.as_mut().ok_or(Singular)?.factorize(blocks)
     }

@@ -27,6 +27,9 @@ use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
+/// How near to a break of loads or drives the end of a step counts as that break, in steps.
+const AT_BREAK: f64 = 1e-9;
+
 /// Largest spectral radius for machines with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
 const LARGEST_RADIUS: f64 = 0.99;
 
@@ -39,6 +42,8 @@ pub struct GeneralizedAlpha {
     kkt: Kkt,
     right: Vec<f64>,
     scratch: Scratch,
+    /// Made when a step first ends at a break of loads or drives.
+    responder: Option<Box<Responder>>,
     /// How the last step went.
     pub convergence: Option<Convergence>,
 }
@@ -113,9 +118,30 @@ impl GeneralizedAlpha {
             kkt: Kkt::for_steps(system),
             right: vec![0.0; coordinates + conditions],
             scratch,
+            responder: None,
             convergence: None,
         }
     }
+
+    /// Starts anew from `state`, the end of a step of `step` s, if loads or drives go over to another piece there: the accelerations before it
+    /// are not those behind it, and what the method carries on would spread the jump over many steps. Accelerations that are not finite behind it
+    /// are left to the next step to refuse.
+    fn restart_at_break(&mut self, system: &System, state: &mut State, step: f64) {
+        if system.is_break(state.time, AT_BREAK * step) {
+            let responder = self.responder.get_or_insert_with(|| Box::new(Responder::new(system)));
+            let _ = set_accelerations(responder, system, state);
+        }
+    }
+}
+
+/// Sets what `state` carries on from step to step to the accelerations and multipliers of its instant (MECHANICS 7.5).
+fn set_accelerations(responder: &mut Responder, system: &System, state: &mut State) -> Result<(), Error> {
+    let mut response = Response::default();
+    responder.respond(system, state, &mut response)?;
+    state.accelerations.algorithmic.clone_from(&response.acceleration);
+    state.accelerations.of_coordinates = response.acceleration;
+    state.multipliers = response.multipliers;
+    Ok(())
 }
 
 impl GeneralizedAlpha {
@@ -138,19 +164,14 @@ impl Dynamics for GeneralizedAlpha {
 
     /// Accelerations and multipliers are those of the instant (MECHANICS 7.5).
     fn begin(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
-        let mut response = Response::default();
-        Responder::new(system).respond(system, state, &mut response)?;
-        state.accelerations.algorithmic.clone_from(&response.acceleration);
-        state.accelerations.of_coordinates = response.acceleration;
-        state.multipliers = response.multipliers;
-        Ok(())
+        set_accelerations(&mut Responder::new(system), system, state)
     }
 }
 
 impl Integrator for GeneralizedAlpha {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         assert_eq!(state.accelerations.algorithmic.len(), state.q.len(), "the state has not begun to move");
-        self.scratch.prepare(system, state, end);
+        self.scratch.prepare(system, state, step, end);
         self.scratch.predict(state, self.weights, step);
         limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
         let mut problem = Step { system, state, weights: self.weights, step, end, scratch: &mut self.scratch };
@@ -162,14 +183,17 @@ impl Integrator for GeneralizedAlpha {
         self.scratch.place(system, state, self.weights, step);
         self.scratch.check(system, state, end)?;
         self.scratch.finish(system, state, self.weights, step, end);
+        self.restart_at_break(system, state, step);
         Ok(())
     }
 }
 
 impl Scratch {
-    /// What does not change in the iteration.
-    fn prepare(&mut self, system: &System, state: &State, end: f64) {
-        system.excite(end, &state.targets, &mut self.excitation);
+    /// What does not change in the iteration. Where a load goes over to another piece at the end, the step is still under the one before.
+    fn prepare(&mut self, system: &System, state: &State, step: f64, end: f64) {
+        let margin = AT_BREAK * step;
+        let under = if system.is_break(end, margin) { (end - margin).next_down() } else { end };
+        system.excite(under, &state.targets, &mut self.excitation);
         system.prescribe(state, end, &mut self.prescribed);
     }
 
@@ -219,7 +243,7 @@ impl Scratch {
         span: Span,
         unknowns: &[f64],
     ) -> Step<'a> {
-        self.prepare(system, state, span.end);
+        self.prepare(system, state, span.step, span.end);
         let (increment, multipliers) = unknowns.split_at(self.increment.len());
         self.increment.copy_from_slice(increment);
         self.scaled_multipliers.copy_from_slice(multipliers);
@@ -355,5 +379,6 @@ impl Linearized for GeneralizedAlpha {
         problem.scratch.place(system, state, self.weights, span.step);
         next.clone_from(state);
         problem.scratch.finish(system, next, self.weights, span.step, span.end);
+        self.restart_at_break(system, next, span.step);
     }
 }

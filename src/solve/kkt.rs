@@ -91,7 +91,7 @@ impl Kkt {
 
     /// `inertia`: the matrix will have the masses in it.
     fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>, inertia: bool) -> Self {
-        let solver = DirectSolver::new(unknowns(system, inertia), &blocks);
+        let solver = DirectSolver::new(unknowns(system, inertia), units(system), &blocks);
         let parts = Box::new([MarkerMatrix::zeros(); 4]);
         Self { blocks, joints, curvatures, solver, parts, inertia: None }
     }
@@ -233,7 +233,7 @@ impl Kkt {
             shifted.block_mut(block)[0] = sign * SHIFT / self.solver.scale(index).powi(2);
         }
         let unnamed = || String::from("a part of the machine can move freely or is held twice");
-        let Ok(mut solver) = SparseLu::new(size, &shifted) else { return unnamed() };
+        let Ok(mut solver) = SparseLu::new(&units(system), &shifted) else { return unnamed() };
         if solver.factorize(&shifted).is_err() {
             return unnamed();
         }
@@ -254,6 +254,13 @@ impl Kkt {
 pub fn unknowns(system: &System, inertia: bool) -> Unknowns {
     let nodes = system.mesh.coordinates();
     Unknowns { nodes, bodies: system.coordinates() - nodes, multipliers: system.constraints(), inertia }
+}
+
+/// The natural size of each unknown: the size of the mechanism for a position, 1 for slopes, angles and directors, and for multipliers, which
+/// the solvers scale by their rows.
+pub fn units(system: &System) -> Vec<f64> {
+    let coordinates = (0..system.coordinates()).map(|index| if system.is_place(index) { system.size } else { 1.0 });
+    coordinates.chain(std::iter::repeat_n(1.0, system.constraints())).collect()
 }
 
 /// What a null vector that is largest in unknown `index` means.

@@ -22,6 +22,10 @@ pub(super) const BACKWARD_ERROR: f64 = 1e-12;
 /// Terms below this share of a row's largest possible term are taken as round-off of the others.
 pub(super) const NEGLIGIBLE: f64 = 1e-10;
 
+/// Smallest size of a scaled solution that its backward error is judged by. Near 1e-308 doubles lose their digits one after the other, and
+/// the error of a right solution becomes any share of it: a motor whose rate fades away passes through there.
+pub(super) const SMALLEST_SOLUTION: f64 = 1e-280;
+
 /// A direction that the matrix maps to less than this share of its terms is a null direction. Measured: 1e-16 and below for free and
 /// doubly held machines (round-off of a row's sum), 2.5e-13 and 3.2e-15 for the softest direction of a slender cantilever of 1,000
 /// and 3,000 elements. From some 4,000 on, such a beam cannot be told from a free one in double precision.
@@ -96,6 +100,8 @@ pub struct SparseLu {
     values: Vec<f64>,
     scaled: Vec<f64>,
     scale: Vec<f64>,
+    /// Natural size of each unknown.
+    units: Vec<f64>,
     symbolic: SymbolicLu<usize>,
     numeric: NumericLu<usize, f64>,
     memory: MemBuffer,
@@ -115,11 +121,12 @@ fn parameters() -> Spec<PartialPivLuParams, f64> {
 }
 
 impl SparseLu {
-    /// For matrices of `size` rows with the pattern of `blocks`.
+    /// For matrices with the pattern of `blocks`; `units` is the natural size of each unknown, which scaling starts from.
     ///
     /// # Errors
     /// The symbolic analysis runs out of memory.
-    pub fn new(size: usize, blocks: &Blocks) -> Result<Self, Singular> {
+    pub fn new(units: &[f64], blocks: &Blocks) -> Result<Self, Singular> {
+        let size = units.len();
         let mut places = Vec::with_capacity(blocks.values().len());
         for block in blocks.layout() {
             for column in 0..block.columns {
@@ -139,7 +146,8 @@ impl SparseLu {
             column_starts,
             rows,
             scatter,
-            scale: vec![1.0; size],
+            scale: units.to_vec(),
+            units: units.to_vec(),
             symbolic,
             numeric: NumericLu::new(),
             memory: MemBuffer::try_new(needed).map_err(|_| Singular)?,
@@ -173,7 +181,7 @@ impl SparseLu {
 
     /// Symmetric Ruiz scaling: `scaled = D values D` with rows and columns of largest entry near 1.
     fn equilibrate(&mut self) {
-        self.scale.fill(1.0);
+        self.scale.copy_from_slice(&self.units);
         for _ in 0..SCALING_SWEEPS {
             let largest = &mut self.magnitude;
             largest.fill(0.0);
@@ -280,8 +288,8 @@ impl SparseLu {
             *remainder = *value;
             *magnitude = value.abs();
         }
-        let largest =
-            self.solution.iter().zip(&self.scale).fold(0.0_f64, |largest, (x, scale)| largest.max((x / scale).abs()));
+        let scaled = self.solution.iter().zip(&self.scale).map(|(x, scale)| (x / scale).abs());
+        let largest = scaled.fold(SMALLEST_SOLUTION, f64::max);
         for column in 0..self.size {
             let factor = self.solution[column];
             for place in self.column_starts[column]..self.column_starts[column + 1] {

@@ -103,7 +103,7 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     let [stiff, forced] = scales(system, &symmetric, &response);
     let largest = stiff + forced;
     // Without any stiffness every shift is as good.
-    let [mut shift, least] =
+    let [mut shift, mut least] =
         if largest > 0.0 { [FIRST_SHIFT, LEAST_SHIFT].map(|share| share * largest) } else { [1.0; 2] };
     shift = positive_shift(system, &mut kkt, &symmetric, shift, time)?;
     kkt.check_unique(system, time)?;
@@ -125,13 +125,18 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
         found.truncate(wanted);
         let error = found.iter().map(|own| own.1).fold(0.0, f64::max);
         let better = (SHIFT_BELOW * beyond).max(-SHIFT_BEYOND * lowest).max(least);
-        if WORTHWHILE * better < shift {
-            shift = positive_shift(system, &mut kkt, &symmetric, better, time)?;
+        if number >= MOST_SWEEPS {
+            return Err(Error::ModesNotFound { time, error });
+        } else if WORTHWHILE * better < shift {
+            let lower = positive_shift(system, &mut kkt, &symmetric, better, time)?;
+            if WORTHWHILE * better < lower {
+                // Below this one round-off counts motions that release energy: another attempt would end here again.
+                least = lower;
+            }
+            shift = lower;
             last = f64::INFINITY;
         } else if error < ACCURATE || error < ACCEPTABLE && error > 0.5 * last {
             break;
-        } else if number >= MOST_SWEEPS {
-            return Err(Error::ModesNotFound { time, error });
         } else {
             last = error;
         }

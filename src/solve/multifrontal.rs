@@ -6,7 +6,7 @@
 
 use super::front_matrix::{eliminate, solve_lower, solve_upper};
 use super::fronts::{Front, Fronts, Run, Unknowns};
-use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Singular, irregular};
+use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
 use crate::math::blocks::Blocks;
 
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
@@ -28,6 +28,8 @@ const DOUBT: f64 = 100.0;
 pub struct Multifrontal {
     fronts: Fronts,
     coordinates: usize,
+    /// Natural size of each unknown: diagonals in these units can be compared.
+    units: Vec<f64>,
     /// Where the diagonal is among the values of the blocks: unknown, place.
     diagonal: Vec<(usize, usize)>,
     /// Numbers of the blocks whose rows are conditions.
@@ -47,7 +49,7 @@ pub struct Multifrontal {
 
 impl Multifrontal {
     /// For the pattern of `blocks`. None where the order does not exist.
-    pub fn new(unknowns: Unknowns, blocks: &Blocks) -> Option<Self> {
+    pub fn new(unknowns: Unknowns, units: &[f64], blocks: &Blocks) -> Option<Self> {
         let fronts = Fronts::new(unknowns, blocks)?;
         let (size, coordinates) = (unknowns.count(), unknowns.coordinates());
         let (mut diagonal, mut conditions, mut first) = (Vec::new(), Vec::new(), 0);
@@ -65,6 +67,7 @@ impl Multifrontal {
         }
         Some(Self {
             coordinates,
+            units: units.to_vec(),
             diagonal,
             conditions,
             matrices: vec![0.0; fronts.storage],
@@ -106,17 +109,20 @@ impl Multifrontal {
 
     /// Sets the scale of all unknowns.
     fn set_scale(&mut self, blocks: &Blocks) {
-        let Self { scale, .. } = self;
+        let Self { scale, units, .. } = self;
         scale.fill(0.0);
         for (unknown, place) in &self.diagonal {
             scale[*unknown] += blocks.values()[*place];
         }
         let (coordinates, multipliers) = scale.split_at_mut(self.coordinates);
-        // What is round-off of the others, or nothing at all, is measured by the largest.
-        let largest = coordinates.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        // A diagonal that is round-off of the others, or zero, is replaced by the largest one. Kilograms and kilogram square meters compare in
+        // the natural units only: in SI units the ones would be the round-off of the others in a mechanism of some micrometers.
+        let sizes = coordinates.iter().zip(&*units).map(|(value, unit)| value.abs() * unit * unit);
+        let largest = sizes.fold(0.0_f64, f64::max);
         let largest = if largest > 0.0 { largest } else { 1.0 };
-        for value in coordinates.iter_mut() {
-            let size = if value.abs() > VANISHING * largest { value.abs() } else { largest };
+        for (value, unit) in coordinates.iter_mut().zip(&*units) {
+            let size = value.abs() * unit * unit;
+            let size = if size > VANISHING * largest { value.abs() } else { largest / (unit * unit) };
             *value = 1.0 / size.sqrt();
         }
         multipliers.fill(0.0);
@@ -235,7 +241,8 @@ impl Multifrontal {
         for (magnitude, value) in magnitude.iter_mut().zip(vector) {
             *magnitude = value.abs();
         }
-        let largest = solution.iter().zip(&*scale).fold(0.0_f64, |largest, (x, scale)| largest.max((x / scale).abs()));
+        let scaled = solution.iter().zip(&*scale).map(|(x, scale)| (x / scale).abs());
+        let largest = scaled.fold(SMALLEST_SOLUTION, f64::max);
         for (number, block) in blocks.layout().iter().enumerate() {
             let columns = block.column..block.column + block.columns;
             // A row whose terms are all round-off of the others says nothing by itself.

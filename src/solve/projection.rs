@@ -39,6 +39,9 @@ impl Projection {
         momentum.copy_from_slice(&state.momentum);
         system.constraint_rates(&configuration, rates);
         rates.iter_mut().for_each(|rate| *rate = -*rate);
+        if rates.iter().any(|rate| !rate.is_finite()) {
+            return Err(Error::NotFinite { time: state.time, what: system.describe_not_finite(state.time) });
+        }
         kkt.blocks.clear();
         system.add_mass(1.0, &mut kkt.blocks);
         kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);

@@ -317,6 +317,9 @@ impl Statics {
 }
 
 impl Integrator for Statics {
+    /// An equilibrium knows its own instant only.
+    const RESOLVES_TIME: bool = false;
+
     /// The equilibrium of `end`.
     fn step(&mut self, system: &System, state: &mut State, _step: f64, end: f64) -> Result<(), Error> {
         self.find(system, state, end)

@@ -11,6 +11,9 @@ const GOOD_STEPS: u32 = 5;
 
 /// Something that takes one step.
 pub trait Integrator {
+    /// Whether what happens within a step counts: its steps end where a load or a drive goes over from one piece to the next.
+    const RESOLVES_TIME: bool = true;
+
     /// Takes `state` from its time to `end`, `step` s later.
     ///
     /// # Errors

@@ -66,7 +66,7 @@ fn solutions_are_those_of_the_general_solver() {
     for (name, Built { system, state }) in machines() {
         let mut kkt = Kkt::for_steps(&system);
         let size = system.coordinates() + system.constraints();
-        let mut general = SparseLu::new(size, &kkt.blocks).unwrap();
+        let mut general = SparseLu::new(&kkt::units(&system), &kkt.blocks).unwrap();
         let mut worst = 0.0_f64;
         for number in 0..5 {
             // As drawn, then bent by some hundredths; steps from 1e-4 to 1e-2 s.
@@ -99,7 +99,7 @@ fn assert_own_solution(random: &mut Random, system: &System, state: &State, kkt:
     let right: Vec<f64> = (0..size).map(|_| random.signed()).collect();
     let (mut own, mut expected) = (right.clone(), right);
     kkt.solve(system, &mut own, 0.0).unwrap_or_else(|error| panic!("{error}"));
-    let mut general = SparseLu::new(size, &kkt.blocks).unwrap();
+    let mut general = SparseLu::new(&kkt::units(&system), &kkt.blocks).unwrap();
     assert!(general.factorize(&kkt.blocks).and_then(|()| general.solve(&mut expected)).is_ok());
     assert_eq!(kkt.fallbacks(), 0);
     // As above.
@@ -221,7 +221,7 @@ fn what_holds_twice_is_never_regular() {
             }
             let own = kkt::unknowns(&system, step > 0.0);
             let unknowns = Unknowns { multipliers: own.multipliers + 1, ..own };
-            let mut solver = DirectSolver::new(unknowns, &blocks);
+            let mut solver = DirectSolver::new(unknowns, vec![1.0; unknowns.count()], &blocks);
             asked += 1;
             if solver.factorize(&blocks).is_ok() {
                 solved += 1;
@@ -258,7 +258,7 @@ fn a_ring_of_blocks() {
         blocks.block_mut(number)[0] = if row.min(column) == 0 { 1.0 } else { -1.0 };
     }
     let unknowns = Unknowns { nodes: coordinates, bodies: 0, multipliers: 1, inertia: false };
-    let mut solver = DirectSolver::new(unknowns, &blocks);
+    let mut solver = DirectSolver::new(unknowns, vec![1.0; unknowns.count()], &blocks);
     assert!(solver.factorize(&blocks).is_ok());
     let expected: Vec<f64> = (0..=coordinates).map(|k| (k as f64 * 0.7).sin()).collect();
     let mut vector = vec![0.0; coordinates + 1];

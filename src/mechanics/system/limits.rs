@@ -22,7 +22,7 @@ const DRIVE_GAP: f64 = 0.1;
 const LARGEST_BUSHING_ANGLE: f64 = 170.0;
 
 impl System {
-    /// The first beam with truncated strain that is twisted beyond half of what that energy bears: its name, twist rate and bound, rad/m.
+    /// The first beam that is twisted beyond half of the rate above which its energy has no lower bound: its name, twist rate and bound, rad/m.
     pub fn twist_near_limit<'a>(&'a self, state: &'a State, snapshot: &mut Snapshot) -> Option<(&'a str, f64, f64)> {
         let mut limited = self.beams.iter().filter(|beam| beam.twist_limit.is_finite()).peekable();
         limited.peek()?;

@@ -77,7 +77,9 @@ fn signal(document: &Document, number: Number) -> Signal {
     if function.is_constant() {
         return Signal::Constant(function.value(0.0));
     }
-    Signal::Function(Arc::new(move |time| function.jet(time)))
+    let breaks: Arc<[f64]> = function.limits().into();
+    let jet = Arc::new(move |time| function.jet(time));
+    if breaks.is_empty() { Signal::Function(jet) } else { Signal::Pieces(jet, breaks) }
 }
 
 /// Builds what [`geometry::examine`] has found sound.

@@ -69,15 +69,19 @@ impl Builder<'_> {
         };
         let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
         let second_moment_z = given(written.second_moment_z, shape.second_moment_z);
+        let area = given(written.area, shape.area);
+        let fourth_moments = match (written.fourth_moments, written.shape) {
+            (Some(numbers), _) => self.document.vector(numbers),
+            (None, Shape::General) => Section::rectangular_fourth_moments(area, second_moment_y, second_moment_z),
+            (None, _) => shape.fourth_moments,
+        };
         Section {
-            area: given(written.area, shape.area),
+            area,
             second_moment_y,
             second_moment_z,
             torsion_constant: given(written.torsion_constant, shape.torsion_constant),
             polar_moment: given(written.polar_moment, second_moment_y + second_moment_z),
-            fourth_moments: written
-                .fourth_moments
-                .map_or(shape.fourth_moments, |numbers| self.document.vector(numbers)),
+            fourth_moments,
             outline: shape.outline,
         }
     }

@@ -58,6 +58,7 @@ pub fn retune(document: &Document, system: &mut System) {
             *moment = written.moment.map(|number| signal(document, number));
         }
     }
+    system.collect_breaks();
     for (beam, written) in system.beams.iter().zip(&document.beams) {
         let damping = document.value(document.materials[written.material].damping);
         for element in &mut system.mesh.elements[beam.element_range()] {

@@ -24,7 +24,7 @@ pub struct Section {
     pub torsion_constant: Option<Number>,
     /// `∫ (y² + z²) dA` for spin inertia and Wagner term, m⁴; default: the sum of the second moments.
     pub polar_moment: Option<Number>,
-    /// `∫ y⁴ dA`, `∫ y² z² dA`, `∫ z⁴ dA`, m⁶; default: of the shape, 0 for a general section.
+    /// `∫ y⁴ dA`, `∫ y² z² dA`, `∫ z⁴ dA`, m⁶; default: of the shape; for a general section of a rectangle with the same area and second moments.
     pub fourth_moments: Option<[Number; 3]>,
 }
 

@@ -97,6 +97,7 @@ impl Machine {
         let moving = self.state.velocity.iter().any(|value| *value != 0.0);
         let mut warnings = Vec::new();
         if simulation.analysis == Analysis::Dynamic {
+            warnings.extend(self.system.jumps(self.start, document.value(simulation.stop)));
             match simulation.initial {
                 Initial::AsDrawn => start::check_drives(&self.system, &self.state)?,
                 Initial::Equilibrium => {
@@ -250,16 +251,38 @@ impl Plan {
         for number in 1..=self.count {
             let next =
                 if number == self.count { self.end } else { self.begin + (self.first + number as f64) * self.step };
-            grid_step(integrator, system, state, self.step, next)?;
+            let whole = march_to_last_break(integrator, system, state, next, ON_GRID * self.step)?;
+            let step = if whole { self.step } else { next - state.time };
+            grid_step(integrator, system, state, step, next)?;
         }
         Ok(())
     }
+}
+
+/// Takes `state` to the last break before `next`, s, from one to the next; breaks within `margin` s of an end count as that end. Returns
+/// whether there is none.
+fn march_to_last_break<I: Integrator>(
+    integrator: &mut I,
+    system: &System,
+    state: &mut State,
+    next: f64,
+    margin: f64,
+) -> Result<bool, Error> {
+    let mut whole = true;
+    while let Some(time) = system.break_between(state.time, next, margin).filter(|_| I::RESOLVES_TIME) {
+        let step = time - state.time;
+        grid_step(integrator, system, state, step, time)?;
+        whole = false;
+    }
+    Ok(whole)
 }
 
 /// An integrator that keeps the state before the step it took last.
 struct Remembering<'a, I>(&'a mut I, &'a mut State);
 
 impl<I: Integrator> Integrator for Remembering<'_, I> {
+    const RESOLVES_TIME: bool = I::RESOLVES_TIME;
+
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         let Self(integrator, before) = self;
         before.clone_from(state);

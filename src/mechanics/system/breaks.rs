@@ -1,0 +1,66 @@
+//! The times at which functions of time change from one piece to the next: steps end there, and a motion must not jump there.
+
+use crate::error::decimal;
+use crate::mechanics::prescribed::Guide;
+use crate::mechanics::system::System;
+
+/// Jumps below this size are rounding of the pieces' numbers, rad or m per m of the mechanism's size (at least 1 m).
+const ROUNDING: f64 = 1e-9;
+
+impl System {
+    /// Collects [`System::breaks`] from all functions of time.
+    pub fn collect_breaks(&mut self) {
+        let loads = self.loads.iter().flat_map(|load| load.signals());
+        let drives = self.drives.iter().filter_map(|drive| drive.signal());
+        let frames = self.moving_frames.iter().flat_map(|frame| frame.signals());
+        let mut breaks: Vec<f64> =
+            loads.chain(drives).chain(frames).flat_map(|signal| signal.breaks()).copied().collect();
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        self.breaks = breaks;
+    }
+
+    /// The first break after `from` and before `to`, s, that is further than `margin` s from both.
+    pub fn break_between(&self, from: f64, to: f64, margin: f64) -> Option<f64> {
+        let first = self.breaks.partition_point(|time| *time <= from + margin);
+        self.breaks.get(first).copied().filter(|time| *time < to - margin)
+    }
+
+    /// Whether there is a break within `margin` of `time`, s.
+    pub fn is_break(&self, time: f64, margin: f64) -> bool {
+        let first = self.breaks.partition_point(|own| *own < time - margin);
+        self.breaks.get(first).is_some_and(|own| *own <= time + margin)
+    }
+
+    /// The jumps of the prescribed motion after `from` up to `to`, s, each as a sentence. No finite force moves a mechanism at once.
+    pub fn jumps(&self, from: f64, to: f64) -> Vec<String> {
+        let least = ROUNDING * self.size.max(1.0);
+        let mut found = Vec::new();
+        for time in self.breaks.iter().copied().filter(|time| from < *time && *time <= to) {
+            let mut tell = |part: String, jump: f64| {
+                found.push(format!(
+                    "{part} jumps by {} at t = {} s, which no finite force can do: velocities and efforts mean nothing from there on; \
+                     let it move over several steps, or give its rate",
+                    decimal(jump.abs()),
+                    decimal(time)
+                ));
+            };
+            for drive in &self.drives {
+                if let Guide::Value(signal) = &drive.guide
+                    && signal.breaks().contains(&time)
+                    && signal.jump(time).abs() > least
+                {
+                    tell(format!("the value of drive {}", drive.name), signal.jump(time));
+                }
+            }
+            for frame in &self.moving_frames {
+                let jumps = frame.signals().filter(|signal| signal.breaks().contains(&time));
+                let largest = jumps.map(|signal| signal.jump(time).abs()).fold(0.0, f64::max);
+                if largest > least {
+                    tell(format!("the motion of frame {}", frame.name), largest);
+                }
+            }
+        }
+        found
+    }
+}
