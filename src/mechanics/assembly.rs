@@ -4,6 +4,7 @@ use super::ancf14::frame::NodeFrame;
 use super::beam_design::{BeamDesign, Elements};
 use super::centreline::Station;
 use super::configuration::Configuration;
+use super::energy_balance::EnergyBalance;
 use super::formulation::Element;
 use super::gauge::{Gauge, Measure};
 use super::host_path::{Departure, Targets};
@@ -379,6 +380,7 @@ impl Assembly {
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);
         system.collect_breaks();
+        system.mass = system.whole_mass();
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
         targets.depart(start, &prescribed);
@@ -399,6 +401,7 @@ impl Assembly {
             excitation: Excitation::default(),
             halving: 0,
             good_steps: 0,
+            balance: EnergyBalance::default(),
             statistics: Statistics::default(),
         };
         (system, state)

@@ -22,6 +22,7 @@ pub mod beam_design;
 pub mod centreline;
 pub mod configuration;
 pub mod division;
+pub mod energy_balance;
 pub mod formulation;
 pub mod gauge;
 pub mod host_path;

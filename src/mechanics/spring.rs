@@ -5,7 +5,7 @@
 use super::configuration::{Configuration, Passage, Rates};
 use super::gauge::Gauge;
 use super::joint::own_velocity;
-use super::marker::{MarkerMatrix, MarkerVector};
+use super::marker::{Marker, MarkerMatrix, MarkerVector};
 use super::pair::{PairHessian, PairVector};
 use super::pose::VECTORS;
 use super::pose_gradient::{of_side, pull_back};
@@ -100,6 +100,35 @@ impl Spring {
         blocks
     }
 
+    /// What comes into the system through the spring, beside its elastic energy, while both sides move by the coordinates `moved`: what the
+    /// damper takes, and what moving frames do. `sides_moved` is the change of the reading by the coordinates alone, `whole` that of the reading.
+    fn outside_work(&self, gauge: &Gauge, tension: f64, viscous: f64, [sides_moved, whole]: [f64; 2]) -> f64 {
+        let is_framed = [gauge.a, gauge.b].iter().any(|side| matches!(side, Marker::Frame { .. }));
+        let by_frames = if is_framed { (tension - viscous) * (whole - sides_moved) } else { 0.0 };
+        by_frames - viscous * sides_moved
+    }
+
+    /// Work over a step that `passage` describes, J, as the step takes its forces: what moving frames put in less what the damper takes out.
+    pub fn step_work(&self, gauge: &Gauge, c: &Configuration, passage: &Passage, increment: &[f64]) -> f64 {
+        let Rates::Step { start, end, .. } = &passage.rates else { return 0.0 };
+        if self.is_idle() {
+            return 0.0;
+        }
+        let (tension, viscous) = (self.tension(gauge, c, passage), self.damping * self.rate(gauge, c, passage));
+        let whole = self.reading(gauge, end) - self.reading(gauge, start);
+        self.outside_work(gauge, tension, viscous, [along(gauge, c, increment), whole])
+    }
+
+    /// Power at an instant with the velocities `velocity`, W: what moving frames put in less what the damper takes out.
+    pub fn power(&self, gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> f64 {
+        if self.is_idle() {
+            return 0.0;
+        }
+        let passage = Passage { increment: None, rates: Rates::Instant(velocity) };
+        let (tension, viscous) = (self.tension(gauge, c, &passage), self.damping * self.rate(gauge, c, &passage));
+        self.outside_work(gauge, tension, viscous, [along(gauge, c, velocity), reading_rate(gauge, c, velocity)])
+    }
+
     /// Minus its forces on the vectors of both poses.
     pub fn tension_x(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> PairVector {
         if self.is_idle() {
@@ -118,6 +147,12 @@ impl Spring {
 pub fn reading_q(gauge: &Gauge, c: &Configuration) -> [MarkerVector; 2] {
     let by_poses = gauge.measure.gradient(&gauge.a.pose(c), &gauge.b.pose(c));
     [gauge.a.pose_q(c).generalized(&of_side(&by_poses, 0)), gauge.b.pose_q(c).generalized(&of_side(&by_poses, 1))]
+}
+
+/// Change of the reading of a gauge when the coordinates change by `change`, to first order.
+fn along(gauge: &Gauge, c: &Configuration, change: &[f64]) -> f64 {
+    let sides = reading_q(gauge, c).into_iter().zip([&gauge.a, &gauge.b]);
+    sides.map(|(by_side, marker)| by_side.dot(&own_velocity(c, marker, change))).sum()
 }
 
 /// Adds `factor` times the products of both sides of `left` and `right` to the blocks `aa, ab, ba, bb`.

@@ -1,5 +1,6 @@
 //! What changes in time, as plain data: to save, restore and repeat is to clone this.
 
+use super::energy_balance::EnergyBalance;
 use super::host_path::Targets;
 use super::load::Excitation;
 use super::prescribed::Prescribed;
@@ -42,6 +43,8 @@ pub struct State {
     pub halving: u32,
     /// Whole steps since the last change of `halving`.
     pub good_steps: u32,
+    /// Energy against work since the start.
+    pub balance: EnergyBalance,
     /// Counts since the start.
     pub statistics: Statistics,
 }
@@ -106,6 +109,7 @@ impl Clone for State {
         self.excitation.copy_from(&source.excitation);
         self.halving = source.halving;
         self.good_steps = source.good_steps;
+        self.balance = source.balance;
         self.statistics = source.statistics;
     }
 }

@@ -7,6 +7,7 @@ mod equations;
 mod limits;
 mod motion;
 mod words;
+mod work;
 
 pub use equations::{copy_corner, copy_transposed};
 pub use motion::{Extreme, PlaceMotion};
@@ -123,6 +124,8 @@ pub struct System {
     pub sensors: Vec<Sensor>,
     /// Largest extent of the machine as drawn, m: what lengths are compared with.
     pub size: f64,
+    /// Mass of everything, kg.
+    pub mass: f64,
     /// Gravity, m/s².
     pub gravity: Vec3,
     /// The times at which pieces of loads, drives and frames meet, ascending, s: steps end there.
@@ -174,15 +177,9 @@ impl System {
         drive.or_else(|| frame.map(|(frame, _)| format!("frame {}", frame.name)))
     }
 
-    /// Whether nothing acts from outside but gravity, nothing is driven and nothing damps: the energy is kept.
-    pub fn is_conservative(&self) -> bool {
-        self.loads.is_empty() && self.drives.is_empty() && self.moving_frames.is_empty() && !self.is_damped()
-    }
-
     /// Whether a spring or a material has damping.
     pub fn is_damped(&self) -> bool {
-        self.springs.iter().any(|spring| spring.damping != 0.0)
-            || self.mesh.elements.iter().any(|element| element.damping() != 0.0)
+        self.springs.iter().any(|spring| spring.damping != 0.0) || self.has_material_damping()
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

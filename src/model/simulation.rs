@@ -119,8 +119,7 @@ impl Simulation {
         machine.respond()?;
         let moment = Moment { system: &machine.system, state: &machine.state, response: &machine.response };
         self.table.measure(&moment, &mut self.frames, &mut self.results);
-        let energies = self.table.energies(&self.results);
-        let odd = self.watch.look(&machine.system, &machine.state, energies, &mut self.frames);
+        let odd = self.watch.look(&machine.system, &machine.state, &mut self.frames);
         self.warnings.extend(odd);
         Ok(())
     }

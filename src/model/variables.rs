@@ -68,14 +68,12 @@ pub struct Table {
     pub sources: Vec<Source>,
     /// What the results are made of.
     pub measures: Vec<Measure>,
-    /// Number of the first energy among the results.
-    energy: usize,
 }
 
 impl Table {
     /// Of a model file.
     pub fn new(document: &Document) -> Self {
-        let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new(), energy: 0 };
+        let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new() };
         let inputs = Inputs::new(document);
         for (index, parameter) in document.parameters().iter().enumerate() {
             let input = inputs.place(parameter.number).map(Source::Input);
@@ -93,7 +91,6 @@ impl Table {
             }
             sensor += sensors;
         }
-        table.energy = table.results();
         for (name, meaning) in [
             ("energy.kinetic", "Kinetic energy"),
             ("energy.elastic", "Strain energy of beams and energy of springs"),
@@ -218,11 +215,6 @@ impl Table {
             };
             self.push(variable, Source::Result(number));
         }
-    }
-
-    /// Kinetic, elastic, gravity and total energy among the results, J.
-    pub fn energies(&self, results: &[f64]) -> [f64; 4] {
-        std::array::from_fn(|part| results[self.energy + part])
     }
 
     /// Writes all results of a moment into `values`.

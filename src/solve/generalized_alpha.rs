@@ -21,9 +21,11 @@ use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Passage, Rates};
+use crate::mechanics::energy_balance::{Energies, EnergyBalance};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
+use crate::mechanics::sensor::Snapshot as FrameCache;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
@@ -130,6 +132,7 @@ impl GeneralizedAlpha {
         if system.is_break(state.time, AT_BREAK * step) {
             let responder = self.responder.get_or_insert_with(|| Box::new(Responder::new(system)));
             let _ = set_accelerations(responder, system, state);
+            state.balance.forget_last();
         }
     }
 }
@@ -182,7 +185,9 @@ impl Integrator for GeneralizedAlpha {
         self.convergence = Some(solved?);
         self.scratch.place(system, state, self.weights, step);
         self.scratch.check(system, state, end)?;
+        let balance = self.scratch.balance(system, state, self.weights, step, end);
         self.scratch.finish(system, state, self.weights, step, end);
+        state.balance = balance;
         self.restart_at_break(system, state, step);
         Ok(())
     }
@@ -256,6 +261,23 @@ impl Scratch {
         system.check(&configuration, state, limits::LARGEST_TURN, end)
     }
 
+    /// The account of the energy with this step in it: the power of what acts from outside is taken at both ends.
+    fn balance(&mut self, system: &System, state: &State, weights: Weights, step: f64, end: f64) -> EnergyBalance {
+        let mut balance = state.balance;
+        let [_, acceleration_by_q] = weights.by_q(step);
+        let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
+        let energies = system.energies(&configuration, &self.velocity);
+        let acting = system.power(&configuration, &self.velocity, &self.excitation, &mut self.forces);
+        let driving = system.driven_work(&self.gradients, &self.scaled_multipliers, &self.velocity);
+        let power = acting + acceleration_by_q * driving;
+        if balance.last.is_none() {
+            (balance.last, balance.power) = begin_balance(system, state);
+        }
+        balance.account(end, 0.5 * step * (balance.power + power), energies, system.energy_noise(), true);
+        balance.power = power;
+        balance
+    }
+
     /// Writes the end of the converged step into `state`, references carried on (2.6).
     fn finish(&self, system: &System, state: &mut State, weights: Weights, step: f64, end: f64) {
         let [_, acceleration_by_q] = weights.by_q(step);
@@ -272,6 +294,17 @@ impl Scratch {
         state.time = end;
         state.statistics.steps += 1;
     }
+}
+
+/// The energies (J) and the power of what acts from outside (W) at `state`, whose last step is not known or was before a break.
+fn begin_balance(system: &System, state: &State) -> (Option<Energies>, f64) {
+    let (mut cache, mut excitation, mut gradients) = (FrameCache::default(), Excitation::default(), Vec::new());
+    let configuration = cache.of(system, state);
+    system.excite(state.time, &state.targets, &mut excitation);
+    system.constraint_gradients(&configuration, &mut gradients);
+    let acting = system.power(&configuration, &state.velocity, &excitation, &mut vec![0.0; state.q.len()]);
+    let driving = system.driven_work(&gradients, &state.multipliers, &state.velocity);
+    (Some(system.energies(&configuration, &state.velocity)), acting + driving)
 }
 
 /// One step as Newton sees it.

@@ -21,6 +21,7 @@ use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Configuration, Passage, Rates};
+use crate::mechanics::energy_balance::Energies;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
@@ -124,10 +125,13 @@ impl Integrator for Midpoint {
         // All that is left may still fail at the velocities: the state changes at the very end.
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
-        self.scratch.finish(system, &mut next, self.rule, step, end);
+        let (energy_before, elastic) = self.scratch.energies(system, state);
+        let work = self.scratch.finish(system, &mut next, self.rule, step, end);
         let outcome = self.projection.set_velocity(system, &mut self.kkt, &mut next);
         if outcome.is_ok() {
-            self.steady(system, &mut next);
+            let kinetic = self.steady(system, &mut next);
+            next.balance.last = Some(energy_before);
+            next.balance.account(end, work, Energies { kinetic, elastic }, system.energy_noise(), false);
             std::mem::swap(state, &mut next);
         }
         self.next = Some(next);
@@ -139,14 +143,16 @@ impl Midpoint {
     /// Takes out of the momentum at the end of a step what would alternate for ever. The midpoint rule turns the part that the
     /// constraints do not allow, `ν`, into `c − ν`, with a smooth `c` of second order in the step: its rest is `c/2`, the mean of one `ν`
     /// and the next. Taking that mean, a jump of a drive is gone after a step, and smooth motions keep their energy (taking all of
-    /// `ν` away would cost some of it at every step). Linear and angular momentum do not change.
-    fn steady(&self, system: &System, state: &mut State) {
+    /// `ν` away would cost some of it at every step). Linear and angular momentum do not change. Returns the kinetic energy, J.
+    fn steady(&self, system: &System, state: &mut State) -> f64 {
         let (gradients, strays) = self.projection.stray(system);
         for (own, stray) in state.strays.iter_mut().zip(strays) {
             *own = 0.5 * (*own + stray);
         }
         system.mass_times(&state.velocity, &mut state.momentum);
+        let kinetic = 0.5 * state.velocity.iter().zip(&state.momentum).map(|(v, p)| v * p).sum::<f64>();
         system.add_constraint_forces(gradients, &state.strays, 1.0, &mut state.momentum);
+        kinetic
     }
 }
 
@@ -179,8 +185,8 @@ impl Scratch {
         system.mass_times(&self.increment, &mut self.mass_increment);
     }
 
-    /// Forces without those of the joints, at the current positions.
-    fn act(&mut self, system: &System, state: &State, rule: AxialRule, step: f64) {
+    /// Sets the forces without those of the joints, at the current positions; returns the work over the step of what acts from outside, J.
+    fn act(&mut self, system: &System, state: &State, rule: AxialRule, step: f64) -> f64 {
         let [start, middle, end] = configurations(
             system,
             state,
@@ -190,7 +196,20 @@ impl Scratch {
         );
         let rates = Rates::Step { start: &start, end: &end, duration: step };
         let passage = Passage { increment: over_step(rule, &self.increment), rates };
-        system.forces(&middle, &passage, &self.excitation, &mut self.forces);
+        system.forces_and_work(&middle, &passage, &self.excitation, &self.increment, &mut self.forces)
+    }
+
+    /// The energies of `state`, J, and the elastic energy at the current end.
+    fn energies(&self, system: &System, state: &State) -> (Energies, f64) {
+        let [start, _, end] = configurations(
+            system,
+            state,
+            [&self.q_middle, &self.q_end],
+            [&self.frames_start, &self.frames_middle, &self.frames_end],
+            [&self.prescribed_middle, &self.prescribed_end],
+        );
+        let before = state.balance.last.unwrap_or_else(|| system.energies(&start, &state.velocity));
+        (before, system.elastic_energy(&end))
     }
 
     /// Gradients of the conditions in the middle, at the current positions.
@@ -221,9 +240,10 @@ impl Scratch {
         system.check(&configuration, state, limits::LARGEST_TURN, end)
     }
 
-    /// Writes the end of the converged step into `state`: momentum (7.4), change of charts (7.5), references (2.6).
-    fn finish(&mut self, system: &System, state: &mut State, rule: AxialRule, step: f64, end: f64) {
-        self.act(system, state, rule, step);
+    /// Writes the end of the converged step into `state`: momentum (7.4), change of charts (7.5), references (2.6). Returns the work over the step
+    /// of what acts from outside, J.
+    fn finish(&mut self, system: &System, state: &mut State, rule: AxialRule, step: f64, end: f64) -> f64 {
+        let work = self.act(system, state, rule, step);
         system.add_constraint_forces(&self.gradients_middle, &self.impulses, 2.0 / step, &mut self.forces);
         // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it.
         for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
@@ -240,6 +260,7 @@ impl Scratch {
         system.carry_references(state, &self.frames_end);
         state.time = end;
         state.statistics.steps += 1;
+        work + system.driven_work(&self.gradients_middle, &state.multipliers, &self.increment)
     }
 }
 

@@ -428,6 +428,8 @@ pub struct Differentiated<'a, I, N> {
 }
 
 impl<I: Linearized, N: Inputs> Integrator for Differentiated<'_, I, N> {
+    const RESOLVES_TIME: bool = I::RESOLVES_TIME;
+
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         self.sensitivity.scratch.before.clone_from(state);
         self.integrator.step(system, state, step, end)?;

@@ -25,6 +25,7 @@ mod direct_solver;
 mod drives;
 mod dynamics;
 mod element_derivatives;
+mod energy_watch;
 mod fmi;
 mod four_bar;
 mod frequencies;

@@ -12,6 +12,11 @@ impl System {
         self.mesh.elements.iter().enumerate().filter(|(_, element)| element.damping() != 0.0)
     }
 
+    /// Whether the material of a beam has damping.
+    pub fn has_material_damping(&self) -> bool {
+        self.damped_elements().next().is_some()
+    }
+
     /// Adds the viscous forces of the beams' material.
     pub(super) fn add_material_damping(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
         for (_, element) in self.damped_elements() {

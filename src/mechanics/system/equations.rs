@@ -2,7 +2,7 @@
 
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::configuration::{Configuration, Passage};
-use crate::mechanics::joint::JointGradient;
+use crate::mechanics::joint::{Joint, JointGradient};
 use crate::mechanics::load::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::rigid_body::BODY;
@@ -90,7 +90,7 @@ impl System {
         }
     }
 
-    fn add_springs(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+    pub(super) fn add_springs(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let parts = spring.gradient(&self.gauges[spring.gauge], c, passage);
             for (marker, part) in self.sides(spring.gauge).into_iter().zip(&parts) {
@@ -101,7 +101,7 @@ impl System {
     }
 
     /// Sets `forces` to minus the external forces.
-    fn add_external(&self, c: &Configuration, excitation: &Excitation, forces: &mut [f64]) {
+    pub(super) fn add_external(&self, c: &Configuration, excitation: &Excitation, forces: &mut [f64]) {
         forces.fill(0.0);
         for element in &self.mesh.elements {
             element.add_weight(&excitation.gravity, -1.0, forces);
@@ -183,14 +183,18 @@ impl System {
     pub fn add_constraint_rates(&self, gradients: &[JointGradient], velocity: &[f64], rates: &mut [f64]) {
         let mut row = 0;
         for (joint, gradient) in self.joints.iter().zip(gradients) {
-            for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
-                let own = &mut rates[row..row + joint.rows()];
-                let velocity = &velocity[marker.coordinates(&self.mesh)];
-                for (velocity, column) in velocity.iter().zip(columns(block)) {
-                    own.iter_mut().zip(column).for_each(|(rate, value)| *rate += value * velocity);
-                }
-            }
+            self.add_joint_rates(joint, gradient, velocity, &mut rates[row..row + joint.rows()]);
             row += joint.rows();
+        }
+    }
+
+    /// [`Self::add_constraint_rates`] of one joint, into its own `rates`.
+    pub(super) fn add_joint_rates(&self, joint: &Joint, gradient: &JointGradient, velocity: &[f64], rates: &mut [f64]) {
+        for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
+            let velocity = &velocity[marker.coordinates(&self.mesh)];
+            for (velocity, column) in velocity.iter().zip(columns(block)) {
+                rates.iter_mut().zip(column).for_each(|(rate, value)| *rate += value * velocity);
+            }
         }
     }
 

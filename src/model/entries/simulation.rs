@@ -76,8 +76,9 @@ enum Word {
 
 /// Default of `tolerance`.
 const TOLERANCE: f64 = 1e-8;
-/// Default of `spectral_radius`: the fastest oscillations lose a tenth a step.
-const SPECTRAL_RADIUS: f64 = 0.9;
+/// Default of `spectral_radius`: the fastest oscillations lose a fifth a step. With 0.9 a body that turns by 0.12 rad a step gains energy without
+/// bound; with 0.8 it loses 1 % in 1,500 steps.
+const SPECTRAL_RADIUS: f64 = 0.8;
 
 impl Simulation {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {

@@ -180,6 +180,7 @@ impl Machine {
     pub(super) fn settle(&mut self, document: &Document) {
         if std::mem::take(&mut self.stale) {
             build::retune(document, Arc::make_mut(&mut self.system));
+            self.state.balance.forget_last();
         }
     }
 

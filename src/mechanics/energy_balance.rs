@@ -1,0 +1,126 @@
+//! The energy of a run against the work of all that acts from outside: gravity, loads, drives, moving frames and dampers.
+//!
+//! Kinetic and elastic energy may change by that work only. What they change by beyond it, the drift, is the integrator's: some thousandths of the energy
+//! where the step resolves the motion, and without bound where it does not. Every internal step is accounted for, so that nothing hides
+//! between two rows of the results.
+
+use serde::{Deserialize, Serialize};
+
+/// Share of the largest energy by which the energy may drift. The midpoint rules keep it within some thousandths where the step resolves the motion.
+const BAND: f64 = 0.02;
+
+/// Share of the largest energy that numerical damping may take unnoticed: it is there to take what the step does not resolve.
+const DAMPED_BAND: f64 = 0.05;
+
+/// Steps in a row that a loss to numerical damping must have lasted: after a sudden start nearly all of the first, tiny energy may go.
+const DAMPED_STEPS: u32 = 200;
+
+/// Share of the energy that has passed through the system by which the sums of the work may be off: the middle or the ends of a step stand for all of it.
+const THROUGHPUT: f64 = 5e-3;
+
+/// Share of the work of lifting the whole system by its size that is round-off: of a system that hangs at rest nothing else moves.
+pub const LIFT_ROUND_OFF: f64 = 1e-9;
+
+/// Energy that a molecule has by its warmth, J: what a system has below it is the round-off of nothing.
+const THERMAL: f64 = 4e-21;
+
+/// Kinetic and elastic energy of a state, J.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Energies {
+    /// `vᵀ M v / 2`.
+    pub kinetic: f64,
+    /// Strain energy of beams and energy of springs.
+    pub elastic: f64,
+}
+
+/// The account of a run, as plain data.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct EnergyBalance {
+    /// Energies at the end of the last step; none before the first step, and after a change of stiffnesses.
+    pub last: Option<Energies>,
+    /// Power of what acts from outside at the end of the last step, W; of integrators that take forces at instants.
+    pub power: f64,
+    /// By what the energy has changed beyond the work, J.
+    drift: f64,
+    /// Sum of the sizes of the work of all steps, J.
+    throughput: f64,
+    /// Largest sum of kinetic and elastic energy so far, J.
+    largest: f64,
+    /// Steps in a row, up to the last one, for which the loss to numerical damping has been beyond its band.
+    damped_steps: u32,
+    /// Where the drift left its band first.
+    alarm: Option<Alarm>,
+}
+
+/// A drift that cannot be the step's usual error.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Alarm {
+    /// When the drift left its band, s.
+    pub time: f64,
+    /// The drift then, J.
+    pub drift: f64,
+    /// The largest energy until then, J.
+    pub largest: f64,
+}
+
+impl EnergyBalance {
+    /// Accounts for a step to `time`, s, over which what acts from outside did `work`, J, and at whose end the system has `energies`.
+    /// `noise` is what round-off may add up to, J; `is_damped`: the integrator takes energy out of what the step does not resolve.
+    pub fn account(&mut self, time: f64, work: f64, energies: Energies, noise: f64, is_damped: bool) {
+        let total = energies.kinetic + energies.elastic;
+        let before = self.last.map_or(total, |last| last.kinetic + last.elastic);
+        self.last = Some(energies);
+        self.drift += total - before - work;
+        self.throughput += work.abs();
+        self.largest = self.largest.max(total);
+        let damps = is_damped && self.drift < 0.0;
+        let share = if damps { DAMPED_BAND } else { BAND };
+        let is_beyond = self.drift.abs() > share * self.largest + THROUGHPUT * self.throughput + noise + THERMAL;
+        self.damped_steps = if damps && is_beyond { self.damped_steps.saturating_add(1) } else { 0 };
+        if is_beyond && self.alarm.is_none() && (!damps || self.damped_steps >= DAMPED_STEPS) {
+            self.alarm = Some(Alarm { time, drift: self.drift, largest: self.largest });
+        }
+    }
+
+    /// The alarm, if there has been one.
+    pub fn alarm(&self) -> Option<Alarm> {
+        self.alarm
+    }
+
+    /// Forgets the energies of the last step: stiffnesses have been set from outside, which is no step's doing.
+    pub fn forget_last(&mut self) {
+        self.last = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn energies(kinetic: f64) -> Energies {
+        Energies { kinetic, elastic: 0.0 }
+    }
+
+    /// Energy that work accounts for raises no alarm, however much; a hundredth of it beyond the band does.
+    #[test]
+    fn only_drift_raises_an_alarm() {
+        let mut balance = EnergyBalance { last: Some(energies(1.0)), ..EnergyBalance::default() };
+        balance.account(1.0, 9.0, energies(10.0), 0.0, false);
+        assert_eq!(balance.alarm(), None);
+        balance.account(2.0, 0.0, energies(10.0 + 0.19), 0.0, false);
+        assert_eq!(balance.alarm(), None);
+        balance.account(3.0, 0.0, energies(10.0 + 0.35), 0.0, false);
+        assert!(balance.alarm().is_some_and(|alarm| alarm.time == 3.0 && (alarm.drift - 0.35).abs() < 1e-12));
+    }
+
+    /// A loss may be twice as large and more where the integrator damps, but not without bound.
+    #[test]
+    fn numerical_damping_may_take_a_share() {
+        for (is_damped, kinetic, alarms) in [(true, 0.96, false), (false, 0.96, true), (true, 0.9, true)] {
+            let mut balance = EnergyBalance { last: Some(energies(1.0)), ..EnergyBalance::default() };
+            balance.account(0.5, 0.0, energies(1.0), 0.0, is_damped);
+            (0..DAMPED_STEPS).for_each(|_| balance.account(1.0, 0.0, energies(kinetic), 0.0, is_damped));
+            assert_eq!(balance.alarm().is_some(), alarms, "{is_damped} {kinetic}");
+        }
+    }
+}

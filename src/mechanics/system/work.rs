@@ -1,0 +1,100 @@
+//! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the system may change by.
+
+use crate::math::Vec3;
+use crate::mechanics::configuration::{Configuration, Passage, Rates};
+use crate::mechanics::energy_balance::{Energies, LIFT_ROUND_OFF};
+use crate::mechanics::joint::{Joint, JointGradient};
+use crate::mechanics::load::Excitation;
+use crate::mechanics::marker::Marker;
+use crate::mechanics::system::System;
+
+impl System {
+    /// Kinetic energy with the velocities `velocity`, and elastic energy at `c`, J.
+    pub fn energies(&self, c: &Configuration, velocity: &[f64]) -> Energies {
+        Energies { kinetic: self.kinetic_energy(velocity), elastic: self.elastic_energy(c) }
+    }
+
+    /// Energy that is round-off of the weight, J.
+    pub fn energy_noise(&self) -> f64 {
+        LIFT_ROUND_OFF * self.mass * self.gravity.norm() * self.size
+    }
+
+    /// Mass of everything, kg: the work of a unit acceleration along x.
+    pub fn whole_mass(&self) -> f64 {
+        let unit = Vec3::x();
+        let mut forces = vec![0.0; self.coordinates()];
+        self.mesh.elements.iter().for_each(|element| element.add_weight(&unit, 1.0, &mut forces));
+        let nodes: f64 = self.mesh.nodes.iter().map(|node| forces[node.coordinates().start]).sum();
+        self.bodies.iter().fold(nodes, |sum, body| sum + body.mass)
+    }
+
+    /// [`System::forces`] over a step by `increment`, and the work of what acts from outside but for constraints, J, as the step takes its forces.
+    pub fn forces_and_work(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        excitation: &Excitation,
+        increment: &[f64],
+        forces: &mut [f64],
+    ) -> f64 {
+        self.add_external(c, excitation, forces);
+        let external = -dot(forces, increment);
+        for element in &self.mesh.elements {
+            element.add_gradient(c, passage.increment, forces);
+        }
+        let viscous = if self.has_material_damping() {
+            let before = dot(forces, increment);
+            self.add_material_damping(c, passage, forces);
+            dot(forces, increment) - before
+        } else {
+            0.0
+        };
+        self.add_springs(c, passage, forces);
+        let springs = self.springs.iter().map(|spring| {
+            let gauge = &self.gauges[spring.gauge];
+            spring.step_work(gauge, c, passage, increment)
+        });
+        external - viscous + springs.sum::<f64>()
+    }
+
+    /// Power at the instant `c` with the velocities `velocity` of what acts from outside but for constraints, W; `forces` is scratch memory.
+    pub fn power(&self, c: &Configuration, velocity: &[f64], excitation: &Excitation, forces: &mut [f64]) -> f64 {
+        self.add_external(c, excitation, forces);
+        let external = -dot(forces, velocity);
+        let viscous = if self.has_material_damping() {
+            forces.fill(0.0);
+            self.add_material_damping(c, &Passage { increment: None, rates: Rates::Instant(velocity) }, forces);
+            dot(forces, velocity)
+        } else {
+            0.0
+        };
+        let springs = self.springs.iter().map(|spring| spring.power(&self.gauges[spring.gauge], c, velocity));
+        external - viscous + springs.sum::<f64>()
+    }
+
+    /// Work of drives and of joints to moving frames while the coordinates change by `change`, J; their power for velocities, W. All other
+    /// constraints do none.
+    pub fn driven_work(&self, gradients: &[JointGradient], multipliers: &[f64], change: &[f64]) -> f64 {
+        let (mut work, mut row) = (0.0, 0);
+        for (joint, gradient) in self.joints.iter().zip(gradients) {
+            let own = row..row + joint.rows();
+            row = own.end;
+            if is_driven(joint) {
+                let mut rates = [0.0; crate::mechanics::joint::MOST_CONDITIONS];
+                let rates = &mut rates[..joint.rows()];
+                self.add_joint_rates(joint, gradient, change, rates);
+                work -= dot(&multipliers[own], rates);
+            }
+        }
+        work
+    }
+}
+
+/// Whether a joint puts energy into the system: a drive's, or one to a moving frame.
+fn is_driven(joint: &Joint) -> bool {
+    joint.drive.is_some() || [joint.a, joint.b].iter().any(|side| matches!(side, Marker::Frame { .. }))
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

@@ -1,0 +1,90 @@
+//! Energy that loads, drives and dampers do not account for is told, whatever acts on the machine and however far apart the rows of the results are; a
+//! machine whose step resolves its motion is not warned of. A watch that looks at the total energy alone sees nothing as soon as a load acts.
+
+use crate::running::{start, value};
+use ancf14::fmi::Model;
+
+/// A free steel strip that spins about its axis and tumbles, under a force of 1 nN: the midpoint rule pumps energy into it from
+/// `spin * step * elements = 0.24` on.
+fn strip(step: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Strip\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
+         [section.flat]\nshape = \"rectangle\"\nwidth = 0.02\nheight = 0.004\n\
+         [beam.b]\nmaterial = \"steel\"\nsection = \"flat\"\nfrom = [0, 0, 0]\nto = [0.8, 0, 0]\nelements = 8\n\
+         angular_velocity = [100, 0, 3]\n\
+         [load.breath]\nat = \"b.end\"\nforce = [1e-9, 0, 0]\n[simulation]\nstop = 1\nstep = {step}\n"
+    )
+}
+
+/// A free symmetric body with 60 rad/s under a force of 1 nN, by generalized-alpha with a radius of 0.9: 0.12 rad a step are too many.
+fn body(step: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Body\"\n[body.b]\nmass = 1.5\nposition = [0, 0, 0]\ninertia = [0.02, 0.02, 0.008]\n\
+         angular_velocity = [18, 0, 60]\n[load.breath]\nat = \"b\"\nforce = [1e-9, 0, 0]\n\
+         [simulation]\nintegrator = \"generalized_alpha\"\nspectral_radius = 0.9\nstop = 3\nstep = {step}\n"
+    )
+}
+
+/// Warnings of a run in a single communication step of `stop` s.
+fn warnings(text: &str, stop: f64) -> Vec<String> {
+    let mut simulation = start(text);
+    simulation.advance(stop).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation.take_warnings()
+}
+
+#[test]
+fn regression_energy_out_of_nothing_is_told_under_loads_and_within_a_row() {
+    for (text, stop) in [(strip("1e-3"), 1.0), (body("2e-3"), 3.0)] {
+        let found = warnings(&text, stop);
+        let told = "J, 2.";
+        assert!(
+            matches!(&found[..], [one] if one.contains("the integrator has gained") && one.contains(told) && one.contains("simulation.step")),
+            "{found:?}"
+        );
+    }
+}
+
+#[test]
+fn resolved_motions_are_not_warned_of() {
+    for (text, stop) in [(strip("2.5e-4"), 1.0), (body("2.5e-4"), 3.0)] {
+        assert_eq!(warnings(&text, stop), Vec::<String>::new());
+    }
+}
+
+/// A motor that works against a damper for a thousand times the kinetic energy: the sums of the work agree to their last digits.
+#[test]
+fn steady_power_is_accounted_for() {
+    for integrator in ["conserving", "variational", "generalized_alpha"] {
+        let text = format!(
+            "format = 1\n[model]\nname = \"Brake\"\ngravity = [0, 0, -9.81]\n\
+             [body.rotor]\nmass = 1\nposition = [0.1, 0, 0]\ninertia = [0.01, 0.01, 0.01]\n\
+             [joint.axle]\ntype = \"revolute\"\na = \"ground\"\nb = \"rotor\"\nat = [0, 0, 0]\naxis = [0, 1, 0]\ndamping = 1\n\
+             [drive.motor]\njoint = \"axle\"\ncoordinate = \"angle\"\nrate = 30\n\
+             [simulation]\nintegrator = \"{integrator}\"\nstop = 20\nstep = 4e-3\n"
+        );
+        let mut simulation = start(&text);
+        simulation.take_warnings();
+        simulation.advance(20.0).unwrap_or_else(|failure| panic!("{}", failure.message));
+        assert_eq!(simulation.take_warnings(), Vec::<String>::new(), "{integrator}");
+        // (0.01 + 0.01) 30²/2.
+        assert!((value(&simulation, "energy.kinetic") - 9.0).abs() < 0.1, "{}", value(&simulation, "energy.kinetic"));
+    }
+}
+
+/// A frame that shakes a mass by a spring with a damper puts energy in and takes it out again, for ever.
+#[test]
+fn moving_frames_on_springs_are_accounted_for() {
+    for integrator in ["conserving", "generalized_alpha"] {
+        let text = format!(
+            "format = 1\n[model]\nname = \"Shaker\"\n[body.b]\nmass = 1\nposition = [1, 0, 0]\ninertia = [0.1, 0.1, 0.1]\n\
+             [frame.table]\nposition = [\"0.05*sin(20*t)\", 0, 0]\n\
+             [spring.coil]\na = \"table\"\nb = \"b\"\nstiffness = 300\ndamping = 2\n\
+             [simulation]\nintegrator = \"{integrator}\"\nstop = 60\nstep = 5e-3\n"
+        );
+        let mut simulation = start(&text);
+        simulation.take_warnings();
+        simulation.advance(60.0).unwrap_or_else(|failure| panic!("{}", failure.message));
+        assert_eq!(simulation.take_warnings(), Vec::<String>::new(), "{integrator}");
+        assert!(value(&simulation, "energy.kinetic") > 1e-3);
+    }
+}
