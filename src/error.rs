@@ -138,6 +138,25 @@ t = decimal(*.time)
         /// Where its joint is.
         reading: f64,
     },
+    /// A drive moves too far within one increment of a static analysis.
+    #[error(
+        "drive {drive} turns {turns:.1e} times from t = {begin} s to t = {end} s; a static analysis follows at most {limit} turns in each \
+         simulation.step: take a smaller one, or a slower drive",
+begin = decimal(*.from),
+end = decimal(*.to)
+)]
+    DriveTooFast {
+        /// The drive.
+        drive: String,
+        /// How many times it turns.
+        turns: f64,
+        /// Start, s.
+        from: f64,
+        /// End, s.
+        to: f64,
+        /// Most turns in a step.
+        limit: f64,
+    },
     /// A drive does not begin where the machine is drawn.
     #[error(
         "the drive {drive} begins at {value}, but the coordinates of joints are 0 as drawn; let it begin at 0, draw the machine \

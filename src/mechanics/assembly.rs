@@ -86,6 +86,7 @@ impl Assembly {
             corners: line.corners(),
             outline: design.section.outline,
             young: design.material.young,
+            gyration: design.section.gyration(),
             twist_limit: design.twist_limit(),
         });
         self.weld_corners(self.system.beams.len() - 1);

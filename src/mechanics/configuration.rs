@@ -34,6 +34,8 @@ pub enum Rates<'a> {
         end: &'a Configuration<'a>,
         /// Length of the step, s.
         duration: f64,
+        /// Velocities of the coordinates at the start, 1/s each.
+        velocity: &'a [f64],
     },
     /// With these velocities of the coordinates, 1/s each.
     Instant(&'a [f64]),

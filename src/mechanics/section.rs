@@ -113,6 +113,11 @@ impl Section {
         if whole < (1.0 - INTEGRAL_ROUNDING) * relief { whole - relief } else { f64::max(whole - relief, 0.0) }
     }
 
+    /// Larger radius of gyration, `√(I/A)`, m.
+    pub fn gyration(&self) -> f64 {
+        (self.second_moment_y.max(self.second_moment_z) / self.area).sqrt()
+    }
+
     /// Solid circle, m.
     pub fn circle(radius: f64) -> Self {
         let second_moment = PI * radius.powi(4) / 4.0;

@@ -23,6 +23,8 @@ pub struct Spring {
     pub damping: f64,
     /// Reading at which it is free of force, m or rad.
     pub rest: f64,
+    /// How easily the reading is moved as drawn: one over the mass or the moment of inertia behind it, 1/kg or 1/(kg m²); 0 where it is not known.
+    pub mobility: f64,
 }
 
 impl Spring {
@@ -51,9 +53,29 @@ impl Spring {
         }
         match &passage.rates {
             Rates::Rest => 0.0,
-            Rates::Step { start, end, duration } => (self.reading(gauge, end) - self.reading(gauge, start)) / duration,
+            Rates::Step { start, end, duration, velocity } => {
+                let mean = (self.reading(gauge, end) - self.reading(gauge, start)) / duration;
+                match self.lateness(*duration) {
+                    0.0 => mean,
+                    late => (1.0 + late) * mean - late * reading_rate(gauge, start, velocity),
+                }
+            }
             Rates::Instant(velocity) => reading_rate(gauge, c, velocity),
         }
+    }
+
+    /// How far from the middle of a step of `duration` s towards its end the damper's rate is taken, 0 to 1.
+    ///
+    /// In the middle, a damper `c` multiplies the rate of a mass `m` by `(1 − z/2)/(1 + z/2)` a step, `z = c h/m`: beyond `z = 2` the rate changes its
+    /// sign with every step, and beyond 20 it hardly fades. Later by `1 − 2/z` the factor is 0.
+    fn lateness(&self, duration: f64) -> f64 {
+        let stops = 2.0 / (self.damping * self.mobility * duration);
+        if stops < 1.0 { 1.0 - stops } else { 0.0 }
+    }
+
+    /// Time in which the damper takes most of the motion of the mass that it holds, s; infinite where it has none.
+    pub fn stopping_time(&self) -> f64 {
+        1.0 / (self.damping * self.mobility)
     }
 
     /// Generalized forces against the motion of both sides, 24×1 each: the gradient of the energy, and the damper's part.
@@ -84,7 +106,10 @@ impl Spring {
         if self.damping != 0.0 {
             let rate_q = match &passage.rates {
                 Rates::Rest => return blocks,
-                Rates::Step { end, duration, .. } => reading_q(gauge, end).map(|by_side| by_side * (2.0 / duration)),
+                Rates::Step { end, duration, .. } => {
+                    let factor = 2.0 * (1.0 + self.lateness(*duration)) / duration;
+                    reading_q(gauge, end).map(|by_side| by_side * factor)
+                }
                 Rates::Instant(velocity) => reading_rate_q(gauge, c, velocity),
             };
             add_products(&here, &rate_q, self.damping, &mut blocks);

@@ -6,6 +6,7 @@ mod energy;
 mod equations;
 mod limits;
 mod motion;
+mod proportions;
 mod words;
 mod work;
 
@@ -20,7 +21,7 @@ use super::formulation::Element;
 use super::gauge::Gauge;
 use super::host_path::Targets;
 use super::joint::Joint;
-use super::load::{Excitation, Load};
+use super::load::{Direction, Excitation, Load};
 use super::mesh::Mesh;
 use super::node::Node;
 use super::prescribed::{Drive, MovingFrame, Prescribed};
@@ -54,6 +55,8 @@ pub struct Beam {
     pub outline: Outline,
     /// Young's modulus, Pa.
     pub young: f64,
+    /// Larger radius of gyration of its section, `√(I/A)`, m.
+    pub gyration: f64,
     /// Twist rate above which its energy has no lower bound, rad/m (MECHANICS, trap 9); infinite where there is none.
     pub twist_limit: f64,
 }
@@ -138,6 +141,15 @@ impl System {
         excitation.gravity = self.gravity;
         excitation.wrenches.clear();
         excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
+    }
+
+    /// Whether loads act at `excitation` that derive from no potential: follower loads, and moments about axes that stand still. Stability is
+    /// then no matter of the stiffness alone.
+    pub fn follows_no_potential(&self, excitation: &Excitation) -> bool {
+        self.loads.iter().zip(&excitation.wrenches).any(|(load, wrench)| {
+            let follows = load.direction == Direction::Follower && wrench.force != Vec3::zeros();
+            follows || wrench.moment != Vec3::zeros()
+        })
     }
 
     /// What drives and frames prescribe at the start, `time` s.

@@ -267,6 +267,11 @@ pub fn units(system: &System) -> Vec<f64> {
 fn advice(system: &System, index: usize) -> String {
     let place = system.describe_unknown(index);
     if index < system.coordinates() {
+        if let Some(short) = system.too_short_element(index) {
+            return format!(
+                "{short} is too short for the others: its stiffness hides that of {place}; make the elements more alike"
+            );
+        }
         format!("{place} can move freely; hold it by a joint")
     } else {
         format!("{place} holds what is held already; remove it, or take one that leaves more free")

@@ -194,7 +194,7 @@ impl Scratch {
             [&self.frames_start, &self.frames_middle, &self.frames_end],
             [&self.prescribed_middle, &self.prescribed_end],
         );
-        let rates = Rates::Step { start: &start, end: &end, duration: step };
+        let rates = Rates::Step { start: &start, end: &end, duration: step, velocity: &state.velocity };
         let passage = Passage { increment: over_step(rule, &self.increment), rates };
         system.forces_and_work(&middle, &passage, &self.excitation, &self.increment, &mut self.forces)
     }
@@ -331,7 +331,7 @@ impl Problem for Step<'_> {
             [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
             [&scratch.prescribed_middle, &scratch.prescribed_end],
         );
-        let rates = Rates::Step { start: &start, end: &end, duration: h };
+        let rates = Rates::Step { start: &start, end: &end, duration: h, velocity: &state.velocity };
         let passage = Passage { increment: over_step(self.rule, &scratch.increment), rates };
         system.forces_and_tangent(
             &middle,

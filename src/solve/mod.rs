@@ -9,6 +9,7 @@ pub mod kkt;
 pub mod limits;
 pub mod linear;
 pub mod midpoint;
+pub mod mobility;
 pub mod modes;
 pub mod multifrontal;
 pub mod newton;

@@ -7,6 +7,7 @@
 use super::kkt::Kkt;
 use super::modes;
 use super::subspace::Subspace;
+use crate::error::decimal;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -15,6 +16,10 @@ use crate::mechanics::system::System;
 const BLOCK: usize = 4;
 /// Most sweeps for it.
 const MOST_SWEEPS: usize = 50;
+/// What an unstable mode of the stiffness means under loads that have no potential.
+const UNDECIDED: &str = "follower loads and moments act, under which the stiffness alone does not decide: the equilibrium may be stable all the same, or \
+                         flutter earlier; a dynamic analysis with a small disturbance shows it";
+
 /// Error of a vector at which its eigenvalue, which has the square of it, is known.
 const ACCURATE: f64 = 1e-3;
 
@@ -80,12 +85,21 @@ impl Stability {
         self.known.is_some_and(|now| (now.unstable == 0) != (before.unstable == 0))
     }
 
+    /// Adds a sentence to what there is to be told.
+    pub fn add_remark(&mut self, remark: String) {
+        self.remarks.push(remark);
+    }
+
     /// Remarks that the equilibrium `state`, the first one, is unstable: what would leave it is `softest`.
     pub fn remark_start(&mut self, system: &System, state: &State, softest: &Softest) {
-        let (time, moved) = (state.time, moved(system, state, softest));
-        self.remarks.push(format!(
-            "the equilibrium of t = {time} s is unstable: what would leave it moves most at {moved}; a small imperfection shows the stable ones"
-        ));
+        let (time, moved) = (decimal(state.time), moved(system, state, softest));
+        self.remarks.push(if system.follows_no_potential(&state.excitation) {
+            format!("the stiffness at t = {time} s has an unstable mode, which moves most at {moved}; {UNDECIDED}")
+        } else {
+            format!(
+                "the equilibrium of t = {time} s is unstable: what would leave it moves most at {moved}; a small imperfection shows the stable ones"
+            )
+        });
     }
 
     /// Remarks what has changed from `before` to the last equilibrium judged; `softest` is the softest motion of the unstable one of
@@ -95,9 +109,13 @@ impl Stability {
         let share = (other / (other - softest.eigenvalue)).clamp(0.0, 1.0);
         let (from, to) = if now.unstable > 0 { (before.time, now.time) } else { (now.time, before.time) };
         let critical = from + (to - from) * share;
-        let (first, second) = (shown(before.time), shown(now.time));
+        let (first, second) = (decimal(before.time), decimal(now.time));
         let when = format!("between t = {first} s and {second} s, by interpolation at t = {critical:.6} s");
-        self.remarks.push(if now.unstable == 0 {
+        self.remarks.push(if system.follows_no_potential(&state.excitation) {
+            let (change, moved) =
+                (if now.unstable == 0 { "loses its" } else { "gets an" }, moved(system, state, softest));
+            format!("the stiffness {change} unstable mode {when}, which moves most at {moved}; {UNDECIDED}")
+        } else if now.unstable == 0 {
             format!("the equilibrium becomes stable again {when}")
         } else {
             let ways = if now.unstable > 1 { format!(", in {} ways at once", now.unstable) } else { String::new() };
@@ -113,11 +131,6 @@ impl Stability {
     pub fn take_remarks(&mut self) -> Vec<String> {
         std::mem::take(&mut self.remarks)
     }
-}
-
-/// A time without the tail that binary fractions have.
-fn shown(time: f64) -> f64 {
-    format!("{time:.12e}").parse().unwrap_or(time)
 }
 
 /// What a motion moves most at `state`.

@@ -4,7 +4,9 @@ use super::kkt::Kkt;
 use super::projection::Projection;
 use super::statics::Statics;
 use crate::error::Error;
-use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::gauge::Measure;
+use crate::mechanics::sensor::Snapshot as FrameCache;
+use crate::mechanics::spring::{Spring, reading_rate};
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
 
@@ -12,6 +14,11 @@ use crate::mechanics::system::System;
 const DRAWN_GAP: f64 = 1e-9;
 /// Velocities whose change has less than this share of their kinetic energy are taken as given.
 const CHANGED: f64 = 1e-12;
+
+/// A damper that stops what it holds within less than this share of a step is not resolved by it.
+const UNRESOLVED: f64 = 0.25;
+/// A damper that begins to move by less than this share of the mechanism's size in a step, or by less than this angle in rad, is at rest.
+const MOVED: f64 = 1e-6;
 
 /// An integrator of motion, as the start sees it.
 pub trait Dynamics {
@@ -42,8 +49,8 @@ impl<I: Dynamics> Dynamics for Box<I> {
 /// # Errors
 /// A joint's sides are apart: names the worst.
 pub fn check_assembled(system: &System, state: &State) -> Result<(), Error> {
-    let mut snapshot = Snapshot::default();
-    let configuration = snapshot.of(system, state);
+    let mut cache = FrameCache::default();
+    let configuration = cache.of(system, state);
     for joint in &system.joints {
         let mut phi = vec![0.0; joint.rows()];
         joint.phi(&configuration, &mut phi);
@@ -85,6 +92,27 @@ pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> R
     // Counts are those of the motion.
     state.statistics = Statistics::default();
     Ok(statics.take_remarks())
+}
+
+/// The dampers that stop what they hold within far less than a step of `step` s, and that begin to move: each as a sentence.
+pub fn unresolved_dampers(system: &System, state: &State, step: f64) -> Vec<String> {
+    let mut cache = FrameCache::default();
+    let configuration = cache.of(system, state);
+    let begins = |spring: &&Spring| {
+        let gauge = &system.gauges[spring.gauge];
+        let moved = step * reading_rate(gauge, &configuration, &state.velocity).abs();
+        let unit = if matches!(gauge.measure, Measure::Distance(_) | Measure::Length) { system.size } else { 1.0 };
+        spring.stopping_time() < UNRESOLVED * step && moved > MOVED * unit
+    };
+    let told = system.springs.iter().filter(begins).map(|spring| {
+        format!(
+            "the damper of {} stops what it holds within {:.1e} s, far below simulation.step = {step} s: the way until then is not resolved; take a \
+             smaller step if it matters",
+            spring.name,
+            spring.stopping_time()
+        )
+    });
+    told.collect()
 }
 
 /// Sets momenta and velocities at the start: the velocities nearest to the given ones, in the metric of the kinetic energy, that

@@ -4,6 +4,7 @@
 //! nothing) to the new ones. That finds the first equilibrium, and bridges jumps of loads later. What hangs and was drawn slack has no
 //! stiffness before it pulls: it is first let fall to where it hangs (relaxation.rs).
 
+mod jump;
 mod relaxation;
 
 use super::kkt::Kkt;
@@ -45,6 +46,8 @@ pub struct Statics {
     current_motion: Prescribed,
     scratch: Scratch,
     stability: Stability,
+    /// How fast the path was in its last increment.
+    pace: Option<jump::Pace>,
     next: Option<State>,
     /// How the last solve went.
     pub convergence: Option<Convergence>,
@@ -83,6 +86,7 @@ impl Statics {
             current_motion: Prescribed::default(),
             scratch,
             stability: Stability::default(),
+            pace: None,
             next: None,
             convergence: None,
         }
@@ -130,7 +134,10 @@ impl Statics {
         if outcome.is_ok() {
             next.statistics.steps += 1;
             match before {
-                Some(before) => self.watch_stability(system, state, &next, before),
+                Some(before) => {
+                    self.watch_stability(system, state, &next, before);
+                    self.watch_pace(system, state, &next);
+                }
                 // Of the first one it is known already.
                 None if unstable || !first && self.is_unstable(system, &next) => self.remark_start(system, &next),
                 None => {}

@@ -272,7 +272,14 @@ fn double_pendulum() -> (System, State) {
     joint(&mut assembly, "hook", [&ground, &upper], &Pose::default(), spherical::PRIMITIVES);
     let sides = joint(&mut assembly, "elbow", [&upper, &lower], &elbow, revolute::PRIMITIVES);
     let gauge = assembly.add_gauge(sides[0], sides[1], Measure::Angle(0));
-    assembly.add_spring(Spring { name: "damper".into(), gauge, stiffness: 2.0, damping: 0.3, rest: 0.2 });
+    assembly.add_spring(Spring {
+        name: "damper".into(),
+        gauge,
+        stiffness: 2.0,
+        damping: 0.3,
+        rest: 0.2,
+        mobility: 0.0,
+    });
     assembly.finish(Vec3::new(0.5, -9.0, 2.0))
 }
 

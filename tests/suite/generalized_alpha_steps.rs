@@ -59,7 +59,14 @@ fn everything() -> (System, State) {
     let sides = joint(&mut assembly, "hinge", [&tip, &body], &hinge, revolute::PRIMITIVES);
     assembly.add_drive("hinge", sides, Driven::Angle, Guide::Value(turning(0.2)), 0.0);
     let gauge = assembly.add_gauge(Marker::Ground(Pose { place: Vec3::z(), ..pose }), body, Measure::Length);
-    assembly.add_spring(Spring { name: "strut".into(), gauge, stiffness: 200.0, damping: 20.0, rest: 0.8 });
+    assembly.add_spring(Spring {
+        name: "strut".into(),
+        gauge,
+        stiffness: 200.0,
+        damping: 20.0,
+        rest: 0.8,
+        mobility: 0.0,
+    });
     assembly.add_load(Load {
         name: "thrust".into(),
         points: vec![(assembly.section_at(beam, 0.7), 1.0)],

@@ -43,6 +43,7 @@ mod joint_freedoms;
 mod joints_do_no_work;
 mod joints_in_motion;
 mod lateral_buckling;
+mod limits_of_models;
 mod load_derivatives;
 mod loads;
 mod machines;

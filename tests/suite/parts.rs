@@ -197,7 +197,7 @@ pub fn cushion(
     for (measure, stiffness) in measures.zip(stiffness.into_iter().chain(rotational)) {
         let gauge = assembly.add_gauge(a, b, measure);
         let damping = stiffness * damping_time;
-        assembly.add_spring(Spring { name: "cushion".into(), gauge, stiffness, damping, rest: 0.0 });
+        assembly.add_spring(Spring { name: "cushion".into(), gauge, stiffness, damping, rest: 0.0, mobility: 0.0 });
     }
 }
 

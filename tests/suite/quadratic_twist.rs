@@ -262,7 +262,7 @@ fn damping_is_that_of_the_linear_twist() {
             Coordinates::from_vec(forces)
         };
         let rest = forces(Rates::Rest);
-        let step = Rates::Step { start: &start, end: &end, duration: 1e-2 };
+        let step = Rates::Step { start: &start, end: &end, duration: 1e-2, velocity: &[] };
         [forces(Rates::Instant(&velocity)) - rest, forces(step) - rest, rest]
     };
     let (linear, quadratic) = (viscous(Twist::Linear), viscous(Twist::Quadratic));

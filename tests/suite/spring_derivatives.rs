@@ -40,8 +40,14 @@ fn check_spring_derivatives() {
                 }
             };
             let gauge = Gauge { a, b, measure: kind };
-            let spring =
-                Spring { name: "spring".into(), gauge: 0, stiffness: 0.7, damping: 0.3, rest: random.signed() };
+            let spring = Spring {
+                name: "spring".into(),
+                gauge: 0,
+                stiffness: 0.7,
+                damping: 0.3,
+                rest: random.signed(),
+                mobility: 0.0,
+            };
             let c = machine.configuration();
             let energy = |q: All<Dual>| {
                 let value = measure(kind, &machine.pose(&a, q.as_slice()), &machine.pose(&b, q.as_slice()));
@@ -101,7 +107,8 @@ fn check_spring_derivatives() {
                 ..other
             };
             let end = other.configuration();
-            let passage = Passage { increment: None, rates: Rates::Step { start: &c, end: &end, duration: 0.1 } };
+            let passage =
+                Passage { increment: None, rates: Rates::Step { start: &c, end: &end, duration: 0.1, velocity: &[] } };
             let reading_end =
                 |q: All<Dual>| measure(kind, &other.pose(&a, q.as_slice()), &other.pose(&b, q.as_slice()));
             let (end_value, end_q, _) = num_dual::hessian(reading_end, &other.all());

@@ -105,7 +105,7 @@ impl Formulation for Element {
         let middle = self.linear_evaluation(c);
         let force = match rates {
             Rates::Rest => return,
-            Rates::Step { start, end, duration } => {
+            Rates::Step { start, end, duration, .. } => {
                 let start = damping::strains(&self.linear_evaluation(start));
                 damping::force_over_step(&start, &middle, &self.linear_evaluation(end), *duration)
             }
@@ -125,7 +125,7 @@ impl Formulation for Element {
         let middle = self.linear_evaluation(c);
         let (force, by_q) = match rates {
             Rates::Rest => return,
-            Rates::Step { start, end, duration } => {
+            Rates::Step { start, end, duration, .. } => {
                 let start = damping::strains(&self.linear_evaluation(start));
                 damping::force_and_tangent_over_step(&start, &middle, &self.linear_evaluation(end), *duration)
             }

@@ -114,7 +114,7 @@ impl Formulation for Element {
         let (here, forces) = (self.own(c.q), self.own_mut(forces));
         match rates {
             Rates::Rest => {}
-            Rates::Step { start, end, duration } => {
+            Rates::Step { start, end, duration, .. } => {
                 damping::add_force_over_step(self, [self.own(start.q), here, self.own(end.q)], *duration, forces);
             }
             Rates::Instant(velocity) => damping::add_force(self, here, self.own(velocity), forces),
@@ -132,7 +132,7 @@ impl Formulation for Element {
         let (here, forces) = (self.own(c.q), self.own_mut(forces));
         match rates {
             Rates::Rest => {}
-            Rates::Step { start, end, duration } => {
+            Rates::Step { start, end, duration, .. } => {
                 let places = [self.own(start.q), here, self.own(end.q)];
                 damping::add_force_and_tangent_over_step(self, places, *duration, scale, forces, block);
             }

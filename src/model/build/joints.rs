@@ -101,6 +101,7 @@ impl Builder<'_> {
             stiffness: value(tuned.stiffness),
             damping: value(tuned.damping),
             rest: tuned.rest.map_or(drawn, value),
+            mobility: 0.0,
         };
         self.assembly.add_spring(spring)
     }

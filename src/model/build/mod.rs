@@ -21,6 +21,7 @@ use crate::mechanics::marker::Marker;
 use crate::mechanics::pose::Pose;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::mobility::set_mobilities;
 use std::sync::Arc;
 
 /// The machine as drawn.
@@ -64,7 +65,8 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     if !builder.mistakes.is_empty() {
         return Err(Diagnostics(builder.mistakes));
     }
-    let (system, state) = builder.assembly.finish(vector(document, document.model.gravity));
+    let (mut system, state) = builder.assembly.finish(vector(document, document.model.gravity));
+    set_mobilities(&mut system, &state);
     Ok(Built { system, state })
 }
 

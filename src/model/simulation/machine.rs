@@ -7,6 +7,7 @@ use crate::model::build::{self, Built};
 use crate::model::document::Document;
 use crate::model::entries::simulation::{Analysis, Initial, Integrator as Choice};
 use crate::solve::generalized_alpha::GeneralizedAlpha;
+use crate::solve::limits;
 use crate::solve::midpoint::{AxialRule, Midpoint};
 use crate::solve::response::{Responder, Response};
 use crate::solve::start;
@@ -95,7 +96,7 @@ impl Machine {
         }
         let simulation = &document.simulation;
         let moving = self.state.velocity.iter().any(|value| *value != 0.0);
-        let mut warnings = Vec::new();
+        let mut warnings = self.system.too_fine_meshes();
         if simulation.analysis == Analysis::Dynamic {
             warnings.extend(self.system.jumps(self.start, document.value(simulation.stop)));
             match simulation.initial {
@@ -131,6 +132,9 @@ impl Machine {
                 0.0
             }
         };
+        if simulation.analysis == Analysis::Dynamic {
+            warnings.extend(start::unresolved_dampers(&self.system, &self.state, self.step));
+        }
         if changed > 0.0 {
             warnings.push(format!(
                 "the given initial velocities do not fit the joints: they were changed to the nearest that do, a change of \
@@ -198,6 +202,9 @@ impl Machine {
     pub(super) fn advance(&mut self, end: f64) -> Result<(), Error> {
         let plan = self.plan(self.state.time, end)?;
         self.state.targets.end = plan.end;
+        if matches!(self.solver, Solver::Statics(_)) {
+            limits::check_drives(&self.system, &self.state, plan.end, plan.count)?;
+        }
         let (system, state) = (&self.system, &mut self.state);
         match &mut self.solver {
             Solver::None => Err(Error::NotInitialized),
