@@ -1,6 +1,7 @@
 //! The variable table of a model: parameters as the file has them, then results in the order of results.csv.
 //! One row has the FMI variable and what it is read from.
 
+use super::dependencies::{self, Found, Givens};
 use super::document::Document;
 use super::entries::anchor::{Anchor, Spot};
 use super::entries::output::{Output, Target};
@@ -79,8 +80,11 @@ impl Table {
         let inputs = Inputs::new(document);
         for (index, parameter) in document.parameters().iter().enumerate() {
             let input = inputs.place(parameter.number).map(Source::Input);
-            table.push(parameter.variable.clone(), input.unwrap_or(Source::Parameter(index)));
+            let found_from = parameter.is_calculated().then(|| dependencies::of_calculated(document, index));
+            let variable = Variable { found_from, ..parameter.variable.clone() };
+            table.push(variable, input.unwrap_or(Source::Parameter(index)));
         }
+        let givens = Givens::new(document);
         let mut sensor = 0;
         for output in &document.outputs {
             let sensors = match &output.target {
@@ -89,11 +93,14 @@ impl Table {
                 Target::Joint(_) | Target::Drive(_) => 0,
             };
             for quantity in &output.quantities {
+                let first = table.variables.len();
                 table.push_quantity(document, output, *quantity, sensor..sensor + sensors);
+                table.find_from(first, &givens, givens.of(*quantity, &output.target));
             }
             sensor += sensors;
         }
         table.energy = table.results();
+        let energies = table.variables.len();
         for (name, meaning) in [
             ("energy.kinetic", "Kinetic energy"),
             ("energy.elastic", "Strain energy of beams and energy of springs"),
@@ -106,6 +113,7 @@ impl Table {
         table.push_result("momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");
         table.push_result("momentum.angular", 3, "kg.m2/s", "Angular momentum about the origin, in global axes");
         table.measures.push(Measure::Momentum);
+        table.find_from(energies, &givens, givens.of_energies());
         for (name, meaning) in [
             ("statistics.steps", "Accepted internal steps since the start"),
             ("statistics.iterations", "Newton iterations since the start, those of rejected steps included"),
@@ -122,15 +130,22 @@ impl Table {
         self.sources.push(source);
     }
 
+    /// Says of all rows from `first` on what their initial values are found from.
+    fn find_from(&mut self, first: usize, givens: &Givens, found: Found) {
+        let needed = givens.needed(found);
+        self.variables[first..].iter_mut().for_each(|variable| variable.found_from.clone_from(&needed));
+    }
+
     /// Rows of a quantity of an output whose sensors are `sensors`.
     fn push_quantity(&mut self, document: &Document, output: &Output, quantity: Quantity, sensors: Range<usize>) {
         let row = quantity.row();
         let unit = output.unit(quantity, &document.drives);
         let name = format!("{}.{}", output.name, row.word);
         let meaning = format!("{}: {}", output.name, row.meaning);
-        let is_reaction = matches!(quantity, Quantity::ReactionForce | Quantity::ReactionMoment);
         let measure = match output.target {
-            Target::At(Anchor { spot: Spot::Frame(frame), .. }) if is_reaction => Measure::Frame(frame, quantity),
+            Target::At(Anchor { spot: Spot::Frame(frame), .. }) if quantity.is_transmitted() => {
+                Measure::Frame(frame, quantity)
+            }
             Target::At(_) => Measure::Sensors(sensors, quantity),
             Target::Joint(joint) => Measure::Joint(joint, quantity),
             Target::Drive(drive) => Measure::Drive(drive, quantity),
@@ -159,7 +174,7 @@ impl Table {
             Measure::Sensors(_, quantity) => *quantity == Quantity::Acceleration,
             Measure::Frame(..) => true,
             Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
-                matches!(quantity, Quantity::ReactionForce | Quantity::ReactionMoment | Quantity::Effort)
+                quantity.is_transmitted() || *quantity == Quantity::Effort
             }
             Measure::Energy | Measure::Momentum | Measure::Statistics => false,
         })
@@ -243,7 +258,7 @@ impl Table {
                 Measure::Joint(number, quantity) => {
                     let transmission = &system.transmissions[*number];
                     match quantity {
-                        Quantity::ReactionForce | Quantity::ReactionMoment => {
+                        quantity if quantity.is_transmitted() => {
                             push_wrench(values, action.reaction(transmission), *quantity);
                         }
                         Quantity::Effort => values.push(transmission.drives.iter().map(|d| action.effort(*d)).sum()),
@@ -303,6 +318,8 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
         Quantity::Stress => values.push(sensor.stress(system, c)),
         Quantity::ReactionForce
         | Quantity::ReactionMoment
+        | Quantity::AppliedForce
+        | Quantity::AppliedMoment
         | Quantity::Angle
         | Quantity::Distance
         | Quantity::Effort => unreachable!("the file is refused: these belong to joints, drives and frames"),
@@ -310,7 +327,13 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
 }
 
 fn push_wrench(values: &mut Vec<f64>, (force, moment): (Vec3, Vec3), quantity: Quantity) {
-    values.extend(if quantity == Quantity::ReactionForce { force } else { moment }.iter());
+    let wanted = match quantity {
+        Quantity::ReactionForce => force,
+        Quantity::ReactionMoment => moment,
+        Quantity::AppliedForce => Vec3::zeros() - force, // 0 where it is 0, not -0
+        _ => Vec3::zeros() - moment,
+    };
+    values.extend(wanted.iter());
 }
 
 fn result(name: &str, unit: &str, description: String, start: Value) -> Variable {
@@ -327,5 +350,6 @@ fn result(name: &str, unit: &str, description: String, start: Value) -> Variable
         max: None,
         quantity: unit::quantity(unit),
         display_unit: None,
+        found_from: None,
     }
 }

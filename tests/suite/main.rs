@@ -69,6 +69,7 @@ mod running;
 mod section_forces;
 mod shaken_cantilever;
 mod spring_derivatives;
+mod start_derivatives;
 mod static_buckling;
 mod static_motions;
 mod statics;

@@ -1,7 +1,10 @@
 //! Derivatives of the last communication step: of its results by its inputs, and by time.
+//!
+//! They are asked for whenever the standard allows it, also where there is no last step: no result depends on an input then, and what
+//! does not follow from the motion changes as in an internal step on trial.
 
 use super::machine::{Machine, Plan, Solver};
-use super::{Simulation, failure, wrong};
+use super::{Simulation, failure};
 use crate::error::Error;
 use crate::fmi::Failure;
 use crate::mechanics::host_path::Targets;
@@ -21,12 +24,14 @@ use crate::solve::sensitivity::{self, Linearized, REACH, SHORT_REACH, Sensitivit
 /// The communication step that led to the present state; the machine's backup is the state at its start.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LastStep {
-    /// There is one, and nothing but inputs has been set since.
+    /// There is one.
     pub known: bool,
     /// Its inputs, with their derivatives by time.
     pub inputs: Inputs,
     /// Its end as the host said it, s.
     pub end: f64,
+    /// The settings of the file during it, where a tunable parameter has been set since; else empty.
+    pub settings: Vec<f64>,
 }
 
 /// What has been computed of the present state and its last step, where it has been asked for.
@@ -38,6 +43,15 @@ pub(super) struct Derived {
     rates: Option<Vec<f64>>,
     /// Difference quotients of all results over the last internal step.
     quotients: Option<Vec<f64>>,
+    /// Derivatives of the values of all variables at the start by one of them, each with its value reference.
+    pub(super) starts: Vec<(usize, Vec<f64>)>,
+}
+
+impl Derived {
+    /// A tunable parameter was set: what is to come is another motion, the last step is the same.
+    pub fn forget_rates(&mut self) {
+        self.rates = None;
+    }
 }
 
 /// The inputs of a communication step, one of which may be changed.
@@ -102,10 +116,11 @@ impl sensitivity::Inputs for Given<'_> {
 }
 
 impl Simulation {
-    /// The derivative of result number `result` at the end of the last step by input number `input` of that step.
+    /// The derivative of result number `result` at the end of the last step by input number `input` of that step; 0 where there is none, for
+    /// a result does not change with an input before a step is taken.
     pub(super) fn partial_derivative(&mut self, result: usize, input: usize) -> Result<f64, Failure> {
         if !self.last.known {
-            return Err(no_step("derivatives by inputs"));
+            return Ok(0.0);
         }
         if self.derived.jacobian.is_none() {
             self.derived.jacobian = Some(self.jacobian().map_err(|error| failure(&error))?);
@@ -115,28 +130,27 @@ impl Simulation {
     }
 
     /// The derivative of result number `result` by time, 1/s of its unit: exact where it follows from positions and velocities, else the
-    /// difference quotient of the last internal step.
-    pub(super) fn rate(&mut self, result: usize) -> Result<f64, Failure> {
-        self.machine.settle(&self.document);
+    /// difference quotient of the last internal step, or of the next one if none has been taken; 0 where that one cannot be taken.
+    pub(super) fn rate(&mut self, result: usize) -> f64 {
         let moves = !matches!(self.machine.solver, Solver::Statics(_));
         if moves && self.table.follows_from_motion(result) {
             if self.derived.rates.is_none() {
-                self.derived.rates = Some(self.rates().map_err(|error| failure(&error))?);
+                self.derived.rates = Some(self.rates().unwrap_or_default());
             }
-            return Ok(self.derived.rates.as_deref().unwrap_or_default()[result]);
-        }
-        if !self.last.known {
-            return Err(no_step("derivatives by time of what does not follow from positions and velocities"));
+            // None where the machine has no accelerations now.
+            if let Some(rate) = self.derived.rates.as_deref().unwrap_or_default().get(result) {
+                return *rate;
+            }
         }
         if self.derived.quotients.is_none() {
-            self.derived.quotients = Some(self.quotients().map_err(|error| failure(&error))?);
+            self.derived.quotients = Some(self.quotients().unwrap_or_default());
         }
-        Ok(self.derived.quotients.as_deref().unwrap_or_default()[result])
+        self.derived.quotients.as_deref().unwrap_or_default().get(result).copied().unwrap_or_default()
     }
 
     /// Derivatives by time of all results, at their accelerations and multipliers: along the motion.
     fn rates(&self) -> Result<Vec<f64>, Error> {
-        let Machine { system, state, .. } = &self.machine;
+        let (system, state) = (&*self.machine.settled(&self.document), &self.machine.state);
         let mut response = Response::default();
         self.machine.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         let (mut frames, mut values) = (Frames::default(), Vec::new());
@@ -153,14 +167,17 @@ impl Simulation {
         Ok(all)
     }
 
-    /// Difference quotients of all results over the last internal step.
+    /// Difference quotients of all results over the last internal step, or over the next one.
     fn quotients(&mut self) -> Result<Vec<f64>, Error> {
-        let (state, response) = self.machine.before_last_part(self.last.end)?;
+        let (state, response) = match self.last.known {
+            true => self.machine.before_last_part(self.last.end),
+            false => self.machine.after_next_part(),
+        }?;
         let mut values = Vec::new();
         let moment = Moment { system: &self.machine.system, state: &state, response: &response };
         self.table.measure(&moment, &mut Frames::default(), &mut values);
         let passed = self.machine.state.time - state.time;
-        Ok(self.results.iter().zip(&values).map(|(now, before)| (now - before) / passed).collect())
+        Ok(self.results.iter().zip(&values).map(|(now, other)| (now - other) / passed).collect())
     }
 
     fn jacobian(&mut self) -> Result<Vec<f64>, Error> {
@@ -221,13 +238,6 @@ fn add_weighted(sum: &mut [f64], values: &[f64], weight: f64) {
     for (sum, value) in sum.iter_mut().zip(values) {
         *sum += weight * value;
     }
-}
-
-/// Why there is nothing to differentiate.
-fn no_step(what: &str) -> Failure {
-    wrong(format!(
-        "{what} belong to the last communication step, and there is none; take a step first, and change no parameter after it"
-    ))
 }
 
 /// Differentiates the step that led to `state` and hands what it found to `all`.
