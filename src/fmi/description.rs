@@ -1,7 +1,7 @@
 //! modelDescription.xml (FMI 2.0, sections 2.2 and 4.3), from the same variable table that the instance answers from.
 //!
 //! Explicit causality, variability and initial wherever the standard allows them (it forbids `initial` for inputs and
-//! the independent variable). The same model gives the same bytes: there is no generation date. A capability flag is
+//! the independent variable). The same model gives the same bytes: a date is the model's own. A capability flag is
 //! true only where the function behind it does the work.
 
 use std::{collections::BTreeMap, io};
@@ -88,6 +88,7 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
         .with_attribute(("modelName", clean(&about.name).as_str()))
         .with_attribute(("guid", about.guid.as_str()))
         .with_attribute(("description", clean(&about.description).as_str()))
+        .with_attributes(borrowed(&credits(about)))
         .with_attribute(("generationTool", concat!("ancf14 ", env!("CARGO_PKG_VERSION"))))
         .with_attribute(("variableNamingConvention", "structured"));
     root.write_inner_content(|xml| {
@@ -103,6 +104,20 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
         parent(xml, "ModelStructure", |xml| model_structure(xml, variables))
     })?;
     Ok(())
+}
+
+/// Who made the model, when, and under which terms, as far as it says so.
+fn credits(about: &About) -> Attributes<'_> {
+    let super::Credits { author, version, license, copyright, date } = &about.credits;
+    let list = [
+        ("author", author),
+        ("version", version),
+        ("copyright", copyright),
+        ("license", license),
+        ("generationDateAndTime", date),
+    ];
+    let said = list.into_iter().filter_map(|(key, text)| text.as_ref().map(|text| (key, clean(text).into())));
+    said.collect()
 }
 
 /// What the unit can do: all but asynchronous steps.
@@ -212,6 +227,7 @@ fn default_experiment(xml: &mut Xml, about: &About) -> io::Result<()> {
     let attributes = vec![
         ("startTime", "0".into()),
         ("stopTime", real(about.stop).into()),
+        ("tolerance", real(about.tolerance).into()),
         ("stepSize", real(about.output_step).into()),
     ];
     empty(xml, "DefaultExperiment", attributes)

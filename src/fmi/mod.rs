@@ -61,12 +61,31 @@ pub struct About {
     pub identifier: String,
     /// One sentence on the model; may be empty.
     pub description: String,
+    /// Who made it, when, and under which terms.
+    pub credits: Credits,
     /// Hash of the model and of what matters in the XML, with braces: `{8c4e810f-...}`.
     pub guid: String,
     /// Default stop time (the default start time is 0), s.
     pub stop: f64,
     /// Default communication step, s.
     pub output_step: f64,
+    /// Relative tolerance of the computation, for `DefaultExperiment`.
+    pub tolerance: f64,
+}
+
+/// Texts of the description that only its reader understands; each may be missing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Credits {
+    /// Who made the model.
+    pub author: Option<String>,
+    /// Its version.
+    pub version: Option<String>,
+    /// Under which terms it may be used.
+    pub license: Option<String>,
+    /// Whose it is.
+    pub copyright: Option<String>,
+    /// When it was made: `2026-03-31T12:00:00Z`.
+    pub date: Option<String>,
 }
 
 /// Why the model could not do what it was asked: one sentence with numbers, and the log category it belongs to.

@@ -12,6 +12,7 @@ use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
 use crate::mechanics::configuration::{Configuration, Passage, Rates};
+use crate::mechanics::resultants::Fibre;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -58,6 +59,8 @@ pub struct Moment<'a> {
     pub state: &'a State,
     /// Accelerations and multipliers at the time of the state; needed where [`Table::needs_response`].
     pub response: &'a Response,
+    /// The fibres of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty: the largest ones are.
+    pub fibres: &'a [Fibre],
 }
 
 /// The variable table, and where each row's value comes from.
@@ -192,9 +195,15 @@ impl Table {
         })
     }
 
-    /// Whether a result has kinks: the largest stress of a section.
-    pub fn has_kinks(&self, result: usize) -> bool {
-        matches!(self.measure_of(result), Some(Measure::Sensors(_, Quantity::Stress)))
+    /// The fibres of all sensors that bear most at a moment, for [`Moment::fibres`]; none where no stress is told.
+    pub fn fibres(&self, moment: &Moment, snapshot: &mut Snapshot) -> Vec<Fibre> {
+        let tells_stress = |measure: &Measure| matches!(measure, Measure::Sensors(_, Quantity::Stress));
+        if !self.measures.iter().any(tells_stress) {
+            return Vec::new();
+        }
+        let configuration = snapshot.of(moment.system, moment.state);
+        let sensors = moment.system.sensors.iter();
+        sensors.map(|sensor| sensor.worst_fibre(moment.system, &configuration).unwrap_or_default()).collect()
     }
 
     /// What result `result` is a part of.
@@ -242,7 +251,7 @@ impl Table {
 
     /// Writes all results of a moment into `values`.
     pub fn measure(&self, moment: &Moment, snapshot: &mut Snapshot, values: &mut Vec<f64>) {
-        let Moment { system, state, response } = *moment;
+        let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
         let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
         let action = Action { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
@@ -265,7 +274,8 @@ impl Table {
                         _ => {
                             let is_angle = *quantity == Quantity::Angle;
                             let gauge = if is_angle { transmission.angle } else { transmission.distance };
-                            values.push(gauge.map_or(f64::NAN, |gauge| state.readings[gauge]));
+                            let gauge = gauge.expect("the file is refused: the joint leaves no such coordinate free");
+                            values.push(state.readings[gauge]);
                         }
                     }
                 }
@@ -297,7 +307,7 @@ impl Table {
 }
 
 fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
-    let Moment { system, state, response } = *moment;
+    let Moment { system, state, response, fibres } = *moment;
     let sensor = &system.sensors[number];
     let rotation = &state.rotations[number];
     let mut push = |v: Vec3| values.extend(v.iter());
@@ -315,7 +325,13 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
         Quantity::Torsion => values.push(sensor.strains(c).torsion),
         Quantity::SectionForce => values.push(sensor.section_forces(c).axial),
         Quantity::SectionMoment => values.extend(sensor.section_forces(c).moment),
-        Quantity::Stress => values.push(sensor.stress(system, c)),
+        Quantity::Stress => {
+            let stress = match fibres.get(number) {
+                Some(fibre) => sensor.stress_of(fibre, system, c),
+                None => sensor.stress(system, c),
+            };
+            values.push(stress.expect("the file is refused: a general section has no stress"));
+        }
         Quantity::ReactionForce
         | Quantity::ReactionMoment
         | Quantity::AppliedForce

@@ -255,8 +255,8 @@ def test_explicit_bushing_converges(folder, along_slope, order):
 
 
 def test_plain_connections_converge(folder):
-    """Both units step at once: what goes over is a step old on either side, order 1. With 4, 2 and 1 ms, half of those above, since there are two
-    delays instead of one."""
+    """Both units step at once: what goes over is a step old on either side, order 1. Steps are half of those above, since there are two delays
+    instead of one."""
     expected = whole("whole_bushed", folder, INTERNAL, 4e-3)
     way = np.ptp(expected, axis=0).max()
     steps = [4e-3, 2e-3, 1e-3]

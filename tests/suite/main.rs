@@ -75,5 +75,6 @@ mod static_motions;
 mod statics;
 mod step_derivatives;
 mod strain_outputs;
+mod stress_derivatives;
 mod turned_models;
 mod validation;

@@ -185,3 +185,33 @@ fn coupled_units_have_no_initial_loop() {
     assert_eq!(of_inputs(MODELS[5], "weight_motion.position[1]"), Some(0));
     assert_eq!(of_inputs(MODELS[5], "hand_load.applied_force[1]"), None);
 }
+
+/// Values far beyond everything mechanical are refused, or give numbers: no result is infinite or NaN with a call that succeeds.
+#[test]
+fn regression_results_are_numbers() {
+    let cases = [
+        (include_str!("../../models/crane.toml"), "foot.position[1]"),
+        (include_str!("../../models/crane.toml"), "foot.position[2]"),
+        (include_str!("../../models/helical_spring.toml"), "steel.young"),
+        (MODELS[5], "hand.position[1]"),
+    ];
+    for (text, name) in cases {
+        let mut simulation = load(text, &[]);
+        let at = place(&simulation, name);
+        let step = simulation.about().output_step;
+        if simulation.set_value(at, Value::Real(1e308)).is_err() {
+            continue;
+        }
+        let finite = |simulation: &Simulation| {
+            (0..simulation.variables().len()).all(|at| simulation.value(at).number().is_finite())
+        };
+        let outcome = simulation.initialize(0.0).and_then(|()| {
+            assert!(finite(&simulation), "{name}");
+            simulation.advance(step)
+        });
+        match outcome {
+            Ok(()) => assert!(finite(&simulation), "{name}"),
+            Err(failure) => assert!(!failure.message.is_empty()),
+        }
+    }
+}

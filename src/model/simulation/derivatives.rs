@@ -4,7 +4,7 @@
 //! does not follow from the motion changes as in an internal step on trial.
 
 use super::machine::{Machine, Plan, Solver};
-use super::{Simulation, failure};
+use super::{Simulation, failure, wrong};
 use crate::error::Error;
 use crate::fmi::Failure;
 use crate::mechanics::host_path::Targets;
@@ -17,9 +17,9 @@ use crate::model::entries::drive::Motion;
 use crate::model::entries::frame::Orientation;
 use crate::model::inputs::Inputs;
 use crate::model::number::Number;
-use crate::model::variables::{Moment, Table};
+use crate::model::variables::Moment;
 use crate::solve::response::{Responder, Response};
-use crate::solve::sensitivity::{self, Linearized, REACH, SHORT_REACH, Sensitivity, Step};
+use crate::solve::sensitivity::{self, Linearized, Sensitivity, Step};
 
 /// The communication step that led to the present state; the machine's backup is the state at its start.
 #[derive(Clone, Debug, Default)]
@@ -62,6 +62,8 @@ struct Given<'a> {
     span: [f64; 2],
     /// See [`sensitivity::Inputs::unit`].
     units: Vec<f64>,
+    /// The parts of quaternions of length 0, which say nothing, and so do those around them.
+    silent: Vec<Number>,
 }
 
 impl<'a> Given<'a> {
@@ -82,14 +84,20 @@ impl<'a> Given<'a> {
         }
         for frame in &document.frames {
             frame.position.into_iter().for_each(|number| set(number, size));
-            if let Orientation::Quaternion(numbers) = frame.orientation {
-                // Only its direction counts.
-                let at_end = |number| inputs.line(number).0 + inputs.line(number).1 * (span[1] - span[0]);
-                let length = numbers.map(at_end).into_iter().fold(0.0, f64::hypot);
-                numbers.into_iter().for_each(|number| set(number, length));
+            match frame.orientation {
+                Orientation::Rotation(numbers) => numbers.into_iter().for_each(|number| set(number, 1.0)),
+                Orientation::Quaternion(numbers) => {
+                    // Only its direction counts.
+                    let at_end = |number| inputs.line(number).0 + inputs.line(number).1 * (span[1] - span[0]);
+                    let length = numbers.map(at_end).into_iter().fold(0.0, f64::hypot);
+                    numbers.into_iter().for_each(|number| set(number, length));
+                }
             }
         }
-        Self { document, inputs, span, units }
+        let undirected = build::undirected(document, |number| inputs.line(number), span);
+        let silent: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
+        silent.iter().for_each(|number| set(*number, 1.0));
+        Self { document, inputs, span, units, silent }
     }
 }
 
@@ -106,11 +114,11 @@ impl sensitivity::Inputs for Given<'_> {
         let changed = self.inputs.number(number);
         let line = |number: Number| {
             let (value, slope) = self.inputs.line(number);
-            if number == changed { (value + change, slope) } else { (value, slope) }
+            let moves = number == changed && !self.silent.contains(&number);
+            if moves { (value + change, slope) } else { (value, slope) }
         };
         let end = targets.end;
-        // The step was taken with inputs that differ by a thousandth: none of them is refused.
-        let _ = build::aim(self.document, line, self.span, targets);
+        build::aim(self.document, line, self.span, targets);
         targets.end = end;
     }
 }
@@ -126,7 +134,7 @@ impl Simulation {
             self.derived.jacobian = Some(self.jacobian().map_err(|error| failure(&error))?);
         }
         let jacobian = self.derived.jacobian.as_deref().unwrap_or_default();
-        Ok(jacobian[input * self.results.len() + result])
+        finite(jacobian[input * self.results.len() + result])
     }
 
     /// The derivative of result number `result` by time, 1/s of its unit: exact where it follows from positions and velocities, else the
@@ -138,14 +146,16 @@ impl Simulation {
                 self.derived.rates = Some(self.rates().unwrap_or_default());
             }
             // None where the machine has no accelerations now.
-            if let Some(rate) = self.derived.rates.as_deref().unwrap_or_default().get(result) {
+            let rate = self.derived.rates.as_deref().unwrap_or_default().get(result);
+            if let Some(rate) = rate.filter(|rate| rate.is_finite()) {
                 return *rate;
             }
         }
         if self.derived.quotients.is_none() {
             self.derived.quotients = Some(self.quotients().unwrap_or_default());
         }
-        self.derived.quotients.as_deref().unwrap_or_default().get(result).copied().unwrap_or_default()
+        let rate = self.derived.quotients.as_deref().unwrap_or_default().get(result);
+        rate.copied().filter(|rate| rate.is_finite()).unwrap_or_default()
     }
 
     /// Derivatives by time of all results, at their accelerations and multipliers: along the motion.
@@ -154,17 +164,14 @@ impl Simulation {
         let mut response = Response::default();
         self.machine.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         let (mut frames, mut values) = (Frames::default(), Vec::new());
-        let mut rates = |reach: f64| {
-            let mut sum = vec![0.0; self.results.len()];
-            sensitivity::along_motion(system, state, &response.acceleration, reach, |state, weight| {
-                self.table.measure(&Moment { system, state, response: &response }, &mut frames, &mut values);
-                add_weighted(&mut sum, &values, weight);
-            });
-            sum
-        };
-        let mut all = rates(REACH);
-        replace_kinked(&self.table, &mut all, || rates(SHORT_REACH));
-        Ok(all)
+        let fibres = self.table.fibres(&Moment { system, state, response: &response, fibres: &[] }, &mut frames);
+        let mut sum = vec![0.0; self.results.len()];
+        sensitivity::along_motion(system, state, &response.acceleration, |state, weight| {
+            let moment = Moment { system, state, response: &response, fibres: &fibres };
+            self.table.measure(&moment, &mut frames, &mut values);
+            add_weighted(&mut sum, &values, weight);
+        });
+        Ok(sum)
     }
 
     /// Difference quotients of all results over the last internal step, or over the next one.
@@ -174,7 +181,7 @@ impl Simulation {
             false => self.machine.after_next_part(),
         }?;
         let mut values = Vec::new();
-        let moment = Moment { system: &self.machine.system, state: &state, response: &response };
+        let moment = Moment { system: &self.machine.system, state: &state, response: &response, fibres: &[] };
         self.table.measure(&moment, &mut Frames::default(), &mut values);
         let passed = self.machine.state.time - state.time;
         Ok(self.results.iter().zip(&values).map(|(now, other)| (now - other) / passed).collect())
@@ -194,18 +201,14 @@ impl Simulation {
         let mut frames = Frames::default();
         let mut values = Vec::new();
         let mut all = |sensitivity: &mut Sensitivity, after: &State, response: &Response| {
+            let fibres = table.fibres(&Moment { system, state: after, response, fibres: &[] }, &mut frames);
             for number in 0..last.inputs.count() {
-                let mut column = |reach: f64| {
-                    let mut sum = vec![0.0; results.len()];
-                    sensitivity.look(system, step, (after, response), (number, reach), |state, response, weight| {
-                        table.measure(&Moment { system, state, response }, &mut frames, &mut values);
-                        add_weighted(&mut sum, &values, weight);
-                    });
-                    sum
-                };
-                let mut whole = column(REACH);
-                replace_kinked(table, &mut whole, || column(SHORT_REACH));
-                columns.extend_from_slice(&whole);
+                let mut sum = vec![0.0; results.len()];
+                sensitivity.look(system, step, (after, response), number, |state, response, weight| {
+                    table.measure(&Moment { system, state, response, fibres: &fibres }, &mut frames, &mut values);
+                    add_weighted(&mut sum, &values, weight);
+                });
+                columns.extend_from_slice(&sum);
             }
         };
         let mut response = Response::default();
@@ -225,18 +228,17 @@ impl Simulation {
     }
 }
 
-/// Takes the derivatives of results with kinks from those of a short reach, if there are any.
-fn replace_kinked(table: &Table, derivatives: &mut [f64], short: impl FnOnce() -> Vec<f64>) {
-    let kinked = |result: &usize| table.has_kinks(*result);
-    if (0..derivatives.len()).any(|result| kinked(&result)) {
-        let short = short();
-        (0..derivatives.len()).filter(kinked).for_each(|result| derivatives[result] = short[result]);
-    }
-}
-
 fn add_weighted(sum: &mut [f64], values: &[f64], weight: f64) {
     for (sum, value) in sum.iter_mut().zip(values) {
         *sum += weight * value;
+    }
+}
+
+/// A derivative that is a number.
+pub(super) fn finite(derivative: f64) -> Result<f64, Failure> {
+    match derivative.is_finite() {
+        true => Ok(derivative),
+        false => Err(wrong(format!("the derivative is {derivative}: there is none, or it is too large for a number"))),
     }
 }
 

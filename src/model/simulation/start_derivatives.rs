@@ -5,6 +5,7 @@
 //! is a difference. The change moves the machine by about [`REACH`] of its size, where it moves it at all.
 
 use super::Simulation;
+use super::derivatives::finite;
 use crate::fmi::{Failure, Model, Value};
 
 /// First change of a value, relative; of 0 the change itself, of a place over the machine's size.
@@ -28,7 +29,7 @@ impl Simulation {
     /// The derivative of the initial value of variable `unknown` by that of variable `known`, a Real that can be set.
     pub(super) fn start_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure> {
         if let Some((_, column)) = self.derived.starts.iter().find(|(reference, _)| *reference == known) {
-            return Ok(column[unknown]);
+            return finite(column[unknown]);
         }
         let (present, warnings) = (self.save(), std::mem::take(&mut self.warnings));
         let starts = std::mem::take(&mut self.derived.starts);
@@ -38,7 +39,7 @@ impl Simulation {
         let column = column?;
         let derivative = column[unknown];
         self.derived.starts.push((known, column));
-        Ok(derivative)
+        finite(derivative)
     }
 
     /// Derivatives of all initial values by that of variable `known`. Leaves the model anywhere.

@@ -1,7 +1,7 @@
 //! A model of one line, `x' = gain * force`, with traps: it can be told to fail or to panic, and counts what it is asked.
 
 use ancf14::fmi::{
-    About, Failure, LogCategory, Model, Value,
+    About, Credits, Failure, LogCategory, Model, Value,
     variable::{Causality, Quantity, Variability, Variable},
 };
 use serde::{Deserialize, Serialize};
@@ -68,6 +68,8 @@ pub fn about() -> About {
         guid: "{00000000-0000-0000-0000-000000000001}".to_owned(),
         stop: 2.0,
         output_step: 0.1,
+        tolerance: 1e-6,
+        credits: Credits { author: Some("A. Uthor & Co".to_owned()), ..Credits::default() },
     }
 }
 
