@@ -52,12 +52,12 @@ impl Fibre {
         // Where it is compressed the largest stress is on the other side.
         let side = if strains.axial < 0.0 { -1.0 } else { 1.0 };
         let place = outline.farthest_point(&strains.curvature)?.map(|part| side * part);
-        let stress = largest_stress(outline, young, torque, strains)?;
+        // Without stress both slopes are 0.
+        let stress = largest_stress(outline, young, torque, strains)?.max(f64::MIN_POSITIVE);
         let fibre = Self { place, slopes: [0.0; 2] };
         let normal = young * fibre.strain(strains);
         let shear = torque / outline.torsion_modulus()?;
-        let slopes = if stress > 0.0 { [normal / stress, 3.0 * shear / stress] } else { [0.0; 2] };
-        Some(Self { slopes, ..fibre })
+        Some(Self { slopes: [normal / stress, 3.0 * (shear / stress)], ..fibre })
     }
 
     /// Its stress near that state, to first order in `σ` and `τ`, Pa.

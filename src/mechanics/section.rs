@@ -48,10 +48,11 @@ impl Outline {
         let sign = |number: f64| if number == 0.0 { 0.0 } else { number.signum() };
         match self {
             Self::Rectangle { width, height } => Some([-0.5 * width * sign(about_z), 0.5 * height * sign(about_y)]),
-            Self::Circle { radius } | Self::Tube { outer: radius, .. } => match about_y.hypot(about_z) {
-                0.0 => Some([0.0; 2]),
-                amount => Some([-radius * about_z / amount, radius * about_y / amount]),
-            },
+            Self::Circle { radius } | Self::Tube { outer: radius, .. } => {
+                // Never a division by 0, which hosts may trap.
+                let amount = about_y.hypot(about_z).max(f64::MIN_POSITIVE);
+                Some([-radius * (about_z / amount), radius * (about_y / amount)])
+            }
             Self::General => None,
         }
     }

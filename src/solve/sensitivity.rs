@@ -317,7 +317,7 @@ pub fn along_motion(system: &System, state: &State, acceleration: &[f64], mut re
     variation.q.copy_from_slice(&state.velocity);
     variation.velocity.copy_from_slice(acceleration);
     let speed = f64::max(system.correction_size(&state.velocity).0, state.prescribed.fastest(system.size));
-    let unit = if speed > 0.0 { REACH / speed } else { 1.0 };
+    let unit = if speed > 0.0 { REACH / speed.max(f64::MIN_POSITIVE) } else { 1.0 };
     let (mut moved, mut frames) = (State::default(), Vec::new());
     for (offset, weight) in STENCIL {
         let by = offset * unit;
@@ -355,7 +355,9 @@ impl<N: Inputs> Step<'_, N> {
         let motion =
             [size(&variation.q), size(change), step * size(&variation.velocity), step * step * size(algorithmic)];
         let motion = motion.into_iter().fold(0.0, f64::max);
-        let reach = f64::min(REACH * self.inputs.unit(number), REACH / motion);
+        // Compilers divide first and choose afterwards: not by 0, which hosts may trap.
+        let by_motion = if motion > 0.0 { REACH / motion.max(f64::MIN_POSITIVE) } else { f64::INFINITY };
+        let reach = f64::min(REACH * self.inputs.unit(number), by_motion);
         // What does not move at all, or not yet, may change by anything.
         if reach.is_finite() { reach } else { 1.0 }
     }
