@@ -152,7 +152,8 @@ fn dated(about: &About, epoch: Option<&str>) -> About {
 /// The date of an instant, s since 1970, as FMI writes dates.
 fn date(epoch: u32) -> String {
     let (day, time) = (epoch / 86_400, epoch % 86_400);
-    let length = |year: u32| if year % 4 == 0 && (year % 100 != 0 || year % 400 == 0) { 366 } else { 365 };
+    let is_leap = |year: u32| year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
+    let length = |year: u32| if is_leap(year) { 366 } else { 365 };
     let (mut year, mut day) = (1970, day);
     while day >= length(year) {
         day -= length(year);

@@ -15,13 +15,13 @@ use super::quantity::Quantity;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Found {
     /// Every input.
-    FromAll,
+    All,
     /// No input: it is as drawn.
-    FromDrawing,
+    Drawing,
     /// Where frames and drives are, and how fast: not the loads.
-    FromMotion,
+    Motion,
     /// Where this frame is.
-    FromFrame(usize),
+    Frame(usize),
 }
 
 /// The inputs of a file, by value references.
@@ -72,30 +72,28 @@ impl Givens {
         use Quantity::*;
         match (quantity, target) {
             (Position | Displacement | Rotation | Quaternion, Target::At(Anchor { spot: Spot::Frame(frame), .. })) => {
-                Found::FromFrame(*frame)
+                Found::Frame(*frame)
             }
-            _ if !self.as_drawn => Found::FromAll,
-            (Acceleration | ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort, _) => {
-                Found::FromAll
-            }
-            (Velocity | AngularVelocity, _) => Found::FromMotion,
-            _ => Found::FromDrawing,
+            _ if !self.as_drawn => Found::All,
+            (Acceleration | ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort, _) => Found::All,
+            (Velocity | AngularVelocity, _) => Found::Motion,
+            _ => Found::Drawing,
         }
     }
 
     /// The energies and momenta of the start.
     pub fn of_energies(&self) -> Found {
-        if self.as_drawn { Found::FromMotion } else { Found::FromAll }
+        if self.as_drawn { Found::Motion } else { Found::All }
     }
 
     /// Value references of what is needed, ascending; none: everything is.
     pub fn needed(&self, found: Found) -> Option<Vec<usize>> {
         let frames = || self.frames.iter().flatten();
         let inputs: Vec<usize> = match found {
-            Found::FromAll => return None,
-            Found::FromDrawing => Vec::new(),
-            Found::FromMotion => self.drives.iter().chain(frames()).copied().collect(),
-            Found::FromFrame(frame) => self.frames[frame].clone(),
+            Found::All => return None,
+            Found::Drawing => Vec::new(),
+            Found::Motion => self.drives.iter().chain(frames()).copied().collect(),
+            Found::Frame(frame) => self.frames[frame].clone(),
         };
         if inputs.len() == self.loads.len() + self.drives.len() + frames().count() {
             return None;

@@ -33,14 +33,14 @@ class Host:
         self.outputs = [v for v in reals if v.causality == "output"]
         self.parameters = [v for v in reals if v.causality == "parameter"]
 
-    def call(self, name, *arguments):
-        """FMPy raises at errors only."""
+    def call(self, name, *arguments, raises=0):
+        """FMPy raises at errors only. `raises`: floating-point exceptions that may be raised."""
         function = getattr(self.slave.dll, name)
         MATHS.feclearexcept(INVALID | DIVISION_BY_ZERO)
         status = function(self.slave.component, *arguments)
         raised = MATHS.fetestexcept(INVALID | DIVISION_BY_ZERO)
         assert status == OK, f"{name}: status {status}"
-        assert raised == 0, f"{name}: floating-point exceptions {raised}"
+        assert raised & ~raises == 0, f"{name}: floating-point exceptions {raised}"
 
     def references(self, variables):
         return (c_uint * len(variables))(*[v.valueReference for v in variables])
@@ -61,12 +61,13 @@ class Host:
         self.call("fmi2GetRealOutputDerivatives", self.references(self.outputs), n, (c_int * n)(*[1] * n), found)
         return list(found)
 
-    def derivatives(self, known):
+    def derivatives(self, known, raises=0):
         """Derivatives of all outputs by a variable."""
         n = len(self.outputs)
         found = (c_double * n)()
         one = (c_double * 1)(1.0)
-        self.call("fmi2GetDirectionalDerivative", self.references(self.outputs), n, self.references([known]), 1, one, found)
+        arguments = self.references(self.outputs), n, self.references([known]), 1, one, found
+        self.call("fmi2GetDirectionalDerivative", *arguments, raises=raises)
         return list(found)
 
     def step(self, time, step):
@@ -103,7 +104,8 @@ def test_derivatives_at_the_start(fmu, tmp_path):
     host.initialize()
     assert finite(host.slopes())
     for known in host.inputs + host.parameters[:1]:
-        assert finite(host.derivatives(known))
+        # The start is found again with other parameters; an attempt that goes astray may do so by way of infinities.
+        assert finite(host.derivatives(known, raises=INVALID | DIVISION_BY_ZERO))
     host.call("fmi2ExitInitializationMode")
     assert finite(host.slopes())
     for known in host.inputs:

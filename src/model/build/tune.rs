@@ -77,11 +77,11 @@ pub fn retune(document: &Document, system: &mut System) {
 }
 
 /// The frames that a host gives a quaternion of length 0 for the end of a step from `begin` to `end`, s, which says nothing of their orientation.
-pub fn undirected<'a>(
-    document: &'a Document,
+pub fn undirected(
+    document: &Document,
     line: impl Fn(Number) -> (f64, f64),
     [begin, end]: [f64; 2],
-) -> impl Iterator<Item = (&'a Frame, [Number; 4])> {
+) -> impl Iterator<Item = (&Frame, [Number; 4])> {
     document.frames.iter().filter_map(move |frame| match frame.orientation {
         Orientation::Quaternion(numbers) => {
             let at_end = |number: Number| line(number).0 + line(number).1 * (end - begin);

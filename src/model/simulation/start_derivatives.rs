@@ -65,7 +65,8 @@ impl Simulation {
             true => there.iter().zip(&here).map(|(there, here)| (there - here).abs()).fold(0.0, f64::max) / size,
             false => 0.0,
         };
-        let change = trial * if moved > 0.0 { (REACH / moved).clamp(SMALLEST, LARGEST) } else { LARGEST };
+        let wanted = REACH / moved.max(f64::MIN_POSITIVE); // of nothing far beyond the largest
+        let change = trial * wanted.clamp(SMALLEST, LARGEST);
         let mut difference = |stencil: &[(f64, f64)]| {
             let mut sum = vec![0.0; self.table.variables.len()];
             for &(offset, weight) in stencil {
