@@ -6,7 +6,10 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::types::{fmi2CallbackFunctions, fmi2CallbackLogger, fmi2ComponentEnvironment};
+use super::{
+    live,
+    types::{fmi2CallbackFunctions, fmi2CallbackLogger, fmi2ComponentEnvironment},
+};
 use crate::fmi::{
     Failure, LogCategory, Model, Status,
     error::Error,
@@ -54,28 +57,36 @@ impl<M: Model> Component<M> {
         component
     }
 
-    /// Hands the instance's log lines to the host; gives back the most serious status among them.
-    pub(super) fn report(&mut self) -> Status {
-        let mut worst = Status::Ok;
+    /// Hands the instance's log lines to the host.
+    pub(super) fn report(&mut self) {
         for entry in self.instance.take_entries() {
-            worst = worst.max(entry.status);
             self.host.log(entry.status, entry.category, &entry.message);
         }
-        worst
     }
 
     /// The handle for the host, to be given back by [`Self::from_handle`].
     pub fn into_handle(self) -> *mut c_void {
-        Box::into_raw(Box::new(self)).cast()
+        let handle = Box::into_raw(Box::new(self)).cast();
+        live::INSTANCES.add(handle);
+        handle
     }
 
-    /// Takes a component back from the host.
+    /// The component behind a handle; none: it is not live.
     ///
     /// # Safety
-    /// `handle` is from [`Self::into_handle`] with the same model type, and is not used again.
-    pub unsafe fn from_handle(handle: *mut c_void) -> Box<Self> {
-        // SAFETY: the caller's promise.
-        unsafe { Box::from_raw(handle.cast()) }
+    /// A live `handle` has this model type, and is not in use elsewhere.
+    pub(super) unsafe fn behind<'a>(handle: *mut c_void) -> Option<&'a mut Self> {
+        // SAFETY: the handle is live, and the caller's promise.
+        live::INSTANCES.has(handle).then(|| unsafe { &mut *handle.cast::<Self>() })
+    }
+
+    /// Takes a component back from the host; none: the handle is not live.
+    ///
+    /// # Safety
+    /// A live `handle` has this model type, and is not in use elsewhere.
+    pub unsafe fn from_handle(handle: *mut c_void) -> Option<Box<Self>> {
+        // SAFETY: the handle was live until now, and the caller's promise.
+        live::INSTANCES.remove(handle).then(|| unsafe { Box::from_raw(handle.cast()) })
     }
 }
 

@@ -7,7 +7,7 @@ use std::{
 
 use super::{
     component::Component,
-    fault,
+    fault, live,
     types::{fmi2Status, fmi2String},
 };
 use crate::fmi::{
@@ -18,17 +18,18 @@ use crate::fmi::{
 };
 
 /// Runs `body` on the instance behind a handle. An error goes to the log, with call and mode in front, and becomes a
-/// status; a panic makes the instance unusable, is logged, and becomes `fmi2Fatal`. A NULL handle is `fmi2Error`.
+/// status; a panic makes the instance unusable, is logged, and becomes `fmi2Fatal`. A handle that is none, or freed already, is
+/// `fmi2Error`.
 ///
 /// # Safety
-/// `handle` is NULL or from [`Component::into_handle`] with the same model type, not freed, and not in use elsewhere.
+/// A live `handle` is from [`Component::into_handle`] with the same model type, and not in use elsewhere.
 pub unsafe fn guard<M: Model>(
     handle: *mut c_void,
     call: Call,
     body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
-    let Some(component) = (unsafe { handle.cast::<Component<M>>().as_mut() }) else {
+    let Some(component) = (unsafe { Component::<M>::behind(handle) }) else {
         return fmi2Status::fmi2Error;
     };
     match catch_unwind(AssertUnwindSafe(|| answer(component, call, body))) {
@@ -53,9 +54,10 @@ fn answer<M: Model>(
 ) -> Status {
     let (mode, time) = (component.instance.mode(), component.instance.time());
     let outcome = body(&mut component.instance);
-    let noticed = component.report();
+    component.report();
+    let status = component.instance.take_status();
     match outcome {
-        Ok(()) => noticed,
+        Ok(()) => status,
         Err(error) => {
             component.host.log(error.status(), error.category(), &format!("{call} {mode} at t = {time} s: {error}"));
             error.status()
@@ -63,15 +65,13 @@ fn answer<M: Model>(
     }
 }
 
-/// Gives a component back. Works after a panic too; a panic on the way leaks the rest.
+/// Gives a component back; a handle that is not live is left alone. Works after a panic too; a panic on the way leaks the rest.
 ///
 /// # Safety
-/// As [`guard`]; the handle is not used again.
+/// As [`guard`].
 pub unsafe fn free<M: Model>(handle: *mut c_void) {
-    if !handle.is_null() {
-        // SAFETY: the caller's promise.
-        let _ = catch_unwind(AssertUnwindSafe(|| drop(unsafe { Component::<M>::from_handle(handle) })));
-    }
+    // SAFETY: the caller's promise.
+    let _ = catch_unwind(AssertUnwindSafe(|| drop(unsafe { Component::<M>::from_handle(handle) })));
 }
 
 /// A C array to read. NULL is fine where it has no elements.
@@ -131,21 +131,36 @@ pub unsafe fn text<'a>(text: fmi2String, argument: &'static str) -> Result<&'a s
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| Error::NotUtf8 { argument })
 }
 
+/// The copy behind a handle.
+///
+/// # Safety
+/// A live `handle` is a state with the same model type, and not in use elsewhere.
+unsafe fn state_behind<'a, M: Model>(handle: *mut c_void) -> Result<&'a mut FmuState<M>, Error> {
+    match handle.is_null() {
+        true => Err(Error::Null { argument: "FMUstate" }),
+        false if !live::STATES.has(handle) => Err(Error::UnknownState),
+        // SAFETY: the handle is live, and the caller's promise.
+        false => Ok(unsafe { &mut *handle.cast() }),
+    }
+}
+
 /// Puts a copy that `make` makes into `state`, over an earlier copy if there is one.
 ///
 /// # Safety
-/// `state` is NULL or points to NULL or to a state of this library with the same model type.
+/// Unless NULL, `state` can be written to; a live state there has the same model type.
 pub unsafe fn hand_out_state<M: Model>(
     state: *mut *mut c_void,
     make: impl FnOnce() -> Result<FmuState<M>, Error>,
 ) -> Result<(), Error> {
     // SAFETY: the caller's promise.
     let handle = unsafe { place(state, "FMUstate") }?;
-    let fresh = make()?;
-    // SAFETY: the caller's promise.
-    match unsafe { handle.cast::<FmuState<M>>().as_mut() } {
-        Some(earlier) => *earlier = fresh,
-        None => *handle = Box::into_raw(Box::new(fresh)).cast(),
+    if handle.is_null() {
+        let fresh = Box::into_raw(Box::new(make()?)).cast();
+        live::STATES.add(fresh);
+        *handle = fresh;
+    } else {
+        // SAFETY: the caller's promise.
+        *unsafe { state_behind(*handle) }? = make()?;
     }
     Ok(())
 }
@@ -153,36 +168,37 @@ pub unsafe fn hand_out_state<M: Model>(
 /// Brings the instance back to a copy.
 ///
 /// # Safety
-/// `state` is NULL or a state of this library with the same model type.
+/// A live `state` has the same model type.
 pub unsafe fn load_state<M: Model>(instance: &mut Instance<M>, state: *mut c_void) -> Result<(), Error> {
     instance.check(Call::SetFMUstate)?;
     // SAFETY: the caller's promise.
-    let state = unsafe { state.cast::<FmuState<M>>().as_ref() }.ok_or(Error::Null { argument: "FMUstate" })?;
-    instance.set_state(state)
+    instance.set_state(unsafe { state_behind(state) }?)
 }
 
 /// The bytes of a copy.
 ///
 /// # Safety
-/// `state` is NULL or a state of this library with the same model type.
+/// A live `state` has the same model type.
 pub unsafe fn serialize<M: Model>(instance: &Instance<M>, call: Call, state: *mut c_void) -> Result<Vec<u8>, Error> {
     instance.check(call)?;
     // SAFETY: the caller's promise.
-    let state = unsafe { state.cast::<FmuState<M>>().as_ref() }.ok_or(Error::Null { argument: "FMUstate" })?;
-    instance.serialize(call, state)
+    instance.serialize(call, unsafe { state_behind(state) }?)
 }
 
 /// Gives a copy back and forgets it; NULL is fine (FMI 2.0, section 2.1.8).
 ///
 /// # Safety
-/// As [`hand_out_state`]; the copy is not used again.
+/// As [`hand_out_state`].
 pub unsafe fn free_state<M: Model>(instance: &Instance<M>, state: *mut *mut c_void) -> Result<(), Error> {
     instance.check(Call::FreeFMUstate)?;
     // SAFETY: the caller's promise.
     if let Some(handle) = unsafe { state.as_mut() }
         && !handle.is_null()
     {
-        // SAFETY: the copy was made by `hand_out_state`, and the caller does not use it again.
+        if !live::STATES.remove(*handle) {
+            return Err(Error::UnknownState);
+        }
+        // SAFETY: the copy was made by `hand_out_state` and was live until now.
         drop(unsafe { Box::from_raw(handle.cast::<FmuState<M>>()) });
         *handle = std::ptr::null_mut();
     }

@@ -2,8 +2,8 @@
 //!
 //! [`types`] names C types as the standard does, [`fmi2`] and [`fmi2_values`] export its functions, three lines each:
 //! borrow, call safe code, translate. [`guard`] checks pointers, catches panics, logs and makes the status;
-//! [`component`] is what a host holds. Nothing here is kept outside a component, except the words of a panic on their
-//! way from where it happened to the guard (`fault`).
+//! [`component`] is what a host holds. Nothing here is kept outside a component, except which handles are live (`live`), and the words of
+//! a panic on their way from where it happened to the guard (`fault`).
 #![allow(unsafe_code, reason = "C hands over pointers; every use of one states who keeps the promise")]
 
 pub mod component;
@@ -11,6 +11,7 @@ mod fault;
 pub mod fmi2;
 pub mod fmi2_values;
 pub mod guard;
+mod live;
 pub mod types;
 
 pub use fault::silence as silence_panics;

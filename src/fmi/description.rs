@@ -1,7 +1,7 @@
 //! modelDescription.xml (FMI 2.0, sections 2.2 and 4.3), from the same variable table that the instance answers from.
 //!
 //! Explicit causality, variability and initial wherever the standard allows them (it forbids `initial` for inputs and
-//! the independent variable). The same model gives the same bytes: there is no generation date. A capability flag is
+//! the independent variable). The same model gives the same bytes: a date is the model's own. A capability flag is
 //! true only where the function behind it does the work.
 
 use std::{collections::BTreeMap, io};
@@ -88,6 +88,7 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
         .with_attribute(("modelName", clean(&about.name).as_str()))
         .with_attribute(("guid", about.guid.as_str()))
         .with_attribute(("description", clean(&about.description).as_str()))
+        .with_attributes(borrowed(&credits(about)))
         .with_attribute(("generationTool", concat!("ancf14 ", env!("CARGO_PKG_VERSION"))))
         .with_attribute(("variableNamingConvention", "structured"));
     root.write_inner_content(|xml| {
@@ -96,12 +97,27 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
         types(xml, variables)?;
         log_categories(xml)?;
         default_experiment(xml, about)?;
+        annotations(xml)?;
         parent(xml, "ModelVariables", |xml| {
             variables.iter().enumerate().try_for_each(|(reference, variable)| scalar_variable(xml, reference, variable))
         })?;
         parent(xml, "ModelStructure", |xml| model_structure(xml, variables))
     })?;
     Ok(())
+}
+
+/// Who made the model, when, and under which terms, as far as it says so.
+fn credits(about: &About) -> Attributes<'_> {
+    let super::Credits { author, version, license, copyright, date } = &about.credits;
+    let list = [
+        ("author", author),
+        ("version", version),
+        ("copyright", copyright),
+        ("license", license),
+        ("generationDateAndTime", date),
+    ];
+    let said = list.into_iter().filter_map(|(key, text)| text.as_ref().map(|text| (key, clean(text).into())));
+    said.collect()
 }
 
 /// What the unit can do: all but asynchronous steps.
@@ -211,10 +227,33 @@ fn default_experiment(xml: &mut Xml, about: &About) -> io::Result<()> {
     let attributes = vec![
         ("startTime", "0".into()),
         ("stopTime", real(about.stop).into()),
+        ("tolerance", real(about.tolerance).into()),
         ("stepSize", real(about.output_step).into()),
     ];
     empty(xml, "DefaultExperiment", attributes)
 }
+
+/// What the standard's own attributes cannot say: outputs depend on no input at the same communication point, and the directional derivative
+/// there is that of a whole step.
+fn annotations(xml: &mut Xml) -> io::Result<()> {
+    parent(xml, "VendorAnnotations", |xml| {
+        let tool = xml.create_element("Tool").with_attribute(("name", "ancf14"));
+        tool.write_inner_content(|xml| {
+            empty(xml, "Derivatives", DERIVATIVES.map(|(key, text)| (key, text.into())).into())
+        })?;
+        Ok(())
+    })
+}
+
+/// What the derivatives are.
+const DERIVATIVES: [(&str, &str); 3] = [
+    (
+        "directional",
+        "of the outputs at the end of the last communication step by the inputs during it; 0 before the first step",
+    ),
+    ("directionalInInitializationMode", "of the initial values by inputs and parameters"),
+    ("time", "right-hand where they follow from positions and velocities, else over the last internal step"),
+];
 
 fn scalar_variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::Result<()> {
     let mut attributes: Attributes<'_> =
@@ -258,25 +297,33 @@ fn type_attributes(variable: &Variable) -> Attributes<'_> {
     attributes
 }
 
-/// Outputs depend on nothing within the same communication point; what the initial values depend on is left open,
-/// which the standard reads as everything.
+/// Outputs depend on nothing within the same communication point. What the initial values depend on is said where it is less than everything
+/// that is given, which the standard reads where nothing is said.
 fn model_structure(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
-    let indices = |wanted: fn(Causality) -> bool| -> Vec<String> {
-        let chosen = variables.iter().enumerate().filter(|(_, variable)| wanted(variable.causality));
-        chosen.map(|(place, _)| (place + 1).to_string()).collect() // the standard counts from 1
+    let places = |wanted: fn(&Variable) -> bool| -> Vec<usize> {
+        let chosen = variables.iter().enumerate().filter(|(_, variable)| wanted(variable));
+        chosen.map(|(place, _)| place).collect()
     };
-    let outputs = indices(|causality| causality == Causality::Output);
-    let unknowns = indices(|causality| initial(causality) == Some("calculated"));
+    let index = |place: usize| (place + 1).to_string(); // the standard counts from 1
+    let outputs = places(|variable| variable.causality == Causality::Output);
+    let unknowns = places(|variable| initial(variable.causality) == Some("calculated"));
     if !outputs.is_empty() {
         parent(xml, "Outputs", |xml| {
-            outputs.iter().try_for_each(|index| {
-                empty(xml, "Unknown", vec![("index", index.as_str().into()), ("dependencies", "".into())])
+            outputs.iter().try_for_each(|place| {
+                empty(xml, "Unknown", vec![("index", index(*place).into()), ("dependencies", "".into())])
             })
         })?;
     }
     if !unknowns.is_empty() {
         parent(xml, "InitialUnknowns", |xml| {
-            unknowns.iter().try_for_each(|index| empty(xml, "Unknown", vec![("index", index.as_str().into())]))
+            unknowns.iter().try_for_each(|place| {
+                let mut attributes: Attributes<'_> = vec![("index", index(*place).into())];
+                if let Some(found_from) = &variables[*place].found_from {
+                    let indices: Vec<String> = found_from.iter().map(|known| index(*known)).collect();
+                    attributes.push(("dependencies", indices.join(" ").into()));
+                }
+                empty(xml, "Unknown", attributes)
+            })
         })?;
     }
     Ok(())

@@ -5,7 +5,7 @@ use std::fmt::{Error, Write};
 use quick_xml::escape::escape;
 
 use super::{
-    About, Value,
+    About, Credits, Value,
     description::{causality, variability},
     package::{Contents, LICENCES_FILE},
     variable::{Causality, Variable},
@@ -28,7 +28,7 @@ const GROUPS: [(Causality, &str, &str); 5] = [
 ];
 
 /// How the unit behaves.
-const BEHAVIOUR: [&str; 9] = [
+const BEHAVIOUR: [&str; 12] = [
     "FMI 2.0 for co-simulation. The model is in <code>resources/model.toml</code>, the solver in the library; nothing else has to be \
      installed.",
     "Any communication step is possible; the unit divides it into internal steps of at most <code>simulation.step</code>. On multiples \
@@ -39,10 +39,23 @@ const BEHAVIOUR: [&str; 9] = [
     "Parameters are set before the end of the initialization, tunable ones also between steps.",
     "The initial state is found at the end of the initialization, from what is set until then; outputs are valid from there on.",
     "FMU states can be taken and set at any time, also to go back after a failed step, and serialized, also for another process.",
-    "Output derivatives (<code>fmi2GetRealOutputDerivatives</code>) are of order 1: exact for what follows from positions and velocities (position,      displacement, velocity, rotation, quaternion, angular velocity, angle, distance, strains, section forces, stress, energies); for      accelerations, reactions, efforts and momenta the difference quotient of the last internal step, and so for everything in a static analysis.",
+    "A communication step shorter than a millionth of <code>simulation.step</code> is done at once: the unit keeps its time and makes up for it in the \
+     next step that is long enough. So a host that adds up its time may end with a step of round-off, and no short step is lost.",
+    "A call that succeeds returns <code>fmi2OK</code>. Warnings go to the logger with the status <code>fmi2Warning</code> and the category \
+     <code>logStatusWarning</code>; <code>fmi2Warning</code> is returned only where the host asks for something odd: results before the \
+     initialization, an unknown log category.",
+    "Output derivatives (<code>fmi2GetRealOutputDerivatives</code>) are of order 1: exact for what follows from positions and velocities (position, \
+     displacement, velocity, rotation, quaternion, angular velocity, angle, distance, strains, section forces, stress, energies); for \
+     accelerations, reactions, efforts and momenta, and for everything in a static analysis, the difference quotient of the last internal step, or, \
+     before there is one, of the first internal step with unchanged inputs (0 where that step fails).",
     "Directional derivatives (<code>fmi2GetDirectionalDerivative</code>) are those of the last communication step, all its internal steps \
-     together: of the outputs at its end by the values of the inputs during it. Within one instant no output depends on an input, and the description says so; before the first step they are an error.",
-    "A step that fails returns <code>fmi2Error</code> and says why in the log; steps are never discarded.",
+     together: of the outputs at its end by the values of the inputs during it. At one communication point no output depends on an input: the \
+     description says so by <code>dependencies=\"\"</code>, and by an annotation that the derivative is that of the step. Before the first step it is 0. A tunable \
+     parameter that is set after a step does not change the derivatives of that step.",
+    "In Initialization Mode directional derivatives are those of the initial values of outputs and calculated parameters, by inputs and \
+     parameters: differences of initial states, right to about four digits.",
+    "A step that fails returns <code>fmi2Error</code> and says why in the log; steps are never discarded. Handles of instances and states that are \
+     not alive are refused.",
 ];
 
 /// Kinds of inputs: what they are, what becomes of the value, what becomes of its derivative.
@@ -54,7 +67,11 @@ const INPUTS: [[&str; 3]; 4] = [
          step of delay",
         "the end value is the value plus its derivative times the step",
     ],
-    ["orientations (quaternions)", "the same, along the shortest arc; any length but zero", "the same"],
+    [
+        "orientations: quaternions of any length, or rotation vectors",
+        "the same, along the shortest arc; a quaternion of 0 leaves the orientation as it is, with a warning",
+        "the same",
+    ],
     ["rates", "integrated exactly, the rate being reached at the end of the step in the same way", "the same"],
 ];
 
@@ -64,7 +81,8 @@ const SIGNS: [&str; 5] = [
     "Vectors have components along the global axes x, y, z as <code>[1]</code>, <code>[2]</code>, <code>[3]</code> if their description names no other \
      axes; quaternions are w, x, y, z.",
     "Forces and moments that are inputs act on the part that the load is at. A moment counts about the axis by the right hand.",
-    "Reactions are the force, and the moment about the joint's place, on side b of a joint; at a moving frame what the frame must supply.",
+    "Reactions are the force, and the moment about the joint's place, on side b of a joint; at a moving frame what the frame must supply. \
+     Applied forces and moments are the same with the other sign: what side a receives, or whatever moves the frame.",
     "Inside a beam axial force is positive in tension; strains are positive in elongation.",
 ];
 
@@ -78,9 +96,9 @@ const COUPLING: [[&str; 4]; 4] = [
     ],
     [
         "motion",
-        "reaction",
+        "force and moment",
         "the other side moves the end whatever it takes: robot hands, moorings, prescribed bases",
-        "a frame with <code>input = true</code>, a joint to it, its reaction",
+        "a frame with <code>input = true</code>, a joint to it, <code>applied_force</code> and <code>applied_moment</code> of the frame",
     ],
     ["angle or distance", "effort", "drives under position control", "a drive with <code>input</code>, its effort"],
     [
@@ -103,6 +121,14 @@ fn write_page(out: &mut String, about: &About, variables: &[Variable], contents:
     writeln!(out, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">")?;
     writeln!(out, "<title>{name}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>")?;
     writeln!(out, "<p>{}</p>", escape(about.description.as_str()))?;
+    let Credits { author, version, license, copyright, date } = &about.credits;
+    let said =
+        [("Author", author), ("Version", version), ("License", license), ("Copyright", copyright), ("Date", date)];
+    let said: Vec<String> =
+        said.iter().filter_map(|(word, text)| Some(format!("{word}: {}.", escape(text.as_ref()?.as_str())))).collect();
+    if !said.is_empty() {
+        writeln!(out, "<p>{}</p>", said.join(" "))?;
+    }
     writeln!(out, "<figure>\n{}<figcaption>{}</figcaption>\n</figure>", contents.drawing, escape(contents.legend))?;
     let [stop, step] = [about.stop, about.output_step];
     writeln!(out, "<p>Default experiment: from 0 to {stop:?} s, communication step {step:?} s. On this page:")?;

@@ -85,6 +85,20 @@ pub enum Error {
         /// Its name.
         name: String,
     },
+    /// In Initialization Mode the unknowns are what is calculated.
+    #[error(
+        "`{name}` is not calculated; in Initialization Mode derivatives are those of outputs and calculated parameters"
+    )]
+    NotCalculated {
+        /// Its name.
+        name: String,
+    },
+    /// In Initialization Mode the knowns are what can be set.
+    #[error("`{name}` cannot be set; in Initialization Mode derivatives are taken by inputs and parameters")]
+    NotGiven {
+        /// Its name.
+        name: String,
+    },
     /// Second derivatives of outputs are not known.
     #[error(
         "the derivative of order {order} of `{name}` cannot be read: maxOutputDerivativeOrder is 1; read the velocity and its derivative"
@@ -152,8 +166,10 @@ pub enum Error {
         /// As passed, s.
         stop: f64,
     },
-    /// The communication step is not positive, or too small to advance the time.
-    #[error("the communication step {step} s does not advance the time {time} s; pass a finite step greater than zero")]
+    /// The communication step is not positive, or not finite.
+    #[error(
+        "the communication step {step} s at {time} s is not positive and finite; pass a finite step greater than zero"
+    )]
     StepSize {
         /// As passed, s.
         step: f64,
@@ -187,6 +203,12 @@ pub enum Error {
         /// Why.
         reason: &'static str,
     },
+    /// A handle that is no FMU state, or none any more.
+    #[error(
+        "the argument `FMUstate` is no live state of this library: it was freed, or is another pointer; pass one that \
+         fmi2GetFMUstate has set, or NULL for a new one"
+    )]
+    UnknownState,
     /// An FMU state of another model.
     #[error("the FMU state belongs to the model {theirs}, this instance to {own}; use states of this instance only")]
     ForeignState {

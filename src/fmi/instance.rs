@@ -32,6 +32,8 @@ pub struct Instance<M: Model> {
     /// The logging switch of `fmi2Instantiate`, which a reset goes back to.
     first_logging: Switch,
     entries: Vec<Entry>,
+    /// What the running call returns where it succeeds; see [`Self::take_status`].
+    status: Status,
     /// Values to go back to when a later one of the same call is refused; empty between two calls.
     undo: Vec<(usize, Value)>,
 }
@@ -79,6 +81,7 @@ impl<M: Model> Instance<M> {
             control: Control::new(logging),
             first_logging: logging,
             entries: Vec::new(),
+            status: Status::Ok,
             undo: Vec::new(),
         };
         instance.pass_on_warnings();
@@ -108,6 +111,12 @@ impl<M: Model> Instance<M> {
         std::mem::take(&mut self.entries)
     }
 
+    /// What a call that succeeded returns: a warning only where the host asked for something odd. What the model warns of goes to
+    /// the log alone, since many hosts end a run at any status but `fmi2OK`.
+    pub fn take_status(&mut self) -> Status {
+        std::mem::replace(&mut self.status, Status::Ok)
+    }
+
     /// Makes the instance unusable, after a caught panic.
     pub fn give_up(&mut self) {
         self.control.mode = Mode::Fatal;
@@ -128,7 +137,7 @@ impl<M: Model> Instance<M> {
     pub fn set_debug_logging(&mut self, on: bool, categories: &[&str]) -> Result<(), Error> {
         self.check(Call::SetDebugLogging)?;
         for unknown in self.control.logging.select(on, categories) {
-            self.warn(format!("there is no log category `{unknown}`; the known ones stand in modelDescription.xml"));
+            self.object(format!("there is no log category `{unknown}`; the known ones stand in modelDescription.xml"));
         }
         Ok(())
     }
@@ -212,7 +221,8 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// Advances from `time` by `step`, s (section 4.2.2). Never discarded: the model halves its own steps.
+    /// Advances from `time` by `step`, s (section 4.2.2). Never discarded: the model halves its own steps. The last step of a host that
+    /// adds up its time may be round-off; such a step is done at once.
     ///
     /// # Errors
     /// The mode does not allow it, or the numbers do not fit (nothing happened); or the model fails on the way: then
@@ -230,22 +240,22 @@ impl<M: Model> Instance<M> {
         })
     }
 
-    /// End of the step that the host asks for, s.
+    /// End of the step that the host asks for, s; by round-off it may be before the own time.
     fn end_of_step(&self, time: f64, step: f64) -> Result<f64, Error> {
         let own = self.model.time();
-        let scale = own.abs().max(time.abs()).max(step);
+        let rounding = TIME_TOLERANCE * own.abs().max(time.abs()).max(step);
         let end = time + step;
-        // False for NaN; any difference is small beside an infinite time.
-        let same_time = time.is_finite() && (time - own).abs() <= TIME_TOLERANCE * scale;
+        // False for NaN; any difference is small beside an infinite time. The model lags behind by what it has left to the next step.
+        let same_time = time.is_finite() && (time - own).abs() <= rounding.max(self.model.shortest_step());
         if !same_time {
             return Err(Error::WrongTime { given: time, own });
         }
-        let advances = step > 0.0 && step.is_finite() && end > own; // false for NaN
+        let advances = step > 0.0 && end.is_finite(); // false for NaN
         if !advances {
             return Err(Error::StepSize { step, time });
         }
         match self.control.stop {
-            Some(stop) if end > stop + TIME_TOLERANCE * scale => Err(Error::BeyondStop { end, stop }),
+            Some(stop) if end > stop + rounding => Err(Error::BeyondStop { end, stop }),
             _ => Ok(end),
         }
     }
@@ -310,6 +320,13 @@ impl<M: Model> Instance<M> {
         }
     }
 
+    /// Warns of something odd that the host asked for, in the log and by the status of the call.
+    fn object(&mut self, message: String) {
+        self.status = Status::Warning;
+        self.warn(message);
+    }
+
+    /// Warns in the log.
     fn warn(&mut self, message: String) {
         self.entries.push(Entry { status: Status::Warning, category: LogCategory::StatusWarning, message });
     }

@@ -91,6 +91,7 @@ impl fmt::Display for Call {
 /// `~` legal here though the standard forbids it.
 ///
 /// - Values may be read before initialization (with one warning): many hosts do.
+/// - Output derivatives of the initial state may be read in Initialization Mode, like the outputs themselves.
 /// - `fmi2GetStatus` tells the last time reached also after a failed step.
 /// - Memory can be given back after an internal fault.
 pub const TABLE: [(Call, &str); 31] = [
@@ -118,7 +119,7 @@ pub const TABLE: [(Call, &str); 31] = [
     (Call::DeSerializeFMUstate, "xxxxx."),
     (Call::GetDirectionalDerivative, ".xxxx."),
     (Call::SetRealInputDerivatives, "xxx..."),
-    (Call::GetRealOutputDerivatives, "..xxx."),
+    (Call::GetRealOutputDerivatives, ".~xxx."),
     (Call::DoStep, "..x..."),
     (Call::CancelStep, "......"),
     (Call::GetStatus, "..xx~."),

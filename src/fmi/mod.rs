@@ -23,7 +23,7 @@ use variable::Variable;
 pub enum Status {
     /// All well.
     Ok,
-    /// Something is odd, a log line tells what; the computation goes on.
+    /// The host asked for something odd, a log line tells what; the call succeeded.
     Warning,
     /// The question has no answer here; nothing changed.
     Discard,
@@ -61,12 +61,31 @@ pub struct About {
     pub identifier: String,
     /// One sentence on the model; may be empty.
     pub description: String,
+    /// Who made it, when, and under which terms.
+    pub credits: Credits,
     /// Hash of the model and of what matters in the XML, with braces: `{8c4e810f-...}`.
     pub guid: String,
     /// Default stop time (the default start time is 0), s.
     pub stop: f64,
     /// Default communication step, s.
     pub output_step: f64,
+    /// Relative tolerance of the computation, for `DefaultExperiment`.
+    pub tolerance: f64,
+}
+
+/// Texts of the description that only its reader understands; each may be missing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Credits {
+    /// Who made the model.
+    pub author: Option<String>,
+    /// Its version.
+    pub version: Option<String>,
+    /// Under which terms it may be used.
+    pub license: Option<String>,
+    /// Whose it is.
+    pub copyright: Option<String>,
+    /// When it was made: `2026-03-31T12:00:00Z`.
+    pub date: Option<String>,
 }
 
 /// Why the model could not do what it was asked: one sentence with numbers, and the log category it belongs to.
@@ -135,29 +154,41 @@ pub trait Model: Sized {
     /// The time that the model has reached, s.
     fn time(&self) -> f64;
 
-    /// Whether a step to `end` > time, s, can be tried: what is refused here has no consequences.
+    /// The shortest step that the model takes, s. An end that is nearer to the own time is left to the next step: nothing moves, and the
+    /// own time stays.
+    fn shortest_step(&self) -> f64;
+
+    /// Whether a step to `end`, s, can be tried: what is refused here has no consequences.
     ///
     /// # Errors
     /// It would be too many internal steps, or an input has a value that means nothing.
     fn accept_step(&self, end: f64) -> Result<(), Failure>;
 
-    /// Advances from the own time to `end` > time, s; the model's own grid decides the internal steps.
+    /// Advances from the own time to `end`, s; the model's own grid decides the internal steps. An end that is not beyond the own time by
+    /// [`Self::shortest_step`] or more moves nothing. Either way the derivatives of the inputs are used up.
     ///
     /// # Errors
     /// A step that does not converge even at the smallest internal step; the model is as it was before the call.
     fn advance(&mut self, end: f64) -> Result<(), Failure>;
 
-    /// The derivative by time of output `reference`, a Real, 1/s of its unit.
+    /// The derivative by time of output `reference`, a Real, 1/s of its unit; from [`Self::initialize`] on.
     ///
     /// # Errors
-    /// It is that of the last step, and there is none.
+    /// It is no output.
     fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure>;
 
-    /// The derivative of output `output`, a Real, at the end of the last step by input `input` of that step.
+    /// The derivative of output `output`, a Real, at the end of the last step by input `input` of that step; 0 where there is no such step.
     ///
     /// # Errors
-    /// There is no such step, or its derivatives cannot be computed.
+    /// The step cannot be differentiated.
     fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure>;
+
+    /// The derivative of the initial value of `unknown`, a Real that is calculated, by the value of `known`, a Real that can be set. The
+    /// initial state is found already.
+    ///
+    /// # Errors
+    /// There is no initial state with another value of `known`.
+    fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure>;
 
     /// Warnings since the last call of this function, oldest first.
     fn take_warnings(&mut self) -> Vec<String>;

@@ -128,7 +128,7 @@ pub fn fmu(
     contents: &Contents<'_>,
     libraries: &[(Platform, Vec<u8>)],
 ) -> Result<Vec<u8>, Error> {
-    let xml = description::xml(about, variables)?;
+    let xml = description::xml(&dated(about, std::env::var("SOURCE_DATE_EPOCH").ok().as_deref()), variables)?;
     let page = documentation::html(about, variables, contents);
     let mut entries =
         vec![("modelDescription.xml".to_owned(), xml.as_bytes()), ("model.png".to_owned(), contents.icon)];
@@ -140,6 +140,33 @@ pub fn fmu(
     entries.push((format!("documentation/{LICENCES_FILE}"), contents.licences.as_bytes()));
     entries.push((format!("resources/{MODEL_FILE}"), contents.model.as_bytes()));
     archive(&entries).map_err(|reason| io("cannot make the archive", reason))
+}
+
+/// The model with a date: its own, or that of the sources that a build is of, s since 1970 (reproducible-builds.org); else none.
+fn dated(about: &About, epoch: Option<&str>) -> About {
+    let mut about = about.clone();
+    about.credits.date = about.credits.date.or_else(|| epoch?.parse().ok().map(date));
+    about
+}
+
+/// The date of an instant, s since 1970, as FMI writes dates.
+fn date(epoch: u32) -> String {
+    let (day, time) = (epoch / 86_400, epoch % 86_400);
+    let is_leap = |year: u32| year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
+    let length = |year: u32| if is_leap(year) { 366 } else { 365 };
+    let (mut year, mut day) = (1970, day);
+    while day >= length(year) {
+        day -= length(year);
+        year += 1;
+    }
+    let mut month = 0;
+    let months = [31, length(year) - 337, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
+    while day >= months[month] {
+        day -= months[month];
+        month += 1;
+    }
+    let (hour, minute, second) = (time / 3600, time / 60 % 60, time % 60);
+    format!("{year:04}-{:02}-{:02}T{hour:02}:{minute:02}:{second:02}Z", month + 1, day + 1)
 }
 
 /// Packs entries in their order, all with the zip format's first date.
@@ -214,4 +241,24 @@ pub fn write(
 
 fn io(what: &str, reason: impl std::fmt::Display) -> Error {
     Error::Io { what: what.to_owned(), reason: reason.to_string() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Dates as `date -u -d @N` tells them: leap years, ends of months and of the range.
+    #[test]
+    fn dates_of_instants() {
+        for (epoch, expected) in [
+            (0, "1970-01-01T00:00:00Z"),
+            (951_782_400, "2000-02-29T00:00:00Z"),
+            (1_709_251_199, "2024-02-29T23:59:59Z"),
+            (1_774_958_400, "2026-03-31T12:00:00Z"),
+            (4_107_542_400, "2100-03-01T00:00:00Z"),
+            (u32::MAX, "2106-02-07T06:28:15Z"),
+        ] {
+            assert_eq!(date(epoch), expected);
+        }
+    }
 }

@@ -36,7 +36,8 @@ pub fn rotation_angle(a: &Mat3, b: &Mat3) -> f64 {
 
 /// The rotation matrix of a rotation vector, rad.
 pub fn rotation_matrix(vector: &Vec3) -> Mat3 {
-    Rotation3::from_scaled_axis(*vector).into_inner()
+    // A vector without a direction has no axis to be divided by its length.
+    if *vector == Vec3::zeros() { Mat3::identity() } else { Rotation3::from_scaled_axis(*vector).into_inner() }
 }
 
 /// The rotation matrix of a rotation vector that changes in time, rad, with its first two derivatives:

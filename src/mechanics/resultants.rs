@@ -36,6 +36,42 @@ pub struct SectionForces {
     pub moment: [f64; 3],
 }
 
+/// The point of a section that bears the largest stress of one state, and how its stress changes around that state: the largest stress itself
+/// has kinks where another point takes over.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Fibre {
+    /// y and z, m.
+    place: [f64; 2],
+    /// `∂s/∂σ` and `∂s/∂τ` of `s = sqrt(σ² + 3 τ²)`, 1; 0 where there is no stress.
+    slopes: [f64; 2],
+}
+
+impl Fibre {
+    /// The one that bears most; arguments as of [`largest_stress`].
+    pub fn worst(outline: &Outline, young: f64, torque: f64, strains: &SectionStrains) -> Option<Self> {
+        // Where it is compressed the largest stress is on the other side.
+        let side = if strains.axial < 0.0 { -1.0 } else { 1.0 };
+        let place = outline.farthest_point(&strains.curvature)?.map(|part| side * part);
+        // Without stress both slopes are 0.
+        let stress = largest_stress(outline, young, torque, strains)?.max(f64::MIN_POSITIVE);
+        let fibre = Self { place, slopes: [0.0; 2] };
+        let normal = young * fibre.strain(strains);
+        let shear = torque / outline.torsion_modulus()?;
+        Some(Self { slopes: [normal / stress, 3.0 * (shear / stress)], ..fibre })
+    }
+
+    /// Its stress near that state, to first order in `σ` and `τ`, Pa.
+    pub fn stress(&self, outline: &Outline, young: f64, torque: f64, strains: &SectionStrains) -> Option<f64> {
+        let [by_normal, by_shear] = self.slopes;
+        Some(by_normal * young * self.strain(strains) + by_shear * torque / outline.torsion_modulus()?)
+    }
+
+    fn strain(&self, strains: &SectionStrains) -> f64 {
+        let ([y, z], [about_y, about_z]) = (self.place, strains.curvature);
+        strains.axial + z * about_y - y * about_z
+    }
+}
+
 /// Largest von Mises stress `sqrt(σ² + 3 τ²)` over `outline`, Pa; none if the outline is not known.
 ///
 /// `σ = young · (fibre strain)`, linear over the section: squares of curvature and torsion are left out. `τ` is the largest shear that

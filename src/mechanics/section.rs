@@ -44,6 +44,22 @@ impl Outline {
         }
     }
 
+    /// A point of the outline, y and z, m, where `z curvature_y − y curvature_z` is largest; none if the outline is not known. Where all points are
+    /// alike it is the middle of them.
+    pub fn farthest_point(&self, curvature: &[f64; 2]) -> Option<[f64; 2]> {
+        let [about_y, about_z] = *curvature;
+        let sign = |number: f64| if number == 0.0 { 0.0 } else { number.signum() };
+        match self {
+            Self::Rectangle { width, height } => Some([-0.5 * width * sign(about_z), 0.5 * height * sign(about_y)]),
+            Self::Circle { radius } | Self::Tube { outer: radius, .. } => {
+                // Never a division by 0, which hosts may trap.
+                let amount = about_y.hypot(about_z).max(f64::MIN_POSITIVE);
+                Some([-radius * (about_z / amount), radius * (about_y / amount)])
+            }
+            Self::General => None,
+        }
+    }
+
     /// Torque over the largest Saint-Venant shear stress that it makes, m³; none if the outline is not known.
     pub fn torsion_modulus(&self) -> Option<f64> {
         match self {

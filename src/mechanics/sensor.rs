@@ -3,7 +3,8 @@
 use super::configuration::Configuration;
 use super::marker::Marker;
 use super::pose::{Pose, angular_velocity};
-use super::resultants::{self, SectionForces, SectionShape, SectionStrains};
+use super::resultants::{self, Fibre, SectionForces, SectionShape, SectionStrains};
+use super::section::Outline;
 use super::state::State;
 use super::system::System;
 use crate::math::Vec3;
@@ -126,13 +127,33 @@ impl Sensor {
         sum
     }
 
-    /// Largest von Mises stress over the section's outline, Pa; at an inner node of the mean strains. NaN without an outline.
-    pub fn stress(&self, system: &System, c: &Configuration) -> f64 {
-        let (Some((beam, _)), Some(section)) = (self.on_beam, self.sections.first()) else { return f64::NAN };
+    /// Largest von Mises stress over the section's outline, Pa; at an inner node of the mean strains. None without an outline.
+    pub fn stress(&self, system: &System, c: &Configuration) -> Option<f64> {
+        self.on_section(system, c, resultants::largest_stress)
+    }
+
+    /// The fibre of the section that bears this stress.
+    pub fn worst_fibre(&self, system: &System, c: &Configuration) -> Option<Fibre> {
+        self.on_section(system, c, Fibre::worst)
+    }
+
+    /// The stress of a fibre that bears the largest one in a state nearby, Pa.
+    pub fn stress_of(&self, fibre: &Fibre, system: &System, c: &Configuration) -> Option<f64> {
+        self.on_section(system, c, |outline, young, torque, strains| fibre.stress(outline, young, torque, strains))
+    }
+
+    /// What `read` makes of the outline, Young's modulus, torque and strains of the section.
+    fn on_section<T>(
+        &self,
+        system: &System,
+        c: &Configuration,
+        read: impl FnOnce(&Outline, f64, f64, &SectionStrains) -> Option<T>,
+    ) -> Option<T> {
+        let (Some((beam, _)), Some(section)) = (self.on_beam, self.sections.first()) else { return None };
         let beam = &system.beams[beam];
         let strains = self.strains(c);
         let torque = c.mesh.elements[section.element].torsion_rigidity() * strains.torsion;
-        resultants::largest_stress(&beam.outline, beam.young, torque, &strains).unwrap_or(f64::NAN)
+        read(&beam.outline, beam.young, torque, &strains)
     }
 }
 

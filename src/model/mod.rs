@@ -4,6 +4,7 @@
 //! derivatives, [`diagnostic`] says what is wrong and where.
 
 pub mod build;
+mod dependencies;
 pub mod diagnostic;
 pub mod document;
 pub mod drawing;

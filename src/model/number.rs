@@ -96,12 +96,18 @@ impl Meta {
     }
 }
 
-/// `Force, component 2`: the meaning as a sentence begins, and which component the name says.
+/// `steel: Young's modulus`, `arm: start of the beam, component 2`: whose number it is, its meaning, and which component the name says. What
+/// belongs to the whole file is a sentence of its own.
 fn description(meaning: &str, name: &str) -> String {
     let component = name.strip_suffix(']').and_then(|name| name.rsplit_once('['));
     let component = component.map_or(String::new(), |(_, index)| format!(", component {index}"));
-    let (first, rest) = meaning.split_at(meaning.chars().next().map_or(0, char::len_utf8));
-    format!("{}{rest}{component}", first.to_uppercase())
+    match name.rsplit_once('.') {
+        Some((part, _)) if part != "simulation" => format!("{part}: {meaning}{component}"),
+        _ => {
+            let (first, rest) = meaning.split_at(meaning.chars().next().map_or(0, char::len_utf8));
+            format!("{}{rest}{component}", first.to_uppercase())
+        }
+    }
 }
 
 /// A number as written.

@@ -31,6 +31,11 @@ impl Parameter {
         list.into_iter().map(|(_, parameter)| parameter).collect()
     }
 
+    /// Whether the host gives it while the model runs.
+    pub fn is_input(&self) -> bool {
+        self.variable.causality == Causality::Input
+    }
+
     /// Whether it follows from others and cannot be set.
     pub fn is_calculated(&self) -> bool {
         self.variable.causality == Causality::CalculatedParameter
@@ -58,6 +63,7 @@ fn row(slot: &Slot, value: f64) -> Variable {
         max: meta.range.upper.filter(|limit| limit.included).map(|limit| limit.value),
         quantity: unit::quantity(&meta.unit),
         display_unit: meta.display.clone(),
+        found_from: None,
     }
 }
 
@@ -70,6 +76,11 @@ impl Document {
     /// The parameters in file order: an FMI host sees them so.
     pub fn parameters(&self) -> &[Parameter] {
         &self.parameters
+    }
+
+    /// The start value that the file gives a number; none: it is no parameter and no input.
+    pub fn start(&self, number: Number) -> Option<f64> {
+        self.parameters.iter().find(|row| row.number == number).map(|row| row.variable.start.number())
     }
 
     /// The value of parameter `index` of [`Self::parameters`].

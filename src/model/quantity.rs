@@ -35,6 +35,10 @@ pub enum Quantity {
     ReactionForce,
     /// Moment of a joint on b, or that a frame must supply.
     ReactionMoment,
+    /// Force of a joint on a, or on what moves a frame: the reaction with the other sign.
+    AppliedForce,
+    /// Moment of a joint on a, or on what moves a frame: the reaction with the other sign.
+    AppliedMoment,
     /// Angle of a joint.
     Angle,
     /// Distance of a joint.
@@ -110,7 +114,7 @@ const HOLD: At = At(&[Site::Joint, Site::Frame]);
 const FREE: At = At(&[Site::Joint, Site::Drive]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 19] = [
+pub const QUANTITIES: [Row; 21] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -169,12 +173,32 @@ pub const QUANTITIES: [Row; 19] = [
         "N.m",
         "moment on side b of the joint, or that the frame must supply, about its place, in global axes",
     ),
+    HOLD.row(
+        Quantity::AppliedForce,
+        "applied_force",
+        3,
+        "N",
+        "force on side a of the joint, or on whatever moves the frame, in global axes: minus the reaction",
+    ),
+    HOLD.row(
+        Quantity::AppliedMoment,
+        "applied_moment",
+        3,
+        "N.m",
+        "moment on side a of the joint, or on whatever moves the frame, about its place, in global axes: minus the reaction",
+    ),
     FREE.row(Quantity::Angle, "angle", 1, "rad", "angle of b relative to a about the axis, 0 as drawn, counting turns"),
     FREE.row(Quantity::Distance, "distance", 1, "m", "distance of b from a along the axis, 0 as drawn"),
     FREE.row(Quantity::Effort, "effort", 1, "N.m", "torque or force of the drive on side b of the joint"),
 ];
 
 impl Quantity {
+    /// Whether it is all that a joint or a frame transmits, or a part of it.
+    pub fn is_transmitted(self) -> bool {
+        use Quantity::*;
+        matches!(self, ReactionForce | ReactionMoment | AppliedForce | AppliedMoment)
+    }
+
     /// Its row of the table.
     pub fn row(self) -> &'static Row {
         QUANTITIES.iter().find(|row| row.quantity == self).expect("every quantity has a row")

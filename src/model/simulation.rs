@@ -3,6 +3,7 @@
 mod derivatives;
 mod machine;
 mod saved;
+mod start_derivatives;
 
 pub use saved::Snapshot;
 
@@ -10,7 +11,9 @@ use self::derivatives::{Derived, LastStep};
 use self::machine::{Machine, Solver};
 use super::build;
 use super::document::Document;
+use super::entries::frame::Frame;
 use super::inputs::Inputs;
+use super::number::Number;
 use super::variables::{Moment, Source, Table};
 use super::watch::Watch;
 use crate::error::Error;
@@ -35,6 +38,7 @@ pub struct Simulation {
     inputs: Inputs,
     last: LastStep,
     derived: Derived,
+    warned_of_quaternion: bool,
 }
 
 impl Simulation {
@@ -52,7 +56,9 @@ impl Simulation {
             description: document.model.description.clone(),
             guid: guid(text, overrides, &table),
             stop: document.value(document.simulation.stop),
+            credits: document.model.credits.clone(),
             output_step: document.value(document.simulation.output_step),
+            tolerance: document.value(document.simulation.tolerance),
         };
         let document = Arc::new(document);
         let mut simulation = Self {
@@ -67,8 +73,9 @@ impl Simulation {
             watch: Watch::default(),
             last: LastStep::default(),
             derived: Derived::default(),
+            warned_of_quaternion: false,
         };
-        simulation.measure().map_err(|error| failure(&error))?;
+        simulation.read_results().map_err(|error| failure(&error))?;
         Ok(simulation)
     }
 
@@ -90,9 +97,11 @@ impl Simulation {
     /// Sets parameter `index` of the file, and what follows from it; one that is tunable at once in a machine that runs.
     fn set_parameter(&mut self, index: usize, value: Value, variability: Variability) -> Result<(), Failure> {
         let before = self.document.parameter_value(index);
+        let runs = variability == Variability::Tunable && self.machine.is_initialized();
+        let stepped = (runs && self.last.known && !self.machine.stale).then(|| self.document.settings());
         let document = Arc::make_mut(&mut self.document);
         document.set_parameter(index, value).map_err(wrong)?;
-        if variability == Variability::Tunable && self.machine.is_initialized() {
+        if runs {
             // Nothing later checks what follows from a tunable parameter. Its old value was legal.
             if document.feeds_others(index)
                 && let Err(objection) = document.check()
@@ -100,27 +109,79 @@ impl Simulation {
                 document.set_parameter(index, before).map_err(wrong)?;
                 return Err(wrong(objection));
             }
-            // The machine of the last step is no more.
+            if let Some(settings) = stepped {
+                self.last.settings = settings;
+            }
             self.machine.stale = true;
-            self.forget_step();
+            self.derived.forget_rates();
         }
         Ok(())
+    }
+
+    /// Where inputs are at the start: as set, but for a frame whose quaternion is 0, which is as the file has it.
+    fn starts(&self) -> Vec<(Number, f64)> {
+        let time = self.machine.state.time;
+        let undirected = build::undirected(&self.document, |number| self.inputs.line(number), [time; 2]);
+        let as_drawn: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
+        let start = |(number, value)| match as_drawn.contains(&number) {
+            true => (number, self.document.start(number).unwrap_or(value)),
+            false => (number, value),
+        };
+        self.inputs.iter().map(start).collect()
+    }
+
+    /// Warns, once, of a quaternion of 0 for the end of a step from `begin` to `end`, s.
+    fn warn_of_quaternions(&mut self, span: [f64; 2]) {
+        if self.warned_of_quaternion {
+            return;
+        }
+        let mut undirected = build::undirected(&self.document, |number| self.inputs.line(number), span);
+        if let Some((Frame { name, .. }, _)) = undirected.next() {
+            self.warnings.push(format!(
+                "the quaternion of frame {name} is 0, which is no orientation: the frame keeps the one it has; set \
+                 {name}.quaternion[1] to 1 for no rotation, or take input = \"rotation\" for the frame, whose inputs may all be 0"
+            ));
+            self.warned_of_quaternion = true;
+        }
     }
 
     /// There is no last step any more that derivatives could be of.
     fn forget_step(&mut self) {
         self.last.known = false;
+        self.last.settings.clear();
         self.derived = Derived::default();
     }
 
-    /// Reads all results off the state that the machine has reached.
-    fn measure(&mut self) -> Result<(), Error> {
-        let machine = &mut self.machine;
-        machine.respond()?;
-        let moment = Moment { system: &machine.system, state: &machine.state, response: &machine.response };
-        self.table.measure(&moment, &mut self.frames, &mut self.results);
+    /// Reads all results off the state that the machine has reached, and looks whether they are odd.
+    fn measure(&mut self) -> Result<(), Failure> {
+        self.read_results().map_err(|error| failure(&error))?;
+        if let Some(number) = self.results.iter().position(|result| !result.is_finite()) {
+            return Err(wrong(self.not_finite(number)));
+        }
+        let machine = &self.machine;
         let odd = self.watch.look(&machine.system, &machine.state, &mut self.frames);
         self.warnings.extend(odd);
+        Ok(())
+    }
+
+    /// What is wrong with result `number`.
+    fn not_finite(&self, number: usize) -> String {
+        let row = self.table.sources.iter().position(|source| *source == Source::Result(number));
+        let name = row.map_or("a result", |row| &self.table.variables[row].name);
+        let (value, time) = (self.results[number], self.machine.state.time);
+        format!(
+            "{name} is {value} at t = {time} s: a parameter or an input is far too large or too small for this machine; set \
+             a reasonable value"
+        )
+    }
+
+    /// Reads all results off the state that the machine has reached.
+    fn read_results(&mut self) -> Result<(), Error> {
+        let machine = &mut self.machine;
+        machine.respond()?;
+        let (system, state, response) = (&*machine.system, &machine.state, &machine.response);
+        let moment = Moment { system, state, response, fibres: &[] };
+        self.table.measure(&moment, &mut self.frames, &mut self.results);
         Ok(())
     }
 }
@@ -177,9 +238,11 @@ impl Model for Simulation {
     }
 
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
-        if self.inputs.iter().any(|(number, value)| self.document.value(number) != value) {
+        self.warn_of_quaternions([start; 2]);
+        let starts = self.starts();
+        if starts.iter().any(|(number, value)| self.document.value(*number) != *value) {
             let document = Arc::make_mut(&mut self.document);
-            self.inputs.iter().for_each(|(number, value)| document.set_start(number, value));
+            starts.iter().for_each(|(number, value)| document.set_start(*number, *value));
         }
         self.document.check().map_err(wrong)?;
         let document = &self.document;
@@ -190,51 +253,53 @@ impl Model for Simulation {
                 Machine::new(built, document, start)
             }
         };
-        build::aim(document, |number| self.inputs.line(number), [start; 2], &mut machine.state.targets)
-            .map_err(wrong)?;
+        build::aim(document, |number| self.inputs.line(number), [start; 2], &mut machine.state.targets);
         let warnings = machine.find_initial_state(document, self.table.needs_response());
         self.warnings.extend(warnings.map_err(|error| failure(&error))?);
         let before = std::mem::replace(&mut self.machine, machine);
         self.forget_step();
         self.watch = Watch::new(&self.document);
-        if let Err(error) = self.measure() {
+        let outcome = self.measure();
+        if outcome.is_err() {
             self.machine = before;
-            return Err(failure(&error));
         }
-        Ok(())
+        outcome
     }
 
     fn time(&self) -> f64 {
         self.machine.state.time
     }
 
+    fn shortest_step(&self) -> f64 {
+        self.machine.shortest_step()
+    }
+
     fn accept_step(&self, end: f64) -> Result<(), Failure> {
         let begin = self.machine.state.time;
-        self.machine.plan(begin, end).map_err(|error| failure(&error))?;
-        build::check_aim(&self.document, |number| self.inputs.line(number), [begin, end]).map_err(wrong)
+        self.machine.plan(begin, end).map(|_| ()).map_err(|error| failure(&error))
     }
 
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
-        if self.machine.plan(self.machine.state.time, end).is_ok_and(|plan| plan.end == self.machine.state.time) {
-            // Less than the rounding of time: nothing moves, and the last step is what it was.
+        if end - self.machine.state.time < self.shortest_step() {
+            // The last step is what it was.
             self.inputs.end_step();
             return Ok(());
         }
         self.forget_step();
+        self.warn_of_quaternions([self.machine.state.time, end]);
         let machine = &mut self.machine;
         machine.settle(&self.document);
         machine.keep();
         let begin = machine.state.time;
         machine.state.targets.depart(begin, &machine.state.prescribed);
         let line = |number| self.inputs.line(number);
-        if let Err(message) = build::aim(&self.document, line, [begin, end], &mut machine.state.targets) {
-            machine.go_back();
-            return Err(wrong(message));
-        }
-        let outcome = machine.advance(end).and_then(|()| self.measure()).map_err(|error| {
+        build::aim(&self.document, line, [begin, end], &mut machine.state.targets);
+        let outcome = machine.advance(end).map_err(|error| failure(&error)).and_then(|()| self.measure());
+        if outcome.is_err() {
             self.machine.go_back();
-            failure(&error)
-        });
+            // They were those of this state before the step, so that they can be read.
+            let _ = self.read_results();
+        }
         if let Solver::Statics(statics) = &mut self.machine.solver {
             self.warnings.extend(statics.take_remarks());
         }
@@ -258,15 +323,16 @@ impl Model for Simulation {
             self.machine = Machine::new(built, &self.document, 0.0);
         }
         self.warnings.clear();
+        self.warned_of_quaternion = false;
         self.inputs = Inputs::new(&self.document);
         self.forget_step();
         // Nothing is solved for before the initialization, so that nothing can fail.
-        let _ = self.measure();
+        let _ = self.read_results();
     }
 
     fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure> {
         match self.table.sources[reference] {
-            Source::Result(result) => self.rate(result),
+            Source::Result(result) => Ok(self.rate(result)),
             _ => Err(wrong(format!("`{}` is no result", self.table.variables[reference].name))),
         }
     }
@@ -276,6 +342,10 @@ impl Model for Simulation {
             (Source::Result(result), Source::Input(place)) => Simulation::partial_derivative(self, result, place),
             _ => Err(wrong(String::from("only results have derivatives, and only by inputs"))),
         }
+    }
+
+    fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure> {
+        self.start_derivative(unknown, known)
     }
 
     fn snapshot(&self) -> Snapshot {
@@ -312,20 +382,46 @@ fn category(error: &Error) -> LogCategory {
     }
 }
 
-/// A name-based hash of the file, of its overrides and of what a host reads of the variable table: what its XML and the model must agree on.
+/// A name-based hash of the file, of its overrides and of what a host knows variables by: what its XML and the model must agree on. It has no
+/// number that was computed: the last bits of a sine depend on the processor and on the C library.
 fn guid(text: &str, overrides: &[(String, String)], table: &Table) -> String {
     let mut content = format!("ancf14 {}\n{text}\n", env!("CARGO_PKG_VERSION"));
     for (key, value) in overrides {
         content.push_str(&format!("{key}={value}\n"));
     }
     let mut content = content.into_bytes();
-    for Variable { name, causality, variability, start, quantity, .. } in &table.variables {
+    for Variable { name, causality, variability, quantity, .. } in &table.variables {
         content.extend([*causality as u8, *variability as u8]);
-        content.extend(start.number().to_le_bytes());
         for text in [name, &quantity.unit] {
             content.extend(text.as_bytes());
             content.push(0);
         }
     }
     format!("{{{}}}", uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_URL, &content))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two processors, or two C libraries, may give a start value different last bits; the file is the same all the same.
+    #[test]
+    fn regression_start_values_are_not_in_the_guid() {
+        let text = include_str!("../../models/crane.toml");
+        let document = Document::parse("crane.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+        let mut table = Table::new(&document);
+        let here = guid(text, &[], &table);
+        for variable in &mut table.variables {
+            if let Value::Real(start) = &mut variable.start {
+                *start = start.next_up();
+            }
+        }
+        assert_eq!(guid(text, &[], &table), here);
+        table.variables[0].name.push('_');
+        assert_ne!(guid(text, &[], &table), here);
+        assert_ne!(
+            guid(text, &[(String::from("foot.position[1]"), String::from("1"))], &table),
+            guid(text, &[], &table)
+        );
+    }
 }

@@ -1,6 +1,7 @@
 //! The variable table of a model: parameters as the file has them, then results in the order of results.csv.
 //! One row has the FMI variable and what it is read from.
 
+use super::dependencies::{self, Found, Givens};
 use super::document::Document;
 use super::entries::anchor::{Anchor, Spot};
 use super::entries::output::{Output, Target};
@@ -11,6 +12,7 @@ use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
 use crate::mechanics::configuration::{Configuration, Passage, Rates};
+use crate::mechanics::resultants::Fibre;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -57,6 +59,8 @@ pub struct Moment<'a> {
     pub state: &'a State,
     /// Accelerations and multipliers at the time of the state; needed where [`Table::needs_response`].
     pub response: &'a Response,
+    /// The fibres of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty: the largest ones are.
+    pub fibres: &'a [Fibre],
 }
 
 /// The variable table, and where each row's value comes from.
@@ -77,8 +81,11 @@ impl Table {
         let inputs = Inputs::new(document);
         for (index, parameter) in document.parameters().iter().enumerate() {
             let input = inputs.place(parameter.number).map(Source::Input);
-            table.push(parameter.variable.clone(), input.unwrap_or(Source::Parameter(index)));
+            let found_from = parameter.is_calculated().then(|| dependencies::of_calculated(document, index));
+            let variable = Variable { found_from, ..parameter.variable.clone() };
+            table.push(variable, input.unwrap_or(Source::Parameter(index)));
         }
+        let givens = Givens::new(document);
         let mut sensor = 0;
         for output in &document.outputs {
             let sensors = match &output.target {
@@ -87,10 +94,13 @@ impl Table {
                 Target::Joint(_) | Target::Drive(_) => 0,
             };
             for quantity in &output.quantities {
+                let first = table.variables.len();
                 table.push_quantity(document, output, *quantity, sensor..sensor + sensors);
+                table.find_from(first, &givens, givens.of(*quantity, &output.target));
             }
             sensor += sensors;
         }
+        let energies = table.variables.len();
         for (name, meaning) in [
             ("energy.kinetic", "Kinetic energy"),
             ("energy.elastic", "Strain energy of beams and energy of springs"),
@@ -103,6 +113,7 @@ impl Table {
         table.push_result("momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");
         table.push_result("momentum.angular", 3, "kg.m2/s", "Angular momentum about the origin, in global axes");
         table.measures.push(Measure::Momentum);
+        table.find_from(energies, &givens, givens.of_energies());
         for (name, meaning) in [
             ("statistics.steps", "Accepted internal steps since the start"),
             ("statistics.iterations", "Newton iterations since the start, those of rejected steps included"),
@@ -119,15 +130,22 @@ impl Table {
         self.sources.push(source);
     }
 
+    /// Says of all rows from `first` on what their initial values are found from.
+    fn find_from(&mut self, first: usize, givens: &Givens, found: Found) {
+        let needed = givens.needed(found);
+        self.variables[first..].iter_mut().for_each(|variable| variable.found_from.clone_from(&needed));
+    }
+
     /// Rows of a quantity of an output whose sensors are `sensors`.
     fn push_quantity(&mut self, document: &Document, output: &Output, quantity: Quantity, sensors: Range<usize>) {
         let row = quantity.row();
         let unit = output.unit(quantity, &document.drives);
         let name = format!("{}.{}", output.name, row.word);
         let meaning = format!("{}: {}", output.name, row.meaning);
-        let is_reaction = matches!(quantity, Quantity::ReactionForce | Quantity::ReactionMoment);
         let measure = match output.target {
-            Target::At(Anchor { spot: Spot::Frame(frame), .. }) if is_reaction => Measure::Frame(frame, quantity),
+            Target::At(Anchor { spot: Spot::Frame(frame), .. }) if quantity.is_transmitted() => {
+                Measure::Frame(frame, quantity)
+            }
             Target::At(_) => Measure::Sensors(sensors, quantity),
             Target::Joint(joint) => Measure::Joint(joint, quantity),
             Target::Drive(drive) => Measure::Drive(drive, quantity),
@@ -156,7 +174,7 @@ impl Table {
             Measure::Sensors(_, quantity) => *quantity == Quantity::Acceleration,
             Measure::Frame(..) => true,
             Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
-                matches!(quantity, Quantity::ReactionForce | Quantity::ReactionMoment | Quantity::Effort)
+                quantity.is_transmitted() || *quantity == Quantity::Effort
             }
             Measure::Energy | Measure::Momentum | Measure::Statistics => false,
         })
@@ -174,9 +192,15 @@ impl Table {
         })
     }
 
-    /// Whether a result has kinks: the largest stress of a section.
-    pub fn has_kinks(&self, result: usize) -> bool {
-        matches!(self.measure_of(result), Some(Measure::Sensors(_, Quantity::Stress)))
+    /// The fibres of all sensors that bear most at a moment, for [`Moment::fibres`]; none where no stress is told.
+    pub fn fibres(&self, moment: &Moment, snapshot: &mut Snapshot) -> Vec<Fibre> {
+        let tells_stress = |measure: &Measure| matches!(measure, Measure::Sensors(_, Quantity::Stress));
+        if !self.measures.iter().any(tells_stress) {
+            return Vec::new();
+        }
+        let configuration = snapshot.of(moment.system, moment.state);
+        let sensors = moment.system.sensors.iter();
+        sensors.map(|sensor| sensor.worst_fibre(moment.system, &configuration).unwrap_or_default()).collect()
     }
 
     /// What result `result` is a part of.
@@ -219,7 +243,7 @@ impl Table {
 
     /// Writes all results of a moment into `values`.
     pub fn measure(&self, moment: &Moment, snapshot: &mut Snapshot, values: &mut Vec<f64>) {
-        let Moment { system, state, response } = *moment;
+        let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
         let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
         let action = Action { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
@@ -235,14 +259,15 @@ impl Table {
                 Measure::Joint(number, quantity) => {
                     let transmission = &system.transmissions[*number];
                     match quantity {
-                        Quantity::ReactionForce | Quantity::ReactionMoment => {
+                        quantity if quantity.is_transmitted() => {
                             push_wrench(values, action.reaction(transmission), *quantity);
                         }
                         Quantity::Effort => values.push(transmission.drives.iter().map(|d| action.effort(*d)).sum()),
                         _ => {
                             let is_angle = *quantity == Quantity::Angle;
                             let gauge = if is_angle { transmission.angle } else { transmission.distance };
-                            values.push(gauge.map_or(f64::NAN, |gauge| state.readings[gauge]));
+                            let gauge = gauge.expect("the file is refused: the joint leaves no such coordinate free");
+                            values.push(state.readings[gauge]);
                         }
                     }
                 }
@@ -274,7 +299,7 @@ impl Table {
 }
 
 fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
-    let Moment { system, state, response } = *moment;
+    let Moment { system, state, response, fibres } = *moment;
     let sensor = &system.sensors[number];
     let rotation = &state.rotations[number];
     let mut push = |v: Vec3| values.extend(v.iter());
@@ -292,9 +317,17 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
         Quantity::Torsion => values.push(sensor.strains(c).torsion),
         Quantity::SectionForce => values.push(sensor.section_forces(c).axial),
         Quantity::SectionMoment => values.extend(sensor.section_forces(c).moment),
-        Quantity::Stress => values.push(sensor.stress(system, c)),
+        Quantity::Stress => {
+            let stress = match fibres.get(number) {
+                Some(fibre) => sensor.stress_of(fibre, system, c),
+                None => sensor.stress(system, c),
+            };
+            values.push(stress.expect("the file is refused: a general section has no stress"));
+        }
         Quantity::ReactionForce
         | Quantity::ReactionMoment
+        | Quantity::AppliedForce
+        | Quantity::AppliedMoment
         | Quantity::Angle
         | Quantity::Distance
         | Quantity::Effort => unreachable!("the file is refused: these belong to joints, drives and frames"),
@@ -302,7 +335,13 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
 }
 
 fn push_wrench(values: &mut Vec<f64>, (force, moment): (Vec3, Vec3), quantity: Quantity) {
-    values.extend(if quantity == Quantity::ReactionForce { force } else { moment }.iter());
+    let wanted = match quantity {
+        Quantity::ReactionForce => force,
+        Quantity::ReactionMoment => moment,
+        Quantity::AppliedForce => Vec3::zeros() - force, // 0 where it is 0, not -0
+        _ => Vec3::zeros() - moment,
+    };
+    values.extend(wanted.iter());
 }
 
 fn result(name: &str, unit: &str, description: String, start: Value) -> Variable {
@@ -319,5 +358,6 @@ fn result(name: &str, unit: &str, description: String, start: Value) -> Variable
         max: None,
         quantity: unit::quantity(unit),
         display_unit: None,
+        found_from: None,
     }
 }

@@ -27,9 +27,7 @@ use crate::mechanics::system::System;
 use crate::mechanics::variation::Variation;
 
 /// Largest change of a coordinate for differences: over the machine's size, or rad.
-pub const REACH: f64 = 1e-3;
-/// The same for what has kinks or curves sharply, as the largest stress of a section does where stress is small.
-pub const SHORT_REACH: f64 = 1e-5;
+const REACH: f64 = 1e-3;
 /// Offsets and weights of the central difference of fourth order.
 pub const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
 /// Most solves with one tangent: the second takes out what the tangent leaves out, the third what is left of that.
@@ -159,18 +157,18 @@ impl Sensitivity {
         differentiated.failure.map_or(Ok(()), Err)
     }
 
-    /// The states and responses around `after` and `response` along input `number`, as far as `reach`, each with its weight: weighted and
-    /// summed, whatever is read off them is differentiated by that input.
+    /// The states and responses around `after` and `response` along input `number`, each with its weight: weighted and summed, whatever is
+    /// read off them is differentiated by that input.
     pub fn look(
         &mut self,
         system: &System,
         step: Step<'_, impl Inputs>,
         (after, response): (&State, &Response),
-        (number, reach): (usize, f64),
+        number: usize,
         mut read: impl FnMut(&State, &Response, f64),
     ) {
         let Column { variation, response: own } = &self.columns[number];
-        let unit = step.reach(system, number, variation, &[], 0.0) * (reach / REACH);
+        let unit = step.reach(system, number, variation, &[], 0.0);
         let mut moved_response = response.clone();
         for (offset, weight) in STENCIL {
             let by = offset * unit;
@@ -312,21 +310,14 @@ impl Sensitivity {
     }
 }
 
-/// The states around `state` along its motion with the accelerations `acceleration`, as far as `reach`, each with its weight: weighted
-/// and summed, whatever is read off their positions and velocities is differentiated by time.
-pub fn along_motion(
-    system: &System,
-    state: &State,
-    acceleration: &[f64],
-    reach: f64,
-    mut read: impl FnMut(&State, f64),
-) {
+/// The states around `state` along its motion with the accelerations `acceleration`, each with its weight: weighted and summed, whatever is read off their positions and velocities is differentiated by time.
+pub fn along_motion(system: &System, state: &State, acceleration: &[f64], mut read: impl FnMut(&State, f64)) {
     let mut variation = Variation::default();
     variation.set_zero(state);
     variation.q.copy_from_slice(&state.velocity);
     variation.velocity.copy_from_slice(acceleration);
     let speed = f64::max(system.correction_size(&state.velocity).0, state.prescribed.fastest(system.size));
-    let unit = if speed > 0.0 { reach / speed } else { 1.0 };
+    let unit = if speed > 0.0 { REACH / speed.max(f64::MIN_POSITIVE) } else { 1.0 };
     let (mut moved, mut frames) = (State::default(), Vec::new());
     for (offset, weight) in STENCIL {
         let by = offset * unit;
@@ -364,7 +355,9 @@ impl<N: Inputs> Step<'_, N> {
         let motion =
             [size(&variation.q), size(change), step * size(&variation.velocity), step * step * size(algorithmic)];
         let motion = motion.into_iter().fold(0.0, f64::max);
-        let reach = f64::min(REACH * self.inputs.unit(number), REACH / motion);
+        // Compilers divide first and choose afterwards: not by 0, which hosts may trap.
+        let by_motion = if motion > 0.0 { REACH / motion.max(f64::MIN_POSITIVE) } else { f64::INFINITY };
+        let reach = f64::min(REACH * self.inputs.unit(number), by_motion);
         // What does not move at all, or not yet, may change by anything.
         if reach.is_finite() { reach } else { 1.0 }
     }

@@ -135,5 +135,7 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
     integrator.begin(system, state)?;
     let change: Vec<f64> = state.velocity.iter().zip(&given).map(|(now, given)| now - given).collect();
     let (changed, given) = (system.kinetic_energy(&change), system.kinetic_energy(&given));
-    Ok(if given > 0.0 && changed > CHANGED * given { changed / given } else { 0.0 })
+    // Whoever divides first and chooses afterwards, as compilers do, must not divide by 0: hosts may trap that.
+    let share = changed / f64::max(given, f64::MIN_POSITIVE);
+    Ok(if given > 0.0 && changed > CHANGED * given { share } else { 0.0 })
 }

@@ -79,7 +79,9 @@ def components(name, count):
 WRENCH = components("tip.force", 3) + components("tip.moment", 3)
 ARM_POSE = components("arm_end.position", 3) + components("arm_end.quaternion", 4)
 HAND_POSE = components("hand.position", 3) + components("hand.quaternion", 4)
-HAND_LOAD = components("hand_load.reaction_force", 3) + components("hand_load.reaction_moment", 3)
+HAND_LOAD = components("hand_load.applied_force", 3) + components("hand_load.applied_moment", 3)
+# Plain connections, from output to input: no factor, no third unit between.
+CONNECTIONS = [*zip(ARM_POSE, HAND_POSE), *zip(HAND_LOAD, WRENCH)]
 
 
 class Pair:
@@ -90,8 +92,8 @@ class Pair:
         self.other = Unit(other, folder, step)
 
     def wrench(self) -> np.ndarray:
-        """What the other side does to the arm: the frame's supply, N and N m, with the other sign."""
-        return -self.other.get(HAND_LOAD)
+        """What the other side does to the arm, N and N m."""
+        return self.other.get(HAND_LOAD)
 
     def step(self, time, step, wrench, slope=None):
         """The arm under `wrench`, then the other side, moved by the arm's end."""
@@ -105,7 +107,7 @@ class Pair:
     def jacobian(self) -> np.ndarray:
         """The derivative of what the other side does to the arm, less what is done to it, by the latter: of the step just done."""
         motion = self.arm.derivatives(ARM_POSE, WRENCH)
-        return -self.other.derivatives(HAND_LOAD, HAND_POSE) @ motion - np.eye(6)
+        return self.other.derivatives(HAND_LOAD, HAND_POSE) @ motion - np.eye(6)
 
     def places(self) -> np.ndarray:
         return np.concatenate([self.arm.get(PLACES[:3]), self.other.get(PLACES[3:])])
@@ -174,6 +176,28 @@ def explicit(folder: Path, step: float, stop: float, along_slope: bool):
     return np.array(places)
 
 
+def connected(folder: Path, step: float, stop: float):
+    """Places at the ends of all steps of the pair with the bushing, by the plainest of masters: every unit takes its step, then every
+    connection hands its value over."""
+    arm, other = Unit("arm", folder, INTERNAL), Unit("bushed", folder, INTERNAL)
+
+    def hand_over():
+        for output, entry in CONNECTIONS:
+            source, target = (arm, other) if output in arm.references and entry in other.references else (other, arm)
+            target.set([entry], source.get([output]))
+
+    hand_over()
+    places = [np.concatenate([arm.get(PLACES[:3]), other.get(PLACES[3:])])]
+    for k in range(round(stop / step)):
+        for unit in (arm, other):
+            unit.slave.doStep(k * step, step)
+        hand_over()
+        places.append(np.concatenate([arm.get(PLACES[:3]), other.get(PLACES[3:])]))
+    arm.close()
+    other.close()
+    return np.array(places)
+
+
 @cache
 def whole(model: str, folder: Path, step: float, output_step: float) -> np.ndarray:
     """Places of the one-file model."""
@@ -228,3 +252,16 @@ def test_explicit_bushing_converges(folder, along_slope, order):
     print(f"errors {np.array(errors) / way} of {way} m, orders {orders}")
     assert way > 0.05
     assert np.abs(np.array(orders) - order).max() < 0.2
+
+
+def test_plain_connections_converge(folder):
+    """Both units step at once: what goes over is a step old on either side, order 1. Steps are half of those above, since there are two delays
+    instead of one."""
+    expected = whole("whole_bushed", folder, INTERNAL, 4e-3)
+    way = np.ptp(expected, axis=0).max()
+    steps = [4e-3, 2e-3, 1e-3]
+    errors = [np.abs(connected(folder, H, 0.256)[:: round(4e-3 / H)] - expected).max() for H in steps]
+    orders = [np.log2(a / b) for a, b in zip(errors, errors[1:])]
+    print(f"errors {np.array(errors) / way} of {way} m, orders {orders}")
+    assert way > 0.05
+    assert np.abs(np.array(orders) - 1).max() < 0.2

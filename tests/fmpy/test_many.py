@@ -76,3 +76,20 @@ def test_threads_and_forks_compute_the_same_bits(packed):
     program = build("threads", packed, library(packed), "-pthread")
     words = [description.guid, references["tip.force[3]"], references["P.position[3]"]]
     assert quiet(program, packed / "unit/resources", *words) == ""
+
+
+# Of a thread, KiB: docs/portability.md names it. Hosts make threads with small stacks; musl's have 128 KiB.
+STACK = 128
+
+
+def test_small_stacks(fmu, tmp_path):
+    """Every unit, with derivatives by time and by inputs and a state as bytes, in a thread with the stack that is promised to be enough."""
+    description = read_model_description(str(fmu), validate=False)
+    with zipfile.ZipFile(fmu) as archive:
+        archive.extractall(tmp_path / "unit")
+    program = build("small_stack", tmp_path, library(tmp_path), "-pthread")
+    reals = [variable for variable in description.modelVariables if variable.type == "Real"]
+    inputs = [variable.valueReference for variable in reals if variable.causality == "input"] or [-1]
+    outputs = [variable.valueReference for variable in reals if variable.causality == "output"]
+    words = [description.guid, STACK, description.defaultExperiment.stepSize, inputs[0], outputs[0], outputs[-1]]
+    assert quiet(program, tmp_path / "unit/resources", *map(str, words)) == ""

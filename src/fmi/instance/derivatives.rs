@@ -4,7 +4,7 @@ use super::Instance;
 use crate::fmi::{
     Model,
     error::Error,
-    lifecycle::Call,
+    lifecycle::{Call, Mode},
     variable::{Causality, Variable},
 };
 
@@ -37,10 +37,10 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// Reads first derivatives of Real outputs by time, 1/s of their units (section 4.2.1).
+    /// Reads first derivatives of Real outputs by time, 1/s of their units (section 4.2.1); in Initialization Mode too, of the initial state.
     ///
     /// # Errors
-    /// The mode does not allow it, a reference is no output, an order is not 1; or a derivative is that of the last step, and there is none.
+    /// The mode does not allow it, a reference is no output, an order is not 1, or the initial state cannot be found.
     pub fn get_real_output_derivatives(
         &mut self,
         references: &[u32],
@@ -56,6 +56,9 @@ impl<M: Model> Instance<M> {
                 return Err(Error::OutputOrder { name: variable.name.clone(), order });
             }
         }
+        if self.mode() == Mode::Initialization {
+            self.solve_initial_state()?;
+        }
         // All are there, or none is read: the model keeps what it has computed.
         for &reference in references {
             self.model.output_derivative(reference as usize)?;
@@ -66,11 +69,11 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// The change of `unknowns`, outputs at the end of the last step, when the inputs `knowns` of that step change by `seeds` (section
-    /// 2.1.9).
+    /// The change of `unknowns` when `knowns` change by `seeds` (section 2.1.9): of outputs at the end of the last step with the inputs of that
+    /// step, none before there is a step; in Initialization Mode of what is calculated with the inputs and parameters that it follows from.
     ///
     /// # Errors
-    /// The mode does not allow it, an unknown is no Real output, a known no Real input; or there is no step to differentiate.
+    /// The mode does not allow it, an unknown or a known is none in this mode; or there is no derivative.
     pub fn directional_derivative(
         &mut self,
         unknowns: &[u32],
@@ -81,23 +84,54 @@ impl<M: Model> Instance<M> {
         self.check(Call::GetDirectionalDerivative)?;
         self.same_length(unknowns.len(), changes.len())?;
         self.same_length(knowns.len(), seeds.len())?;
+        let starts = self.mode() == Mode::Initialization;
         for &unknown in unknowns {
-            self.output(unknown)?;
+            if starts {
+                self.calculated(unknown)?
+            } else {
+                self.output(unknown)?
+            };
         }
         for (&known, &seed) in knowns.iter().zip(seeds) {
-            let variable = self.input(known)?;
+            let variable = if starts { self.given(known)? } else { self.input(known)? };
             if !seed.is_finite() {
                 return Err(Error::NotFinite { name: format!("{} (its seed)", variable.name), value: seed });
             }
         }
+        if starts {
+            self.solve_initial_state()?;
+        }
         for (change, &unknown) in changes.iter_mut().zip(unknowns) {
             let mut sum = 0.0;
             for (&known, &seed) in knowns.iter().zip(seeds) {
-                sum += seed * self.model.partial_derivative(unknown as usize, known as usize)?;
+                let (unknown, known) = (unknown as usize, known as usize);
+                sum += seed
+                    * match starts {
+                        true => self.model.initial_derivative(unknown, known)?,
+                        false => self.model.partial_derivative(unknown, known)?,
+                    };
             }
             *change = sum;
         }
         Ok(())
+    }
+
+    /// The row of a Real that the initialization calculates.
+    fn calculated(&self, reference: u32) -> Result<&Variable, Error> {
+        let variable = self.variable::<f64>(reference)?;
+        match variable.causality {
+            Causality::Output | Causality::CalculatedParameter => Ok(variable),
+            _ => Err(Error::NotCalculated { name: variable.name.clone() }),
+        }
+    }
+
+    /// The row of a Real that the initialization begins with.
+    fn given(&self, reference: u32) -> Result<&Variable, Error> {
+        let variable = self.variable::<f64>(reference)?;
+        match variable.causality {
+            Causality::Input | Causality::Parameter => Ok(variable),
+            _ => Err(Error::NotGiven { name: variable.name.clone() }),
+        }
     }
 
     /// The row of a Real input.

@@ -173,7 +173,7 @@ impl<M: Model> Instance<M> {
     fn warn_early(&mut self) {
         if !self.control.warned_early {
             self.control.warned_early = true;
-            self.warn(
+            self.object(
                 "results were read before initialization: these are start values; the results of the initial state \
                  are there from fmi2EnterInitializationMode on"
                     .to_owned(),

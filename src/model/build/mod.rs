@@ -6,7 +6,7 @@ mod joints;
 mod parts;
 mod tune;
 
-pub use tune::{aim, check_aim, retune};
+pub use tune::{aim, retune, undirected};
 
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::document::Document;

@@ -114,16 +114,15 @@ impl Builder<'_> {
     pub(super) fn add_frame(&mut self, frame: &Frame) {
         let document = self.document;
         let (guide, target) = match frame.orientation {
-            Orientation::Rotation(rotation) => {
+            Orientation::Rotation(rotation) if !frame.input => {
                 let place = frame.position.map(|number| signal(document, number));
                 let rotation = rotation.map(|number| signal(document, number));
                 (FrameGuide::Signals { place, rotation }, Pose::default())
             }
-            Orientation::Quaternion(numbers) => {
-                let quaternion = numbers.map(|number| document.value(number));
-                let position = vector(document, frame.position);
-                // A quaternion of length 0 is refused where a host sets it; here it must only do no harm.
-                (FrameGuide::Host, tune::pose(position, quaternion).unwrap_or_default())
+            orientation => {
+                let axes = tune::axes(orientation, |number| document.value(number));
+                let place = vector(document, frame.position);
+                (FrameGuide::Host, Pose { place, axes: axes.unwrap_or_else(Mat3::identity) })
             }
         };
         self.assembly.add_frame(&frame.name, guide, target);

@@ -1,16 +1,17 @@
 //! What may change while the machine runs: gravity, loads, springs and dampers, and where a host wants drives and frames to be.
 
 use super::{signal, vector};
-use crate::math::Vec3;
-use crate::math::rotation::quaternion_matrix;
+use crate::math::jet::Jet;
+use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
+use crate::math::{Mat3, Vec3};
 use crate::mechanics::gauge::Measure;
 use crate::mechanics::host_path::Targets;
 use crate::mechanics::load::{HostWrench, LoadGuide, Wrench};
-use crate::mechanics::pose::Pose;
+use crate::mechanics::pose::{Pose, angular_velocity};
 use crate::mechanics::system::System;
 use crate::model::document::Document;
 use crate::model::entries::drive::Motion;
-use crate::model::entries::frame::Orientation;
+use crate::model::entries::frame::{Frame, Orientation};
 use crate::model::entries::joint::Joint;
 use crate::model::entries::spring::Spring;
 use crate::model::number::Number;
@@ -76,51 +77,33 @@ pub fn retune(document: &Document, system: &mut System) {
     }
 }
 
-/// Whether what the host wants from `begin` to `end`, s, can be: see [`aim`].
-///
-/// # Errors
-/// A quaternion has no length: names the frame.
-pub fn check_aim(
+/// The frames that a host gives a quaternion of length 0 for the end of a step from `begin` to `end`, s, which says nothing of their orientation.
+pub fn undirected(
     document: &Document,
     line: impl Fn(Number) -> (f64, f64),
     [begin, end]: [f64; 2],
-) -> Result<(), String> {
-    for frame in &document.frames {
-        if let Orientation::Quaternion(numbers) = frame.orientation {
+) -> impl Iterator<Item = (&Frame, [Number; 4])> {
+    document.frames.iter().filter_map(move |frame| match frame.orientation {
+        Orientation::Quaternion(numbers) => {
             let at_end = |number: Number| line(number).0 + line(number).1 * (end - begin);
-            if pose(Vec3::zeros(), numbers.map(at_end)).is_none() {
-                let name = &frame.name;
-                return Err(format!(
-                    "the quaternion of frame {name} is 0: set {name}.quaternion[1] to 1 for no rotation"
-                ));
-            }
+            axes(frame.orientation, at_end).is_none().then_some((frame, numbers))
         }
-    }
-    Ok(())
+        Orientation::Rotation(_) => None,
+    })
 }
 
 /// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads act until then. `line` is the
-/// value of an input and its derivative by time.
-///
-/// # Errors
-/// A quaternion has no length: names the frame.
-pub fn aim(
-    document: &Document,
-    line: impl Fn(Number) -> (f64, f64),
-    [begin, end]: [f64; 2],
-    targets: &mut Targets,
-) -> Result<(), String> {
+/// value of an input and its derivative by time. A frame whose quaternion is 0 keeps its orientation.
+pub fn aim(document: &Document, line: impl Fn(Number) -> (f64, f64), [begin, end]: [f64; 2], targets: &mut Targets) {
     let at_end = |number: Number| {
         let (value, slope) = line(number);
         value + slope * (end - begin)
     };
-    // All is checked before anything is set.
-    check_aim(document, &line, [begin, end])?;
     targets.end = end;
     let departure = &mut targets.departure;
     let first = departure.is_first();
     for ((target, course), drive) in targets.drives.iter_mut().zip(&mut departure.drives).zip(&document.drives) {
-        let (Motion::Value(number) | Motion::Rate(number)) = drive.motion;
+        let number = drive.motion.number();
         if !drive.input {
             continue;
         }
@@ -130,14 +113,14 @@ pub fn aim(
         }
     }
     for ((target, course), frame) in targets.frames.iter_mut().zip(&mut departure.frames).zip(&document.frames) {
-        if let Orientation::Quaternion(numbers) = frame.orientation
-            && let Some(pose) = pose(Vec3::from(frame.position.map(at_end)), numbers.map(at_end))
-        {
-            *target = pose;
-            if first {
-                let [now, change] = [numbers.map(|number| line(number).0), numbers.map(|number| line(number).1)];
-                course.start_with([Vec3::from(frame.position.map(|number| line(number).1)), spin(now, change)]);
-            }
+        if !frame.input {
+            continue;
+        }
+        let axes = axes(frame.orientation, at_end).unwrap_or(target.axes);
+        *target = Pose { place: Vec3::from(frame.position.map(at_end)), axes };
+        if first {
+            let velocity = Vec3::from(frame.position.map(|number| line(number).1));
+            course.start_with([velocity, spin(frame.orientation, &line)]);
         }
     }
     for (target, load) in targets.loads.iter_mut().zip(&document.loads).filter(|(_, load)| load.input) {
@@ -148,21 +131,40 @@ pub fn aim(
         };
         *target = HostWrench { value: part(|line| line.0), rate: part(|line| line.1), since: begin };
     }
-    Ok(())
 }
 
 /// Shortest quaternion that has a direction.
 const SHORTEST: f64 = 1e-9;
 
-/// The pose of a place and a quaternion w x y z of any length but 0.
-pub(super) fn pose(place: Vec3, [w, x, y, z]: [f64; 4]) -> Option<Pose> {
-    let length = Vec3::new(x, y, z).norm().hypot(w);
-    (length > SHORTEST).then(|| Pose { place, axes: quaternion_matrix([w, x, y, z].map(|part| part / length)) })
+/// The axes of an orientation with the numbers `value`; none: its quaternion has no length.
+pub(super) fn axes(orientation: Orientation, value: impl Fn(Number) -> f64) -> Option<Mat3> {
+    match orientation {
+        Orientation::Rotation(numbers) => Some(rotation_matrix(&Vec3::from(numbers.map(value)))),
+        Orientation::Quaternion(numbers) => {
+            let [w, x, y, z] = numbers.map(value);
+            let length = Vec3::new(x, y, z).norm().hypot(w);
+            (length > SHORTEST).then(|| quaternion_matrix([w, x, y, z].map(|part| part / length)))
+        }
+    }
 }
 
-/// The angular velocity of a quaternion w x y z that changes, in global axes: `2 Im(q' q⁻¹)`; 0 where it has no direction.
-fn spin(quaternion: [f64; 4], change: [f64; 4]) -> Vec3 {
-    let [now, change] = [quaternion, change].map(|[w, x, y, z]| Quaternion::new(w, x, y, z));
-    let square = now.norm_squared();
-    if square > SHORTEST * SHORTEST { (change * now.conjugate()).imag() * (2.0 / square) } else { Vec3::zeros() }
+/// The angular velocity of an orientation whose numbers change, in global axes: of a quaternion `2 Im(q' q⁻¹)`; 0 where it has no direction.
+fn spin(orientation: Orientation, line: impl Fn(Number) -> (f64, f64)) -> Vec3 {
+    match orientation {
+        Orientation::Rotation(numbers) => {
+            let vector = numbers.map(&line).map(|(value, first)| Jet { value, first, second: 0.0 });
+            let [now, change, _] = rotation_matrix_jet(&vector).map(|axes| Pose { place: Vec3::zeros(), axes });
+            angular_velocity(&now, &change)
+        }
+        Orientation::Quaternion(numbers) => {
+            let part = |select: fn((f64, f64)) -> f64| {
+                let [w, x, y, z] = numbers.map(&line).map(select);
+                Quaternion::new(w, x, y, z)
+            };
+            let (now, change) = (part(|line| line.0), part(|line| line.1));
+            let square = now.norm_squared();
+            let turn = (change * now.conjugate()).imag() * 2.0;
+            if square > SHORTEST * SHORTEST { turn / square } else { Vec3::zeros() }
+        }
+    }
 }

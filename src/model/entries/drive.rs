@@ -34,6 +34,14 @@ pub enum Motion {
     Rate(Number),
 }
 
+impl Motion {
+    /// The number of either.
+    pub fn number(self) -> Number {
+        let (Self::Value(number) | Self::Rate(number)) = self;
+        number
+    }
+}
+
 /// What the host gives, a word of `input`.
 #[derive(Clone, Copy, PartialEq)]
 enum Word {

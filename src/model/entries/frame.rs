@@ -19,37 +19,60 @@ pub struct Frame {
     pub position: [Number; 3],
     /// Its orientation.
     pub orientation: Orientation,
-    /// true: the host gives position and quaternion; the numbers are start values.
+    /// true: the host gives position and orientation; the numbers are start values.
     pub input: bool,
 }
 
 /// How the orientation of a frame is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
-    /// Rotation vector from the global axes, rad; may change in time.
+    /// Rotation vector from the global axes, rad; may change in time, or is an input.
     Rotation([Number; 3]),
     /// Quaternion w x y z from the global axes: inputs, which need not be of length 1.
     Quaternion([Number; 4]),
 }
 
+/// What a host gives of an orientation, a word of `input`.
+#[derive(Clone, Copy, PartialEq)]
+enum Word {
+    Quaternion,
+    Rotation,
+}
+
+const INPUTS: [(&str, Word); 2] = [("quaternion", Word::Quaternion), ("rotation", Word::Rotation)];
+
 impl Frame {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let position = reader.vector(&schema::FRAME_POSITION);
         let rotation = reader.vector_or(&schema::FRAME_ROTATION, [0.0; 3]);
-        let input = reader.boolean("input", false);
-        let orientation = if input {
-            for (number, axis) in position.into_iter().zip(["x", "y", "z"]) {
-                make_input(reader.context, number);
-                reader.context.numbers.slots[number.0].meta.description =
-                    format!("Position of frame {name} along global {axis}, {REACHED}");
+        // The word true is the older one, and means the same as "quaternion".
+        let given = match reader.text_of("input") {
+            Some(_) => reader.word("input", &INPUTS, None),
+            None => reader.boolean("input", false).then_some(Word::Quaternion),
+        };
+        if given.is_some() {
+            give(&mut reader, position, &format!("Position of frame {name} along global"), REACHED);
+        }
+        let orientation = match given {
+            Some(Word::Quaternion) => Orientation::Quaternion(quaternion(&mut reader, name, rotation)),
+            Some(Word::Rotation) => {
+                let meaning = format!("Rotation vector of frame {name} along global");
+                give(&mut reader, rotation, &meaning, &format!("{REACHED}, along the shortest arc"));
+                Orientation::Rotation(rotation)
             }
-            Orientation::Quaternion(quaternion(&mut reader, name, rotation))
-        } else {
-            Orientation::Rotation(rotation)
+            None => Orientation::Rotation(rotation),
         };
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, position, orientation, input })
+        Some(Self { name: name.to_owned(), place, position, orientation, input: given.is_some() })
+    }
+}
+
+/// Makes the components of a vector inputs: `meaning` x, `becomes`.
+fn give(reader: &mut Reader<'_, '_>, numbers: [Number; 3], meaning: &str, becomes: &str) {
+    for (number, axis) in numbers.into_iter().zip(["x", "y", "z"]) {
+        make_input(reader.context, number);
+        reader.context.numbers.slots[number.0].meta.description = format!("{meaning} {axis}, {becomes}");
     }
 }
 

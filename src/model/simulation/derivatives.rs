@@ -1,4 +1,7 @@
 //! Derivatives of the last communication step: of its results by its inputs, and by time.
+//!
+//! They are asked for whenever the standard allows it, also where there is no last step: no result depends on an input then, and what
+//! does not follow from the motion changes as in an internal step on trial.
 
 use super::machine::{Machine, Plan, Solver};
 use super::{Simulation, failure, wrong};
@@ -14,19 +17,21 @@ use crate::model::entries::drive::Motion;
 use crate::model::entries::frame::Orientation;
 use crate::model::inputs::Inputs;
 use crate::model::number::Number;
-use crate::model::variables::{Moment, Table};
+use crate::model::variables::Moment;
 use crate::solve::response::{Responder, Response};
-use crate::solve::sensitivity::{self, Linearized, REACH, SHORT_REACH, Sensitivity, Step};
+use crate::solve::sensitivity::{self, Linearized, Sensitivity, Step};
 
 /// The communication step that led to the present state; the machine's backup is the state at its start.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LastStep {
-    /// There is one, and nothing but inputs has been set since.
+    /// There is one.
     pub known: bool,
     /// Its inputs, with their derivatives by time.
     pub inputs: Inputs,
     /// Its end as the host said it, s.
     pub end: f64,
+    /// The settings of the file during it, where a tunable parameter has been set since; else empty.
+    pub settings: Vec<f64>,
 }
 
 /// What has been computed of the present state and its last step, where it has been asked for.
@@ -38,6 +43,15 @@ pub(super) struct Derived {
     rates: Option<Vec<f64>>,
     /// Difference quotients of all results over the last internal step.
     quotients: Option<Vec<f64>>,
+    /// Derivatives of the values of all variables at the start by one of them, each with its value reference.
+    pub(super) starts: Vec<(usize, Vec<f64>)>,
+}
+
+impl Derived {
+    /// A tunable parameter was set: what is to come is another motion, the last step is the same.
+    pub fn forget_rates(&mut self) {
+        self.rates = None;
+    }
 }
 
 /// The inputs of a communication step, one of which may be changed.
@@ -48,6 +62,8 @@ struct Given<'a> {
     span: [f64; 2],
     /// See [`sensitivity::Inputs::unit`].
     units: Vec<f64>,
+    /// The parts of quaternions of length 0, which say nothing, and so do those around them.
+    silent: Vec<Number>,
 }
 
 impl<'a> Given<'a> {
@@ -68,14 +84,20 @@ impl<'a> Given<'a> {
         }
         for frame in &document.frames {
             frame.position.into_iter().for_each(|number| set(number, size));
-            if let Orientation::Quaternion(numbers) = frame.orientation {
-                // Only its direction counts.
-                let at_end = |number| inputs.line(number).0 + inputs.line(number).1 * (span[1] - span[0]);
-                let length = numbers.map(at_end).into_iter().fold(0.0, f64::hypot);
-                numbers.into_iter().for_each(|number| set(number, length));
+            match frame.orientation {
+                Orientation::Rotation(numbers) => numbers.into_iter().for_each(|number| set(number, 1.0)),
+                Orientation::Quaternion(numbers) => {
+                    // Only its direction counts.
+                    let at_end = |number| inputs.line(number).0 + inputs.line(number).1 * (span[1] - span[0]);
+                    let length = numbers.map(at_end).into_iter().fold(0.0, f64::hypot);
+                    numbers.into_iter().for_each(|number| set(number, length));
+                }
             }
         }
-        Self { document, inputs, span, units }
+        let undirected = build::undirected(document, |number| inputs.line(number), span);
+        let silent: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
+        silent.iter().for_each(|number| set(*number, 1.0));
+        Self { document, inputs, span, units, silent }
     }
 }
 
@@ -92,75 +114,77 @@ impl sensitivity::Inputs for Given<'_> {
         let changed = self.inputs.number(number);
         let line = |number: Number| {
             let (value, slope) = self.inputs.line(number);
-            if number == changed { (value + change, slope) } else { (value, slope) }
+            let moves = number == changed && !self.silent.contains(&number);
+            if moves { (value + change, slope) } else { (value, slope) }
         };
         let end = targets.end;
-        // The step was taken with inputs that differ by a thousandth: none of them is refused.
-        let _ = build::aim(self.document, line, self.span, targets);
+        build::aim(self.document, line, self.span, targets);
         targets.end = end;
     }
 }
 
 impl Simulation {
-    /// The derivative of result number `result` at the end of the last step by input number `input` of that step.
+    /// The derivative of result number `result` at the end of the last step by input number `input` of that step; 0 where there is none, for
+    /// a result does not change with an input before a step is taken.
     pub(super) fn partial_derivative(&mut self, result: usize, input: usize) -> Result<f64, Failure> {
         if !self.last.known {
-            return Err(no_step("derivatives by inputs"));
+            return Ok(0.0);
         }
         if self.derived.jacobian.is_none() {
             self.derived.jacobian = Some(self.jacobian().map_err(|error| failure(&error))?);
         }
         let jacobian = self.derived.jacobian.as_deref().unwrap_or_default();
-        Ok(jacobian[input * self.results.len() + result])
+        finite(jacobian[input * self.results.len() + result])
     }
 
     /// The derivative of result number `result` by time, 1/s of its unit: exact where it follows from positions and velocities, else the
-    /// difference quotient of the last internal step.
-    pub(super) fn rate(&mut self, result: usize) -> Result<f64, Failure> {
-        self.machine.settle(&self.document);
+    /// difference quotient of the last internal step, or of the next one if none has been taken; 0 where that one cannot be taken.
+    pub(super) fn rate(&mut self, result: usize) -> f64 {
         let moves = !matches!(self.machine.solver, Solver::Statics(_));
         if moves && self.table.follows_from_motion(result) {
             if self.derived.rates.is_none() {
-                self.derived.rates = Some(self.rates().map_err(|error| failure(&error))?);
+                self.derived.rates = Some(self.rates().unwrap_or_default());
             }
-            return Ok(self.derived.rates.as_deref().unwrap_or_default()[result]);
-        }
-        if !self.last.known {
-            return Err(no_step("derivatives by time of what does not follow from positions and velocities"));
+            // None where the machine has no accelerations now.
+            let rate = self.derived.rates.as_deref().unwrap_or_default().get(result);
+            if let Some(rate) = rate.filter(|rate| rate.is_finite()) {
+                return *rate;
+            }
         }
         if self.derived.quotients.is_none() {
-            self.derived.quotients = Some(self.quotients().map_err(|error| failure(&error))?);
+            self.derived.quotients = Some(self.quotients().unwrap_or_default());
         }
-        Ok(self.derived.quotients.as_deref().unwrap_or_default()[result])
+        let rate = self.derived.quotients.as_deref().unwrap_or_default().get(result);
+        rate.copied().filter(|rate| rate.is_finite()).unwrap_or_default()
     }
 
     /// Derivatives by time of all results, at their accelerations and multipliers: along the motion.
     fn rates(&self) -> Result<Vec<f64>, Error> {
-        let Machine { system, state, .. } = &self.machine;
+        let (system, state) = (&*self.machine.settled(&self.document), &self.machine.state);
         let mut response = Response::default();
         self.machine.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         let (mut frames, mut values) = (Frames::default(), Vec::new());
-        let mut rates = |reach: f64| {
-            let mut sum = vec![0.0; self.results.len()];
-            sensitivity::along_motion(system, state, &response.acceleration, reach, |state, weight| {
-                self.table.measure(&Moment { system, state, response: &response }, &mut frames, &mut values);
-                add_weighted(&mut sum, &values, weight);
-            });
-            sum
-        };
-        let mut all = rates(REACH);
-        replace_kinked(&self.table, &mut all, || rates(SHORT_REACH));
-        Ok(all)
+        let fibres = self.table.fibres(&Moment { system, state, response: &response, fibres: &[] }, &mut frames);
+        let mut sum = vec![0.0; self.results.len()];
+        sensitivity::along_motion(system, state, &response.acceleration, |state, weight| {
+            let moment = Moment { system, state, response: &response, fibres: &fibres };
+            self.table.measure(&moment, &mut frames, &mut values);
+            add_weighted(&mut sum, &values, weight);
+        });
+        Ok(sum)
     }
 
-    /// Difference quotients of all results over the last internal step.
+    /// Difference quotients of all results over the last internal step, or over the next one.
     fn quotients(&mut self) -> Result<Vec<f64>, Error> {
-        let (state, response) = self.machine.before_last_part(self.last.end)?;
+        let (state, response) = match self.last.known {
+            true => self.machine.before_last_part(self.last.end),
+            false => self.machine.after_next_part(),
+        }?;
         let mut values = Vec::new();
-        let moment = Moment { system: &self.machine.system, state: &state, response: &response };
+        let moment = Moment { system: &self.machine.system, state: &state, response: &response, fibres: &[] };
         self.table.measure(&moment, &mut Frames::default(), &mut values);
         let passed = self.machine.state.time - state.time;
-        Ok(self.results.iter().zip(&values).map(|(now, before)| (now - before) / passed).collect())
+        Ok(self.results.iter().zip(&values).map(|(now, other)| (now - other) / passed).collect())
     }
 
     fn jacobian(&mut self) -> Result<Vec<f64>, Error> {
@@ -177,18 +201,14 @@ impl Simulation {
         let mut frames = Frames::default();
         let mut values = Vec::new();
         let mut all = |sensitivity: &mut Sensitivity, after: &State, response: &Response| {
+            let fibres = table.fibres(&Moment { system, state: after, response, fibres: &[] }, &mut frames);
             for number in 0..last.inputs.count() {
-                let mut column = |reach: f64| {
-                    let mut sum = vec![0.0; results.len()];
-                    sensitivity.look(system, step, (after, response), (number, reach), |state, response, weight| {
-                        table.measure(&Moment { system, state, response }, &mut frames, &mut values);
-                        add_weighted(&mut sum, &values, weight);
-                    });
-                    sum
-                };
-                let mut whole = column(REACH);
-                replace_kinked(table, &mut whole, || column(SHORT_REACH));
-                columns.extend_from_slice(&whole);
+                let mut sum = vec![0.0; results.len()];
+                sensitivity.look(system, step, (after, response), number, |state, response, weight| {
+                    table.measure(&Moment { system, state, response, fibres: &fibres }, &mut frames, &mut values);
+                    add_weighted(&mut sum, &values, weight);
+                });
+                columns.extend_from_slice(&sum);
             }
         };
         let mut response = Response::default();
@@ -208,26 +228,18 @@ impl Simulation {
     }
 }
 
-/// Takes the derivatives of results with kinks from those of a short reach, if there are any.
-fn replace_kinked(table: &Table, derivatives: &mut [f64], short: impl FnOnce() -> Vec<f64>) {
-    let kinked = |result: &usize| table.has_kinks(*result);
-    if (0..derivatives.len()).any(|result| kinked(&result)) {
-        let short = short();
-        (0..derivatives.len()).filter(kinked).for_each(|result| derivatives[result] = short[result]);
-    }
-}
-
 fn add_weighted(sum: &mut [f64], values: &[f64], weight: f64) {
     for (sum, value) in sum.iter_mut().zip(values) {
         *sum += weight * value;
     }
 }
 
-/// Why there is nothing to differentiate.
-fn no_step(what: &str) -> Failure {
-    wrong(format!(
-        "{what} belong to the last communication step, and there is none; take a step first, and change no parameter after it"
-    ))
+/// A derivative that is a number.
+pub(super) fn finite(derivative: f64) -> Result<f64, Failure> {
+    match derivative.is_finite() {
+        true => Ok(derivative),
+        false => Err(wrong(format!("the derivative is {derivative}: there is none, or it is too large for a number"))),
+    }
 }
 
 /// Differentiates the step that led to `state` and hands what it found to `all`.

@@ -19,7 +19,10 @@ use std::sync::Arc;
 const ON_GRID: f64 = 1e-9;
 /// Most internal steps in one call: beyond, times a step apart are hardly different numbers, and nobody waits for the end.
 const MOST_STEPS: f64 = 1e9;
-/// Round-off that a communication step may have before it takes one internal step more, in steps.
+/// Round-off of a time that is one sum, relative: far from 0 it can be more than a share of the internal step.
+const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Round-off that a communication step may have before it takes one internal step more, in steps. A step that is shorter is left to the
+/// next one: it would be all round-off, and velocities are differences of places.
 const STEP_ROUNDING: f64 = 1e-6;
 
 /// The machine as built, the state it has reached, and the means to go on.
@@ -180,6 +183,40 @@ impl Machine {
         Ok((before, response))
     }
 
+    /// The state one internal step after the present one, and its response; inputs stay as they are.
+    pub(super) fn after_next_part(&mut self) -> Result<(State, Response), Error> {
+        let begin = self.state.time;
+        let plan = self.plan(begin, begin + self.step)?;
+        let mut state = self.state.clone();
+        state.targets.depart(begin, &self.state.prescribed);
+        state.targets.end = plan.end;
+        let system = &self.system;
+        match &mut self.solver {
+            Solver::None => Err(Error::NotInitialized),
+            Solver::Midpoint(own) => plan.march(own.as_mut(), system, &mut state),
+            Solver::GeneralizedAlpha(own) => plan.march(own.as_mut(), system, &mut state),
+            Solver::Statics(own) => {
+                let outcome = plan.march(own.as_mut(), system, &mut state);
+                // The step that is taken will tell of what it finds.
+                own.take_remarks();
+                own.forget();
+                outcome
+            }
+        }?;
+        let mut response = Response::default();
+        self.solver.respond(&mut Responder::new(system), system, &state, &mut response)?;
+        Ok((state, response))
+    }
+
+    /// The machine with the tunable parameters of now.
+    pub(super) fn settled(&self, document: &Document) -> Arc<System> {
+        let mut system = Arc::clone(&self.system);
+        if self.stale {
+            build::retune(document, Arc::make_mut(&mut system));
+        }
+        system
+    }
+
     /// Brings the machine to the tunable parameters of now.
     pub(super) fn settle(&mut self, document: &Document) {
         if std::mem::take(&mut self.stale) {
@@ -212,6 +249,11 @@ impl Machine {
             Solver::GeneralizedAlpha(alpha) => plan.march(alpha.as_mut(), system, state),
             Solver::Statics(statics) => plan.march(statics.as_mut(), system, state),
         }
+    }
+
+    /// The shortest communication step that is taken, s.
+    pub(super) fn shortest_step(&self) -> f64 {
+        f64::max(STEP_ROUNDING * self.step, TIME_ROUNDING * self.state.time.abs())
     }
 
     /// The internal steps from `begin` to `end`, s: on the grid `start + k step` where both are on it, else equal ones.

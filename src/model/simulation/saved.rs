@@ -59,6 +59,7 @@ struct SavedStep<'a> {
     start: Cow<'a, State>,
     inputs: [Cow<'a, [f64]>; 2],
     end: f64,
+    settings: Cow<'a, [f64]>,
 }
 
 impl Snapshot {
@@ -78,6 +79,7 @@ impl Snapshot {
                 start: Cow::Borrowed(start),
                 inputs: last.inputs.parts().map(Cow::Borrowed),
                 end: last.end,
+                settings: Cow::Borrowed(&last.settings),
             }),
         };
         postcard::to_extend(&saved, bytes).expect("a Vec takes every byte, and all lengths are known")
@@ -101,7 +103,12 @@ impl Snapshot {
         };
         let [start, step] = saved.grid;
         let mut built = build::build(&drawn, start).map_err(|mistakes| mistakes.to_string())?;
-        if saved.initialized {
+        // Tunable parameters that were set after the last step wait for the next one.
+        let stepped = saved.last.as_ref().map_or(&[][..], |last| &last.settings);
+        let stale = saved.initialized && !stepped.is_empty();
+        if stale {
+            build::retune(&document.with_settings(stepped)?, &mut built.system);
+        } else if saved.initialized {
             build::retune(&document, &mut built.system);
         }
         let state = saved.state.into_owned();
@@ -109,8 +116,8 @@ impl Snapshot {
         let mut inputs = Inputs::new(&document);
         let mut fits = state.has_the_shape_of(&built.state) && inputs.set_parts([&values, &slopes]);
         fits &= saved.results.len() == results && start.is_finite() && step > 0.0 && step.is_finite();
-        let last = saved.last.map(|SavedStep { start, inputs: [values, slopes], end }| {
-            let mut last = LastStep { known: true, inputs: inputs.clone(), end };
+        let last = saved.last.map(|SavedStep { start, inputs: [values, slopes], end, settings }| {
+            let mut last = LastStep { known: true, inputs: inputs.clone(), end, settings: settings.into_owned() };
             fits &= start.has_the_shape_of(&built.state) && last.inputs.set_parts([&values, &slopes]);
             (last, start.into_owned())
         });
@@ -121,7 +128,7 @@ impl Snapshot {
             document,
             drawn,
             system: Arc::new(built.system),
-            stale: false,
+            stale,
             state,
             start,
             step,
@@ -173,6 +180,7 @@ impl Simulation {
         if let Some((last, start)) = &snapshot.last {
             self.last.inputs.copy_from(&last.inputs);
             self.last.end = last.end;
+            self.last.settings.clone_from(&last.settings);
             machine.backup.clone_from(start);
         }
         if let Solver::Statics(statics) = &mut machine.solver {

@@ -1,6 +1,6 @@
 //! Derivatives through an instance: only of outputs, only by inputs, all of a call or none.
 
-use super::toy::{COUNT, FORCE, GAIN, POSITION, TIME, toy};
+use super::toy::{AREA, COUNT, FORCE, GAIN, LENGTH, POSITION, TIME, toy};
 use ancf14::fmi::error::Error;
 use ancf14::fmi::instance::Instance;
 
@@ -34,12 +34,12 @@ fn derivatives_by_time() {
     ));
 }
 
-/// Of Real outputs by Real inputs, each with its seed; before a step the model says that there is none.
+/// Of Real outputs by Real inputs, each with its seed; before a step they are 0.
 #[test]
 fn derivatives_by_inputs() {
     let mut change = [7.0];
-    let early = stepped(0).directional_derivative(&[POSITION], &[FORCE], &[1.0], &mut change).unwrap_err();
-    assert_eq!(early.to_string(), "no step");
+    stepped(0).directional_derivative(&[POSITION], &[FORCE], &[1.0], &mut change).unwrap();
+    assert_eq!(change, [0.0]);
     let mut instance = stepped(1);
     instance.directional_derivative(&[POSITION], &[FORCE], &[0.25], &mut change).unwrap();
     assert_eq!(change, [0.5]);
@@ -58,4 +58,25 @@ fn derivatives_by_inputs() {
         assert_eq!(change, [7.0]);
     }
     assert!(instance.directional_derivative(&[POSITION], &[FORCE], &[], &mut change).is_err());
+}
+
+/// In Initialization Mode the unknowns are what is calculated, the knowns what can be set; by time there are derivatives too.
+#[test]
+fn derivatives_in_initialization_mode() {
+    let mut instance = Instance::new(toy(), false);
+    instance.enter_initialization_mode().unwrap();
+    instance.set_real(&[LENGTH], &[3.0]).unwrap();
+    let mut changes = [7.0; 2];
+    instance.directional_derivative(&[POSITION, AREA], &[FORCE, LENGTH], &[5.0, 0.5], &mut changes).unwrap();
+    assert_eq!(changes, [0.5, 3.0]);
+    for (unknown, known) in [(LENGTH, GAIN), (POSITION, AREA), (POSITION, POSITION), (COUNT, FORCE), (POSITION, TIME)] {
+        assert!(
+            instance.directional_derivative(&[unknown], &[known], &[1.0], &mut changes[..1]).is_err(),
+            "{unknown} {known}"
+        );
+    }
+    instance.set_real(&[FORCE], &[3.0]).unwrap();
+    let mut rate = [7.0];
+    instance.get_real_output_derivatives(&[POSITION], &[1], &mut rate).unwrap();
+    assert_eq!(rate, [6.0]);
 }

@@ -4,7 +4,7 @@
 use ancf14::fmi::{
     LogCategory, Status,
     error::Error,
-    instance::{Instance, StatusKind},
+    instance::{FmuState, Instance, StatusKind},
     lifecycle::Mode,
     log::Entry,
 };
@@ -12,8 +12,8 @@ use ancf14::fmi::{
 use crate::allocations::count;
 
 use super::toy::{
-    AREA, CELLS, COUNT, FORCE, GAIN, IMPOSSIBLE_LENGTH, LENGTH, POSITION, REFUSED_FORCE, TIME, Toy, Trap, UNFIT_LENGTH,
-    toy,
+    AREA, CELLS, COUNT, FORCE, GAIN, IMPOSSIBLE_LENGTH, LENGTH, POSITION, Plain, REFUSED_FORCE, SHORTEST_STEP, TIME,
+    Toy, Trap, UNFIT_LENGTH, toy,
 };
 
 fn fresh() -> Instance<Toy> {
@@ -180,7 +180,7 @@ fn a_failed_initialization_can_be_repaired() {
     instance.exit_initialization_mode().unwrap();
 }
 
-/// Warnings of the model reach the log in the call that caused them.
+/// Warnings of the model reach the log in the call that caused them, whose status they leave alone.
 #[test]
 fn model_warnings_are_passed_on() {
     let mut instance = fresh();
@@ -190,6 +190,8 @@ fn model_warnings_are_passed_on() {
     let entries = instance.take_entries();
     assert_eq!(entries.len(), 1);
     assert_eq!(entries[0].message, "a gain of 0 moves nothing");
+    assert_eq!((entries[0].status, entries[0].category), (Status::Warning, LogCategory::StatusWarning));
+    assert_eq!(instance.take_status(), Status::Ok);
 }
 
 /// Times must be numbers and in order; the start time is where the simulation begins.
@@ -271,12 +273,58 @@ fn input_derivatives_are_for_one_step() {
 /// A step that does not advance is refused and harmless.
 #[test]
 fn steps_must_be_positive_and_finite() {
-    for step in [0.0, -0.1, f64::NAN, f64::INFINITY, 1e-300] {
+    for step in [0.0, -0.1, -1e-15, f64::NAN, f64::INFINITY] {
         let mut instance = initialized();
         instance.do_step(0.0, 0.5).unwrap();
         assert!(matches!(instance.do_step(0.5, step), Err(Error::StepSize { .. })), "{step}");
         instance.do_step(0.5, 0.5).unwrap();
     }
+}
+
+/// A host that adds up its time ends with a step of round-off, forwards from a time a little before or after ours: it is done at once, and
+/// its derivatives are used up.
+#[test]
+fn regression_a_last_step_of_round_off() {
+    for (time, step) in
+        [(3.0, 1e-17), (3.0, 1e-12), (3.0 - 2e-14, 2e-14), (3.0 - 2e-14, 1e-14), (3.0 + 2e-14, 1e-13), (3.0, 1e-300)]
+    {
+        let mut instance = fresh();
+        instance.setup_experiment(None, 0.0, Some(3.0)).unwrap();
+        instance.enter_initialization_mode().unwrap();
+        instance.exit_initialization_mode().unwrap();
+        instance.set_real(&[FORCE], &[3.0]).unwrap();
+        instance.do_step(0.0, 3.0).unwrap();
+        let position = real(&mut instance, POSITION);
+        instance.set_real_input_derivatives(&[FORCE], &[1], &[4.0]).unwrap();
+        let before = instance.state().unwrap();
+        instance.do_step(time, step).unwrap_or_else(|error| panic!("{time} {step}: {error}"));
+        assert_eq!((instance.time(), real(&mut instance, POSITION)), (3.0, position));
+        assert_ne!(instance.model().plain(), before_model(&before, &mut instance), "the derivative is used up");
+    }
+}
+
+/// The model of a state.
+fn before_model(state: &FmuState<Toy>, instance: &mut Instance<Toy>) -> Plain {
+    let now = instance.state().unwrap();
+    instance.set_state(state).unwrap();
+    let plain = instance.model().plain();
+    instance.set_state(&now).unwrap();
+    plain
+}
+
+/// Steps that are too short for the model add up: many of them go as far as one.
+#[test]
+fn short_steps_are_not_lost() {
+    let mut instance = initialized();
+    instance.set_real(&[FORCE], &[3.0]).unwrap();
+    let step = 1e-12;
+    let mut time = 0.0;
+    for _ in 0..100_000 {
+        instance.do_step(time, step).unwrap();
+        assert!((instance.time() - time - step).abs() < SHORTEST_STEP);
+        time += step;
+    }
+    assert!((real(&mut instance, POSITION) - 1.5 - 2.0 * 3.0 * time).abs() <= 6.0 * SHORTEST_STEP);
 }
 
 /// What the model refuses before it begins a step is harmless.

@@ -32,7 +32,7 @@ pub fn allowed(mode: Mode) -> (Vec<Call>, Vec<Call>) {
                 &[ExitInitializationMode, GetDirectionalDerivative, SetRealInputDerivatives],
             ]
             .concat(),
-            vec![],
+            vec![GetRealOutputDerivatives],
         ),
         Mode::Step => (
             [

@@ -1,7 +1,7 @@
 //! A model of one line, `x' = gain * force`, with traps: it can be told to fail or to panic, and counts what it is asked.
 
 use ancf14::fmi::{
-    About, Failure, LogCategory, Model, Value,
+    About, Credits, Failure, LogCategory, Model, Value,
     variable::{Causality, Quantity, Variability, Variable},
 };
 use serde::{Deserialize, Serialize};
@@ -20,6 +20,8 @@ pub const TIME: u32 = 7;
 pub const REFUSED_FORCE: f64 = -777.0;
 /// No step goes beyond this time.
 pub const FARTHEST: f64 = 1e6;
+/// A shorter step is left to the next one.
+pub const SHORTEST_STEP: f64 = 1e-9;
 /// A length within its bounds that makes no model.
 pub const UNFIT_LENGTH: f64 = 14.0;
 /// A length without an initial state.
@@ -66,6 +68,8 @@ pub fn about() -> About {
         guid: "{00000000-0000-0000-0000-000000000001}".to_owned(),
         stop: 2.0,
         output_step: 0.1,
+        tolerance: 1e-6,
+        credits: Credits { author: Some("A. Uthor & Co".to_owned()), ..Credits::default() },
     }
 }
 
@@ -82,6 +86,7 @@ pub fn variables() -> Vec<Variable> {
         max: None,
         quantity,
         display_unit: None,
+        found_from: None,
     };
     let real = Value::Real;
     vec![
@@ -92,7 +97,10 @@ pub fn variables() -> Vec<Variable> {
         },
         row("body.length", Parameter, Fixed, real(1.5), Quantity::new("Length", "m")),
         row("tip.force[1]", Input, Continuous, real(0.0), Quantity::new("Force", "N")),
-        row("area", CalculatedParameter, Fixed, real(0.0), Quantity::new("Area", "m2")),
+        Variable {
+            found_from: Some(vec![LENGTH as usize]),
+            ..row("area", CalculatedParameter, Fixed, real(0.0), Quantity::new("Area", "m2"))
+        },
         Variable {
             display_unit: Some("mm".to_owned()),
             ..row("tip.position[1]", Output, Continuous, real(0.0), Quantity::new("Position", "m"))
@@ -196,6 +204,10 @@ impl Model for Toy {
         self.plain.time
     }
 
+    fn shortest_step(&self) -> f64 {
+        SHORTEST_STEP
+    }
+
     fn accept_step(&self, end: f64) -> Result<(), Failure> {
         if end > FARTHEST { Err(failure("that is too far")) } else { Ok(()) }
     }
@@ -207,6 +219,10 @@ impl Model for Toy {
             _ => (),
         }
         let step = end - self.plain.time;
+        if step < SHORTEST_STEP {
+            self.plain.slope = 0.0;
+            return Ok(());
+        }
         self.plain.position += self.plain.gain * (self.plain.force + 0.5 * self.plain.slope * step) * step;
         self.plain.slope = 0.0;
         self.plain.time = end;
@@ -223,8 +239,16 @@ impl Model for Toy {
 
     fn partial_derivative(&mut self, _output: usize, _input: usize) -> Result<f64, Failure> {
         match self.plain.count {
-            0 => Err(failure("no step")),
+            0 => Ok(0.0),
             _ => Ok(self.plain.gain),
+        }
+    }
+
+    fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure> {
+        match (unknown as u32, known as u32) {
+            (POSITION, LENGTH) => Ok(1.0),
+            (AREA, LENGTH) => Ok(2.0 * self.plain.length),
+            _ => Ok(0.0),
         }
     }
 
