@@ -54,6 +54,7 @@ mod moving_frames;
 mod odd_machines;
 mod oracle;
 mod oscillation;
+mod output_files;
 mod parts;
 mod polylines;
 mod princeton;
