@@ -262,6 +262,22 @@ mod tests {
         assert_eq!(tick(1.5e8, 2e8), "1.5e8");
     }
 
+    /// A straight line is drawn straight: from point to point it rises by the same, to a tenth of a pixel.
+    #[test]
+    fn regression_ramps_are_no_staircases() {
+        let points = (0..=300).map(|k| (f64::from(k), 0.01 * f64::from(k))).collect();
+        let line = Line { name: String::new(), stroke: Stroke::Solid, colour: 0, points };
+        let chart = Chart { title: String::new(), axes: [const { String::new() }; 2], shape: false, lines: vec![line] };
+        let svg = chart.svg().unwrap();
+        assert!(svg.starts_with("<svg width=\"960\" height=\"540\" viewBox=\"0 0 9600 5400\""), "{}", &svg[..100]);
+        let ramp =
+            svg.split("points=\"").map(|rest| rest.split('"').next().unwrap_or("")).max_by_key(|points| points.len());
+        let points: Vec<f64> =
+            ramp.unwrap().split_whitespace().map(|point| point.split_once(',').unwrap().1.parse().unwrap()).collect();
+        let rises: Vec<f64> = points.windows(2).map(|pair| pair[0] - pair[1]).collect();
+        assert!(rises.len() == 300 && rises.iter().all(|rise| (rise - rises[0]).abs() <= 1.0), "{rises:?}");
+    }
+
     /// A single peak among many points survives.
     #[test]
     fn thinning_keeps_peaks() {

@@ -22,9 +22,11 @@ const PARTIAL: &str = "results.part.csv";
 const ROUNDING: f64 = 1e-9;
 /// More rows than this would fill a disk: some 30 GB.
 const MOST_ROWS: f64 = 1e8;
-/// A run is warned of when so many steps were rejected, and when they are so large a share of the accepted ones.
-const REJECTED: f64 = 20.0;
+/// A run is warned of when so many steps were rejected, and when they are a tenth of the steps that simulation.step asks for, or when
+/// halving has doubled the number of steps.
+const REJECTED: f64 = 10.0;
 const REJECTED_SHARE: f64 = 0.1;
+const STEPS_SHARE: f64 = 2.0;
 
 /// Simulates and writes everything into the folder `directory`.
 pub fn run(mut simulation: Simulation, directory: &Path, inputs: &[Input<'_>]) -> Result<(), Stop> {
@@ -73,7 +75,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, inputs: &[Input<'_>]) -
         plots.iter().try_for_each(|plot| plot.draw(&results, &remark, &folder))?;
         drawn = plots.len();
     }
-    if let Some(warning) = rejections(&results) {
+    if let Some(warning) = rejections(&simulation, &results) {
         complain(&format!("warning: {warning}"));
     }
     say(&summary(&results, reached, wall))?;
@@ -166,13 +168,17 @@ fn two_digits(value: f64) -> String {
 }
 
 /// The warning about a run of which many steps were rejected.
-fn rejections(results: &Results) -> Option<String> {
+fn rejections(simulation: &Simulation, results: &Results) -> Option<String> {
     let count = |name: &str| results.last(name).unwrap_or(0.0);
     let (steps, rejected) = (count("statistics.steps"), count("statistics.rejected"));
-    (rejected >= REJECTED && rejected > REJECTED_SHARE * steps).then(|| {
+    let document = simulation.document();
+    let asked = results.reached()? / document.value(document.simulation.step);
+    let asked = asked.round().max(results.count as f64 - 1.0);
+    let are_many = rejected > REJECTED_SHARE * asked || steps > STEPS_SHARE * asked;
+    (rejected >= REJECTED && are_many).then(|| {
         format!(
-            "{rejected} steps were rejected and {steps} accepted: the motion is too fast for simulation.step, or a load, drive or frame \
-             jumps or grows without bound; compare with a smaller simulation.step"
+            "{rejected} steps were rejected, and {steps} steps were needed instead of {asked}: the motion is too fast for \
+             simulation.step, or a load, drive or frame jumps or grows without bound; compare with a smaller simulation.step"
         )
     })
 }

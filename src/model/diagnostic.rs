@@ -251,6 +251,11 @@ impl<'a> Report<'a> {
         self.list.extend(mistakes);
     }
 
+    /// Whether there are more mistakes than are shown: to look for near names is a waste of time.
+    pub fn is_full(&self) -> bool {
+        self.list.len() >= MOST
+    }
+
     /// Whether there is no mistake so far.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()

@@ -5,8 +5,30 @@ use std::ops::Range;
 /// A slice that is repeated in a hint is not longer than this, bytes.
 const SHORT: usize = 40;
 
-/// What to try after a syntax error with this message at these bytes of `text`; empty: nothing comes to mind.
-pub fn hint(message: &str, text: &str, range: Range<usize>) -> String {
+/// What to try after a syntax error.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Hint {
+    /// Nothing comes to mind.
+    None,
+    /// This.
+    Text(String),
+    /// A list has no end: what follows is read as a part of it, and is worth no message.
+    Unclosed,
+}
+
+impl Hint {
+    /// As a message shows it.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::None => "",
+            Self::Text(text) => text,
+            Self::Unclosed => "the list above has no closing `]`, or a comma is missing at the end of its line",
+        }
+    }
+}
+
+/// What to try after a syntax error with this message at these bytes of `text`.
+pub fn hint(message: &str, text: &str, range: Range<usize>) -> Hint {
     let start = range.start;
     let (before, slice) = (text.get(..start).unwrap_or(""), text.get(range).unwrap_or(""));
     if message.contains("must be quoted") {
@@ -15,28 +37,25 @@ pub fn hint(message: &str, text: &str, range: Range<usize>) -> String {
     let after = text.get(start..).unwrap_or("");
     let comma = |text: &str| text.strip_prefix(',').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
     if message.contains("unexpected key or value") && before.ends_with(|c: char| c.is_ascii_digit()) && comma(after) {
-        return String::from("a decimal number has a point: 0.02, not 0,02");
+        return Hint::Text(String::from("a decimal number has a point: 0.02, not 0,02"));
     }
     let line = before.rsplit('\n').next().unwrap_or("");
-    if message.contains("missing comma") && line.trim().is_empty() {
-        return String::from("the list above has no closing `]`, or a comma is missing at the end of the line");
-    }
-    String::new()
+    if message.contains("missing comma") && line.trim().is_empty() { Hint::Unclosed } else { Hint::None }
 }
 
 /// What is probably meant by a value that is no TOML value.
-fn unquoted(slice: &str) -> String {
+fn unquoted(slice: &str) -> Hint {
     let numbers = |text: &str| text.split_whitespace().all(|word| word.parse::<f64>().is_ok());
     if slice.contains(' ') && numbers(slice) {
-        return String::from("commas separate the numbers of a list: [1, 0, 0]");
+        return Hint::Text(String::from("commas separate the numbers of a list: [1, 0, 0]"));
     }
     if has_unit(slice) {
-        return String::from("a number stands without its unit, in SI units: 0.02 for 20 mm");
+        return Hint::Text(String::from("a number stands without its unit, in SI units: 0.02 for 20 mm"));
     }
     let is_expression = slice.contains(['+', '-', '*', '/', '^', '(']);
     match is_expression && slice.len() <= SHORT && !slice.contains('"') {
-        true => format!("an expression stands in quotes: \"{slice}\""),
-        false => String::new(),
+        true => Hint::Text(format!("an expression stands in quotes: \"{slice}\"")),
+        false => Hint::None,
     }
 }
 

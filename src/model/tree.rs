@@ -64,20 +64,29 @@ impl Node {
 /// Reads the file; syntax errors go to the report. None if what was read is not worth looking at.
 pub fn parse(text: &str, report: &mut Report<'_>) -> Option<Vec<Entry>> {
     let (table, errors) = DeTable::parse_recoverable(text);
-    let mut worthless = None;
-    for error in &errors {
-        // What is nested too deeply is said without its place.
-        let place = Place::file(error.span().unwrap_or_else(|| syntax::most_dotted(text)));
-        if error.message().starts_with("duplicate key") {
+    // What is nested too deeply is said without its place.
+    let place = |error: &toml::de::Error| Place::file(error.span().unwrap_or_else(|| syntax::most_dotted(text)));
+    let mut errors: Vec<_> = errors.iter().map(|error| (place(error), error.message())).collect();
+    errors.sort_by_key(|(place, _)| *place);
+    let mut broken_line = None;
+    for (place, message) in errors {
+        if message.starts_with("duplicate key") {
             let key = report.source.slice(place).to_owned();
             report.error(place, &format!("`{key}` is given twice"), "the second one", "");
-        } else if worthless.replace(report.source.line(place)) != Some(report.source.line(place)) {
-            // The second mistake of a line is mostly the first one once more.
-            let help = syntax::hint(error.message(), text, place.start..place.end);
-            report.error(place, &format!("not valid TOML: {}", error.message()), "", &help);
+            continue;
+        }
+        // The second mistake of a line is mostly the first one once more.
+        let line = report.source.line(place);
+        if broken_line.replace(line) == Some(line) {
+            continue;
+        }
+        let help = syntax::hint(message, text, place.start..place.end);
+        report.error(place, &format!("not valid TOML: {message}"), "", help.text());
+        if help == syntax::Hint::Unclosed {
+            break;
         }
     }
-    if worthless.is_some() {
+    if broken_line.is_some() {
         return None;
     }
     Some(convert_table(table.into_inner(), 0, 0, report))

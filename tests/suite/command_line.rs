@@ -147,3 +147,83 @@ fn names_that_are_keywords_pack() {
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(std::fs::read_to_string(directory.path().join("m.h")).expect("a header").contains("class_"));
 }
+
+/// Three bodies in a loop of welds: one of these is too many.
+const LOOP: &str = r#"format = 1
+model.name = "Loop"
+[body.b1]
+mass = 1
+position = [0, 0, 0]
+inertia = [1, 1, 1]
+[body.b2]
+mass = 1
+position = [1, 0, 0]
+inertia = [1, 1, 1]
+[body.b3]
+mass = 1
+position = [0, 1, 0]
+inertia = [1, 1, 1]
+[joint.j1]
+type = "weld"
+a = "b1"
+b = "b2"
+[joint.j2]
+type = "weld"
+a = "b2"
+b = "b3"
+[joint.j3]
+type = "weld"
+a = "b3"
+b = "b1"
+[simulation]
+stop = 0.1
+step = 0.01
+"#;
+
+/// `check` finds what `run` refuses at its start, with the line; it is a joint that is too many, not a body.
+#[test]
+fn regression_check_finds_redundant_joints() {
+    let directory = tempfile::tempdir().expect("a directory");
+    std::fs::write(directory.path().join("m.toml"), LOOP).expect("write");
+    for command in ["check", "run"] {
+        let output = ancf14(directory.path(), &[command, "m.toml"]);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{message}");
+        assert!(!text(&output.stdout).contains("no mistakes"));
+        assert!(message.contains(": joint j") && message.contains("holds what is held already"), "{message}");
+        assert!(message.contains("| [joint.j"), "{message}");
+        assert!(message.contains("nothing holds the mechanism"), "{message}");
+    }
+}
+
+/// A load that grows without bound at an instant is stepped over with many halvings: the user is told.
+#[test]
+fn regression_many_rejected_steps_are_told() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let load = "\n[load.push]\nat = \"arm.end\"\nforce = [0, 0, \"1/(t - 0.0503)\"]\n";
+    let file = std::fs::read_to_string(model("cantilever")).expect("model");
+    for (load, is_warned) in [(load, true), ("", false)] {
+        std::fs::write(directory.path().join("m.toml"), format!("{file}{load}")).expect("write");
+        let output = ancf14(directory.path(), &["run", "m.toml", "--set", "simulation.stop=0.1"]);
+        assert_eq!(text(&output.stderr).contains("steps were rejected"), is_warned, "{}", text(&output.stderr));
+    }
+}
+
+/// Stations of a beam are drawn as shapes at some instants, not as a line for each number.
+#[test]
+fn regression_stations_are_drawn_as_shapes() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let file = std::fs::read_to_string(model("cantilever")).expect("model");
+    let output = "\n[output.shape]\non = \"arm\"\nquantities = [\"position\", \"velocity\", \"twist\"]\n";
+    std::fs::write(directory.path().join("m.toml"), format!("{file}{output}")).expect("write");
+    let run = ancf14(directory.path(), &["run", "m.toml", "--set", "simulation.stop=0.06"]);
+    assert!(run.status.success(), "{}", text(&run.stderr));
+    for name in ["shape.position", "shape.velocity.1", "shape.velocity.3", "shape.twist"] {
+        let path = directory.path().join(format!("m-results/{name}.svg"));
+        let plot = std::fs::read_to_string(&path).unwrap_or_else(|reason| panic!("{name}: {reason}"));
+        for k in 0..=6 {
+            let instant = format!("t = {} s", f64::from(k) / 100.0);
+            assert!(plot.lines().any(|line| line.trim() == instant), "{name}: {instant}");
+        }
+    }
+}

@@ -51,6 +51,7 @@ mod model_parts;
 mod modes;
 mod modes_command;
 mod moving_frames;
+mod notes;
 mod odd_machines;
 mod oracle;
 mod oscillation;

@@ -34,7 +34,8 @@ impl Context<'_> {
                     self.report.error(place, "a number stands without its unit", "this has one", help);
                     return None;
                 }
-                let near = error.unknown.as_deref().map_or(String::new(), |name| {
+                let unknown = error.unknown.as_deref().filter(|_| !self.report.is_full());
+                let near = unknown.map_or(String::new(), |name| {
                     let functions = crate::model::expression::program::FUNCTIONS.iter().map(|(name, _)| *name);
                     suggestion_for(FUNCTION, name, self.names.of(Kind::Parameter).chain(functions).chain(["pi"]))
                 });
@@ -385,7 +386,8 @@ impl<'c, 'a> Reader<'c, 'a> {
             Some(named) => format!("`{name}` is a {}", named.kind.word()),
             None => format!("unknown {} `{name}`", kind.word()),
         };
-        let near = suggestion(&name, self.context.names.of(kind));
+        let is_full = self.context.report.is_full();
+        let near = if is_full { String::new() } else { suggestion(&name, self.context.names.of(kind)) };
         let label = if near.is_empty() { format!("the name of a {} was expected", kind.word()) } else { near };
         let names: Vec<_> = self.context.names.of(kind).collect();
         let help = if names.is_empty() { String::new() } else { format!("known: {}", names.join(", ")) };
