@@ -52,6 +52,7 @@ fn overrides_are_named_in_their_messages() {
         ("aluminium.young", "-1", "`aluminium.young` must be greater than 0"),
         ("aluminium.young", "2*Q", "unknown name `Q`"),
         ("angle_dg", "3", "did you mean `angle_deg`?"),
+        ("stop", "2", "did you mean `simulation.stop`?"),
         ("gravity[4]", "3", "`gravity[4]` has no such component"),
         ("aluminium.young[1]", "3", "`young` is not a list"),
         ("arm.from[1]", "true", "`arm.from[1]` is true"),

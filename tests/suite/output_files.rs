@@ -30,6 +30,9 @@ stop = 0.1
 step = 0.01
 "#;
 
+/// A run that does not end by itself.
+const ENDLESS: [&str; 4] = ["run", "m.toml", "--set", "simulation.stop=1e5"];
+
 struct Place(tempfile::TempDir);
 
 impl Place {
@@ -55,14 +58,8 @@ impl Place {
     }
 
     /// A run that does not end by itself, when its first rows are on the disk.
-    fn endless(&self, arguments: &[&str]) -> Child {
-        let endless = ["run", "m.toml", "--set", "simulation.stop=1e5"];
-        let mut run = self.command(&[&endless[..], arguments].concat());
-        let run = run.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        while fs::metadata(self.at("m-results/results.part.csv")).map_or(0, |there| there.len()) == 0 {
-            std::thread::sleep(Duration::from_millis(10));
-        }
-        run
+    fn endless(&self) -> Child {
+        started(self, &mut self.command(&ENDLESS))
     }
 
     /// The names of the results, sorted.
@@ -73,6 +70,15 @@ impl Place {
         names.sort();
         names
     }
+}
+
+/// A run of the model in `place`, when its first rows are on the disk.
+fn started(place: &Place, command: &mut Command) -> Child {
+    let run = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    while fs::metadata(place.at("m-results/results.part.csv")).map_or(0, |there| there.len()) == 0 {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    run
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -143,7 +149,7 @@ fn regression_old_pictures_go() {
 fn regression_interrupted_runs_keep_their_rows() {
     for (signal, expected, name) in [("-INT", 130, "Ctrl-C"), ("-TERM", 143, "SIGTERM"), ("-HUP", 129, "SIGHUP")] {
         let place = Place::new();
-        let run = place.endless(&[]);
+        let run = place.endless();
         assert!(Command::new("kill").args([signal, &run.id().to_string()]).status().unwrap().success());
         let output = run.wait_with_output().unwrap();
         assert_eq!(code(&output), expected, "{}", text(&output.stderr));
@@ -155,11 +161,33 @@ fn regression_interrupted_runs_keep_their_rows() {
     }
 }
 
+/// A signal that the process was started to ignore, as by nohup, does not end a run.
+#[test]
+fn regression_ignored_signals_stay_ignored() {
+    let place = Place::new();
+    let program = env!("CARGO_BIN_EXE_ancf14");
+    let mut shell = Command::new("sh");
+    shell.current_dir(place.0.path()).args(["-c", "trap '' HUP; exec \"$@\"", "sh", program]);
+    let mut run = started(&place, shell.args(ENDLESS));
+    let send = |signal: &str, run: &Child| {
+        assert!(Command::new("kill").args([signal, &run.id().to_string()]).status().unwrap().success());
+    };
+    send("-HUP", &run);
+    let size = || fs::metadata(place.at("m-results/results.part.csv")).unwrap().len();
+    let before = size();
+    while size() == before {
+        assert!(run.try_wait().unwrap().is_none(), "the run has ended");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    send("-INT", &run);
+    assert_eq!(code(&run.wait_with_output().unwrap()), 130);
+}
+
 /// The second run into a folder refuses; a killed one blocks nobody, and its rows are whole too.
 #[test]
 fn regression_a_folder_has_one_run() {
     let place = Place::new();
-    let mut first = place.endless(&[]);
+    let mut first = place.endless();
     for command in ["run", "modes"] {
         let second = place.ancf14(&[command, "m.toml"]);
         assert_eq!(code(&second), 1);
