@@ -57,8 +57,14 @@ pub fn pack(file: &Path, output: &Path, library: Option<&Path>, others: Vec<(Pla
 
 /// Writes the C header of the model `file`.
 pub fn header(file: &Path, output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
-    let (simulation, _) = load(file, &[])?;
     output::spare(&[(MODEL_FILE, file)], &[output.to_owned()])?;
+    if output.extension().is_some_and(|ending| ending == "toml") {
+        let shown = output.display();
+        return Err(Stop::Bad(format!(
+            "error: {shown} has the name of a model file; choose another name for the header"
+        )));
+    }
+    let (simulation, _) = load(file, &[])?;
     let about = simulation.about();
     let prefix = prefix.unwrap_or(&about.identifier);
     let text =

@@ -5,6 +5,7 @@
 
 use super::output::{self, Input};
 use super::{Stop, complain};
+use ancf14::model::notes::listed;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -88,7 +89,7 @@ impl Folder {
         let foreign = others.iter().filter(|row| row.guid != guid && self.file(&row.name).exists());
         let foreign: Vec<&str> = foreign.map(|row| row.name.as_str()).collect();
         if !foreign.is_empty() {
-            let (names, shown) = (foreign.join(", "), self.path.display());
+            let (names, shown) = (listed(&foreign), self.path.display());
             complain(&format!("warning: these files in {shown} come from another model or other settings: {names}"));
         }
         for path in &stale {

@@ -159,9 +159,13 @@ impl Document {
         self.numbers.slots[number.0].place
     }
 
-    /// The line of the file in which a number is written; of an override the first one.
-    pub fn line(&self, number: Number) -> usize {
-        self.source.line(self.place(number))
+    /// Where a number is written, for messages: `line 7`, or the override.
+    pub fn origin(&self, number: Number) -> String {
+        let place = self.place(number);
+        match place.source {
+            0 => format!("line {}", self.source.line(place)),
+            _ => String::from("--set"),
+        }
     }
 
     /// A message of the solver at the line of the first part of the model that it names; none if it names none.

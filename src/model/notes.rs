@@ -39,7 +39,7 @@ fn loose_parts(document: &Document) -> Option<String> {
 }
 
 /// `beam a, beam b and 3 more`.
-fn listed(names: &[&str]) -> String {
+pub fn listed(names: &[&str]) -> String {
     let (shown, rest) = names.split_at(names.len().min(NAMED));
     match (rest.len(), shown.split_last()) {
         (0, Some((last, others))) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
@@ -100,10 +100,9 @@ fn odd_materials(document: &Document) -> Vec<String> {
     let mut note = |number: Number, least: f64, what: &str, unit: &str| {
         let value = document.value(number);
         if value < least {
-            let (line, name) = (document.line(number), document.name(number));
-            notes.push(format!(
-                "line {line}: {name} = {value} {unit} is unusually small for a {what}: its unit is {unit}"
-            ));
+            let (origin, name) = (document.origin(number), document.name(number));
+            notes
+                .push(format!("{origin}: {name} = {value} {unit} is unusually small for a {what}: its unit is {unit}"));
         }
     };
     for material in (0..document.materials.len()).filter(used).map(|index| &document.materials[index]) {

@@ -76,6 +76,9 @@ fn regression_materials_in_other_units_are_told() {
         let found = of(&held.replace(from, to));
         assert!(found.len() == 1 && found[0].starts_with(expected), "{found:?}");
     }
+    let set = [("steel.density".to_owned(), "7.85".to_owned())];
+    let found = notes(&Document::parse("m.toml", &held, &set).unwrap());
+    assert!(found.len() == 1 && found[0].starts_with("--set: steel.density"), "{found:?}");
     for sound in [
         held.clone(),
         held.replace("young = 2.1e11", "young = 1e6"),

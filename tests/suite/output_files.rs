@@ -138,7 +138,7 @@ fn regression_old_pictures_go() {
     assert!(text(&place.ancf14(&["modes", "m.toml"]).stderr).lines().all(|line| !line.contains("another model")));
     fs::write(place.at("m.toml"), MODEL.replace("output.place", "output.spot")).unwrap();
     let output = place.ancf14(&["run", "m.toml"]);
-    assert!(text(&output.stderr).contains("modes.csv, shapes.csv, modes.svg"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("modes.csv, shapes.csv and modes.svg"), "{}", text(&output.stderr));
     let expected =
         ["energy.svg", "modes.csv", "modes.svg", "results.csv", "shapes.csv", "spot.position.svg", "spot.velocity.svg"];
     assert_eq!(place.results(), expected);
@@ -259,6 +259,7 @@ fn regression_names_of_outputs_are_checked() {
         (&["check", "m.toml", "--draw", "m.gif"], "ends in .svg or .png"),
         (&["check", "m.toml", "--draw", "picture"], "ends in .svg or .png"),
         (&["pack", "m.toml", "-o", "m.zip"], "ends in .fmu"),
+        (&["header", "m.toml", "-o", "other.toml"], "other.toml has the name of a model file"),
     ] {
         let output = place.ancf14(arguments);
         assert_eq!(code(&output), 2, "{arguments:?}");
