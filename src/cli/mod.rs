@@ -23,6 +23,7 @@ use ancf14::fmi::{Failure, Model};
 use ancf14::model::notes;
 use ancf14::model::simulation::Simulation;
 use clap::{Args, Parser, Subcommand};
+use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -190,8 +191,9 @@ impl ModelArguments {
     /// The folder of the results: `m.toml` to `m-results` in the current folder, unless another one is given.
     fn directory(&self, given: Option<PathBuf>) -> PathBuf {
         given.unwrap_or_else(|| {
-            let stem = self.file.file_stem().map_or("model".into(), |stem| stem.to_string_lossy());
-            PathBuf::from(format!("{stem}-results"))
+            let mut name = self.file.file_stem().unwrap_or(OsStr::new("model")).to_owned();
+            name.push("-results");
+            PathBuf::from(name)
         })
     }
 }

@@ -5,9 +5,10 @@ use super::keeper::{Keeper, Signal, interrupted, kept, locked};
 use super::output::{Input, trouble};
 use super::plot::Plot;
 use super::results::Results;
+use super::rows::Rows;
 use super::{Stop, complain, failed, say, start};
 use ancf14::error::decimal;
-use ancf14::fmi::Model;
+use ancf14::fmi::{About, Model};
 use ancf14::model::simulation::Simulation;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
@@ -32,55 +33,46 @@ const STEPS_SHARE: f64 = 2.0;
 pub fn run(mut simulation: Simulation, directory: &Path, inputs: &[Input<'_>]) -> Result<(), Stop> {
     let last_row = last_row(&simulation)?;
     let mut folder = Folder::open(directory)?;
-    let mut results = Results::new(folder.file(PARTIAL), simulation.variables(), last_row);
+    let partial = folder.file(PARTIAL);
+    let mut results = Results::new(partial.clone(), simulation.variables(), last_row);
     let plots = Plot::all(&results.columns, simulation.document());
     let names: Vec<String> = plots.iter().map(Plot::file).chain([COMPLETE, PARTIAL].map(str::to_owned)).collect();
     folder.claim("run", &simulation.about().guid, &names, inputs)?;
-    let shown = folder.file(PARTIAL).display().to_string();
-    let rows = results.rows();
     let keeper = Keeper::start(results.rows())
         .map_err(|reason| Stop::Failed(format!("error: cannot watch for signals: {reason}")))?;
+    say(&format!("rows go to {}, which becomes {COMPLETE} at the end", partial.display()))?;
 
-    say(&format!("rows go to {shown}, which becomes {COMPLETE} at the end"))?;
     let clock = Instant::now();
     let outcome = simulate(&mut simulation, &mut results, last_row, &keeper);
     let wall = clock.elapsed().as_secs_f64();
     drop(keeper);
-    // Of a failure to write the outcome speaks already.
-    let finished = locked(&rows).finish();
-    let reached = results.reached();
     let is_complete = outcome.is_ok();
-    let ended = outcome.map_err(|end| {
-        let rest = reached.map_or(String::new(), |reached| format!("\n{}", kept(reached, &locked(&rows))));
-        match end {
-            End::Model(Stop::Failed(message)) => Stop::Failed(format!("{message}{rest}")),
-            End::Model(stop) => stop,
-            End::Write(reason) => trouble(Path::new(&shown), &reason),
-            End::Signal(signal) => {
-                Stop::Interrupted(format!("error: {}{rest}", interrupted(signal)), signal.exit_code())
-            }
-        }
-    });
-    let Some(reached) = reached else { return ended };
-    finished.map_err(|reason| trouble(Path::new(&shown), &reason))?;
-    let (table, remark) = if is_complete {
-        let path = folder.file(COMPLETE);
-        fs::rename(&shown, &path).map_err(|reason| trouble(&path, &reason))?;
-        (path.display().to_string(), String::new())
-    } else {
-        (shown, format!(" (incomplete: to t = {} s)", decimal(reached)))
-    };
-    let mut drawn = 0;
-    if results.count > 1 {
-        plots.iter().try_for_each(|plot| plot.draw(&results, &remark, &folder))?;
-        drawn = plots.len();
-    }
+    let finished = finish(&results, &plots, &folder, is_complete);
     if let Some(warning) = rejections(&simulation, &results) {
         complain(&format!("warning: {warning}"));
     }
-    say(&summary(&results, reached, wall))?;
-    say(&format!("{} rows in {table}, {drawn} plots beside it", results.count))?;
-    ended
+    let told = match (&finished, results.reached()) {
+        (Ok(Some(what)), Some(reached)) => say(&summary(&results, reached, wall)).and_then(|()| say(what)),
+        _ => Ok(()),
+    };
+    // The first reason to fail is the one to tell.
+    outcome.map_err(|end| end.stop(&locked(&results.rows()))).and(finished.map(drop)).and(told)
+}
+
+/// Brings the rows to the disk and draws the plots; says what there is. None: there was no row.
+fn finish(results: &Results, plots: &[Plot], folder: &Folder, is_complete: bool) -> Result<Option<String>, Stop> {
+    let Some(reached) = results.reached() else { return Ok(None) };
+    let (partial, complete) = (folder.file(PARTIAL), folder.file(COMPLETE));
+    locked(&results.rows()).finish().map_err(|reason| trouble(&partial, &reason))?;
+    let (table, remark) = if is_complete {
+        fs::rename(&partial, &complete).map_err(|reason| trouble(&complete, &reason))?;
+        (complete, String::new())
+    } else {
+        (partial, format!(" (incomplete: to t = {} s)", decimal(reached)))
+    };
+    let drawn = if results.count > 1 { plots } else { &[] };
+    drawn.iter().try_for_each(|plot| plot.draw(results, &remark, folder))?;
+    Ok(Some(format!("{} rows in {}, {} plots beside it", results.count, table.display(), drawn.len())))
 }
 
 /// What ends a run early.
@@ -90,8 +82,22 @@ enum End {
     Signal(Signal),
 }
 
+impl End {
+    /// The message, with the place of the rows so far.
+    fn stop(self, rows: &Rows) -> Stop {
+        let kept = rows.reached.map_or(String::new(), |reached| format!("\n{}", kept(reached, rows)));
+        match self {
+            Self::Model(Stop::Failed(message)) => Stop::Failed(format!("{message}{kept}")),
+            Self::Model(stop) => stop,
+            Self::Write(reason) => trouble(&rows.path, &reason),
+            Self::Signal(signal) => {
+                Stop::Interrupted(format!("error: {}{kept}", interrupted(signal)), signal.exit_code())
+            }
+        }
+    }
+}
+
 fn simulate(simulation: &mut Simulation, results: &mut Results, last_row: u64, keeper: &Keeper) -> Result<(), End> {
-    let (stop, step) = (simulation.about().stop, simulation.about().output_step);
     let bar = ProgressBar::new(last_row);
     // A pipe gets no bar: indicatif draws on terminals only.
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
@@ -99,26 +105,22 @@ fn simulate(simulation: &mut Simulation, results: &mut Results, last_row: u64, k
     // The bar appears with the first row.
     start(simulation).map_err(End::Model)?;
     results.record(0.0, simulation).map_err(End::Write)?;
-    for row in 1..=last_row {
-        if let Some(signal) = keeper.signal() {
-            bar.finish_and_clear();
-            return Err(End::Signal(signal));
-        }
-        let time = if row == last_row { stop } else { row as f64 * step };
-        let advanced = simulation.advance(time).map_err(|failure| End::Model(failed(simulation, &failure)));
+    let outcome = (1..=last_row).try_for_each(|row| {
+        keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
+        let About { stop, output_step, .. } = *simulation.about();
+        let time = if row == last_row { stop } else { row as f64 * output_step };
+        let advanced = simulation.advance(time);
         for warning in simulation.take_warnings() {
             bar.suspend(|| complain(&format!("warning: {warning}")));
         }
-        let recorded = advanced.and_then(|()| results.record(time, simulation).map_err(End::Write));
-        if recorded.is_err() {
-            bar.finish_and_clear();
-            return recorded;
-        }
+        advanced.map_err(|failure| End::Model(failed(simulation, &failure)))?;
+        results.record(time, simulation).map_err(End::Write)?;
         bar.set_message(format!("t = {time:.4} s"));
         bar.inc(1);
-    }
+        Ok(())
+    });
     bar.finish_and_clear();
-    Ok(())
+    outcome
 }
 
 /// Number of the last row of results; row 0 is the start. Too many rows are a mistake of the file.

@@ -144,10 +144,20 @@ fn regression_old_pictures_go() {
     assert_eq!(place.results(), expected);
 }
 
+/// Whether the tests themselves were started to ignore a signal: then their children do so too.
+fn is_ignored(signal: i32) -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.is_some_and(|mask| u64::from_str_radix(mask.trim(), 16).unwrap() & (1 << (signal - 1)) != 0)
+}
+
 /// Whatever ends a run from outside: its rows stay, whole, and the exit code and a message say what happened.
 #[test]
 fn regression_interrupted_runs_keep_their_rows() {
     for (signal, expected, name) in [("-INT", 130, "Ctrl-C"), ("-TERM", 143, "SIGTERM"), ("-HUP", 129, "SIGHUP")] {
+        if is_ignored(expected - 128) {
+            continue;
+        }
         let place = Place::new();
         let run = place.endless();
         assert!(Command::new("kill").args([signal, &run.id().to_string()]).status().unwrap().success());
@@ -179,8 +189,8 @@ fn regression_ignored_signals_stay_ignored() {
         assert!(run.try_wait().unwrap().is_none(), "the run has ended");
         std::thread::sleep(Duration::from_millis(10));
     }
-    send("-INT", &run);
-    assert_eq!(code(&run.wait_with_output().unwrap()), 130);
+    send("-TERM", &run);
+    assert_eq!(code(&run.wait_with_output().unwrap()), 143);
 }
 
 /// The second run into a folder refuses; a killed one blocks nobody, and its rows are whole too.
