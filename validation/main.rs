@@ -34,7 +34,7 @@ fn main() {
         println!("{} ...", case.title);
         let section = case.section();
         for (name, chart) in &section.charts {
-            chart.draw(&pictures.join(format!("{name}.svg"))).unwrap();
+            std::fs::write(pictures.join(format!("{name}.svg")), chart.svg().unwrap()).unwrap();
         }
         sections.push(section.text);
     }

@@ -3,17 +3,27 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
-use std::path::Path;
 
-/// Size of a chart, and of the column for the legend in it, pixels.
-const SIZE: (u32, u32) = (960, 540);
-const LEGEND: i32 = 210;
-/// Border around the axes, height of the labels below and width of those on the left, pixels.
-const MARGIN: i32 = 14;
-const BELOW: i32 = 48;
-const LEFT: i32 = 84;
-/// Height of the title, pixels: what is left of the picture's height for the axes depends on it.
-const TITLE: i32 = 36;
+/// Size of a chart on the screen, pixels.
+const SHOWN: (u32, u32) = (960, 540);
+/// Units of the drawing to a pixel: the backend knows whole units only, and a curve in whole pixels is a staircase.
+const FINE: i32 = 10;
+/// Size of a chart, and of the column for the legend in it; these and all other lengths in units of the drawing.
+const SIZE: (u32, u32) = (SHOWN.0 * FINE as u32, SHOWN.1 * FINE as u32);
+const LEGEND: i32 = 210 * FINE;
+/// Border around the axes, height of the labels below and width of those on the left.
+const MARGIN: i32 = 14 * FINE;
+const BELOW: i32 = 48 * FINE;
+const LEFT: i32 = 84 * FINE;
+/// Height of the title: the height that remains for the axes depends on it.
+const TITLE: i32 = 36 * FINE;
+/// First line of the legend, distance of its lines, and how many there is room for.
+const FIRST: i32 = 64 * FINE;
+const SPACING: i32 = 24 * FINE;
+const NAMES: usize = 18;
+/// Widths of curves and of all other lines.
+const BOLD: u32 = 2 * FINE as u32;
+const THIN: u32 = FINE as u32;
 
 /// Colours that everybody can tell apart (Okabe and Ito).
 const COLOURS: [RGBColor; 7] = [
@@ -68,15 +78,21 @@ pub enum Stroke {
 }
 
 impl Chart {
-    /// Draws it into the file `path`.
-    pub fn draw(&self, path: &Path) -> Result<(), Box<dyn Error>> {
-        let root = SVGBackend::new(path, SIZE).into_drawing_area();
+    /// The picture.
+    pub fn svg(&self) -> Result<String, Box<dyn Error>> {
+        let mut text = String::new();
+        self.draw(&SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
+        let size = |(width, height)| format!("width=\"{width}\" height=\"{height}\"");
+        Ok(text.replacen(&size(SIZE), &size(SHOWN), 1))
+    }
+
+    fn draw(&self, root: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Box<dyn Error>> {
         root.fill(&WHITE)?;
         let (left, right) = root.split_horizontally(SIZE.0 as i32 - LEGEND);
         let [across, along] = self.ranges();
         let (width, height) = (across.1 - across.0, along.1 - along.0);
         let mut chart = ChartBuilder::on(&left)
-            .caption(&self.title, ("sans-serif", 22).into_font().color(&INK))
+            .caption(&self.title, text(22).color(&INK))
             .margin(MARGIN)
             .x_label_area_size(BELOW)
             .y_label_area_size(LEFT)
@@ -86,10 +102,11 @@ impl Chart {
             .x_labels(9)
             .y_labels(9)
             .max_light_lines(0)
-            .bold_line_style(GRID)
-            .axis_style(INK)
-            .label_style(("sans-serif", 14).into_font().color(&INK))
-            .axis_desc_style(("sans-serif", 16).into_font().color(&INK))
+            .bold_line_style(GRID.stroke_width(THIN))
+            .axis_style(INK.stroke_width(THIN))
+            .set_all_tick_mark_size(5 * FINE)
+            .label_style(text(14).color(&INK))
+            .axis_desc_style(text(16).color(&INK))
             .x_desc(&self.axes[0])
             .y_desc(&self.axes[1])
             .x_label_formatter(&|value| tick(*value, width))
@@ -130,26 +147,38 @@ impl Chart {
 
     /// Samples and names beside the chart, where they hide nothing.
     fn legend(&self, area: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Box<dyn Error>> {
-        for (k, line) in self.lines.iter().filter(|line| !line.name.is_empty()).enumerate() {
-            let y = 64 + 24 * k as i32;
+        let label = || text(15).color(&INK);
+        let named: Vec<&Line> = self.lines.iter().filter(|line| !line.name.is_empty()).collect();
+        for (k, line) in named.iter().take(NAMES).enumerate() {
+            let y = FIRST + SPACING * k as i32;
             match line.stroke {
-                Stroke::Solid => area.draw(&PathElement::new([(4, y), (30, y)], line.style()))?,
-                Stroke::Dots => area.draw(&Circle::new((17, y), DOT, line.style()))?,
+                Stroke::Solid => area.draw(&PathElement::new([(4 * FINE, y), (30 * FINE, y)], line.style()))?,
+                Stroke::Dots => area.draw(&Circle::new((17 * FINE, y), DOT, line.style()))?,
             }
-            area.draw(&Text::new(line.name.clone(), (38, y - 7), ("sans-serif", 15).into_font().color(&INK)))?;
+            area.draw(&Text::new(line.name.clone(), (38 * FINE, y - 7 * FINE), label()))?;
+        }
+        if named.len() > NAMES {
+            let y = FIRST + SPACING * NAMES as i32;
+            let rest = format!("and {} more", named.len() - NAMES);
+            area.draw(&Text::new(rest, (38 * FINE, y - 7 * FINE), label()))?;
         }
         Ok(())
     }
 }
 
-/// Radius of a dot, pixels.
-const DOT: i32 = 3;
+/// Radius of a dot.
+const DOT: i32 = 3 * FINE;
+
+/// Letters of this height, pixels.
+fn text(height: i32) -> FontDesc<'static> {
+    ("sans-serif", height * FINE).into_font()
+}
 
 impl Line {
     fn style(&self) -> ShapeStyle {
         let colour = COLOURS[self.colour % COLOURS.len()];
         match self.stroke {
-            Stroke::Solid => colour.stroke_width(2),
+            Stroke::Solid => colour.stroke_width(BOLD),
             Stroke::Dots => colour.filled(),
         }
     }
@@ -231,6 +260,22 @@ mod tests {
         assert_eq!(tick(20.0, 100.0), "20");
         assert_eq!(tick(2.5e-7, 1e-6), "2.5e-7");
         assert_eq!(tick(1.5e8, 2e8), "1.5e8");
+    }
+
+    /// A straight line is drawn straight: from point to point it rises by the same, to a tenth of a pixel.
+    #[test]
+    fn regression_ramps_are_no_staircases() {
+        let points = (0..=300).map(|k| (f64::from(k), 0.01 * f64::from(k))).collect();
+        let line = Line { name: String::new(), stroke: Stroke::Solid, colour: 0, points };
+        let chart = Chart { title: String::new(), axes: [const { String::new() }; 2], shape: false, lines: vec![line] };
+        let svg = chart.svg().unwrap();
+        assert!(svg.starts_with("<svg width=\"960\" height=\"540\" viewBox=\"0 0 9600 5400\""), "{}", &svg[..100]);
+        let ramp =
+            svg.split("points=\"").map(|rest| rest.split('"').next().unwrap_or("")).max_by_key(|points| points.len());
+        let points: Vec<f64> =
+            ramp.unwrap().split_whitespace().map(|point| point.split_once(',').unwrap().1.parse().unwrap()).collect();
+        let rises: Vec<f64> = points.windows(2).map(|pair| pair[0] - pair[1]).collect();
+        assert!(rises.len() == 300 && rises.iter().all(|rise| (rise - rises[0]).abs() <= 1.0), "{rises:?}");
     }
 
     /// A single peak among many points survives.

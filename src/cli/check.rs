@@ -1,7 +1,8 @@
-//! `check`: a model that can be loaded is legal; its variables as an aligned table.
+//! `check`: a model is without mistakes if it can be loaded and brought to its initial state; its variables as an aligned table.
 
+use super::picture::Target;
 use super::results::shortest;
-use super::{Stop, draw, say, write};
+use super::{Stop, run, say, start};
 use ancf14::fmi::variable::{Causality, Variability};
 use ancf14::fmi::{Model, Value};
 use ancf14::model::drawing::Drawing;
@@ -11,9 +12,14 @@ use std::path::Path;
 /// Columns of the table.
 const TITLES: [&str; 7] = ["ref", "name", "causality", "variability", "start", "unit", "description"];
 
-/// Lists the variables; draws the mechanism if asked to.
-pub fn check(simulation: &Simulation, file: &Path, picture: Option<&Path>) -> Result<(), Stop> {
-    say(&aligned(&rows(simulation)));
+/// Draws the mechanism if asked to, looks for all that `run` refuses at its start, and lists the variables.
+pub fn check(mut simulation: Simulation, file: &Path, picture: Option<Target<'_>>) -> Result<(), Stop> {
+    // A picture helps to find the mistake in a mechanism that cannot start.
+    let about = simulation.about();
+    let drawn = picture.map(|picture| picture.draw(&Drawing::new(simulation.document()), &about.name)).transpose()?;
+    run::last_row(&simulation)?;
+    start(&mut simulation)?;
+    say(&aligned(&rows(&simulation)))?;
     let count =
         |wanted: Causality| simulation.variables().iter().filter(|variable| variable.causality == wanted).count();
     say(&format!(
@@ -22,13 +28,8 @@ pub fn check(simulation: &Simulation, file: &Path, picture: Option<&Path>) -> Re
         count(Causality::Parameter) + count(Causality::CalculatedParameter),
         count(Causality::Input),
         count(Causality::Output)
-    ));
-    if let Some(picture) = picture {
-        let about = simulation.about();
-        write(picture, &draw::svg(&Drawing::new(simulation.document()), &about.name))?;
-        say(&format!("drawn in {}", picture.display()));
-    }
-    Ok(())
+    ))?;
+    drawn.map_or(Ok(()), |drawn| say(&drawn))
 }
 
 fn rows(simulation: &Simulation) -> Vec<[String; 7]> {

@@ -83,6 +83,14 @@ pub fn icon(drawing: &Drawing) -> String {
     page.end()
 }
 
+/// The page of [`svg`] without names, for pictures that have no text.
+pub fn unnamed(drawing: &Drawing) -> String {
+    let view = View::of(drawing, &PAGE);
+    let mut page = Page::new(view.sheet);
+    page.mechanism(drawing, &view);
+    page.end()
+}
+
 /// What the parts of a drawing stand for, of those that are in it.
 pub fn legend(drawing: &Drawing) -> String {
     let line = |kind| drawing.lines.iter().any(|line| line.kind == kind);
@@ -91,12 +99,14 @@ pub fn legend(drawing: &Drawing) -> String {
     let parts = [
         (line(LineKind::Beam), "beams with their nodes (blue lines)"),
         (line(LineKind::Spring), "springs (dashed pink lines)"),
+        (line(LineKind::Arm), "rigid arms of joints (grey lines)"),
         (mark(MarkKind::Body), "bodies at their centres of mass (blue disks)"),
         (mark(MarkKind::Support), "joints to the ground (hatched triangles)"),
         (mark(MarkKind::Joint), "joints between what moves (black circles)"),
         (mark(MarkKind::Frame), "moving frames (dashed squares)"),
-        (mark(MarkKind::Drive), "drives (orange circular arrows)"),
-        (arrow(ArrowKind::Force), "forces (orange arrows)"),
+        (mark(MarkKind::Drive), "drives of angles (orange circular arrows)"),
+        (arrow(ArrowKind::Drive), "drives of distances (orange arrows that begin at their joint)"),
+        (arrow(ArrowKind::Force), "forces (orange arrows that end at their point)"),
         (arrow(ArrowKind::Moment), "moments about their axes (orange arrows with two heads)"),
         (arrow(ArrowKind::Axis), "axes of joints (dashed grey arrows)"),
         (mark(MarkKind::Output), "places of outputs (green diamonds)"),
@@ -112,6 +122,8 @@ pub fn legend(drawing: &Drawing) -> String {
 const DIRECTIONS: [[f64; 2]; 8] =
     [[0.0, 1.0], [0.7, 0.8], [0.7, -0.8], [0.0, -1.0], [-0.7, 0.8], [-0.7, -0.8], [1.0, 0.0], [-1.0, 0.0]];
 const DISTANCES: [f64; 4] = [10.0, 18.0, 28.0, 40.0];
+/// Names that are written: for more there is no room.
+const MOST_NAMES: usize = 150;
 
 /// The picture while it is drawn.
 struct Page {
@@ -125,6 +137,8 @@ struct Page {
 
 /// Distance of the points that stand for a line, pixels.
 const GRAIN: f64 = 5.0;
+/// Points that stand for a line, at most: it crosses the page with fewer.
+const MOST_GRAINS: f64 = 1000.0;
 /// Height and mean width of a letter, pixels.
 const LETTER: [f64; 2] = [8.4, 15.0];
 
@@ -167,6 +181,7 @@ impl Page {
                     self.beam(&line.name, &points, &nodes);
                 }
                 LineKind::Spring => self.spring(&line.name, &points),
+                LineKind::Arm => self.arm(&points),
             }
         }
         for arrow in &drawing.arrows {
@@ -178,7 +193,7 @@ impl Page {
     }
 
     fn occupy(&mut self, from: [f64; 2], to: [f64; 2]) {
-        let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / GRAIN).ceil().max(1.0);
+        let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / GRAIN).ceil().clamp(1.0, MOST_GRAINS);
         for k in 0..=steps as usize {
             self.occupied.push([0, 1].map(|i| from[i] + (to[i] - from[i]) * k as f64 / steps));
         }
@@ -194,13 +209,13 @@ impl Page {
         if points.is_empty() {
             return;
         }
-        let path: Vec<_> = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        let path: Vec<_> = apart(points, 0.5).iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
         let path = path.join(" ");
         self.push(format_args!("<polyline points=\"{path}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"3.5\"/>"));
-        for [x, y] in nodes {
+        for [x, y] in apart(nodes, 2.0) {
             self.push(format_args!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"white\" stroke=\"#0072b2\"/>"));
         }
-        for pair in points.windows(2) {
+        for pair in apart(points, GRAIN).windows(2) {
             self.occupy(pair[0], pair[1]);
         }
         // The middle one, or the middle of the two in the middle.
@@ -217,6 +232,14 @@ impl Page {
         ));
         self.occupy(*first, *last);
         self.name(name, [0, 1].map(|i| 0.5 * (first[i] + last[i])), "#cc79a7");
+    }
+
+    fn arm(&mut self, points: &[[f64; 2]]) {
+        let [[x, y], [to_x, to_y]] = points else { return };
+        self.push(format_args!(
+            "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{to_x:.1}\" y2=\"{to_y:.1}\" stroke=\"#777777\" stroke-width=\"2\"/>"
+        ));
+        self.occupy([*x, *y], [*to_x, *to_y]);
     }
 
     fn mark(&mut self, mark: &Mark, [x, y]: [f64; 2]) {
@@ -287,18 +310,18 @@ impl Page {
         }
     }
 
-    /// Forces end at their point, moments and axes begin there; a moment has two heads.
+    /// Forces end at their point, moments, axes and drives begin there; a moment has two heads.
     fn arrow(&mut self, arrow: &Arrow, at: [f64; 2]) {
         let [right, up] = flat(arrow.direction);
         let direction = unit([right, -up]);
         let (colour, dashes) = match arrow.kind {
-            ArrowKind::Force | ArrowKind::Moment => ("#d55e00", ""),
+            ArrowKind::Force | ArrowKind::Moment | ArrowKind::Drive => ("#d55e00", ""),
             ArrowKind::Axis => ("#777777", " stroke-dasharray=\"5 4\""),
         };
         let along = |length: f64| [0, 1].map(|i| at[i] + length * direction[i]);
         let (tail, head) = match arrow.kind {
             ArrowKind::Force => (along(-self.sheet.arrow), along(-7.0)),
-            ArrowKind::Moment | ArrowKind::Axis => (along(7.0), along(self.sheet.arrow)),
+            ArrowKind::Moment | ArrowKind::Axis | ArrowKind::Drive => (along(7.0), along(self.sheet.arrow)),
         };
         self.push(format_args!(
             "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"{colour}\" stroke-width=\"2.5\"{dashes}/>",
@@ -326,9 +349,10 @@ impl Page {
         self.push(format_args!("<path d=\"M{:.1},{:.1} L{left} L{right} Z\" fill=\"{colour}\"/>", tip[0], tip[1]));
     }
 
-    /// Writes every name near its point, where it covers least.
+    /// Writes the names near their points, where they cover least.
     fn write_names(&mut self) {
-        for (name, point, colour) in std::mem::take(&mut self.names) {
+        let names = std::mem::take(&mut self.names);
+        for (name, point, colour) in names.into_iter().take(MOST_NAMES) {
             let half = [0.5 * LETTER[0] * name.chars().count() as f64, 0.5 * LETTER[1]];
             let places = DISTANCES.iter().flat_map(|distance| {
                 DIRECTIONS.iter().map(move |[right, up]| {
@@ -390,6 +414,18 @@ impl Page {
     }
 }
 
+/// The points of a line that are not nearer than `distance` to each other, and its last one.
+fn apart(points: &[[f64; 2]], distance: f64) -> Vec<[f64; 2]> {
+    let mut kept: Vec<[f64; 2]> = Vec::new();
+    for (k, point) in points.iter().enumerate() {
+        let is_far = |last: &[f64; 2]| (point[0] - last[0]).hypot(point[1] - last[1]) >= distance;
+        if k + 1 == points.len() || kept.last().is_none_or(is_far) {
+            kept.push(*point);
+        }
+    }
+    kept
+}
+
 /// A direction of length 1; of nothing nothing.
 fn unit([x, y]: [f64; 2]) -> [f64; 2] {
     let length = x.hypot(y);
@@ -411,8 +447,9 @@ fn round_length(length: f64) -> f64 {
     format!("{digit}e{exponent}").parse().unwrap_or(length)
 }
 
-/// Text of the file inside XML.
+/// Text of the file inside XML, which has no control characters.
 pub fn escaped(text: &str) -> String {
+    let text: String = text.chars().map(|character| if character.is_control() { ' ' } else { character }).collect();
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 

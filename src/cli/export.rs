@@ -1,10 +1,11 @@
 //! `pack` and `header`: what leaves for other programs.
 
-use super::{Stop, draw, picture, say, write};
+use super::output::{self, Input};
+use super::{MODEL_FILE, Stop, complain, draw, load, picture, say};
 use ancf14::fmi::package::{self, Contents, Platform};
-use ancf14::fmi::{Model, error::Error, header};
+use ancf14::fmi::{Model, header};
 use ancf14::model::drawing::Drawing;
-use ancf14::model::simulation::Simulation;
+use ancf14::model::notes;
 use std::path::{Path, PathBuf};
 
 /// Licences of all that is linked into the library; made by scripts/licenses.py.
@@ -19,57 +20,55 @@ pub fn platform_and_path(text: &str) -> Result<(Platform, PathBuf), String> {
     })
 }
 
-/// Refuses to write over the model file itself.
-pub fn spare(file: &Path, output: &Path) -> Result<(), Stop> {
-    match (file.canonicalize(), output.canonicalize()) {
-        (Ok(model), Ok(target)) if model == target => {
-            Err(Stop::Bad(format!("error: {} is the model file; choose another name to write to", output.display())))
-        }
-        _ => Ok(()),
+/// Packs the model `file` as an FMU, with the library of this platform and of others that are given.
+pub fn pack(file: &Path, output: &Path, library: Option<&Path>, others: Vec<(Platform, PathBuf)>) -> Result<(), Stop> {
+    if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fmu")) {
+        let shown = output.display();
+        return Err(Stop::Bad(format!("error: an FMU has a name that ends in .fmu, {shown} does not")));
     }
-}
-
-/// Packs the model as an FMU, with the library of this platform and of others that are given.
-pub fn pack(
-    simulation: &Simulation,
-    text: &str,
-    output: &Path,
-    library: Option<&Path>,
-    others: Vec<(Platform, PathBuf)>,
-) -> Result<(), Stop> {
     let executable = std::env::current_exe()
         .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?;
+    let (simulation, text) = load(file, &[])?;
     // No library at the place that was given is a wrong argument; a failed write is not.
     let own = package::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let mut libraries = vec![(Platform::NATIVE, own)];
     libraries.extend(others);
+    let packed = libraries.iter().map(|(_, path)| ("a library to pack", path.as_path()));
+    let inputs: Vec<Input<'_>> = packed.chain([(MODEL_FILE, file)]).collect();
+    output::spare(&inputs, &[output.to_owned()])?;
     let drawing = Drawing::new(simulation.document());
     let contents = Contents {
-        model: text,
+        model: &text,
         licences: LICENCES,
-        icon: &picture::png(&draw::icon(&drawing))?,
+        icon: &picture::icon(&drawing)?,
         drawing: &draw::svg(&drawing, ""),
         legend: &draw::legend(&drawing),
     };
     let bytes = package::read(&libraries).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    package::write(output, simulation.about(), simulation.variables(), &contents, &bytes).map_err(failed)?;
+    let fmu = package::fmu(simulation.about(), simulation.variables(), &contents, &bytes);
+    output::write(output, &fmu.map_err(|reason| Stop::Failed(format!("error: {reason}")))?)?;
+    for note in notes::notes(simulation.document()) {
+        complain(&format!("warning: {note}"));
+    }
     let packed: Vec<_> =
         libraries.iter().map(|(platform, path)| format!("{} ({})", platform.name(), path.display())).collect();
-    say(&format!("{} packed for {}", output.display(), packed.join(", ")));
-    Ok(())
+    say(&format!("{} packed for {}", output.display(), packed.join(", ")))
 }
 
-/// Writes the C header of the model.
-pub fn header(simulation: &Simulation, output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
+/// Writes the C header of the model `file`.
+pub fn header(file: &Path, output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
+    output::spare(&[(MODEL_FILE, file)], &[output.to_owned()])?;
+    if output.extension().is_some_and(|ending| ending == "toml") {
+        let shown = output.display();
+        return Err(Stop::Bad(format!(
+            "error: {shown} has the name of a model file; choose another name for the header"
+        )));
+    }
+    let (simulation, _) = load(file, &[])?;
     let about = simulation.about();
     let prefix = prefix.unwrap_or(&about.identifier);
     let text =
         header::text(about, simulation.variables(), prefix).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    write(output, &text)?;
-    say(&format!("{} written", output.display()));
-    Ok(())
-}
-
-fn failed(reason: Error) -> Stop {
-    Stop::Failed(format!("error: {reason}"))
+    output::write(output, text.as_bytes())?;
+    say(&format!("{} written", output.display()))
 }

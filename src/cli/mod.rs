@@ -1,23 +1,31 @@
-//! Commands, arguments and exit codes: 0, 1 (the run failed), 2 (bad file or arguments). The only part that prints.
+//! Commands, arguments and exit codes: 0, 1 (the run failed), 2 (bad file or arguments), 128 and the number of a signal that ended a
+//! run. The only part that prints.
 
 mod chart;
 mod check;
 mod demo;
 mod draw;
 mod export;
+mod folder;
+mod keeper;
 mod modes;
+mod output;
 mod picture;
 mod plot;
 mod results;
+mod rows;
 mod run;
 mod shapes;
+mod trace;
 
-use ancf14::fmi::Failure;
 use ancf14::fmi::package::Platform;
+use ancf14::fmi::{Failure, Model};
+use ancf14::model::notes;
 use ancf14::model::simulation::Simulation;
 use clap::{Args, Parser, Subcommand};
+use std::ffi::OsStr;
 use std::fs;
-use std::io::Write;
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -32,18 +40,21 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Simulate a model: results.csv and one plot per quantity
+    ///
+    /// While the run goes on, its rows are in results.part.csv, which becomes results.csv at the end. A run that fails or is
+    /// interrupted leaves its rows there. Files of the last run in the same folder are replaced.
     Run {
         #[command(flatten)]
         model: ModelArguments,
-        /// Directory of the results [default: <file stem>-results]
-        #[arg(long, value_name = "DIR")]
+        /// Folder of the results, relative to the current one [default: <file stem>-results, in the current folder]
+        #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
     /// Validate a model and list its variables
     Check {
         #[command(flatten)]
         model: ModelArguments,
-        /// Draw the mechanism as an SVG picture
+        /// Draw the mechanism: an SVG picture, or a PNG picture without names
         #[arg(long, value_name = "FILE.svg")]
         draw: Option<PathBuf>,
     },
@@ -53,8 +64,8 @@ enum Command {
         model: ModelArguments,
         #[command(flatten)]
         wishes: modes::Wishes,
-        /// Directory of the results [default: <file stem>-results]
-        #[arg(long, value_name = "DIR")]
+        /// Folder of the results, relative to the current one [default: <file stem>-results, in the current folder]
+        #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0)
@@ -114,71 +125,140 @@ enum Stop {
     Failed(String),
     /// Bad file or arguments: 2.
     Bad(String),
+    /// A signal ended it: the code is given.
+    Interrupted(String, u8),
 }
 
 /// Runs the command that the arguments ask for.
 pub fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
-        Command::Run { model, out } => {
-            let out = out.unwrap_or_else(|| default_directory(&model.file));
-            load(&model.file, &model.overrides).and_then(|(simulation, _)| run::run(simulation, &out))
-        }
-        Command::Check { model, draw } => load(&model.file, &model.overrides)
-            .and_then(|(simulation, _)| check::check(&simulation, &model.file, draw.as_deref())),
-        Command::Modes { model, wishes, out } => {
-            let out = out.unwrap_or_else(|| default_directory(&model.file));
-            load(&model.file, &model.overrides).and_then(|(simulation, _)| modes::modes(simulation, wishes, &out))
-        }
-        Command::Pack { file, output, library, binaries } => load(&file, &[])
-            .and_then(|loaded| export::spare(&file, &output).map(|()| loaded))
-            .and_then(|(simulation, text)| export::pack(&simulation, &text, &output, library.as_deref(), binaries)),
-        Command::Header { file, output, prefix } => load(&file, &[])
-            .and_then(|loaded| export::spare(&file, &output).map(|()| loaded))
-            .and_then(|(simulation, _)| export::header(&simulation, &output, prefix.as_deref())),
-        Command::Demo => demo::demo(),
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(text) => return shown(&text),
     };
-    match result {
+    match execute(arguments.command) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(Stop::Failed(message)) => {
+        Err(stop) => {
+            let (message, code) = match stop {
+                Stop::Failed(message) => (message, 1),
+                Stop::Bad(message) => (message, 2),
+                Stop::Interrupted(message, code) => (message, code),
+            };
             complain(&message);
-            ExitCode::from(1)
-        }
-        Err(Stop::Bad(message)) => {
-            complain(&message);
-            ExitCode::from(2)
+            ExitCode::from(code)
         }
     }
 }
 
+fn execute(command: Command) -> Result<(), Stop> {
+    match command {
+        Command::Run { model, out } => {
+            let (simulation, _) = model.load()?;
+            run::run(simulation, &model.directory(out), &[model.input()])
+        }
+        Command::Check { model, draw } => {
+            let picture = draw.as_deref().map(picture::Target::of).transpose()?;
+            output::spare(&[model.input()], draw.as_slice())?;
+            let (simulation, _) = model.load()?;
+            check::check(simulation, &model.file, picture)
+        }
+        Command::Modes { model, wishes, out } => {
+            let (simulation, _) = model.load()?;
+            modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
+        }
+        Command::Pack { file, output, library, binaries } => export::pack(&file, &output, library.as_deref(), binaries),
+        Command::Header { file, output, prefix } => export::header(&file, &output, prefix.as_deref()),
+        Command::Demo => demo::demo(),
+    }
+}
+
+/// Shows a message of the argument parser: help and version are what was asked for, the rest is a mistake.
+fn shown(text: &clap::Error) -> ExitCode {
+    match text.print() {
+        Err(reason) if reason.kind() != ErrorKind::BrokenPipe => ExitCode::from(1),
+        _ => ExitCode::from(u8::try_from(text.exit_code()).unwrap_or(2)),
+    }
+}
+
+impl ModelArguments {
+    fn load(&self) -> Result<(Simulation, String), Stop> {
+        load(&self.file, &self.overrides)
+    }
+
+    fn input(&self) -> output::Input<'_> {
+        (MODEL_FILE, &self.file)
+    }
+
+    /// The folder of the results: `m.toml` to `m-results` in the current folder, unless another one is given.
+    fn directory(&self, given: Option<PathBuf>) -> PathBuf {
+        given.unwrap_or_else(|| {
+            let mut name = self.file.file_stem().unwrap_or(OsStr::new("model")).to_owned();
+            name.push("-results");
+            PathBuf::from(name)
+        })
+    }
+}
+
+/// The model file as messages call it.
+const MODEL_FILE: &str = "the model file";
+
 /// Reads a model file; gives its text too.
 fn load(file: &Path, overrides: &[(String, String)]) -> Result<(Simulation, String), Stop> {
     let name = file.display();
-    let bytes = fs::read(file).map_err(|reason| Stop::Bad(format!("error: cannot read {name}: {reason}")))?;
+    let bytes = read(file).map_err(|reason| Stop::Bad(format!("error: cannot read {name}: {reason}")))?;
     let text = String::from_utf8(bytes).map_err(|error| {
-        Stop::Bad(format!("error: {name} is no UTF-8 text: byte {} is wrong", error.utf8_error().valid_up_to() + 1))
+        let (good, _) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
+        let line = good.iter().filter(|byte| **byte == b'\n').count() + 1;
+        let wrong = good.len() + 1;
+        Stop::Bad(format!(
+            "error: {name} is not UTF-8 text: byte {wrong}, in line {line}, is wrong; save the file as UTF-8"
+        ))
     })?;
     let simulation =
         Simulation::load(&name.to_string(), &text, overrides).map_err(|Failure { message, .. }| Stop::Bad(message))?;
     Ok((simulation, text))
 }
 
-/// `m.toml` to `m-results`, in the working directory.
-fn default_directory(file: &Path) -> PathBuf {
-    let stem = file.file_stem().map_or("model".into(), |stem| stem.to_string_lossy());
-    PathBuf::from(format!("{stem}-results"))
+/// The bytes of a file of a sensible size.
+fn read(file: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    fs::File::open(file)?.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 > LARGEST {
+        true => Err(io::Error::other(format!("it is larger than {} MB", LARGEST >> 20))),
+        false => Ok(bytes),
+    }
 }
 
-/// Prints a line; nobody may be listening any more, which is no reason to fail.
-fn say(text: &str) {
-    let _ = writeln!(std::io::stdout(), "{text}");
+/// The largest model file, bytes: to read it takes up to fifty times as much memory.
+const LARGEST: u64 = 10 << 20;
+
+/// Finds the initial state, with the warnings about it and about the file.
+fn start(simulation: &mut Simulation) -> Result<(), Stop> {
+    let notes = notes::notes(simulation.document());
+    let initialized = simulation.initialize(0.0);
+    for warning in notes.into_iter().chain(simulation.take_warnings()) {
+        complain(&format!("warning: {warning}"));
+    }
+    initialized.map_err(|failure| failed(simulation, &failure))
+}
+
+/// The message about a simulation that failed, with the line of the part that it names.
+fn failed(simulation: &Simulation, failure: &Failure) -> Stop {
+    let Failure { message, .. } = failure;
+    let located = simulation.document().locate(message);
+    Stop::Failed(located.map_or_else(|| format!("error: {message}"), |mistake| mistake.to_string()))
+}
+
+/// Prints a line. A reader who has gone, as `head` does, is no reason to fail.
+fn say(text: &str) -> Result<(), Stop> {
+    match writeln!(io::stdout(), "{text}") {
+        Err(reason) if reason.kind() != ErrorKind::BrokenPipe => {
+            Err(Stop::Failed(format!("error: cannot write to the standard output: {reason}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Prints a line of what went wrong.
 fn complain(text: &str) {
-    let _ = writeln!(std::io::stderr(), "{text}");
-}
-
-/// Writes a file of text.
-fn write(path: &Path, text: &str) -> Result<(), Stop> {
-    fs::write(path, text).map_err(|reason| Stop::Failed(format!("error: cannot write {}: {reason}", path.display())))
+    let _ = writeln!(io::stderr(), "{text}");
 }

@@ -1,13 +1,13 @@
 //! `modes`: natural frequencies and shapes about the initial state, as a table, as CSV files and as a picture.
 
+use super::folder::Folder;
+use super::output::Input;
 use super::results::shortest;
-use super::run::trouble;
-use super::{Stop, complain, say, shapes, write};
-use ancf14::fmi::{Failure, Model};
+use super::{Stop, complain, failed, say, shapes, start};
+use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::Analysis;
 use ancf14::model::modes::{Kind, Mode, Modes};
 use ancf14::model::simulation::Simulation;
-use std::fs::OpenOptions;
 use std::path::Path;
 
 /// What is asked for.
@@ -36,21 +36,8 @@ fn time(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| "a time from 0 on was expected, in s".to_owned())
 }
 
-/// Notices before anything is computed that the files cannot be written; leaves what is there as it is.
-fn prepare(directory: &Path) -> Result<(), Stop> {
-    std::fs::create_dir_all(directory).map_err(|reason| trouble(&directory.display().to_string(), &reason))?;
-    for path in FILES.map(|name| directory.join(name)) {
-        let is_new = !path.exists();
-        let opened = OpenOptions::new().append(true).create(true).open(&path).map(drop);
-        opened
-            .and_then(|()| if is_new { std::fs::remove_file(&path) } else { Ok(()) })
-            .map_err(|reason| trouble(&path.display().to_string(), &reason))?;
-    }
-    Ok(())
-}
-
 /// Finds the modes and writes everything into `directory`.
-pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path) -> Result<(), Stop> {
+pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, inputs: &[Input<'_>]) -> Result<(), Stop> {
     if wishes.time.is_some() && simulation.document().simulation.analysis != Analysis::Static {
         return Err(Stop::Bad(
             "error: --time is for analysis = \"static\"; other modes are those of the start".to_owned(),
@@ -62,26 +49,26 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path) -> Re
             "error: --time {time} is after the end of the analysis: simulation.stop is {stop} s"
         )));
     }
-    prepare(directory)?;
-    let failed = |Failure { message, .. }| Stop::Failed(format!("error: {message}"));
-    let reached = simulation.initialize(0.0).and_then(|()| match wishes.time {
-        Some(time) if time > 0.0 => simulation.advance(time),
-        _ => Ok(()),
-    });
-    simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
-    reached.map_err(failed)?;
-    let found = simulation.modes(usize::from(wishes.count.unwrap_or(COUNT))).map_err(failed)?;
+    let mut folder = Folder::open(directory)?;
+    folder.claim("modes", &simulation.about().guid, &FILES.map(str::to_owned), inputs)?;
+    start(&mut simulation)?;
+    if let Some(time) = wishes.time.filter(|time| *time > 0.0) {
+        let advanced = simulation.advance(time);
+        simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
+        advanced.map_err(|failure| failed(&simulation, &failure))?;
+    }
+    let found = simulation.modes(usize::from(wishes.count.unwrap_or(COUNT)));
+    let found = found.map_err(|failure| failed(&simulation, &failure))?;
     if let Some(count) = wishes.count.filter(|count| usize::from(*count) > found.modes.len()) {
         complain(&format!("warning: {count} modes were asked for, but the machine has only {}", found.modes.len()));
     }
     found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
-    say(&table(&found));
     let texts = [modes_csv(&found), shapes_csv(&found), shapes::svg(&found, &simulation.about().name)];
     for (name, text) in FILES.iter().zip(texts) {
-        write(&directory.join(name), &text)?;
+        folder.write(name, &text)?;
     }
-    say(&format!("modes.csv, shapes.csv and modes.svg in {}", directory.display()));
-    Ok(())
+    say(&table(&found))?;
+    say(&format!("modes.csv, shapes.csv and modes.svg in {}", directory.display()))
 }
 
 /// How a mode goes on, in a few words.

@@ -1,11 +1,15 @@
-//! The table of results: rows in memory for the plots, and the same rows in results.csv.
+//! The table of results: every row goes to the file, and the plots keep of the rows as much as they show.
 
+use super::keeper::{Shared, locked};
+use super::rows::Rows;
+use super::trace::Trace;
 use ancf14::error::decimal;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::fmi::{Model, Value};
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::fmt::Write;
+use std::io;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
 
 /// One column of the results.
 #[derive(Debug)]
@@ -16,67 +20,116 @@ pub struct Column {
     pub name: String,
     /// Unit label; empty: dimensionless.
     pub unit: String,
+    /// Its values over time.
+    pub trace: Trace,
 }
+
+#[cfg(test)]
+impl Column {
+    /// A column of no variable.
+    pub fn of(name: &str, unit: &str, trace: Trace) -> Self {
+        Self { reference: 0, name: name.to_owned(), unit: unit.to_owned(), trace }
+    }
+}
+
+/// A row: its time, s, and the values in the order of the columns.
+pub type Row = (f64, Vec<f64>);
 
 /// The results so far.
 #[derive(Debug)]
 pub struct Results {
     /// The outputs, in the order of the variable table.
     pub columns: Vec<Column>,
-    /// Times, s.
-    pub times: Vec<f64>,
-    /// Values, one row per time, in the order of the columns.
-    pub rows: Vec<Vec<f64>>,
-    file: BufWriter<File>,
+    /// How many rows there are.
+    pub count: u64,
+    /// Rows at equally spaced instants, for shapes.
+    snapshots: Vec<Row>,
+    last: Option<Row>,
+    /// Number of the last row of a run that comes to its end.
+    last_row: u64,
+    rows: Shared,
 }
 
+/// Intervals of time that all traces together keep: some 200 MB.
+const INTERVALS: usize = 6_000_000;
+/// Of one trace: as fine as a plot can show, and still a curve.
+const FINEST: usize = 8192;
+const COARSEST: usize = 256;
+/// Snapshots are equally spaced, with so many intervals between them.
+const SNAPSHOTS: u64 = 6;
+
 impl Results {
-    /// Begins results.csv with its header.
-    pub fn create(path: &Path, variables: &[Variable]) -> io::Result<Self> {
-        let outputs = variables.iter().enumerate().filter(|(_, variable)| variable.causality == Causality::Output);
-        let columns: Vec<_> = outputs
-            .map(|(reference, variable)| Column {
-                reference,
-                name: variable.name.clone(),
-                unit: variable.quantity.unit.clone(),
-            })
-            .collect();
-        let mut file = BufWriter::new(File::create(path)?);
-        write!(file, "time")?;
-        for column in &columns {
-            // A name with two indices has a comma in it.
-            let quote = if column.name.contains(',') { "\"" } else { "" };
-            write!(file, ",{quote}{}{quote}", column.name)?;
-        }
-        writeln!(file)?;
-        Ok(Self { columns, times: Vec::new(), rows: Vec::new(), file })
+    /// No row yet; they will go to the file `path`. Row 0 is the start, `last_row` the end.
+    pub fn new(path: PathBuf, variables: &[Variable], last_row: u64) -> Self {
+        let outputs = || variables.iter().enumerate().filter(|(_, variable)| variable.causality == Causality::Output);
+        let room = (INTERVALS / outputs().count().max(1)).clamp(COARSEST, FINEST) / 2 * 2;
+        let column = |(reference, variable): (usize, &Variable)| Column {
+            reference,
+            name: variable.name.clone(),
+            unit: variable.quantity.unit.clone(),
+            trace: Trace::new(room),
+        };
+        let columns = outputs().map(column).collect();
+        let rows = Arc::new(Mutex::new(Rows::new(path)));
+        Self { columns, count: 0, snapshots: Vec::new(), last: None, last_row, rows }
+    }
+
+    /// The file, for the keeper of the run.
+    pub fn rows(&self) -> Shared {
+        Arc::clone(&self.rows)
     }
 
     /// Adds a row.
     pub fn record(&mut self, time: f64, model: &impl Model) -> io::Result<()> {
-        let values: Vec<Value> = self.columns.iter().map(|column| model.value(column.reference)).collect();
-        write!(self.file, "{}", shortest(decimal(time)))?;
-        for value in &values {
-            match value {
-                Value::Real(value) => write!(self.file, ",{}", shortest(*value))?,
-                Value::Integer(value) => write!(self.file, ",{value}")?,
-            }
+        let mut text = if self.count == 0 { self.header() } else { String::new() };
+        let mut values = Vec::with_capacity(self.columns.len());
+        text.push_str(&shortest(decimal(time)));
+        for column in &mut self.columns {
+            let value = model.value(column.reference);
+            // Writing into a String cannot fail.
+            let _ = match value {
+                Value::Real(value) => write!(text, ",{}", shortest(value)),
+                Value::Integer(value) => write!(text, ",{value}"),
+            };
+            column.trace.push(time, value.number());
+            values.push(value.number());
         }
-        writeln!(self.file)?;
-        self.times.push(time);
-        self.rows.push(values.into_iter().map(Value::number).collect());
-        Ok(())
+        text.push('\n');
+        let is_snapshot = (0..=SNAPSHOTS).any(|k| (k * self.last_row + SNAPSHOTS / 2) / SNAPSHOTS == self.count);
+        if is_snapshot {
+            self.snapshots.push((time, values.clone()));
+        }
+        self.last = Some((time, values));
+        self.count += 1;
+        locked(&self.rows).push(time, &text)
     }
 
-    /// Makes sure that the rows are on the disk.
-    pub fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+    fn header(&self) -> String {
+        let mut text = String::from("time");
+        for column in &self.columns {
+            // A name with two indices has a comma in it.
+            let quote = if column.name.contains(',') { "\"" } else { "" };
+            let _ = write!(text, ",{quote}{}{quote}", column.name);
+        }
+        text.push('\n');
+        text
+    }
+
+    /// Time of the last row, s.
+    pub fn reached(&self) -> Option<f64> {
+        self.last.as_ref().map(|(time, _)| *time)
     }
 
     /// The last value of a column, by its name.
     pub fn last(&self, name: &str) -> Option<f64> {
         let column = self.columns.iter().position(|column| column.name == name)?;
-        self.rows.last().map(|row| row[column])
+        self.last.as_ref().map(|(_, values)| values[column])
+    }
+
+    /// Rows at equally spaced instants, and the last one.
+    pub fn snapshots(&self) -> impl Iterator<Item = &Row> {
+        let taken = self.snapshots.last().map(|(time, _)| *time);
+        self.snapshots.iter().chain(self.last.as_ref().filter(move |(time, _)| Some(*time) != taken))
     }
 }
 

@@ -1,90 +1,145 @@
 //! `run`: initialize, advance from row to row, write, plot, and say what it took.
 
+use super::folder::Folder;
+use super::keeper::{Keeper, Signal, interrupted, kept, locked};
+use super::output::{Input, trouble};
+use super::plot::Plot;
 use super::results::Results;
-use super::{Stop, complain, plot, say};
+use super::rows::Rows;
+use super::{Stop, complain, failed, say, start};
 use ancf14::error::decimal;
-use ancf14::fmi::{Failure, Model};
+use ancf14::fmi::{About, Model};
 use ancf14::model::simulation::Simulation;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::fs;
+use std::io;
 use std::path::Path;
 use std::time::Instant;
 
+/// The table of results, and its name until the run has come to its end.
+const COMPLETE: &str = "results.csv";
+const PARTIAL: &str = "results.part.csv";
 /// An output step may miss the end by its round-off without making a row of its own, in output steps.
 const ROUNDING: f64 = 1e-9;
+/// More rows than this would fill a disk: some 30 GB.
+const MOST_ROWS: f64 = 1e8;
+/// A run is warned of when so many steps were rejected, and when they are a tenth of the steps that simulation.step asks for, or when
+/// halving has doubled the number of steps.
+const REJECTED: f64 = 10.0;
+const REJECTED_SHARE: f64 = 0.1;
+const STEPS_SHARE: f64 = 2.0;
 
-/// Simulates and writes everything into `directory`.
-pub fn run(mut simulation: Simulation, directory: &Path) -> Result<(), Stop> {
-    std::fs::create_dir_all(directory).map_err(|reason| trouble(&directory.display().to_string(), &reason))?;
-    let path = directory.join("results.csv");
-    let shown = path.display().to_string();
-    let mut results = Results::create(&path, simulation.variables()).map_err(|reason| trouble(&shown, &reason))?;
+/// Simulates and writes everything into the folder `directory`.
+pub fn run(mut simulation: Simulation, directory: &Path, inputs: &[Input<'_>]) -> Result<(), Stop> {
+    let last_row = last_row(&simulation)?;
+    let mut folder = Folder::open(directory)?;
+    let partial = folder.file(PARTIAL);
+    let mut results = Results::new(partial.clone(), simulation.variables(), last_row);
+    let plots = Plot::all(&results.columns, simulation.document());
+    let names: Vec<String> = plots.iter().map(Plot::file).chain([COMPLETE, PARTIAL].map(str::to_owned)).collect();
+    folder.claim("run", &simulation.about().guid, &names, inputs)?;
+    let keeper = Keeper::start(results.rows())
+        .map_err(|reason| Stop::Failed(format!("error: cannot watch for signals: {reason}")))?;
+    say(&format!("rows go to {}, which becomes {COMPLETE} at the end", partial.display()))?;
 
     let clock = Instant::now();
-    let outcome = simulate(&mut simulation, &mut results);
+    let outcome = simulate(&mut simulation, &mut results, last_row, &keeper);
     let wall = clock.elapsed().as_secs_f64();
-    results.flush().map_err(|reason| trouble(&shown, &reason))?;
-    let plots = plot::plots(&results, directory).map_err(|reason| trouble("the plots", &reason))?;
-    let reached = results.times.last().copied();
-    if let Some(reached) = reached {
-        say(&summary(&results, reached, wall));
-        say(&format!("{} rows in {shown}, {plots} plots beside it", results.rows.len()));
+    drop(keeper);
+    let is_complete = outcome.is_ok();
+    let finished = finish(&results, &plots, &folder, is_complete);
+    if let Some(warning) = rejections(&simulation, &results) {
+        complain(&format!("warning: {warning}"));
     }
-    match (outcome, reached) {
-        (Ok(()), _) => Ok(()),
-        (Err(Interruption::Write(reason)), _) => Err(trouble(&shown, &reason)),
-        (Err(Interruption::Model(failure)), Some(reached)) => {
-            Err(Stop::Failed(format!("error: {}\nthe rows up to t = {} s are kept", failure.message, decimal(reached))))
-        }
-        (Err(Interruption::Model(failure)), None) => Err(Stop::Failed(format!("error: {}", failure.message))),
-    }
+    let told = match (&finished, results.reached()) {
+        (Ok(Some(what)), Some(reached)) => say(&summary(&results, reached, wall)).and_then(|()| say(what)),
+        _ => Ok(()),
+    };
+    // The first reason to fail is the one to tell.
+    outcome.map_err(|end| end.stop(&locked(&results.rows()))).and(finished.map(drop)).and(told)
 }
 
-/// What cannot be written.
-pub fn trouble(what: &str, reason: &dyn std::fmt::Display) -> Stop {
-    Stop::Failed(format!("error: cannot write {what}: {reason}"))
+/// Brings the rows to the disk and draws the plots; says what there is. None: there was no row.
+fn finish(results: &Results, plots: &[Plot], folder: &Folder, is_complete: bool) -> Result<Option<String>, Stop> {
+    let Some(reached) = results.reached() else { return Ok(None) };
+    let (partial, complete) = (folder.file(PARTIAL), folder.file(COMPLETE));
+    locked(&results.rows()).finish().map_err(|reason| trouble(&partial, &reason))?;
+    let (table, remark) = if is_complete {
+        fs::rename(&partial, &complete).map_err(|reason| trouble(&complete, &reason))?;
+        (complete, String::new())
+    } else {
+        (partial, format!(" (incomplete: to t = {} s)", decimal(reached)))
+    };
+    let drawn = if results.count > 1 { plots } else { &[] };
+    drawn.iter().try_for_each(|plot| plot.draw(results, &remark, folder))?;
+    Ok(Some(format!("{} rows in {}, {} plots beside it", results.count, table.display(), drawn.len())))
 }
 
 /// What ends a run early.
-enum Interruption {
-    Model(Failure),
-    Write(std::io::Error),
+enum End {
+    Model(Stop),
+    Write(io::Error),
+    Signal(Signal),
 }
 
-fn simulate(simulation: &mut Simulation, results: &mut Results) -> Result<(), Interruption> {
-    let (stop, step) = (simulation.about().stop, simulation.about().output_step);
-    let rows = last_row(stop, step);
-    let bar = ProgressBar::new(rows);
+impl End {
+    /// The message, with the place of the rows so far.
+    fn stop(self, rows: &Rows) -> Stop {
+        let kept = rows.reached.map_or(String::new(), |reached| format!("\n{}", kept(reached, rows)));
+        match self {
+            Self::Model(Stop::Failed(message)) => Stop::Failed(format!("{message}{kept}")),
+            Self::Model(stop) => stop,
+            Self::Write(reason) => trouble(&rows.path, &reason),
+            Self::Signal(signal) => {
+                Stop::Interrupted(format!("error: {}{kept}", interrupted(signal)), signal.exit_code())
+            }
+        }
+    }
+}
+
+fn simulate(simulation: &mut Simulation, results: &mut Results, last_row: u64, keeper: &Keeper) -> Result<(), End> {
+    let bar = ProgressBar::new(last_row);
     // A pipe gets no bar: indicatif draws on terminals only.
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    simulation.initialize(0.0).map_err(Interruption::Model)?;
-    warn(simulation, &bar);
-    results.record(0.0, simulation).map_err(Interruption::Write)?;
-    for row in 1..=rows {
-        let time = if row == rows { stop } else { row as f64 * step };
+    // The bar appears with the first row.
+    start(simulation).map_err(End::Model)?;
+    results.record(0.0, simulation).map_err(End::Write)?;
+    let outcome = (1..=last_row).try_for_each(|row| {
+        keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
+        let About { stop, output_step, .. } = *simulation.about();
+        let time = if row == last_row { stop } else { row as f64 * output_step };
         let advanced = simulation.advance(time);
-        warn(simulation, &bar);
-        if let Err(failure) = advanced {
-            bar.finish_and_clear();
-            return Err(Interruption::Model(failure));
+        for warning in simulation.take_warnings() {
+            bar.suspend(|| complain(&format!("warning: {warning}")));
         }
-        results.record(time, simulation).map_err(Interruption::Write)?;
+        advanced.map_err(|failure| End::Model(failed(simulation, &failure)))?;
+        results.record(time, simulation).map_err(End::Write)?;
         bar.set_message(format!("t = {time:.4} s"));
         bar.inc(1);
-    }
+        Ok(())
+    });
     bar.finish_and_clear();
-    Ok(())
+    outcome
 }
 
-/// Number of the last row; row 0 is the start.
-fn last_row(stop: f64, step: f64) -> u64 {
-    ((stop / step - ROUNDING).ceil() as u64).max(1)
-}
-
-fn warn(simulation: &mut Simulation, bar: &ProgressBar) {
-    for warning in simulation.take_warnings() {
-        bar.suspend(|| complain(&format!("warning: {warning}")));
+/// Number of the last row of results; row 0 is the start. Too many rows are a mistake of the file.
+pub fn last_row(simulation: &Simulation) -> Result<u64, Stop> {
+    let (stop, step) = (simulation.about().stop, simulation.about().output_step);
+    if stop / step <= MOST_ROWS {
+        return Ok(rows_until(stop, step));
     }
+    let document = simulation.document();
+    let message =
+        format!("the run would write {:.1e} rows of results, at most {MOST_ROWS:.0e} are possible", stop / step);
+    let label = format!("a row every {step:e} s, to {stop} s");
+    let help = "give a larger simulation.output_step";
+    let mistake = document.diagnostic(document.place(document.simulation.output_step), &message, &label, help);
+    Err(Stop::Bad(mistake.to_string()))
+}
+
+fn rows_until(stop: f64, step: f64) -> u64 {
+    ((stop / step - ROUNDING).ceil() as u64).max(1)
 }
 
 /// What it took.
@@ -92,12 +147,42 @@ fn summary(results: &Results, reached: f64, wall: f64) -> String {
     let count = |name: &str| results.last(name).unwrap_or(0.0);
     let (steps, iterations, rejected) =
         (count("statistics.steps"), count("statistics.iterations"), count("statistics.rejected"));
-    let speed = if wall > 0.0 { reached / wall } else { f64::INFINITY };
     format!(
-        "t = {} s: {steps} steps, {iterations} Newton iterations, {rejected} rejected, \
-         {wall:.3} s wall time, {speed:.3} x real time",
-        decimal(reached)
+        "t = {} s: {steps} steps, {iterations} Newton iterations, {rejected} rejected, {wall:.3} s wall time, {}",
+        decimal(reached),
+        pace(reached, wall)
     )
+}
+
+/// How fast a run was beside the real machine.
+fn pace(simulated: f64, wall: f64) -> String {
+    let factor = simulated / wall;
+    match factor {
+        _ if !factor.is_finite() || factor == 0.0 => String::from("too short to measure its speed"),
+        1.0.. => format!("{} times faster than real time", two_digits(factor)),
+        _ => format!("{} times slower than real time", two_digits(1.0 / factor)),
+    }
+}
+
+/// A number with two digits at least: 1.3, 17, 2450.
+fn two_digits(value: f64) -> String {
+    if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
+}
+
+/// The warning about a run of which many steps were rejected.
+fn rejections(simulation: &Simulation, results: &Results) -> Option<String> {
+    let count = |name: &str| results.last(name).unwrap_or(0.0);
+    let (steps, rejected) = (count("statistics.steps"), count("statistics.rejected"));
+    let document = simulation.document();
+    let asked = results.reached()? / document.value(document.simulation.step);
+    let asked = asked.round().max(results.count as f64 - 1.0);
+    let are_many = rejected > REJECTED_SHARE * asked || steps > STEPS_SHARE * asked;
+    (rejected >= REJECTED && are_many).then(|| {
+        format!(
+            "{rejected} steps were rejected, and {steps} steps were needed instead of {asked}: the motion is too fast for \
+             simulation.step, or a load, drive or frame jumps or grows without bound; compare with a smaller simulation.step"
+        )
+    })
 }
 
 #[cfg(test)]
@@ -107,10 +192,18 @@ mod tests {
     /// The last row is at the end, no row twice, also where the division is not exact.
     #[test]
     fn rows_end_at_the_stop() {
-        assert_eq!(last_row(0.5, 1e-3), 500);
-        assert_eq!(last_row(0.3, 0.1), 3);
-        assert_eq!(last_row(1.0, 0.3), 4);
-        assert_eq!(last_row(0.1, 1.0), 1);
-        assert_eq!(last_row(10.0, 1e-4), 100_000);
+        assert_eq!(rows_until(0.5, 1e-3), 500);
+        assert_eq!(rows_until(0.3, 0.1), 3);
+        assert_eq!(rows_until(1.0, 0.3), 4);
+        assert_eq!(rows_until(0.1, 1.0), 1);
+        assert_eq!(rows_until(10.0, 1e-4), 100_000);
+    }
+
+    /// A reader sees which of the two is the faster one.
+    #[test]
+    fn the_pace_says_faster_or_slower() {
+        assert_eq!(pace(10.0, 2.0), "5.0 times faster than real time");
+        assert_eq!(pace(1.0, 4.0), "4.0 times slower than real time");
+        assert_eq!(pace(0.0, 1.0), pace(1.0, 0.0));
     }
 }

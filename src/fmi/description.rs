@@ -371,9 +371,10 @@ fn real(number: f64) -> String {
     format!("{number:?}")
 }
 
-/// Text on one line without the control characters that XML forbids.
+/// Text on one line without the characters that XML forbids (XML 1.0, section 2.2).
 fn clean(text: &str) -> String {
-    text.chars().map(|character| if character.is_control() { ' ' } else { character }).collect()
+    let is_plain = |character: char| !character.is_control() && !matches!(character, '\u{fffe}' | '\u{ffff}');
+    text.chars().map(|character| if is_plain(character) { character } else { ' ' }).collect()
 }
 
 fn borrowed<'a>(attributes: &'a Attributes<'_>) -> impl Iterator<Item = (&'a str, &'a str)> {

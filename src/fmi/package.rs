@@ -224,21 +224,6 @@ pub fn read(libraries: &[(Platform, PathBuf)]) -> Result<Vec<(Platform, Vec<u8>)
     Ok(read)
 }
 
-/// Makes the FMU and writes it to `path`.
-///
-/// # Errors
-/// As [`fmu`], or the file cannot be written.
-pub fn write(
-    path: &Path,
-    about: &About,
-    variables: &[Variable],
-    contents: &Contents<'_>,
-    libraries: &[(Platform, Vec<u8>)],
-) -> Result<(), Error> {
-    let bytes = fmu(about, variables, contents, libraries)?;
-    fs::write(path, bytes).map_err(|reason| io(&format!("cannot write {}", path.display()), reason))
-}
-
 fn io(what: &str, reason: impl std::fmt::Display) -> Error {
     Error::Io { what: what.to_owned(), reason: reason.to_string() }
 }

@@ -110,7 +110,7 @@ impl Diagnostic {
             (None, "on the command line".to_owned())
         };
         let (line, underline) = excerpt(line, from, to);
-        let [message, label, help] = [message, label, help].map(printable);
+        let [message, label, help] = [message, label, help].map(|text| printable(&shortened(text)));
         Self { message, place, location, line_number, line, underline, label, help }
     }
 }
@@ -167,6 +167,19 @@ fn columns(c: char) -> usize {
     }
 }
 
+/// Characters of a message, a label or a help that are shown: names of the file in it may be of any length.
+const LONGEST: usize = 1000;
+
+/// The beginning and the end of a text that is too long to read.
+fn shortened(text: &str) -> String {
+    let count = text.chars().count();
+    if count <= LONGEST {
+        return text.to_owned();
+    }
+    let half = LONGEST / 2;
+    text.chars().take(half).chain([' ', '…', ' ']).chain(text.chars().skip(count - half)).collect()
+}
+
 /// Text of a file in a message: control characters could garble a terminal.
 fn printable(text: &str) -> String {
     text.chars().map(|c| if c.is_control() && c != '\n' { '\u{fffd}' } else { c }).collect()
@@ -190,19 +203,25 @@ impl fmt::Display for Diagnostic {
     }
 }
 
+/// Mistakes that are shown: nobody reads more.
+const MOST: usize = 100;
+
 /// All mistakes of a file, in the order of the file, then those of the overrides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics(pub Vec<Diagnostic>);
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (k, diagnostic) in self.0.iter().enumerate() {
+        for (k, diagnostic) in self.0.iter().take(MOST).enumerate() {
             if k > 0 {
                 write!(f, "\n\n")?;
             }
             write!(f, "{diagnostic}")?;
         }
-        Ok(())
+        match self.0.len().checked_sub(MOST) {
+            None | Some(0) => Ok(()),
+            Some(rest) => write!(f, "\n\nerror: there are {rest} mistakes more"),
+        }
     }
 }
 
@@ -230,6 +249,11 @@ impl<'a> Report<'a> {
     /// More mistakes.
     pub fn extend(&mut self, mistakes: Vec<Diagnostic>) {
         self.list.extend(mistakes);
+    }
+
+    /// Whether there are more mistakes than are shown: to look for near names is a waste of time.
+    pub fn is_full(&self) -> bool {
+        self.list.len() >= MOST
     }
 
     /// Whether there is no mistake so far.

@@ -159,6 +159,41 @@ impl Document {
         self.numbers.slots[number.0].place
     }
 
+    /// Where a number is written, for messages: `line 7`, or the override.
+    pub fn origin(&self, number: Number) -> String {
+        let place = self.place(number);
+        match place.source {
+            0 => format!("line {}", self.source.line(place)),
+            _ => String::from("--set"),
+        }
+    }
+
+    /// A message of the solver at the line of the first part of the model that it names; none if it names none.
+    pub fn locate(&self, message: &str) -> Option<Diagnostic> {
+        let words: Vec<&str> =
+            message.split_whitespace().map(|word| word.trim_matches([',', ';', ':', '\''])).collect();
+        let place = words.iter().enumerate().find_map(|(k, word)| {
+            let name = word.split(['.', '@']).next().unwrap_or(word);
+            let before = k.checked_sub(1).map_or("", |k| words[k]);
+            let is_point = name.len() < word.len() || words.get(k + 1).is_some_and(|next| next.starts_with('('));
+            let mut parts = self.parts().filter(|(_, known, _)| *known == name);
+            parts.find(|(kind, ..)| is_point || before == *kind || before == "bushing").map(|(.., place)| place)
+        });
+        place.map(|place| self.diagnostic(place, message, "", ""))
+    }
+
+    /// What the solver's messages name: kind, name and place.
+    fn parts(&self) -> impl Iterator<Item = (&'static str, &str, Place)> {
+        let beams = self.beams.iter().map(|part| ("beam", part.name.as_str(), part.place));
+        let bodies = self.bodies.iter().map(|part| ("body", part.name.as_str(), part.place));
+        let frames = self.frames.iter().map(|part| ("frame", part.name.as_str(), part.place));
+        let joints = self.joints.iter().map(|part| ("joint", part.name.as_str(), part.place));
+        let drives = self.drives.iter().map(|part| ("drive", part.name.as_str(), part.place));
+        let springs = self.springs.iter().map(|part| ("spring", part.name.as_str(), part.place));
+        let loads = self.loads.iter().map(|part| ("load", part.name.as_str(), part.place));
+        beams.chain(bodies).chain(frames).chain(joints).chain(drives).chain(springs).chain(loads)
+    }
+
     /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help` below it.
     pub fn diagnostic(&self, place: Place, message: &str, label: &str, help: &str) -> Diagnostic {
         Diagnostic::new(&self.source, place, message, label, help)

@@ -10,18 +10,18 @@ use super::number::Number;
 /// Everything that a picture of a mechanism shows. Global axes, m.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
-    /// Beams and springs.
+    /// Beams, springs and rigid arms.
     pub lines: Vec<Line>,
     /// Bodies, frames, joints, drives and outputs.
     pub marks: Vec<Mark>,
-    /// Loads, and the axes of joints.
+    /// Loads, drives of distances, and the axes of joints.
     pub arrows: Vec<Arrow>,
 }
 
 /// A line with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Name of the beam or spring.
+    /// Name of the beam or spring; an arm has none.
     pub name: String,
     /// What it is.
     pub kind: LineKind,
@@ -38,6 +38,8 @@ pub enum LineKind {
     Beam,
     /// A spring.
     Spring,
+    /// What is rigid between the place of a joint and a body or a point of a beam that it holds.
+    Arm,
 }
 
 /// A point with a name.
@@ -62,7 +64,7 @@ pub enum MarkKind {
     Body,
     /// A frame, as it is at t = 0.
     Frame,
-    /// A drive, at its joint.
+    /// A drive of an angle, at its joint.
     Drive,
     /// A place where something is measured.
     Output,
@@ -71,7 +73,7 @@ pub enum MarkKind {
 /// A direction with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
-    /// Name of the load or joint.
+    /// Name of the load, drive or joint.
     pub name: String,
     /// What it is.
     pub kind: ArrowKind,
@@ -90,11 +92,23 @@ pub enum ArrowKind {
     Moment,
     /// The axis of a joint.
     Axis,
+    /// A drive of a distance, along the axis of its joint.
+    Drive,
 }
 
 impl Drawing {
-    /// The mechanism of a file. A load that begins at zero is drawn as it is at the end of the simulation.
+    /// The mechanism of a file; without what is too far away to be drawn.
     pub fn new(document: &Document) -> Self {
+        let mut drawing = Self::complete(document);
+        let is_near = |point: &[f64; 3]| point.iter().all(|value| value.abs() <= FARTHEST);
+        drawing.lines.retain(|line| line.points.iter().chain(&line.nodes).all(is_near));
+        drawing.marks.retain(|mark| is_near(&mark.at));
+        drawing.arrows.retain(|arrow| is_near(&arrow.at) && arrow.direction.iter().all(|value| value.is_finite()));
+        drawing
+    }
+
+    /// The mechanism of a file. A load that begins at zero is drawn as it first acts.
+    fn complete(document: &Document) -> Self {
         let mut drawing = Self::default();
         let lines = Lines::of(document);
         let point = |anchor: Anchor| lines.place(document, anchor).map(<[f64; 3]>::from);
@@ -122,14 +136,26 @@ impl Drawing {
             let grounded = joint.a.spot == Spot::Ground || joint.b.spot == Spot::Ground;
             let kind = if grounded { MarkKind::Support } else { MarkKind::Joint };
             drawing.marks.push(Mark { name: joint.name.clone(), kind, at });
+            for end in [joint.a, joint.b].into_iter().filter_map(point).filter(|end| *end != at) {
+                let line = Line { name: String::new(), kind: LineKind::Arm, points: vec![at, end], nodes: Vec::new() };
+                drawing.lines.push(line);
+            }
             for axis in [joint.axis, joint.axis2].into_iter().flatten() {
                 let direction = document.vector(axis);
                 drawing.arrows.push(Arrow { name: joint.name.clone(), kind: ArrowKind::Axis, at, direction });
             }
         }
         for drive in &document.drives {
-            let at = document.joints.get(drive.joint).and_then(|joint| place(document, &lines, joint));
-            drawing.marks.extend(at.map(|at| Mark { name: drive.name.clone(), kind: MarkKind::Drive, at }));
+            let Some(joint) = document.joints.get(drive.joint) else { continue };
+            let Some(at) = place(document, &lines, joint) else { continue };
+            let name = drive.name.clone();
+            match joint.axis.filter(|_| !drive.is_angle()) {
+                Some(axis) => {
+                    let direction = document.vector(axis);
+                    drawing.arrows.push(Arrow { name, kind: ArrowKind::Drive, at, direction });
+                }
+                None => drawing.marks.push(Mark { name, kind: MarkKind::Drive, at }),
+            }
         }
         for load in &document.loads {
             let places = match load.target {
@@ -170,11 +196,25 @@ const BETWEEN_NODES: usize = 7;
 /// Fractions of a beam at which a load along it is drawn.
 const LINE_LOAD: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
-/// A load at the start, or at the end if it begins at zero.
+/// A place farther away than this, m, is a slip of the pen: squares of it must not overflow.
+const FARTHEST: f64 = 1e100;
+/// Instants at which it is asked whether a load acts.
+const INSTANTS: u32 = 1000;
+/// A load this small, of its largest value, does not act: it may be the round-off of nothing.
+const ROUND_OFF: f64 = 1e-9;
+
+/// A load as it first acts; zero if it never does.
 fn direction(document: &Document, numbers: [Number; 3]) -> [f64; 3] {
-    let at = |t: f64| numbers.map(|number| document.function(number).value(t));
-    let start = at(0.0);
-    if start == [0.0; 3] { at(document.value(document.simulation.stop)) } else { start }
+    let functions = numbers.map(|number| document.function(number));
+    let stop = document.value(document.simulation.stop);
+    let values = || {
+        let times = (0..=INSTANTS).map(|k| stop * f64::from(k) / f64::from(INSTANTS));
+        let values = times.map(|time| functions.each_ref().map(|function| function.value(time)));
+        values.filter(|value| value.iter().all(|value| value.is_finite()))
+    };
+    let size = |value: &[f64; 3]| value.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+    let largest = values().map(|value| size(&value)).fold(0.0, f64::max);
+    values().find(|value| size(value) > ROUND_OFF * largest).unwrap_or_default()
 }
 
 /// Where a joint is as drawn.

@@ -82,6 +82,12 @@ impl Names {
         self.0.iter().find(|named| named.name == name)
     }
 
+    /// What a name stands for where one of `kinds` is expected. A name that is used twice, which is reported, means the fitting one.
+    pub fn find_among(&self, name: &str, kinds: &[Kind]) -> Option<&Named> {
+        let fitting = self.0.iter().find(|named| named.name == name && kinds.contains(&named.kind));
+        fitting.or_else(|| self.find(name))
+    }
+
     /// The name of a thing by its place among its kind.
     pub fn name(&self, kind: Kind, index: usize) -> Option<&str> {
         self.0.iter().find(|named| named.kind == kind && named.index == index).map(|named| named.name.as_str())
@@ -133,6 +139,38 @@ fn distance(a: &[char], b: &str) -> usize {
 /// `did you mean `young`?`, or nothing.
 pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
     nearest(word, candidates).map_or(String::new(), |name| format!("did you mean `{name}`?"))
+}
+
+/// Words of other programs and languages: where they stand, and what they are called here.
+const SYNONYMS: [(&str, &[&str], &str); 18] = [
+    ("type", &["fixed", "rigid", "fix", "clamp", "clamped"], "weld"),
+    ("type", &["hinge", "pin", "pivot", "hinged", "pinned"], "revolute"),
+    ("type", &["ball", "ball_joint", "sphere"], "spherical"),
+    ("type", &["slider", "translational", "slide"], "prismatic"),
+    ("type", &["cardan", "hooke"], "universal"),
+    ("shape", &["i", "h", "l", "c", "t", "u", "z", "angle", "channel", "ibeam", "box"], "general"),
+    ("shape", &["round", "rod", "disk", "solid"], "circle"),
+    ("shape", &["pipe", "hollow", "ring"], "tube"),
+    ("shape", &["square", "rect", "strip"], "rectangle"),
+    ("integrator", &["alpha", "hht", "newmark"], "generalized_alpha"),
+    (FUNCTION, &["log", "loge"], "ln"),
+    (FUNCTION, &["arcsin"], "asin"),
+    (FUNCTION, &["arccos"], "acos"),
+    (FUNCTION, &["arctan"], "atan"),
+    (FUNCTION, &["arctan2"], "atan2"),
+    (FUNCTION, &["fabs", "magnitude"], "abs"),
+    (FUNCTION, &["sgn", "signum"], "sign"),
+    (FUNCTION, &["time"], "t"),
+];
+
+/// Where the words of expressions stand.
+pub const FUNCTION: &str = "function";
+
+/// `did you mean `weld`?` for a word that another program has for it, else for the nearest candidate, or nothing.
+pub fn suggestion_for<'a>(key: &str, word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
+    let lower = word.to_ascii_lowercase();
+    let meant = SYNONYMS.iter().find(|(place, words, _)| *place == key && words.contains(&lower.as_str()));
+    meant.map_or_else(|| suggestion(word, candidates), |(.., meant)| format!("did you mean `{meant}`?"))
 }
 
 /// A C identifier made of free text, never empty and no keyword: the FMU's modelIdentifier.

@@ -134,6 +134,9 @@ pub struct Slot {
     pub written: Written,
 }
 
+/// Names of a cycle that a message shows.
+const SHOWN: usize = 10;
+
 /// The flat list. The entries of [parameters] come first, in file order: only they are used by expressions.
 #[derive(Clone, Debug, Default)]
 pub struct Numbers {
@@ -210,7 +213,10 @@ impl Numbers {
             let next = next.expect("what is not done uses something that is not done");
             if let Some(begin) = path.iter().position(|place| *place == next) {
                 let cycle = path[begin..].iter().chain([&next]);
-                let names: Vec<_> = cycle.map(|place| self.slots[*place].meta.name.as_str()).collect();
+                let mut names: Vec<_> = cycle.map(|place| self.slots[*place].meta.name.as_str()).collect();
+                if names.len() > SHOWN {
+                    names.splice(SHOWN / 2..names.len() - SHOWN / 2, ["..."]);
+                }
                 let at = path[begin..].iter().copied().min().unwrap_or(next);
                 return (names.join(" -> "), at);
             }

@@ -14,6 +14,9 @@ const TABLE: &str = "axes";
 /// The key whose value is a section of its own, of which nothing is a parameter.
 const SECTION: &str = "curve";
 
+/// The keys of the section [simulation] that are often set, and as often without its name.
+const SIMULATION: [&str; 7] = ["analysis", "initial", "stop", "step", "output_step", "integrator", "tolerance"];
+
 /// Puts the overrides into the tree, in their order.
 pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Report<'_>) {
     for (k, (key, value)) in overrides.iter().enumerate() {
@@ -77,7 +80,10 @@ fn find<'t, 'k>(
     let head = path.split_once('.').map_or(path, |(name, _)| name);
     let wanted = |kind: &str| path.contains('.') != (kind == "parameters");
     let known = names.iter().filter(|(kind, _)| wanted(kind)).map(|(_, name)| name.as_str());
-    let near = suggestion(head, known.chain(if path.contains('.') { ["simulation"] } else { ["gravity"] }));
+    let near = match SIMULATION.contains(&path) {
+        true => format!("did you mean `simulation.{path}`?"),
+        false => suggestion(head, known.chain(if path.contains('.') { ["simulation"] } else { ["gravity"] })),
+    };
     report.error(place, &message, &near, "set NAME.key, gravity, simulation.key or an entry of [parameters]");
     None
 }

@@ -1,6 +1,7 @@
 //! The file as a plain tree in file order, every key and value with its place. From here on nobody sees the TOML crate.
 
 use super::diagnostic::{Place, Report};
+use super::syntax;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -63,18 +64,29 @@ impl Node {
 /// Reads the file; syntax errors go to the report. None if what was read is not worth looking at.
 pub fn parse(text: &str, report: &mut Report<'_>) -> Option<Vec<Entry>> {
     let (table, errors) = DeTable::parse_recoverable(text);
-    let mut worthless = false;
-    for error in &errors {
-        let place = Place::file(error.span().unwrap_or(text.len()..text.len()));
-        if error.message().starts_with("duplicate key") {
+    // What is nested too deeply is said without its place.
+    let place = |error: &toml::de::Error| Place::file(error.span().unwrap_or_else(|| syntax::most_dotted(text)));
+    let mut errors: Vec<_> = errors.iter().map(|error| (place(error), error.message())).collect();
+    errors.sort_by_key(|(place, _)| *place);
+    let mut broken_line = None;
+    for (place, message) in errors {
+        if message.starts_with("duplicate key") {
             let key = report.source.slice(place).to_owned();
             report.error(place, &format!("`{key}` is given twice"), "the second one", "");
-        } else {
-            worthless = true;
-            report.error(place, &format!("not valid TOML: {}", error.message()), "", "");
+            continue;
+        }
+        // The second mistake of a line is mostly the first one once more.
+        let line = report.source.line(place);
+        if broken_line.replace(line) == Some(line) {
+            continue;
+        }
+        let help = syntax::hint(message, text, place.start..place.end);
+        report.error(place, &format!("not valid TOML: {message}"), "", help.text());
+        if help == syntax::Hint::Unclosed {
+            break;
         }
     }
-    if worthless {
+    if broken_line.is_some() {
         return None;
     }
     Some(convert_table(table.into_inner(), 0, 0, report))
@@ -88,8 +100,27 @@ pub fn parse_override(value: &str, source: usize, offset: usize, report: &mut Re
         Ok(parsed) => convert(parsed, source, offset, report),
         Err(_) => {
             let place = Place { source, start: offset, end: offset + value.len() };
+            check_characters(value, place, report);
             Item { place, node: Node::Text(value.to_owned()) }
         }
+    }
+}
+
+/// Reports characters that XML cannot hold: strings of the file stand in the description of the FMU and in pictures.
+fn check_characters(text: &str, place: Place, report: &mut Report<'_>) {
+    if let Some(character) = text.chars().find(|character| !is_xml(*character)) {
+        let message =
+            format!("a string contains the character U+{:04X}, which an FMU cannot hold", u32::from(character));
+        report.error(place, &message, "in this string", "remove it");
+    }
+}
+
+/// Whether XML 1.0 allows a character (section 2.2).
+fn is_xml(character: char) -> bool {
+    match character {
+        '\t' | '\n' | '\r' => true,
+        '\u{fffe}' | '\u{ffff}' => false,
+        _ => character >= ' ',
     }
 }
 
@@ -109,7 +140,10 @@ fn convert(value: Spanned<DeValue<'_>>, source: usize, offset: usize, report: &m
     let span = value.span();
     let place = Place { source, start: span.start + offset, end: span.end + offset };
     let node = match value.into_inner() {
-        DeValue::String(text) => Node::Text(text.into_owned()),
+        DeValue::String(text) => {
+            check_characters(&text, place, report);
+            Node::Text(text.into_owned())
+        }
         DeValue::Integer(number) => match i64::from_str_radix(number.as_str(), number.radix()) {
             Ok(number) => Node::Integer(number),
             Err(_) => {

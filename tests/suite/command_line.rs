@@ -76,7 +76,7 @@ fn mistakes_of_the_user_give_exit_code_2() {
     let cantilever = model("cantilever");
     for (arguments, expected) in [
         (vec!["run", "nothing.toml"], "cannot read nothing.toml"),
-        (vec!["run", "latin.toml"], "no UTF-8 text: byte 11"),
+        (vec!["run", "latin.toml"], "not UTF-8 text: byte 11, in line 1"),
         (vec!["run", &cantilever, "--set", "arm.yuong=1"], "unknown key `yuong`"),
         (vec!["run", &cantilever, "--set", "arm"], "KEY=VALUE was expected"),
         (vec!["pack", &cantilever, "-o", "c.fmu", "--binary", "amiga=a.so"], "linux64, win32, win64, darwin64"),
@@ -100,8 +100,9 @@ fn a_failed_run_keeps_its_rows() {
     let output = ancf14(directory.path(), &["run", "m.toml", "--set", "simulation.output_step=1e-3"]);
     assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
     assert!(text(&output.stderr).starts_with("error: "), "{}", text(&output.stderr));
-    let csv = std::fs::read_to_string(directory.path().join("m-results/results.csv")).expect("results");
-    assert!(csv.lines().count() >= 4, "{csv}");
+    let csv = std::fs::read_to_string(directory.path().join("m-results/results.part.csv")).expect("results");
+    assert!(csv.lines().count() >= 4 && csv.ends_with('\n'), "{csv}");
+    assert!(text(&output.stderr).contains("the rows up to t = 0.005 s are in m-results/results.part.csv"));
 }
 
 /// `check` lists every variable; the picture names everything that is drawn.
@@ -133,21 +134,6 @@ fn header_and_unit_are_written() {
     assert!(std::fs::read(directory.path().join("c.fmu")).expect("unit").starts_with(b"PK"));
 }
 
-/// Nothing that a command writes may be the model file itself.
-#[test]
-fn the_model_file_is_spared() {
-    let directory = tempfile::tempdir().expect("a directory");
-    let file = directory.path().join("m.toml");
-    std::fs::copy(model("cantilever"), &file).expect("a copy");
-    let before = std::fs::read(&file).expect("the model");
-    for command in ["pack", "header"] {
-        let output = ancf14(directory.path(), &[command, "m.toml", "-o", "./m.toml"]);
-        assert_eq!(output.status.code(), Some(2));
-        assert!(text(&output.stderr).contains("is the model file"), "{}", text(&output.stderr));
-        assert_eq!(std::fs::read(&file).expect("the model"), before);
-    }
-}
-
 /// A model named like a word of C or C++ still gets an identifier that both take.
 #[test]
 fn names_that_are_keywords_pack() {
@@ -160,4 +146,84 @@ fn names_that_are_keywords_pack() {
     let output = ancf14(directory.path(), &["header", "m.toml", "-o", "m.h"]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(std::fs::read_to_string(directory.path().join("m.h")).expect("a header").contains("class_"));
+}
+
+/// Three bodies in a loop of welds: one of these is too many.
+const LOOP: &str = r#"format = 1
+model.name = "Loop"
+[body.b1]
+mass = 1
+position = [0, 0, 0]
+inertia = [1, 1, 1]
+[body.b2]
+mass = 1
+position = [1, 0, 0]
+inertia = [1, 1, 1]
+[body.b3]
+mass = 1
+position = [0, 1, 0]
+inertia = [1, 1, 1]
+[joint.j1]
+type = "weld"
+a = "b1"
+b = "b2"
+[joint.j2]
+type = "weld"
+a = "b2"
+b = "b3"
+[joint.j3]
+type = "weld"
+a = "b3"
+b = "b1"
+[simulation]
+stop = 0.1
+step = 0.01
+"#;
+
+/// `check` finds what `run` refuses at its start, with the line; it is a joint that is too many, not a body.
+#[test]
+fn regression_check_finds_redundant_joints() {
+    let directory = tempfile::tempdir().expect("a directory");
+    std::fs::write(directory.path().join("m.toml"), LOOP).expect("write");
+    for command in ["check", "run"] {
+        let output = ancf14(directory.path(), &[command, "m.toml"]);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{message}");
+        assert!(!text(&output.stdout).contains("no mistakes"));
+        assert!(message.contains(": joint j") && message.contains("holds what is held already"), "{message}");
+        assert!(message.contains("| [joint.j"), "{message}");
+        assert!(message.contains("nothing holds the mechanism"), "{message}");
+    }
+}
+
+/// A load that grows without bound at an instant is stepped over with many halvings: the user is told.
+#[test]
+fn regression_many_rejected_steps_are_told() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let load = "\n[load.push]\nat = \"arm.end\"\nforce = [0, 0, \"1/(t - 0.0503)\"]\n";
+    let file = std::fs::read_to_string(model("cantilever")).expect("model");
+    for (load, is_warned) in [(load, true), ("", false)] {
+        std::fs::write(directory.path().join("m.toml"), format!("{file}{load}")).expect("write");
+        let output = ancf14(directory.path(), &["run", "m.toml", "--set", "simulation.stop=0.1"]);
+        assert_eq!(text(&output.stderr).contains("steps were rejected"), is_warned, "{}", text(&output.stderr));
+    }
+}
+
+/// Stations of a beam are drawn as shapes at some instants, not as a line for each number.
+#[test]
+fn regression_stations_are_drawn_as_shapes() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let file = std::fs::read_to_string(model("cantilever")).expect("model");
+    let output = "\n[output.shape]\non = \"arm\"\nquantities = [\"position\", \"velocity\", \"twist\"]\n";
+    std::fs::write(directory.path().join("m.toml"), format!("{file}{output}")).expect("write");
+    let run = ancf14(directory.path(), &["run", "m.toml", "--set", "simulation.stop=0.06"]);
+    assert!(run.status.success(), "{}", text(&run.stderr));
+    for name in ["shape.position", "shape.velocity.1", "shape.velocity.3", "shape.twist"] {
+        let path = directory.path().join(format!("m-results/{name}.svg"));
+        let plot = std::fs::read_to_string(&path).unwrap_or_else(|reason| panic!("{name}: {reason}"));
+        for k in 0..=6 {
+            let instant = format!("t = {} s", f64::from(k) / 100.0);
+            assert!(plot.lines().any(|line| line.trim() == instant), "{name}: {instant}");
+        }
+    }
 }

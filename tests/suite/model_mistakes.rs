@@ -52,6 +52,7 @@ fn overrides_are_named_in_their_messages() {
         ("aluminium.young", "-1", "`aluminium.young` must be greater than 0"),
         ("aluminium.young", "2*Q", "unknown name `Q`"),
         ("angle_dg", "3", "did you mean `angle_deg`?"),
+        ("stop", "2", "did you mean `simulation.stop`?"),
         ("gravity[4]", "3", "`gravity[4]` has no such component"),
         ("aluminium.young[1]", "3", "`young` is not a list"),
         ("arm.from[1]", "true", "`arm.from[1]` is true"),
@@ -171,6 +172,44 @@ proptest! {
             if let Err(diagnostics) = Document::parse("m.toml", text, &[(key.to_owned(), value.clone())]) {
                 prop_assert!(diagnostics.to_string().starts_with("error: "));
             }
+        }
+    }
+}
+
+/// Names of the file may be of any length, and its mistakes of any number: messages are for reading.
+#[test]
+fn regression_messages_are_bounded() {
+    let base = include_str!("../../models/cantilever.toml");
+    let lines = |line: &dyn Fn(usize) -> String| (0..3000).map(line).collect::<Vec<_>>().join("\n");
+    for (text, expected) in [
+        (format!("{base}{} = 1\n", "k".repeat(1_000_000)), "unknown key"),
+        (format!("{base}[parameters]\n{}", lines(&|k| format!("p{k} = \"p{}\"", (k + 1) % 3000))), "p2999 -> p0"),
+        (
+            format!("{base}[parameters]\n{}", lines(&|k| format!("p{k} = \"unknown_{k}\""))),
+            "there are 2900 mistakes more",
+        ),
+    ] {
+        let message = Document::parse("m.toml", &text, &[]).expect_err("mistakes").to_string();
+        assert!(message.contains(expected), "{}", &message[..1000.min(message.len())]);
+        assert!(message.len() < 40_000, "{} bytes", message.len());
+    }
+}
+
+/// A failure of the solver is shown at the line of the part that it names, not at a word that happens to be a name.
+#[test]
+fn messages_find_their_part() {
+    let text = include_str!("../../models/cantilever.toml").replace("joint.root", "joint.find");
+    let document = Document::parse("m.toml", &text, &[]).expect("a model");
+    for (message, expected) in [
+        ("the equations have no unique solution: joint find holds what is held already", Some("[joint.find]")),
+        ("arm.node[3] (along y) can move freely; hold it by a joint", Some("[beam.arm]")),
+        ("element 3 of beam arm: it is bent", Some("[beam.arm]")),
+        ("no find and no arm here", None),
+    ] {
+        let found = document.locate(message).map(|mistake| mistake.to_string());
+        match expected {
+            Some(line) => assert!(found.as_ref().is_some_and(|text| text.contains(line)), "{message}: {found:?}"),
+            None => assert_eq!(found, None),
         }
     }
 }

@@ -244,7 +244,8 @@ fn drawings_show_everything() {
     };
     assert_eq!(mark("disk", MarkKind::Body), [1.0, 0.0, 0.0]);
     assert_eq!(mark("hand", MarkKind::Frame), [0.0, 0.0, 0.5]);
-    assert_eq!(mark("push", MarkKind::Drive), [1.5, 0.0, 0.5]);
+    let push = drawing.arrows.iter().find(|arrow| arrow.kind == ArrowKind::Drive).expect("a drive of a distance");
+    assert_eq!((push.name.as_str(), push.at), ("push", [1.5, 0.0, 0.5]));
     assert_eq!(mark("ball", MarkKind::Joint), [0.0, 0.0, 0.5]);
     assert_eq!(mark("floor", MarkKind::Support), [2.0, 0.0, 2.0]);
     assert_eq!(mark("thrust", MarkKind::Output), [1.5, 0.0, 0.5]);

@@ -127,11 +127,11 @@ fn regression_a_place_that_cannot_be_written_is_told_first() {
     let directory = tempfile::tempdir().unwrap();
     std::fs::write(directory.path().join("taken"), "").unwrap();
     std::fs::create_dir_all(directory.path().join("half/shapes.csv")).unwrap();
-    for out in ["taken", "half"] {
+    for (out, code, expected) in [("taken", 2, "taken is a file"), ("half", 1, "cannot write half/shapes.csv")] {
         let output = modes(directory.path(), "cantilever", &["--out", out]);
-        assert_eq!(output.status.code(), Some(1));
+        assert_eq!(output.status.code(), Some(code));
         assert!(text(&output.stdout).is_empty(), "{}", text(&output.stdout));
-        assert!(text(&output.stderr).contains("cannot write"), "{}", text(&output.stderr));
+        assert!(text(&output.stderr).contains(expected), "{}", text(&output.stderr));
     }
     assert!(!directory.path().join("half/modes.csv").exists());
 }

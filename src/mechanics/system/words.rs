@@ -1,5 +1,7 @@
 //! What the unknowns of a machine are, in words: for messages.
 
+use crate::mechanics::joint::Joint;
+use crate::mechanics::joint::primitive::Primitive;
 use crate::mechanics::load::HostWrench;
 use crate::mechanics::rigid_body::BODY;
 use crate::mechanics::system::{Beam, System};
@@ -28,10 +30,20 @@ impl System {
         for joint in &self.joints {
             row += joint.rows();
             if index < row {
-                return joint.name.clone();
+                return self.describe_joint(joint);
             }
         }
         String::from("an unknown")
+    }
+
+    /// A joint's name. The rigidity of a body is nobody's choice: in its place stand the joints of the body.
+    fn describe_joint(&self, joint: &Joint) -> String {
+        let is_rigidity = |joint: &Joint| joint.primitives.iter().all(|part| matches!(part, Primitive::Rigid(..)));
+        let own = joint.b.coordinates(&self.mesh);
+        let holds = |other: &&Joint| [&other.a, &other.b].iter().any(|side| side.coordinates(&self.mesh) == own);
+        let others = self.joints.iter().filter(|other| is_rigidity(joint) && !is_rigidity(other)).filter(holds);
+        let names: Vec<&str> = others.map(|other| other.name.as_str()).collect();
+        if names.is_empty() { joint.name.clone() } else { names.join(" or ") }
     }
 
     /// A node's name: `arm.start`, `arm.node[3]`, `arm.end`.

@@ -122,7 +122,7 @@ fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed)
     let length = text.find(['.', '@']).unwrap_or(text.len());
     let (name, rest) = text.split_at(length);
     let at = context.report.source.inside(place, text, 0..length);
-    let Some(named) = context.names.find(name) else {
+    let Some(named) = context.names.find_among(name, allowed.kinds) else {
         let known = allowed.kinds.iter().flat_map(|kind| context.names.of(*kind));
         let near = suggestion(name, known.chain(allowed.ground.then_some("ground")));
         let label = if near.is_empty() { allowed.expected() } else { near };

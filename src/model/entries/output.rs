@@ -91,7 +91,7 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
         return reader.reference("on", Kind::Beam).map(|beam| Target::On { beam, stations });
     }
     reader.refuse("stations", "`stations` belong to a whole beam", "they need on = \"BEAM\" instead of `at`");
-    let whole = reader.text_of("at").and_then(|name| reader.context.names.find(name));
+    let whole = reader.text_of("at").and_then(|name| reader.context.names.find_among(name, WATCHED.kinds));
     match whole.map(|named| (named.kind, named.index)) {
         Some((Kind::Joint, index)) => {
             reader.take("at");

@@ -5,9 +5,10 @@ mod lists;
 use crate::model::diagnostic::{Place, Report};
 use crate::model::expression::{Program, Variable, compile};
 use crate::model::function::{Formula, Piece};
-use crate::model::names::{Kind, Names, nearest, suggestion};
+use crate::model::names::{FUNCTION, Kind, Names, nearest, suggestion, suggestion_for};
 use crate::model::number::{Meta, Number, Numbers, Slot, Written};
 use crate::model::schema::Rule;
+use crate::model::syntax;
 use crate::model::tree::{Entry, Item, Node};
 
 /// What all sections are read with.
@@ -28,9 +29,15 @@ impl Context<'_> {
         match compile(text, variable, &|name| numbers.parameter(name)) {
             Ok(program) => Some(program),
             Err(error) => {
-                let near = error.unknown.as_deref().map_or(String::new(), |name| {
+                if syntax::has_unit(text) {
+                    let help = "numbers are in SI units: 0.02 for 20 mm, pi/6 for 30 degrees";
+                    self.report.error(place, "a number stands without its unit", "this has one", help);
+                    return None;
+                }
+                let unknown = error.unknown.as_deref().filter(|_| !self.report.is_full());
+                let near = unknown.map_or(String::new(), |name| {
                     let functions = crate::model::expression::program::FUNCTIONS.iter().map(|(name, _)| *name);
-                    suggestion(name, self.names.of(Kind::Parameter).chain(functions).chain(["pi"]))
+                    suggestion_for(FUNCTION, name, self.names.of(Kind::Parameter).chain(functions).chain(["pi"]))
                 });
                 let place = self.report.source.inside(place, text, error.range);
                 self.report.error(place, &error.message, &error.label, &near);
@@ -336,7 +343,7 @@ impl<'c, 'a> Reader<'c, 'a> {
             return Some(*value);
         }
         let message = format!("unknown {key} \"{word}\"");
-        let near = suggestion(word, words.iter().map(|(word, _)| *word));
+        let near = suggestion_for(key, word, words.iter().map(|(word, _)| *word));
         self.context.report.error(entry.item.place, &message, &near, &format!("known here: {listing}"));
         default
     }
@@ -374,12 +381,13 @@ impl<'c, 'a> Reader<'c, 'a> {
             }
             return None;
         };
-        let message = match self.context.names.find(&name) {
+        let message = match self.context.names.find_among(&name, &[kind]) {
             Some(named) if named.kind == kind => return Some(named.index),
             Some(named) => format!("`{name}` is a {}", named.kind.word()),
             None => format!("unknown {} `{name}`", kind.word()),
         };
-        let near = suggestion(&name, self.context.names.of(kind));
+        let is_full = self.context.report.is_full();
+        let near = if is_full { String::new() } else { suggestion(&name, self.context.names.of(kind)) };
         let label = if near.is_empty() { format!("the name of a {} was expected", kind.word()) } else { near };
         let names: Vec<_> = self.context.names.of(kind).collect();
         let help = if names.is_empty() { String::new() } else { format!("known: {}", names.join(", ")) };

@@ -140,9 +140,9 @@ impl Machine {
         }
         if changed > 0.0 {
             warnings.push(format!(
-                "the given initial velocities do not fit the joints: they were changed to the nearest that do, a change of \
-                 {:.3} % of their kinetic energy",
-                100.0 * changed
+                "the given initial velocities do not fit the joints: they were changed to the nearest that do, a change of {} of their \
+                 kinetic energy",
+                percent(changed)
             ));
         }
         Ok(warnings)
@@ -275,6 +275,11 @@ impl Machine {
         let count = (needed - STEP_ROUNDING).ceil().max(1.0);
         Ok(Plan { begin, first: 0.0, end, step: (end - begin) / count, count: count as u64 })
     }
+}
+
+/// A share in percent, with three decimals.
+fn percent(share: f64) -> String {
+    if share < 1e-5 { String::from("less than 0.001 %") } else { format!("{:.3} %", 100.0 * share) }
 }
 
 /// The internal steps of a communication step.

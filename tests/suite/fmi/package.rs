@@ -7,7 +7,7 @@ use std::{
     path::Path,
 };
 
-use ancf14::fmi::package::{Contents, LIBRARY, Platform, find_library, fmu, read, write};
+use ancf14::fmi::package::{Contents, LIBRARY, Platform, find_library, fmu, read};
 use zip::{CompressionMethod, ZipArchive};
 
 use super::toy;
@@ -101,18 +101,6 @@ fn the_library_is_found() {
     let given = place("else/where.so");
     assert_eq!(find_library(Some(&given), &executable).unwrap(), given);
     assert!(find_library(Some(Path::new("/nowhere.so")), &executable).is_err());
-}
-
-#[test]
-fn written_or_an_error_with_the_path() {
-    let directory = tempfile::tempdir().unwrap();
-    let libraries = [(Platform::Linux64, vec![7; 5000]), (Platform::Win64, vec![8; 500])];
-    let target = directory.path().join("toy.fmu");
-    write(&target, &toy::about(), &toy::variables(), &CONTENTS, &libraries).unwrap();
-    assert_eq!(fs::read(&target).unwrap(), packed());
-    let nowhere = directory.path().join("missing/toy.fmu");
-    let error = write(&nowhere, &toy::about(), &toy::variables(), &CONTENTS, &libraries).unwrap_err().to_string();
-    assert!(error.contains("missing/toy.fmu"), "{error}");
 }
 
 /// The first bytes of a shared library of each platform, as linkers write them.
