@@ -64,10 +64,12 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// An error without the name of the temporary file, which the user has not asked for.
+/// An error without the name of the temporary file, which stands at the end of its text.
 fn plain(reason: io::Error) -> io::Error {
-    let inner = reason.get_ref().and_then(|error| error.source()).and_then(|source| source.downcast_ref::<io::Error>());
-    inner.and_then(io::Error::raw_os_error).map_or(reason, io::Error::from_raw_os_error)
+    match reason.to_string().split_once(" at path ") {
+        Some((text, _)) => io::Error::new(reason.kind(), text),
+        None => reason,
+    }
 }
 
 /// The file that a chain of links leads to; it need not exist.
