@@ -41,6 +41,15 @@ pub struct Centreline {
     pub division: Division,
 }
 
+impl Centreline {
+    /// The same line, `by` m away.
+    pub fn moved(&self, by: &Vec3) -> Self {
+        let mut moved = self.clone();
+        moved.nodes.iter_mut().for_each(|node| node.place += by);
+        moved
+    }
+}
+
 /// Where the ends of the elements of a curve are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spacing {

@@ -2,6 +2,7 @@
 
 use super::simulation::{Simulation, failure};
 use crate::fmi::Failure;
+use crate::math::Vec3;
 use crate::math::vectors::vec3;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::system::{Beam, System};
@@ -92,14 +93,14 @@ impl Simulation {
         let configuration = snapshot.of(system, state);
         let name = |beam: &Beam, node: usize| format!("{}.node[{}]", beam.name, beam.end_of(node));
         let names = system.beams.iter().flat_map(|beam| beam.node_range().map(move |node| name(beam, node)));
-        let nodes = system.mesh.nodes.iter().map(|node| node.place(&state.q));
+        let nodes = system.mesh.nodes.iter().map(|node| system.global(node.place(&state.q)));
         let mut places: Vec<Place> =
             names.zip(nodes).map(|(name, place)| Place { name, position: place.into() }).collect();
         let nodes = places.len();
         let bodies = system
             .bodies
             .iter()
-            .map(|body| Place { name: body.name.clone(), position: vec3(&state.q, body.start).into() });
+            .map(|body| Place { name: body.name.clone(), position: system.global(vec3(&state.q, body.start)).into() });
         places.extend(bodies);
         let modes = found.modes.iter().map(|mode| {
             let extreme = system.most_moved(&configuration, &mode.shape);
@@ -122,7 +123,7 @@ impl Simulation {
             modes: modes.collect(),
             places,
             nodes,
-            lines: lines(system, &state.q),
+            lines: drawn_lines(system, &state.q),
             freedoms: found.freedoms,
             warnings: warnings(system, &found, moving),
         })
@@ -186,6 +187,13 @@ fn lonely_elements(system: &System, modes: &[modes::Mode]) -> Option<String> {
             100.0 * share
         ))
     })
+}
+
+/// Points of all beams in global axes, m.
+fn drawn_lines(system: &System, q: &[f64]) -> Vec<Vec<[f64; 3]>> {
+    let mut lines = lines(system, q);
+    lines.iter_mut().flatten().for_each(|point| *point = system.global(Vec3::from(*point)).into());
+    lines
 }
 
 /// Points of all beams of what `q` interpolates: places, or displacements.

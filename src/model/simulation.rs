@@ -253,7 +253,8 @@ impl Model for Simulation {
                 Machine::new(built, document, start)
             }
         };
-        build::aim(document, |number| self.inputs.line(number), [start; 2], &mut machine.state.targets);
+        let origin = machine.system.origin;
+        build::aim(document, &origin, |number| self.inputs.line(number), [start; 2], &mut machine.state.targets);
         let warnings = machine.find_initial_state(document, self.table.needs_response());
         self.warnings.extend(warnings.map_err(|error| failure(&error))?);
         let before = std::mem::replace(&mut self.machine, machine);
@@ -293,7 +294,8 @@ impl Model for Simulation {
         let begin = machine.state.time;
         machine.state.targets.depart(begin, &machine.state.prescribed);
         let line = |number| self.inputs.line(number);
-        build::aim(&self.document, line, [begin, end], &mut machine.state.targets);
+        let origin = machine.system.origin;
+        build::aim(&self.document, &origin, line, [begin, end], &mut machine.state.targets);
         let outcome = machine.advance(end).map_err(|error| failure(&error)).and_then(|()| self.measure());
         if outcome.is_err() {
             self.machine.go_back();

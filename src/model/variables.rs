@@ -304,7 +304,7 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
     let rotation = &state.rotations[number];
     let mut push = |v: Vec3| values.extend(v.iter());
     match quantity {
-        Quantity::Position => push(sensor.marker.pose(c).place),
+        Quantity::Position => push(system.global(sensor.marker.pose(c).place)),
         Quantity::Displacement => push(sensor.marker.pose(c).place - sensor.drawn.place),
         Quantity::Velocity => push(sensor.motion(c, &state.velocity).0),
         Quantity::Acceleration => push(sensor.acceleration(c, &response.acceleration)),

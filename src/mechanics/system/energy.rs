@@ -28,7 +28,9 @@ impl System {
     pub fn gravity_energy(&self, q: &[f64]) -> f64 {
         // From +0: without gravity the energy is 0, not −0.
         let beams = self.mesh.elements.iter().fold(0.0, |sum, element| sum - element.weight_form(&self.gravity, q));
-        self.bodies.iter().fold(beams, |sum, body| sum - body.mass * self.gravity.dot(&vec3(q, body.start)))
+        let energy =
+            self.bodies.iter().fold(beams, |sum, body| sum - body.mass * self.gravity.dot(&vec3(q, body.start)));
+        if self.is_near() { energy } else { energy - self.mass * self.gravity.dot(&self.origin) }
     }
 
     /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s): `Σ P_r`, `Σ r × P_r` and what nodes add by their
@@ -45,6 +47,19 @@ impl System {
                 angular += vec3(q, body.start + place).cross(&vec3(momentum, body.start + place));
             }
         }
+        if !self.is_near() {
+            angular += self.origin.cross(&linear);
+        }
         (linear, angular)
+    }
+
+    /// Whether positions in the state are global ones.
+    fn is_near(&self) -> bool {
+        self.origin == Vec3::zeros()
+    }
+
+    /// The global position of `position` in the state, m.
+    pub fn global(&self, position: Vec3) -> Vec3 {
+        if self.is_near() { position } else { self.origin + position }
     }
 }

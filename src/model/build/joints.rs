@@ -50,8 +50,7 @@ impl Builder<'_> {
     fn sides(&mut self, written: &Joint) -> [Marker; 2] {
         let document = self.document;
         let own = if written.b.spot == Spot::Ground { &written.a } else { &written.b };
-        let place =
-            written.at.map_or_else(|| self.assembly.drawn(&self.anchored(own)).place, |at| vector(document, at));
+        let place = written.at.map_or_else(|| self.assembly.drawn(&self.anchored(own)).place, |at| self.position(at));
         let axis = written.axis.map(|axis| vector(document, axis));
         let axes = match (axis, written.axis2.map(|axis| vector(document, axis))) {
             (None, _) => Mat3::identity(),

@@ -3,6 +3,7 @@
 //! A file a kind of part; what may change while the machine runs is in tune.rs.
 
 mod joints;
+mod origin;
 mod parts;
 mod tune;
 
@@ -15,6 +16,7 @@ use super::entries::output;
 use super::geometry::{self, Lines};
 use super::number::Number;
 use crate::math::Vec3;
+use crate::math::jet::Jet;
 use crate::mechanics::assembly::Assembly;
 use crate::mechanics::load::Signal;
 use crate::mechanics::marker::Marker;
@@ -51,7 +53,8 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     if !mistakes.is_empty() {
         return Err(Diagnostics(mistakes));
     }
-    let mut builder = Builder { document, lines: &lines, assembly: Assembly::new(start), mistakes: Vec::new() };
+    let origin = origin::of(document, &lines);
+    let mut builder = Builder { document, lines: &lines, origin, assembly: Assembly::new(start), mistakes: Vec::new() };
     for (number, beam) in document.beams.iter().enumerate() {
         builder.add_beam(beam, lines.line(number).expect("without mistakes every beam is drawn"));
     }
@@ -66,6 +69,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
         return Err(Diagnostics(builder.mistakes));
     }
     let (mut system, state) = builder.assembly.finish(vector(document, document.model.gravity));
+    system.origin = origin;
     set_mobilities(&mut system, &state);
     Ok(Built { system, state })
 }
@@ -75,12 +79,20 @@ fn vector(document: &Document, numbers: [Number; 3]) -> Vec3 {
 }
 
 fn signal(document: &Document, number: Number) -> Signal {
+    signal_from(document, number, 0.0)
+}
+
+/// The function of time that a number of the file is, counted from `origin`.
+fn signal_from(document: &Document, number: Number, origin: f64) -> Signal {
     let function = document.function(number);
     if function.is_constant() {
-        return Signal::Constant(function.value(0.0));
+        return Signal::Constant(function.value(0.0) - origin);
     }
     let breaks: Arc<[f64]> = function.limits().into();
-    let jet = Arc::new(move |time| function.jet(time));
+    let jet = Arc::new(move |time| {
+        let jet = function.jet(time);
+        Jet { value: jet.value - origin, ..jet }
+    });
     if breaks.is_empty() { Signal::Function(jet) } else { Signal::Pieces(jet, breaks) }
 }
 
@@ -88,6 +100,8 @@ fn signal(document: &Document, number: Number) -> Signal {
 struct Builder<'a> {
     document: &'a Document,
     lines: &'a Lines,
+    /// See [`System::origin`].
+    origin: Vec3,
     assembly: Assembly,
     /// What only the start time shows to be wrong.
     mistakes: Vec<Diagnostic>,
@@ -99,10 +113,15 @@ impl Builder<'_> {
         self.lines.fraction(self.document, beam, along).expect("without mistakes every point is on its beam")
     }
 
+    /// A position of the file, as the state has it, m.
+    fn position(&self, numbers: [Number; 3]) -> Vec3 {
+        vector(self.document, numbers) - self.origin
+    }
+
     /// What an anchor names, with its own axes: a section, a body, a frame, the ground.
     fn anchored(&self, anchor: &Anchor) -> Marker {
         match anchor.spot {
-            Spot::Ground => Marker::Ground(Pose::default()),
+            Spot::Ground => Marker::Ground(Pose { place: Vec3::zeros() - self.origin, ..Pose::default() }),
             Spot::Beam { beam, along } => self.assembly.section_at(beam, self.fraction(beam, along)),
             Spot::Body(body) => self.assembly.body(body),
             Spot::Frame(frame) => self.assembly.frame(frame),

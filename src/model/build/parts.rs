@@ -1,6 +1,6 @@
 //! Beams, bodies, frames and loads of the file as parts of the machine.
 
-use super::{Builder, signal, tune, vector};
+use super::{Builder, signal, signal_from, tune, vector};
 use crate::math::Mat3;
 use crate::mechanics::beam_design::BeamDesign;
 use crate::mechanics::centreline::Centreline;
@@ -31,7 +31,7 @@ impl Builder<'_> {
         let (density, damping) = (document.value(material.density), document.value(material.damping));
         let number = self.assembly.add_beam(&BeamDesign {
             name: beam.name.clone(),
-            line: line.clone(),
+            line: line.moved(&-self.origin),
             y_axis: vector(document, beam.y_axis),
             pretwist: document.value(beam.pretwist),
             material: Material { young, shear, density, damping },
@@ -103,7 +103,7 @@ impl Builder<'_> {
         self.assembly.add_body(&BodyDesign {
             name: body.name.clone(),
             mass: document.value(body.mass),
-            position: vector(document, body.position),
+            position: self.position(body.position),
             inertia,
             axes,
             velocity: vector(document, body.velocity),
@@ -115,13 +115,15 @@ impl Builder<'_> {
         let document = self.document;
         let (guide, target) = match frame.orientation {
             Orientation::Rotation(rotation) if !frame.input => {
-                let place = frame.position.map(|number| signal(document, number));
+                let [x, y, z] = frame.position;
+                let place =
+                    [(x, 0), (y, 1), (z, 2)].map(|(number, axis)| signal_from(document, number, self.origin[axis]));
                 let rotation = rotation.map(|number| signal(document, number));
                 (FrameGuide::Signals { place, rotation }, Pose::default())
             }
             orientation => {
                 let axes = tune::axes(orientation, |number| document.value(number));
-                let place = vector(document, frame.position);
+                let place = self.position(frame.position);
                 (FrameGuide::Host, Pose { place, axes: axes.unwrap_or_else(Mat3::identity) })
             }
         };

@@ -94,7 +94,13 @@ pub fn undirected(
 
 /// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads act until then. `line` is the
 /// value of an input and its derivative by time. A frame whose quaternion is 0 keeps its orientation.
-pub fn aim(document: &Document, line: impl Fn(Number) -> (f64, f64), [begin, end]: [f64; 2], targets: &mut Targets) {
+pub fn aim(
+    document: &Document,
+    origin: &Vec3,
+    line: impl Fn(Number) -> (f64, f64),
+    [begin, end]: [f64; 2],
+    targets: &mut Targets,
+) {
     let at_end = |number: Number| {
         let (value, slope) = line(number);
         value + slope * (end - begin)
@@ -117,7 +123,7 @@ pub fn aim(document: &Document, line: impl Fn(Number) -> (f64, f64), [begin, end
             continue;
         }
         let axes = axes(frame.orientation, at_end).unwrap_or(target.axes);
-        *target = Pose { place: Vec3::from(frame.position.map(at_end)), axes };
+        *target = Pose { place: Vec3::from(frame.position.map(at_end)) - origin, axes };
         if first {
             let velocity = Vec3::from(frame.position.map(|number| line(number).1));
             course.start_with([velocity, spin(frame.orientation, &line)]);

@@ -7,6 +7,7 @@ use super::machine::{Machine, Plan, Solver};
 use super::{Simulation, failure, wrong};
 use crate::error::Error;
 use crate::fmi::Failure;
+use crate::math::Vec3;
 use crate::mechanics::host_path::Targets;
 use crate::mechanics::sensor::Snapshot as Frames;
 use crate::mechanics::state::State;
@@ -58,6 +59,8 @@ impl Derived {
 struct Given<'a> {
     document: &'a Document,
     inputs: &'a Inputs,
+    /// See [`System::origin`].
+    origin: Vec3,
     /// Begin and end, s.
     span: [f64; 2],
     /// See [`sensitivity::Inputs::unit`].
@@ -67,7 +70,8 @@ struct Given<'a> {
 }
 
 impl<'a> Given<'a> {
-    fn new(document: &'a Document, inputs: &'a Inputs, span: [f64; 2], size: f64) -> Self {
+    fn new(document: &'a Document, inputs: &'a Inputs, span: [f64; 2], system: &System) -> Self {
+        let size = system.size;
         // A load is linear in what the host gives: any change will do.
         let mut units = vec![f64::INFINITY; inputs.count()];
         let mut set = |number: Number, unit: f64| {
@@ -97,7 +101,7 @@ impl<'a> Given<'a> {
         let undirected = build::undirected(document, |number| inputs.line(number), span);
         let silent: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
         silent.iter().for_each(|number| set(*number, 1.0));
-        Self { document, inputs, span, units, silent }
+        Self { document, inputs, origin: system.origin, span, units, silent }
     }
 }
 
@@ -118,7 +122,7 @@ impl sensitivity::Inputs for Given<'_> {
             if moves { (value + change, slope) } else { (value, slope) }
         };
         let end = targets.end;
-        build::aim(self.document, line, self.span, targets);
+        build::aim(self.document, &self.origin, line, self.span, targets);
         targets.end = end;
     }
 }
@@ -191,7 +195,7 @@ impl Simulation {
         let Self { machine, last, document, table, results, .. } = self;
         let Machine { system, backup, .. } = &*machine;
         let begin = backup.time;
-        let given = Given::new(document, &last.inputs, [begin, last.end], system.size);
+        let given = Given::new(document, &last.inputs, [begin, last.end], system);
         let plan = machine.plan(begin, last.end)?;
         let responds = table.needs_response();
         let mut columns = Vec::new();
