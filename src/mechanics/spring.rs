@@ -84,7 +84,11 @@ impl Spring {
         if self.damping != 0.0 {
             let rate_q = match &passage.rates {
                 Rates::Rest => return blocks,
-                Rates::Step { end, duration, .. } => reading_q(gauge, end).map(|by_side| by_side * (2.0 / duration)),
+                Rates::Step { end, duration, .. } => {
+                    // Compilers divide before they know that there is a step: not by 0, which hosts may trap.
+                    let factor = 2.0 / duration.max(f64::MIN_POSITIVE);
+                    reading_q(gauge, end).map(|by_side| by_side * factor)
+                }
                 Rates::Instant(velocity) => reading_rate_q(gauge, c, velocity),
             };
             add_products(&here, &rate_q, self.damping, &mut blocks);
