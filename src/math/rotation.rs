@@ -94,6 +94,11 @@ fn rotation_coefficients(x: f64) -> ([f64; 3], [f64; 3]) {
 /// Terms of the series of [`rotation_coefficients`]: the next one is below 1e-19 at `x = 1`, its second derivative below 1e-16.
 const SERIES: i32 = 11;
 
+/// The direction of a vector; 0 where it has none. Compilers divide first and choose afterwards: not by 0, which hosts may trap.
+fn direction(vector: &Vec3) -> Vec3 {
+    vector / vector.norm().max(f64::MIN_POSITIVE)
+}
+
 /// The rotation vector (rad) of the rotation matrix `turn` that lies nearest to `previous`: it goes on continuously over any number of turns.
 pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
     let quaternion = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*turn));
@@ -103,10 +108,10 @@ pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
     if sine < 1e-12 {
         // No turn, or whole turns: their axis is undefined, the previous one goes on.
         let turns = (previous.norm() / full).round();
-        let axis = previous.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+        let axis = direction(previous);
         return axis * (turns * full) + imaginary * 2.0 * w.signum();
     }
-    let axis = imaginary / sine;
+    let axis = direction(&imaginary);
     let angle = 2.0 * sine.atan2(w);
     let turns = ((previous.dot(&axis) - angle) / full).round();
     axis * (angle + turns * full)
@@ -117,7 +122,7 @@ pub fn rotation_vector_rate(vector: &Vec3, spin: &Vec3) -> Vec3 {
     let angle = vector.norm();
     // 1 − (a/2) cot(a/2), by its series where the quotient is none.
     let part = if angle < 1e-4 { angle * angle / 12.0 } else { 1.0 - 0.5 * angle / (0.5 * angle).tan() };
-    let axis = vector.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+    let axis = direction(vector);
     spin - vector.cross(spin) * 0.5 + axis.cross(&axis.cross(spin)) * part
 }
 

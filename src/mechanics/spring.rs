@@ -67,15 +67,14 @@ impl Spring {
     /// How far from the middle of a step of `duration` s towards its end the damper's rate is taken, 0 to 1.
     ///
     /// In the middle, a damper `c` multiplies the rate of a mass `m` by `(1 − z/2)/(1 + z/2)` a step, `z = c h/m`: beyond `z = 2` the rate changes its
-    /// sign with every step, and beyond 20 it hardly fades. Later by `1 − 2/z` the factor is 0.
+    /// sign with every step, and beyond 20 it hardly fades. Taken later by `1 − 2/z`, it makes the factor 0.
     fn lateness(&self, duration: f64) -> f64 {
-        let stops = 2.0 / (self.damping * self.mobility * duration);
-        if stops < 1.0 { 1.0 - stops } else { 0.0 }
+        1.0 - 2.0 / (self.decay_rate() * duration).max(2.0)
     }
 
-    /// Time in which the damper takes most of the motion of the mass that it holds, s; infinite where it has none.
-    pub fn stopping_time(&self) -> f64 {
-        1.0 / (self.damping * self.mobility)
+    /// How fast the damper takes the motion of the mass that it holds, `c/m`, 1/s; 0 where that mass is not known.
+    pub fn decay_rate(&self) -> f64 {
+        self.damping * self.mobility
     }
 
     /// Generalized forces against the motion of both sides, 24×1 each: the gradient of the energy, and the damper's part.
@@ -107,7 +106,8 @@ impl Spring {
             let rate_q = match &passage.rates {
                 Rates::Rest => return blocks,
                 Rates::Step { end, duration, .. } => {
-                    let factor = 2.0 * (1.0 + self.lateness(*duration)) / duration;
+                    // Compilers divide before they know that there is a step: not by 0, which hosts may trap.
+                    let factor = 2.0 * (1.0 + self.lateness(*duration)) / duration.max(f64::MIN_POSITIVE);
                     reading_q(gauge, end).map(|by_side| by_side * factor)
                 }
                 Rates::Instant(velocity) => reading_rate_q(gauge, c, velocity),

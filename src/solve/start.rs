@@ -102,14 +102,14 @@ pub fn unresolved_dampers(system: &System, state: &State, step: f64) -> Vec<Stri
         let gauge = &system.gauges[spring.gauge];
         let moved = step * reading_rate(gauge, &configuration, &state.velocity).abs();
         let unit = if matches!(gauge.measure, Measure::Distance(_) | Measure::Length) { system.size } else { 1.0 };
-        spring.stopping_time() < UNRESOLVED * step && moved > MOVED * unit
+        spring.decay_rate() * UNRESOLVED * step > 1.0 && moved > MOVED * unit
     };
     let told = system.springs.iter().filter(begins).map(|spring| {
         format!(
             "the damper of {} stops what it holds within {:.1e} s, far below simulation.step = {step} s: the way until then is not resolved; take a \
              smaller step if it matters",
             spring.name,
-            spring.stopping_time()
+            1.0 / spring.decay_rate()
         )
     });
     told.collect()
