@@ -17,8 +17,16 @@ pub enum Signal {
     Constant(f64),
     /// A function of time, s, with its first two derivatives.
     Function(Arc<dyn Fn(f64) -> Jet + Send + Sync>),
-    /// A function of time, s, in pieces, and the times at which they meet, ascending, s. At such a time the piece that begins there counts.
-    Pieces(Arc<dyn Fn(f64) -> Jet + Send + Sync>, Arc<[f64]>),
+    /// A function of time, s, in pieces.
+    Pieces(Arc<Pieces>),
+}
+
+/// A function of time in pieces.
+pub struct Pieces {
+    /// The function with its first two derivatives; where two pieces meet, that of the piece that begins there.
+    pub jet: Box<dyn Fn(f64) -> Jet + Send + Sync>,
+    /// The times at which pieces meet, ascending, s.
+    pub breaks: Vec<f64>,
 }
 
 impl Signal {
@@ -26,7 +34,8 @@ impl Signal {
     pub fn at(&self, time: f64) -> f64 {
         match self {
             Self::Constant(value) => *value,
-            Self::Function(function) | Self::Pieces(function, _) => function(time).value,
+            Self::Function(function) => function(time).value,
+            Self::Pieces(pieces) => (pieces.jet)(time).value,
         }
     }
 
@@ -34,7 +43,8 @@ impl Signal {
     pub fn jet(&self, time: f64) -> Jet {
         match self {
             Self::Constant(value) => Jet::constant(*value),
-            Self::Function(function) | Self::Pieces(function, _) => function(time),
+            Self::Function(function) => function(time),
+            Self::Pieces(pieces) => (pieces.jet)(time),
         }
     }
 
@@ -42,7 +52,7 @@ impl Signal {
     pub fn breaks(&self) -> &[f64] {
         match self {
             Self::Constant(_) | Self::Function(_) => &[],
-            Self::Pieces(_, breaks) => breaks,
+            Self::Pieces(pieces) => &pieces.breaks,
         }
     }
 

@@ -99,7 +99,7 @@ fn assert_own_solution(random: &mut Random, system: &System, state: &State, kkt:
     let right: Vec<f64> = (0..size).map(|_| random.signed()).collect();
     let (mut own, mut expected) = (right.clone(), right);
     kkt.solve(system, &mut own, 0.0).unwrap_or_else(|error| panic!("{error}"));
-    let mut general = SparseLu::new(&kkt::units(&system), &kkt.blocks).unwrap();
+    let mut general = SparseLu::new(&kkt::units(system), &kkt.blocks).unwrap();
     assert!(general.factorize(&kkt.blocks).and_then(|()| general.solve(&mut expected)).is_ok());
     assert_eq!(kkt.fallbacks(), 0);
     // As above.

@@ -18,7 +18,7 @@ use super::number::Number;
 use crate::math::Vec3;
 use crate::math::jet::Jet;
 use crate::mechanics::assembly::Assembly;
-use crate::mechanics::load::Signal;
+use crate::mechanics::load::{Pieces, Signal};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::pose::Pose;
 use crate::mechanics::state::State;
@@ -88,12 +88,16 @@ fn signal_from(document: &Document, number: Number, origin: f64) -> Signal {
     if function.is_constant() {
         return Signal::Constant(function.value(0.0) - origin);
     }
-    let breaks: Arc<[f64]> = function.limits().into();
-    let jet = Arc::new(move |time| {
+    let breaks = function.limits().to_vec();
+    let jet = move |time| {
         let jet = function.jet(time);
         Jet { value: jet.value - origin, ..jet }
-    });
-    if breaks.is_empty() { Signal::Function(jet) } else { Signal::Pieces(jet, breaks) }
+    };
+    if breaks.is_empty() {
+        Signal::Function(Arc::new(jet))
+    } else {
+        Signal::Pieces(Arc::new(Pieces { jet: Box::new(jet), breaks }))
+    }
 }
 
 /// Builds what [`geometry::examine`] has found sound.
