@@ -79,6 +79,11 @@ impl Sensor {
         [turned.w, turned.i, turned.j, turned.k]
     }
 
+    /// The elements that it belongs to.
+    pub fn elements(&self) -> impl Iterator<Item = usize> + '_ {
+        self.sections.iter().map(|section| section.element)
+    }
+
     /// Material twist from the beam's start to here (off the beams 0), undeformed value taken off, rad: the sum of `l tau` (MECHANICS, trap 16).
     pub fn twist(&self, system: &System, c: &Configuration) -> f64 {
         let (Some((beam, _)), Some(section)) = (self.on_beam, self.sections.first()) else { return 0.0 };

@@ -1,5 +1,6 @@
 //! The whole machine. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
 
+mod axial_jump;
 mod breaks;
 mod dampers;
 mod energy;

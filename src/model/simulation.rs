@@ -159,7 +159,7 @@ impl Simulation {
             return Err(wrong(self.not_finite(number)));
         }
         let machine = &self.machine;
-        let odd = self.watch.look(&machine.system, &machine.state, &mut self.frames);
+        let odd = self.watch.look(&machine.system, &machine.state, &self.table, &mut self.frames);
         self.warnings.extend(odd);
         Ok(())
     }

@@ -61,11 +61,12 @@ fn unquoted(slice: &str) -> Hint {
 
 /// Whether a text is a number and a unit behind it: `20 mm`, `7.85e3 kg/m3`.
 pub fn has_unit(text: &str) -> bool {
-    let (number, unit) = match text.trim().split_once(char::is_whitespace) {
-        Some((number, unit)) => (number, unit.trim_start()),
-        None => text.split_at(text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len())),
-    };
     let is_letter = |c: char| c.is_alphabetic() || c == '\u{b0}' || c == '%';
+    let text = text.trim();
+    let (number, unit) = match text.split_once(char::is_whitespace) {
+        Some((number, unit)) => (number, unit.trim_start()),
+        None => text.split_at(text.find(|c: char| is_letter(c) && !matches!(c, 'e' | 'E')).unwrap_or(text.len())),
+    };
     let is_plain =
         |c: char| is_letter(c) || c.is_ascii_digit() || matches!(c, '/' | '.' | '^' | '*' | '\u{b2}' | '\u{b3}');
     number.parse::<f64>().is_ok() && unit.starts_with(is_letter) && unit.chars().all(is_plain)

@@ -2,6 +2,7 @@
 
 use super::document::Document;
 use super::entries::simulation::Integrator;
+use super::variables::Table;
 use crate::error::decimal;
 use crate::mechanics::energy_balance::Alarm;
 use crate::mechanics::sensor::Snapshot;
@@ -13,6 +14,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
     twist_warned: bool,
+    axial_warned: bool,
     energy_warned: bool,
     /// The integrator damps by itself: the energy may fall.
     damps: bool,
@@ -25,10 +27,30 @@ impl Watch {
         Self { damps, ..Self::default() }
     }
 
-    /// Looks at a new state and returns what the user should know of it.
-    pub fn look(&mut self, system: &System, state: &State, frames: &mut Snapshot) -> Vec<String> {
+    /// Looks at a new state and returns what the user should know of it; `table` has what is read off it.
+    pub fn look(&mut self, system: &System, state: &State, table: &Table, frames: &mut Snapshot) -> Vec<String> {
         let twist = self.twist(system, state, frames);
-        twist.into_iter().chain(self.energy(state)).collect()
+        let axial = self.axial(system, state, table, frames);
+        twist.into_iter().chain(axial).chain(self.energy(state)).collect()
+    }
+
+    /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.
+    fn axial(&mut self, system: &System, state: &State, table: &Table, frames: &mut Snapshot) -> Option<String> {
+        if self.axial_warned {
+            return None;
+        }
+        let mut sensors = table.axial_sensors().peekable();
+        sensors.peek()?;
+        let configuration = frames.of(system, state);
+        let (word, (node, jump)) = sensors.find_map(|(word, sensor)| {
+            Some((word, system.axial_jump_near(&configuration, &system.sensors[sensor])?))
+        })?;
+        self.axial_warned = true;
+        Some(format!(
+            "an output of {word} is within one element of {node}, where the axial force jumps by about {jump:.1e} N at t = {} s: elements spread a jump over both \
+             sides, so that values there are off by up to half of it; read them an element further away",
+            decimal(state.time)
+        ))
     }
 
     /// Warns of a beam that is twisted beyond half the rate above which its energy has no lower bound (MECHANICS 3.7).

@@ -191,3 +191,29 @@ fn regression_general_sections_stiffen_as_they_twist() {
     let failure = simulation.advance(1.0).expect_err("the energy has no lower bound above 8.2 rad/m");
     assert!(failure.message.contains("fourth_moments"), "{}", failure.message);
 }
+
+/// A load along a bar at an inner node: 100 N on one side, nothing on the other. Values within an element of it are neither, and say so; further away, and
+/// at a node that nothing holds, there is nothing to say.
+#[test]
+fn regression_axial_forces_beside_a_load_are_told() {
+    let text = |place: &str, load: &str| {
+        format!(
+            "{HEAD}[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n[section.rod]\nshape = \"circle\"\nradius = 0.005\n\
+             [beam.bar]\nmaterial = \"steel\"\nsection = \"rod\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 8\n\
+             [joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"bar.start\"\n[load.pull]\nat = \"{load}\"\nforce = [100, 0, 0]\n\
+             [output.N]\nat = \"{place}\"\nquantities = [\"section_force\"]\n[simulation]\nanalysis = \"static\"\nstop = 1\nstep = 1\n"
+        )
+    };
+    for place in ["bar@0.4", "bar@0.5", "bar@0.6"] {
+        let told = warnings(&text(place, "bar@0.5"), &[1.0]);
+        assert!(
+            matches!(&told[..], [one] if one.contains("section_force is within one element of bar.node[4]")),
+            "{told:?}"
+        );
+    }
+    for (place, load) in
+        [("bar@0.2", "bar@0.5"), ("bar@0.7", "bar@0.5"), ("bar@0.5", "bar.end"), ("bar.end", "bar.end")]
+    {
+        assert_eq!(warnings(&text(place, load), &[1.0]), Vec::<String>::new(), "{place} {load}");
+    }
+}
