@@ -72,7 +72,7 @@ impl Watch {
     fn energy(&mut self, state: &State) -> Option<String> {
         let Alarm { time, drift, largest } = state.balance.alarm().filter(|_| !self.energy_warned)?;
         self.energy_warned = true;
-        let (time, share) = (decimal(time), 100.0 * drift.abs() / largest);
+        let (time, share) = (decimal(time), 100.0 * drift.abs() / largest.max(drift.abs()));
         Some(if self.damps && drift < 0.0 {
             format!(
                 "numerical damping has taken {:.4e} J, {share:.1} % of the largest energy, by t = {time} s: the steps do not resolve the motion; take \

@@ -17,7 +17,7 @@ use super::newton::{self, Convergence, Problem};
 use super::response::{Responder, Response};
 use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
-use super::stepping::Integrator;
+use super::stepping::{AT_BREAK, Integrator};
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Passage, Rates};
@@ -28,9 +28,6 @@ use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::sensor::Snapshot as FrameCache;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-
-/// How near to a break of loads or drives the end of a step counts as that break, in steps.
-const AT_BREAK: f64 = 1e-9;
 
 /// Largest spectral radius for machines with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
 const LARGEST_RADIUS: f64 = 0.99;

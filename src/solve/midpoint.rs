@@ -17,7 +17,7 @@ use super::newton::{self, Problem};
 use super::projection::Projection;
 use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
-use super::stepping::Integrator;
+use super::stepping::{AT_BREAK, Integrator};
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Configuration, Passage, Rates};
@@ -131,7 +131,12 @@ impl Integrator for Midpoint {
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
             next.balance.last = Some(energy_before);
-            next.balance.account(end, work, Energies { kinetic, elastic }, system.energy_noise(), false);
+            let energies = Energies { kinetic, elastic };
+            if system.is_break(end, AT_BREAK * step) {
+                next.balance.skip(energies);
+            } else {
+                next.balance.account(end, work, energies, system.energy_noise(), false);
+            }
             std::mem::swap(state, &mut next);
         }
         self.next = Some(next);

@@ -88,3 +88,24 @@ fn moving_frames_on_springs_are_accounted_for() {
         assert!(value(&simulation, "energy.kinetic") > 1e-3);
     }
 }
+
+/// A motion that grows from nearly nothing by many times a step, and one that begins with a jump of its rate: what a step is off by there is as large as
+/// the energy itself, and does not matter.
+#[test]
+fn sudden_starts_are_not_warned_of() {
+    for rate in [
+        "\"exp(-1000*(t - 0.5)^2)\"",
+        "[{ until = 0.2031, is = 0 }, { until = 0.6, is = 100 }, { is = 0 }]",
+        "\"100*t^5\"",
+    ] {
+        for integrator in ["conserving", "variational"] {
+            let text = format!(
+                "format = 1\n[model]\nname = \"Start\"\n[body.b]\nmass = 1\nposition = [0.3, 0, 0]\ninertia = [1, 1, 1]\n\
+                 [joint.j]\ntype = \"revolute\"\na = \"ground\"\nb = \"b\"\nat = [0, 0, 0]\naxis = [0, 0, 1]\n\
+                 [drive.m]\njoint = \"j\"\ncoordinate = \"angle\"\nrate = {rate}\n\
+                 [simulation]\nintegrator = \"{integrator}\"\nstop = 1\nstep = 1e-3\n"
+            );
+            assert_eq!(warnings(&text, 1.0), Vec::<String>::new(), "{rate} {integrator}");
+        }
+    }
+}
