@@ -131,12 +131,10 @@ impl Integrator for Midpoint {
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
             next.balance.last = Some(energy_before);
-            let energies = Energies { kinetic, elastic };
             if system.is_break(end, AT_BREAK * step) {
-                next.balance.skip(energies);
-            } else {
-                next.balance.account(end, work, energies, system.energy_noise(), false);
+                next.balance.skip_jump();
             }
+            next.balance.account(end, work, Energies { kinetic, elastic }, system.energy_noise(), false);
             std::mem::swap(state, &mut next);
         }
         self.next = Some(next);
