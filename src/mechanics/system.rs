@@ -11,6 +11,7 @@ mod proportions;
 mod words;
 mod work;
 
+pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};
 pub use motion::{Extreme, PlaceMotion};
 

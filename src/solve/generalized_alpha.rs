@@ -17,7 +17,7 @@ use super::newton::{self, Convergence, Problem};
 use super::response::{Responder, Response};
 use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
-use super::stepping::{AT_BREAK, Integrator};
+use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Passage, Rates};
@@ -27,7 +27,7 @@ use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::sensor::Snapshot as FrameCache;
 use crate::mechanics::state::State;
-use crate::mechanics::system::System;
+use crate::mechanics::system::{AT_BREAK, System};
 
 /// Largest spectral radius for machines with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
 const LARGEST_RADIUS: f64 = 0.99;
@@ -122,11 +122,10 @@ impl GeneralizedAlpha {
         }
     }
 
-    /// Starts anew from `state`, the end of a step of `step` s, if loads or drives go over to another piece there: the accelerations before it
-    /// are not those behind it, and what the method carries on would spread the jump over many steps. Accelerations that are not finite behind it
+    /// Starts anew from `state`, the end of a step of `step` s, if loads or drives jump there: the accelerations before it are not those behind it, and what the method carries on would spread the jump over many steps. Accelerations that are not finite behind it
     /// are left to the next step to refuse.
     fn restart_at_break(&mut self, system: &System, state: &mut State, step: f64) {
-        if system.is_break(state.time, AT_BREAK * step) {
+        if system.is_sudden(state.time, step) {
             let responder = self.responder.get_or_insert_with(|| Box::new(Responder::new(system)));
             let _ = set_accelerations(responder, system, state);
             state.balance.forget_last();
@@ -193,8 +192,7 @@ impl Integrator for GeneralizedAlpha {
 impl Scratch {
     /// What does not change in the iteration. Where a load goes over to another piece at the end, the step is still under the one before.
     fn prepare(&mut self, system: &System, state: &State, step: f64, end: f64) {
-        let margin = AT_BREAK * step;
-        let under = if system.is_break(end, margin) { (end - margin).next_down() } else { end };
+        let under = if system.is_sudden(end, step) { (end - AT_BREAK * step).next_down() } else { end };
         system.excite(under, &state.targets, &mut self.excitation);
         system.prescribe(state, end, &mut self.prescribed);
     }

@@ -17,7 +17,7 @@ use super::newton::{self, Problem};
 use super::projection::Projection;
 use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
-use super::stepping::{AT_BREAK, Integrator};
+use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::{Configuration, Passage, Rates};
@@ -131,7 +131,7 @@ impl Integrator for Midpoint {
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
             next.balance.last = Some(energy_before);
-            if system.is_break(end, AT_BREAK * step) {
+            if system.is_sudden(end, step) {
                 next.balance.skip_jump();
             }
             next.balance.account(end, work, Energies { kinetic, elastic }, system.energy_noise(), false);

@@ -9,9 +9,6 @@ pub const MOST_HALVINGS: u32 = 10;
 /// Whole steps without failure after which a halving is taken back.
 const GOOD_STEPS: u32 = 5;
 
-/// How near to a break of loads or drives the end of a step counts as that break, in steps.
-pub const AT_BREAK: f64 = 1e-9;
-
 /// Something that takes one step.
 pub trait Integrator {
     /// Whether what happens within a step counts: its steps end where a load or a drive goes over from one piece to the next.

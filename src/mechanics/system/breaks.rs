@@ -1,11 +1,27 @@
 //! The times at which functions of time change from one piece to the next: steps end there, and a motion must not jump there.
 
 use crate::error::decimal;
+use crate::mechanics::load::Signal;
 use crate::mechanics::prescribed::Guide;
 use crate::mechanics::system::System;
 
 /// Jumps below this size are rounding of the pieces' numbers, rad or m per m of the mechanism's size (at least 1 m).
 const ROUNDING: f64 = 1e-9;
+
+/// How near to a break the end of a step counts as that break, in steps.
+pub const AT_BREAK: f64 = 1e-9;
+
+/// Jumps below this share of what a function does over a step are round-off of its pieces.
+const SMOOTH: f64 = 1e-9;
+
+/// Whether a signal, or one of its first `derivatives` derivatives, jumps at `time`, s, one of its breaks; compared with its changes over `step` s.
+fn jumps(signal: &Signal, time: f64, step: f64, derivatives: usize) -> bool {
+    let [before, after] = [time.next_down(), time]
+        .map(|time| signal.jet(time))
+        .map(|jet| [jet.value, jet.first * step, jet.second * step * step]);
+    let size = before.iter().chain(&after).map(|part| part.abs()).fold(0.0, f64::max);
+    (0..=derivatives).any(|order| (after[order] - before[order]).abs() > SMOOTH * size)
+}
 
 impl System {
     /// Collects [`System::breaks`] from all functions of time.
@@ -26,10 +42,18 @@ impl System {
         self.breaks.get(first).copied().filter(|time| *time < to - margin)
     }
 
-    /// Whether there is a break within `margin` of `time`, s.
-    pub fn is_break(&self, time: f64, margin: f64) -> bool {
+    /// Whether a load jumps within [`AT_BREAK`] of a step of `step` s from `time`, or the motion of a drive or a frame, its velocity or its acceleration: what is
+    /// known of the motion before does not hold behind it. Pieces that meet smoothly change nothing.
+    pub fn is_sudden(&self, time: f64, step: f64) -> bool {
+        let margin = AT_BREAK * step;
         let first = self.breaks.partition_point(|own| *own < time - margin);
-        self.breaks.get(first).is_some_and(|own| *own <= time + margin)
+        let Some(time) = self.breaks.get(first).copied().filter(|own| *own <= time + margin) else { return false };
+        let jumps = |signal: &Signal, derivatives: usize| {
+            signal.breaks().contains(&time) && jumps(signal, time, step, derivatives)
+        };
+        self.loads.iter().flat_map(|load| load.signals()).any(|signal| jumps(signal, 0))
+            || self.drives.iter().filter_map(|drive| drive.signal()).any(|signal| jumps(signal, 2))
+            || self.moving_frames.iter().flat_map(|frame| frame.signals()).any(|signal| jumps(signal, 2))
     }
 
     /// The jumps of the prescribed motion after `from` up to `to`, s, each as a sentence. No finite force moves a mechanism at once.
