@@ -19,7 +19,7 @@ pub fn spare(inputs: &[Input<'_>], outputs: &[PathBuf]) -> Result<(), Stop> {
     for output in outputs {
         for (what, input) in inputs {
             // Two files of which one does not exist are not the same.
-            if same_file::is_same_file(input, output).unwrap_or(false) {
+            if !is_stream(output) && same_file::is_same_file(input, output).unwrap_or(false) {
                 let output = output.display();
                 return Err(Stop::Bad(format!("error: {output} is {what}; choose another name to write to")));
             }
@@ -38,7 +38,15 @@ pub fn trouble(path: &Path, reason: &dyn std::fmt::Display) -> Stop {
     Stop::Failed(format!("error: cannot write {}: {reason}", path.display()))
 }
 
+/// Whether a path leads to something that is no file and no folder: a pipe, a terminal. It can only be written into.
+fn is_stream(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir())
+}
+
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if is_stream(path) {
+        return fs::write(path, bytes);
+    }
     let target = followed(path)?;
     let there = fs::metadata(&target).ok();
     if there.as_ref().is_some_and(|there| !there.is_file()) {

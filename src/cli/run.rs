@@ -9,6 +9,7 @@ use super::rows::Rows;
 use super::{Stop, complain, failed, say, start};
 use ancf14::error::decimal;
 use ancf14::fmi::{About, Model};
+use ancf14::model::entries::simulation::Analysis;
 use ancf14::model::simulation::Simulation;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
@@ -174,6 +175,10 @@ fn rejections(simulation: &Simulation, results: &Results) -> Option<String> {
     let count = |name: &str| results.last(name).unwrap_or(0.0);
     let (steps, rejected) = (count("statistics.steps"), count("statistics.rejected"));
     let document = simulation.document();
+    // An equilibrium has no motion; what it takes to find it is its own affair.
+    if document.simulation.analysis == Analysis::Static {
+        return None;
+    }
     let asked = results.reached()? / document.value(document.simulation.step);
     let asked = asked.round().max(results.count as f64 - 1.0);
     let are_many = rejected > REJECTED_SHARE * asked || steps > STEPS_SHARE * asked;

@@ -18,6 +18,9 @@ const DAMPED_STEPS: u32 = 200;
 /// Share of the energy that has passed through the system by which the sums of the work may be off: the middle or the ends of a step stand for all of it.
 const THROUGHPUT: f64 = 5e-3;
 
+/// The same for a loss where the integrator damps by itself: what dampers take is then counted at the smaller of the powers at both ends of a step.
+const DAMPED_THROUGHPUT: f64 = 0.1;
+
 /// Share of the work of a single step by which it may be off, and what is left of that allowance after another step: a motion that grows many times within
 /// some steps, from nearly nothing, has an error of that size, which does not matter once it has grown.
 const SINGLE_STEP: f64 = 0.5;
@@ -46,8 +49,8 @@ pub struct Energies {
 pub struct EnergyBalance {
     /// Energies at the end of the last step; none before the first step, and after a change of stiffnesses.
     pub last: Option<Energies>,
-    /// Power of what acts from outside at the end of the last step, W; of integrators that take forces at instants.
-    pub power: f64,
+    /// Power of what acts from outside, and of dampers, which take it, at the end of the last step, W; of integrators that take forces at instants.
+    pub power: [f64; 2],
     /// By what the energy has changed beyond the work, J.
     drift: f64,
     /// Sum of the sizes of the work of all steps, J.
@@ -90,10 +93,10 @@ impl EnergyBalance {
         self.drift += total - before - work;
         self.throughput += work.abs();
         self.peak = (FADING * self.peak).max(work.abs());
-        self.largest = self.largest.max(total);
+        self.largest = self.largest.max(total).max(before);
         let damps = is_damped && self.drift < 0.0;
-        let share = if damps { DAMPED_BAND } else { BAND };
-        let band = share * self.largest + THROUGHPUT * self.throughput + SINGLE_STEP * self.peak + noise + THERMAL;
+        let (share, passed) = if damps { (DAMPED_BAND, DAMPED_THROUGHPUT) } else { (BAND, THROUGHPUT) };
+        let band = share * self.largest + passed * self.throughput + SINGLE_STEP * self.peak + noise + THERMAL;
         let is_beyond = self.drift.abs() > band;
         self.damped_steps = if damps && is_beyond { self.damped_steps.saturating_add(1) } else { 0 };
         if is_beyond && self.alarm.is_none() && (!damps || self.damped_steps >= DAMPED_STEPS) {

@@ -23,7 +23,8 @@ pub struct Spring {
     pub damping: f64,
     /// Reading at which it is free of force, m or rad.
     pub rest: f64,
-    /// How easily the reading is moved as drawn: one over the mass or the moment of inertia behind it, 1/kg or 1/(kg m²); 0 where it is not known.
+    /// How easily a step moves the reading from where it is drawn: one over the mass or the moment of inertia behind it, which stiffness adds to, 1/kg or
+    /// 1/(kg m²); 0 where it is not known.
     pub mobility: f64,
 }
 
@@ -125,12 +126,12 @@ impl Spring {
         blocks
     }
 
-    /// What comes into the system through the spring, beside its elastic energy, while both sides move by the coordinates `moved`: what the
-    /// damper takes, and what moving frames do. `sides_moved` is the change of the reading by the coordinates alone, `whole` that of the reading.
-    fn outside_work(&self, gauge: &Gauge, tension: f64, viscous: f64, [sides_moved, whole]: [f64; 2]) -> f64 {
+    /// What moving frames put into the system through the spring, and what the damper takes out, while the reading changes by `whole`, of which
+    /// `sides_moved` is by the coordinates alone.
+    fn outside_work(&self, gauge: &Gauge, tension: f64, viscous: f64, [sides_moved, whole]: [f64; 2]) -> [f64; 2] {
         let is_framed = [gauge.a, gauge.b].iter().any(|side| matches!(side, Marker::Frame { .. }));
         let by_frames = if is_framed { (tension - viscous) * (whole - sides_moved) } else { 0.0 };
-        by_frames - viscous * sides_moved
+        [by_frames, viscous * sides_moved]
     }
 
     /// Work over a step that `passage` describes, J, as the step takes its forces: what moving frames put in less what the damper takes out.
@@ -141,13 +142,14 @@ impl Spring {
         }
         let (tension, viscous) = (self.tension(gauge, c, passage), self.damping * self.rate(gauge, c, passage));
         let whole = self.reading(gauge, end) - self.reading(gauge, start);
-        self.outside_work(gauge, tension, viscous, [along(gauge, c, increment), whole])
+        let [given, taken] = self.outside_work(gauge, tension, viscous, [along(gauge, c, increment), whole]);
+        given - taken
     }
 
-    /// Power at an instant with the velocities `velocity`, W: what moving frames put in less what the damper takes out.
-    pub fn power(&self, gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> f64 {
+    /// Power at an instant with the velocities `velocity`, W: what moving frames put in, and what the damper takes out.
+    pub fn power(&self, gauge: &Gauge, c: &Configuration, velocity: &[f64]) -> [f64; 2] {
         if self.is_idle() {
-            return 0.0;
+            return [0.0; 2];
         }
         let passage = Passage { increment: None, rates: Rates::Instant(velocity) };
         let (tension, viscous) = (self.tension(gauge, c, &passage), self.damping * self.rate(gauge, c, &passage));

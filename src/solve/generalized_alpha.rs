@@ -262,13 +262,16 @@ impl Scratch {
         let [_, acceleration_by_q] = weights.by_q(step);
         let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
         let energies = system.energies(&configuration, &self.velocity);
-        let acting = system.power(&configuration, &self.velocity, &self.excitation, &mut self.forces);
+        let [acting, damping] = system.power(&configuration, &self.velocity, &self.excitation, &mut self.forces);
         let driving = system.driven_work(&self.gradients, &self.scaled_multipliers, &self.velocity);
-        let power = acting + acceleration_by_q * driving;
+        let power = [acting + acceleration_by_q * driving, damping];
         if balance.last.is_none() {
             (balance.last, balance.power) = begin_balance(system, state);
         }
-        balance.account(end, 0.5 * step * (balance.power + power), energies, system.energy_noise(), true);
+        let given = 0.5 * step * (balance.power[0] + power[0]);
+        // Where a rate changes within a step, the powers at its ends are not those between: the smaller one is surely taken.
+        let taken = step * balance.power[1].min(power[1]);
+        balance.account(end, given - taken, energies, system.energy_noise(), true);
         balance.power = power;
         balance
     }
@@ -292,14 +295,14 @@ impl Scratch {
 }
 
 /// The energies (J) and the power of what acts from outside (W) at `state`, whose last step is not known or was before a break.
-fn begin_balance(system: &System, state: &State) -> (Option<Energies>, f64) {
+fn begin_balance(system: &System, state: &State) -> (Option<Energies>, [f64; 2]) {
     let (mut cache, mut excitation, mut gradients) = (FrameCache::default(), Excitation::default(), Vec::new());
     let configuration = cache.of(system, state);
     system.excite(state.time, &state.targets, &mut excitation);
     system.constraint_gradients(&configuration, &mut gradients);
-    let acting = system.power(&configuration, &state.velocity, &excitation, &mut vec![0.0; state.q.len()]);
+    let [acting, damping] = system.power(&configuration, &state.velocity, &excitation, &mut vec![0.0; state.q.len()]);
     let driving = system.driven_work(&gradients, &state.multipliers, &state.velocity);
-    (Some(system.energies(&configuration, &state.velocity)), acting + driving)
+    (Some(system.energies(&configuration, &state.velocity)), [acting + driving, damping])
 }
 
 /// One step as Newton sees it.

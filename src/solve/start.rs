@@ -15,8 +15,8 @@ const DRAWN_GAP: f64 = 1e-9;
 /// Velocities whose change has less than this share of their kinetic energy are taken as given.
 const CHANGED: f64 = 1e-12;
 
-/// A damper that stops what it holds within less than this share of a step is not resolved by it.
-const UNRESOLVED: f64 = 0.25;
+/// A damper that stops what it holds within less than this share of a step is not resolved by it: the step takes its rate at the end, not in the middle.
+const UNRESOLVED: f64 = 0.5;
 /// A damper that begins to move by less than this share of the mechanism's size in a step, or by less than this angle in rad, is at rest.
 const MOVED: f64 = 1e-6;
 
@@ -106,8 +106,8 @@ pub fn unresolved_dampers(system: &System, state: &State, step: f64) -> Vec<Stri
     };
     let told = system.springs.iter().filter(begins).map(|spring| {
         format!(
-            "the damper of {} stops what it holds within {:.1e} s, far below simulation.step = {step} s: the way until then is not resolved; take a \
-             smaller step if it matters",
+            "the damper of {} stops what it holds within {:.1e} s, less than simulation.step = {step} s resolves: the way until then is off by up to that of half \
+             a step; take a smaller step if it matters",
             spring.name,
             1.0 / spring.decay_rate()
         )

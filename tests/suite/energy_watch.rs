@@ -109,3 +109,20 @@ fn sudden_starts_are_not_warned_of() {
         }
     }
 }
+
+/// Damped beams under a load that is there at once: what dampers take in the first step is not the mean of the powers at its ends.
+#[test]
+fn damped_sudden_starts_are_not_warned_of() {
+    for damping in ["1e-6", "1e-4", "1e-2"] {
+        for integrator in ["conserving", "generalized_alpha"] {
+            let text = format!(
+                "format = 1\n[model]\nname = \"Damped\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\ndamping = {damping}\n\
+                 [section.rod]\nshape = \"circle\"\nradius = 0.005\n\
+                 [beam.arm]\nmaterial = \"steel\"\nsection = \"rod\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 6\n\
+                 [joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"arm.start\"\n[load.tip]\nat = \"arm.end\"\nforce = [0, 0, 10]\n\
+                 [simulation]\nintegrator = \"{integrator}\"\nstop = 1\nstep = 1e-3\n"
+            );
+            assert_eq!(warnings(&text, 1.0), Vec::<String>::new(), "{damping} {integrator}");
+        }
+    }
+}

@@ -8,8 +8,8 @@ use crate::mechanics::system::System;
 /// Jumps below this size are rounding of the pieces' numbers, rad or m per m of the mechanism's size (at least 1 m).
 const ROUNDING: f64 = 1e-9;
 
-/// How near to a break the end of a step counts as that break, in steps.
-pub const AT_BREAK: f64 = 1e-9;
+/// How near to a break the end of a step counts as that break, in steps: a step of that length would turn the round-off of positions into velocities.
+pub const AT_BREAK: f64 = 1e-6;
 
 /// Jumps below this share of what a function does over a step are round-off of its pieces.
 const SMOOTH: f64 = 1e-9;

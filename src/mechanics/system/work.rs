@@ -3,7 +3,7 @@
 use crate::math::Vec3;
 use crate::mechanics::configuration::{Configuration, Passage, Rates};
 use crate::mechanics::energy_balance::{Energies, LIFT_ROUND_OFF};
-use crate::mechanics::joint::{Joint, JointGradient};
+use crate::mechanics::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::load::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::system::System;
@@ -57,8 +57,9 @@ impl System {
         external - viscous + springs.sum::<f64>()
     }
 
-    /// Power at the instant `c` with the velocities `velocity` of what acts from outside but for constraints, W; `forces` is scratch memory.
-    pub fn power(&self, c: &Configuration, velocity: &[f64], excitation: &Excitation, forces: &mut [f64]) -> f64 {
+    /// Power at the instant `c` with the velocities `velocity`, W: of what acts from outside but for constraints and dampers, and of dampers, which take it;
+    /// `forces` is scratch memory.
+    pub fn power(&self, c: &Configuration, velocity: &[f64], excitation: &Excitation, forces: &mut [f64]) -> [f64; 2] {
         self.add_external(c, excitation, forces);
         let external = -dot(forces, velocity);
         let viscous = if self.has_material_damping() {
@@ -69,7 +70,7 @@ impl System {
             0.0
         };
         let springs = self.springs.iter().map(|spring| spring.power(&self.gauges[spring.gauge], c, velocity));
-        external - viscous + springs.sum::<f64>()
+        springs.fold([external, viscous], |[given, taken], own| [given + own[0], taken + own[1]])
     }
 
     /// Work of drives and of joints to moving frames while the coordinates change by `change`, J; their power for velocities, W. All other
@@ -80,7 +81,7 @@ impl System {
             let own = row..row + joint.rows();
             row = own.end;
             if is_driven(joint) {
-                let mut rates = [0.0; crate::mechanics::joint::MOST_CONDITIONS];
+                let mut rates = [0.0; MOST_CONDITIONS];
                 let rates = &mut rates[..joint.rows()];
                 self.add_joint_rates(joint, gradient, change, rates);
                 work -= dot(&multipliers[own], rates);

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::mechanics::state::State;
-use crate::mechanics::system::System;
+use crate::mechanics::system::{AT_BREAK, System};
 use crate::model::build::{self, Built};
 use crate::model::document::Document;
 use crate::model::entries::simulation::{Analysis, Initial, Integrator as Choice};
@@ -306,7 +306,7 @@ impl Plan {
         for number in 1..=self.count {
             let next =
                 if number == self.count { self.end } else { self.begin + (self.first + number as f64) * self.step };
-            let whole = march_to_last_break(integrator, system, state, next, ON_GRID * self.step)?;
+            let whole = march_to_last_break(integrator, system, state, next, AT_BREAK * self.step)?;
             let step = if whole { self.step } else { next - state.time };
             grid_step(integrator, system, state, step, next)?;
         }

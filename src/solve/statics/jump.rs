@@ -5,7 +5,7 @@
 //! path changes by falls with the part, a jump stays as it is.
 
 use super::Statics;
-use crate::error::{Error, decimal};
+use crate::error::decimal;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
@@ -17,6 +17,8 @@ const NOTABLE: f64 = 0.02;
 /// point the change goes with the root of the distance: 1/16.
 const HALVINGS: u32 = 8;
 const KEPT: f64 = 0.25;
+/// A part of the way, as a share of it, beyond which Newton does not fail for its size any more.
+const SMALLEST_PART: f64 = 1.0 / 256.0;
 
 /// How fast the path was in its last increment.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +61,7 @@ impl Statics {
         for _ in 0..HALVINGS {
             let share = 0.5 * (first.0 + last.0);
             let mut middle = first.1.clone();
-            if self.solve_at_share(system, &mut middle, (first.0, share), time).is_err() {
+            if !self.follow(system, &mut middle, (first.0, share), time) {
                 return Some([first.0, last.0]);
             }
             if distance(system, &first.1, &middle) >= distance(system, &middle, &last.1) {
@@ -71,17 +73,22 @@ impl Statics {
         (distance(system, &first.1, &last.1) > KEPT * whole).then_some([first.0, last.0])
     }
 
-    /// Takes `state` from one share of the increment that has begun to the next.
-    fn solve_at_share(
-        &mut self,
-        system: &System,
-        state: &mut State,
-        (from, to): (f64, f64),
-        time: f64,
-    ) -> Result<(), Error> {
-        self.current.set_between(&self.begin.excitation, &self.target, to);
-        self.move_to(system, to, from, time)?;
-        self.solve(system, state, time)
+    /// Takes `state` from one share of the increment that has begun to another, in smaller parts where Newton needs them; returns whether there is a way.
+    fn follow(&mut self, system: &System, state: &mut State, (from, to): (f64, f64), time: f64) -> bool {
+        let (mut share, mut part) = (from, to - from);
+        while share < to {
+            let next = f64::min(share + part, to);
+            self.current.set_between(&self.begin.excitation, &self.target, next);
+            if self.move_to(system, next, share, time).and_then(|()| self.solve(system, state, time)).is_ok() {
+                share = next;
+                continue;
+            }
+            part *= 0.5;
+            if part < SMALLEST_PART * (to - from) {
+                return false;
+            }
+        }
+        true
     }
 }
 
