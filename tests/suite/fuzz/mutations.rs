@@ -77,35 +77,35 @@ const CHARACTERS: [&str; 16] = [
     "\u{2460}",
 ];
 
-/// Lines that change what a section is, wherever they come.
-const LINES: [&str; 27] = [
-    "element = \"ancf24\"",
-    "twist = \"quadratic\"",
-    "strain = \"small\"",
-    "strain = \"large_truncated\"",
-    "pretwist = 3",
-    "y_axis = [1, 1, 1]",
-    "velocity = [0, 1, 0]",
-    "angular_velocity = [0, 0, 5]",
-    "curve = { x = \"s\", y = \"s^2\", z = 0, s = [0, 1] }",
-    "curve = { points = [[0, 0, 0], [1, 0, 0.5], [1, 1, 0]] }",
-    "spacing = \"s\"",
-    "analysis = \"static\"",
-    "analysis = \"dynamic\"",
-    "initial = \"equilibrium\"",
-    "integrator = \"variational\"",
-    "integrator = \"generalized_alpha\"",
-    "tolerance = 1e-4",
-    "spectral_radius = 0",
-    "follower = true",
-    "input = true",
-    "input = \"rotation\"",
-    "input = \"rate\"",
-    "stiffness = 10",
-    "damping = 0.1",
-    "rotational_stiffness = 3",
-    "at = [0, 0, 0]",
-    "fourth_moments = [1e-12, 1e-12, 1e-12]",
+/// Lines that change what a section is, with the kind of section that they belong to.
+const LINES: [(&str, &str); 27] = [
+    ("beam", "element = \"ancf24\""),
+    ("beam", "twist = \"quadratic\""),
+    ("beam", "strain = \"small\""),
+    ("beam", "strain = \"large_truncated\""),
+    ("beam", "pretwist = 3"),
+    ("beam", "y_axis = [1, 1, 1]"),
+    ("beam", "velocity = [0, 1, 0]"),
+    ("beam", "angular_velocity = [0, 0, 5]"),
+    ("beam", "curve = { x = \"s\", y = \"s^2\", z = 0, s = [0, 1] }"),
+    ("beam", "curve = { points = [[0, 0, 0], [1, 0, 0.5], [1, 1, 0]] }"),
+    ("beam", "spacing = \"s\""),
+    ("simulation", "analysis = \"static\""),
+    ("simulation", "initial = \"equilibrium\""),
+    ("simulation", "integrator = \"variational\""),
+    ("simulation", "integrator = \"generalized_alpha\""),
+    ("simulation", "tolerance = 1e-4"),
+    ("simulation", "tolerance = 1e-14"),
+    ("load", "follower = true"),
+    ("load", "input = true"),
+    ("frame", "input = \"rotation\""),
+    ("joint", "stiffness = 10"),
+    ("joint", "damping = 0.1"),
+    ("joint", "rotational_stiffness = 3"),
+    ("joint", "at = [0, 0, 0]"),
+    ("material", "damping = 1e-3"),
+    ("body", "angular_velocity = [0, 0, 50]"),
+    ("section", "fourth_moments = [1e-12, 1e-12, 1e-12]"),
 ];
 
 /// One of `files` with some changes, some of them from the others.
@@ -136,7 +136,7 @@ fn changed(random: &mut Random, text: &str, files: &[&str]) -> String {
             let other = random.below(lines.len());
             lines.swap(line, other);
         }
-        78..90 => lines.insert(line, one(random, &LINES).to_owned()),
+        78..90 => return with_line(random, text),
         90..94 => {
             let others: Vec<&str> = one(random, files).lines().collect();
             lines.insert(line, one(random, &others).to_owned());
@@ -185,9 +185,11 @@ fn with_number(random: &mut Random, text: &str, other: impl Fn(&mut Random, f64)
     replaced(text, place, &other(random, number))
 }
 
-/// A number not far from another: what a user may try.
+/// A number not far from another: what a user may try. Counts mostly stay counts.
 fn scaled(random: &mut Random, number: f64) -> String {
+    let is_count = number >= 2.0 && number < 100.0 && number.fract() == 0.0;
     match random.below(5) {
+        _ if is_count && random.below(4) > 0 => format!("{}", 1 + random.below(2 * number as usize)),
         0 => format!("{}", -number),
         1 => format!("{}", number + f64::from(random.below(3) as i32 - 1)),
         2 => format!("{:e}", number * 10_f64.powi(random.below(13) as i32 - 6)),
@@ -246,6 +248,24 @@ fn sections(text: &str) -> Vec<Range<usize>> {
     let mut starts: Vec<usize> = text.match_indices("\n[").map(|(at, _)| at + 1).collect();
     starts.push(text.len());
     starts.windows(2).map(|pair| pair[0]..pair[1]).collect()
+}
+
+/// A line more in a section that it belongs to; in place of the one with the same key, if there is one.
+fn with_line(random: &mut Random, text: &str) -> String {
+    let (kind, line) = one(random, &LINES);
+    let is_kind = |place: &Range<usize>| text[place.clone()].starts_with(&format!("[{kind}"));
+    let fitting: Vec<_> = sections(text).into_iter().filter(is_kind).collect();
+    if fitting.is_empty() {
+        return text.to_owned();
+    }
+    let place = one(random, &fitting);
+    let key = line.split_inclusive('=').next().unwrap_or(line);
+    // A curve says where a beam is, as its ends do.
+    let is_replaced =
+        |own: &str| own.starts_with(key) || key == "curve =" && (own.starts_with("from =") || own.starts_with("to ="));
+    let mut lines: Vec<&str> = text[place.clone()].lines().filter(|own| !is_replaced(own)).collect();
+    lines.insert(lines.len().min(1), line);
+    replaced(text, place, &(lines.join("\n") + "\n"))
 }
 
 /// One section less, one more, or another in its place.
