@@ -424,7 +424,7 @@ fn regression_quotients_after_a_parameter_tuned_before_the_first_step() {
     };
     let [mut early, mut late, mut other] = [load(), load(), load()];
     tune(&mut early);
-    [&mut early, &mut late].map(|simulation| simulation.initialize(0.0).unwrap());
+    [&mut early, &mut late].into_iter().for_each(|simulation| simulation.initialize(0.0).unwrap());
     tune(&mut late);
     let read = other.read(&late.write(&late.snapshot(), Vec::new())).unwrap_or_else(|f| panic!("{}", f.message));
     other.restore(&read);

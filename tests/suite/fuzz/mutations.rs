@@ -187,7 +187,7 @@ fn with_number(random: &mut Random, text: &str, other: impl Fn(&mut Random, f64)
 
 /// A number not far from another: what a user may try. Counts mostly stay counts.
 fn scaled(random: &mut Random, number: f64) -> String {
-    let is_count = number >= 2.0 && number < 100.0 && number.fract() == 0.0;
+    let is_count = (2.0..100.0).contains(&number) && number.fract() == 0.0;
     match random.below(5) {
         _ if is_count && random.below(4) > 0 => format!("{}", 1 + random.below(2 * number as usize)),
         0 => format!("{}", -number),
