@@ -332,7 +332,11 @@ pub unsafe extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
 #[allow(unused_variables, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi2GetStatus(c: fmi2Component, s: fmi2StatusKind, value: *mut fmi2Status) -> fmi2Status {
     // SAFETY: the caller's promise.
-    unsafe { guard(c, Call::GetStatus, |instance| instance.other_status(Call::GetStatus, kind(s)?)) }
+    unsafe {
+        guard(c, Call::GetStatus, |instance| {
+            instance.other_status(Call::GetStatus, kind(instance, Call::GetStatus, s)?)
+        })
+    }
 }
 
 /// The time reached, s, for `fmi2LastSuccessfulTime`; otherwise `fmi2Discard` (section 4.2.3).
@@ -344,7 +348,7 @@ pub unsafe extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: fmi2StatusKind, 
     // SAFETY: the caller's promise.
     unsafe {
         guard(c, Call::GetRealStatus, |instance| {
-            *place(value, "value")? = instance.real_status(kind(s)?)?;
+            *place(value, "value")? = instance.real_status(kind(instance, Call::GetRealStatus, s)?)?;
             Ok(())
         })
     }
@@ -362,7 +366,11 @@ pub unsafe extern "C" fn fmi2GetIntegerStatus(
     value: *mut fmi2Integer,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
-    unsafe { guard(c, Call::GetIntegerStatus, |instance| instance.other_status(Call::GetIntegerStatus, kind(s)?)) }
+    unsafe {
+        guard(c, Call::GetIntegerStatus, |instance| {
+            instance.other_status(Call::GetIntegerStatus, kind(instance, Call::GetIntegerStatus, s)?)
+        })
+    }
 }
 
 /// False for `fmi2Terminated`: the unit never ends by itself; otherwise `fmi2Discard` (section 4.2.3).
@@ -378,7 +386,8 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
     // SAFETY: the caller's promise.
     unsafe {
         guard(c, Call::GetBooleanStatus, |instance| {
-            *place(value, "value")? = fmi2Boolean::from(instance.boolean_status(kind(s)?)?);
+            *place(value, "value")? =
+                fmi2Boolean::from(instance.boolean_status(kind(instance, Call::GetBooleanStatus, s)?)?);
             Ok(())
         })
     }
@@ -396,10 +405,15 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
     value: *mut fmi2String,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
-    unsafe { guard(c, Call::GetStringStatus, |instance| instance.other_status(Call::GetStringStatus, kind(s)?)) }
+    unsafe {
+        guard(c, Call::GetStringStatus, |instance| {
+            instance.other_status(Call::GetStringStatus, kind(instance, Call::GetStringStatus, s)?)
+        })
+    }
 }
 
-/// The kind of status a host asks for.
-fn kind(s: fmi2StatusKind) -> Result<StatusKind, Error> {
+/// The kind of status a host asks for. The calling table comes first: in a mode that forbids the call, its kind does not matter.
+fn kind(instance: &Instance<Simulation>, call: Call, s: fmi2StatusKind) -> Result<StatusKind, Error> {
+    instance.check(call)?;
     status_kind(s).ok_or(Error::NoSuchStatus { reason: "the standard has the kinds 0 to 3" })
 }

@@ -99,6 +99,14 @@ pub enum Error {
         /// Its name.
         name: String,
     },
+    /// A directional derivative exceeds the range of a double.
+    #[error("the change of `{name}` for these seeds is {value}: it exceeds the range of a double; pass seeds near 1")]
+    SeedTooLarge {
+        /// Name of the unknown.
+        name: String,
+        /// The sum of the products.
+        value: f64,
+    },
     /// Second derivatives of outputs are not known.
     #[error(
         "the derivative of order {order} of `{name}` cannot be read: maxOutputDerivativeOrder is 1; read the velocity and its derivative"

@@ -29,6 +29,7 @@ mod energy_watch;
 mod fmi;
 mod four_bar;
 mod frequencies;
+mod fuzz;
 mod gauss;
 mod generalized_alpha;
 mod generalized_alpha_steps;

@@ -412,3 +412,26 @@ fn derivatives_by_time_after_a_tuned_parameter() {
     assert!((own - before).abs() > 1.0);
     assert_eq!(own.to_bits(), rate(&mut other, "tip.velocity[3]").to_bits());
 }
+
+/// Before the first step, too: derivatives that are difference quotients are those of a run that begins with the tuned parameter, and without
+/// the jump of the results that gravity enters. The drawn start does not depend on gravity.
+#[test]
+fn regression_quotients_after_a_parameter_tuned_before_the_first_step() {
+    let text = include_str!("../../models/pendulum.toml");
+    let load = || Simulation::load("pendulum.toml", text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
+    let tune = |simulation: &mut Simulation| {
+        simulation.set_value(place(simulation, "gravity[3]"), Value::Real(-20.0)).unwrap();
+    };
+    let [mut early, mut late, mut other] = [load(), load(), load()];
+    tune(&mut early);
+    [&mut early, &mut late].into_iter().for_each(|simulation| simulation.initialize(0.0).unwrap());
+    tune(&mut late);
+    let read = other.read(&late.write(&late.snapshot(), Vec::new())).unwrap_or_else(|f| panic!("{}", f.message));
+    other.restore(&read);
+    for name in ["momentum.linear[1]", "momentum.linear[3]", "momentum.angular[2]"] {
+        let expected = rate(&mut early, name);
+        assert!(expected.abs() > 1e-3, "{name}: {expected}");
+        assert_eq!(rate(&mut late, name).to_bits(), expected.to_bits(), "{name}");
+        assert_eq!(rate(&mut other, name).to_bits(), expected.to_bits(), "{name}, from bytes");
+    }
+}

@@ -73,7 +73,7 @@ impl<M: Model> Instance<M> {
     /// step, none before there is a step; in Initialization Mode of what is calculated with the inputs and parameters that it follows from.
     ///
     /// # Errors
-    /// The mode does not allow it, an unknown or a known is none in this mode; or there is no derivative.
+    /// The mode does not allow it, an unknown or a known is none in this mode, or there is no derivative; none is written then.
     pub fn directional_derivative(
         &mut self,
         unknowns: &[u32],
@@ -101,19 +101,32 @@ impl<M: Model> Instance<M> {
         if starts {
             self.solve_initial_state()?;
         }
+        // All are there, or none is written: the model keeps what it has computed.
+        for &unknown in unknowns {
+            self.change(unknown, knowns, seeds)?;
+        }
         for (change, &unknown) in changes.iter_mut().zip(unknowns) {
-            let mut sum = 0.0;
-            for (&known, &seed) in knowns.iter().zip(seeds) {
-                let (unknown, known) = (unknown as usize, known as usize);
-                sum += seed
-                    * match starts {
-                        true => self.model.initial_derivative(unknown, known)?,
-                        false => self.model.partial_derivative(unknown, known)?,
-                    };
-            }
-            *change = sum;
+            *change = self.change(unknown, knowns, seeds)?;
         }
         Ok(())
+    }
+
+    /// The change of one unknown: the sum of its derivatives with respect to the knowns, each times its seed.
+    fn change(&mut self, unknown: u32, knowns: &[u32], seeds: &[f64]) -> Result<f64, Error> {
+        let starts = self.mode() == Mode::Initialization;
+        let mut sum = 0.0;
+        for (&known, &seed) in knowns.iter().zip(seeds) {
+            let (unknown, known) = (unknown as usize, known as usize);
+            sum += seed
+                * match starts {
+                    true => self.model.initial_derivative(unknown, known)?,
+                    false => self.model.partial_derivative(unknown, known)?,
+                };
+        }
+        match sum.is_finite() {
+            true => Ok(sum),
+            false => Err(Error::SeedTooLarge { name: self.variable::<f64>(unknown)?.name.clone(), value: sum }),
+        }
     }
 
     /// The row of a Real that the initialization calculates.

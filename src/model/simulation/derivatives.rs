@@ -21,6 +21,7 @@ use crate::model::number::Number;
 use crate::model::variables::Moment;
 use crate::solve::response::{Responder, Response};
 use crate::solve::sensitivity::{self, Linearized, Sensitivity, Step};
+use std::sync::Arc;
 
 /// The communication step that led to the present state; the machine's backup is the state at its start.
 #[derive(Clone, Debug, Default)]
@@ -178,17 +179,27 @@ impl Simulation {
         Ok(sum)
     }
 
-    /// Difference quotients of all results over the last internal step, or over the next one.
+    /// Difference quotients of all results over the last internal step, or over the next one. Tunable parameters that were set since the
+    /// results were read act on the next step, and on both ends of its quotients: their jump is no derivative.
     fn quotients(&mut self) -> Result<Vec<f64>, Error> {
-        let (state, response) = match self.last.known {
-            true => self.machine.before_last_part(self.last.end),
-            false => self.machine.after_next_part(),
-        }?;
-        let mut values = Vec::new();
-        let moment = Moment { system: &self.machine.system, state: &state, response: &response, fibres: &[] };
-        self.table.measure(&moment, &mut Frames::default(), &mut values);
+        let mut frames = Frames::default();
+        let (mut now, mut values) = (Vec::new(), Vec::new());
+        let (system, (state, response)) = if self.last.known {
+            now.clone_from(&self.results);
+            (Arc::clone(&self.machine.system), self.machine.before_last_part(self.last.end)?)
+        } else {
+            let next = self.machine.after_next_part(&self.document)?;
+            let (system, state) = (self.machine.settled(&self.document), &self.machine.state);
+            let mut response = Response::default();
+            self.machine.solver.respond(&mut Responder::new(&system), &system, state, &mut response)?;
+            let moment = Moment { system: &system, state, response: &response, fibres: &[] };
+            self.table.measure(&moment, &mut frames, &mut now);
+            (system, next)
+        };
+        let moment = Moment { system: &system, state: &state, response: &response, fibres: &[] };
+        self.table.measure(&moment, &mut frames, &mut values);
         let passed = self.machine.state.time - state.time;
-        Ok(self.results.iter().zip(&values).map(|(now, other)| (now - other) / passed).collect())
+        Ok(now.iter().zip(&values).map(|(now, other)| (now - other) / passed).collect())
     }
 
     fn jacobian(&mut self) -> Result<Vec<f64>, Error> {

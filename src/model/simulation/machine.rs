@@ -183,14 +183,14 @@ impl Machine {
         Ok((before, response))
     }
 
-    /// The state one internal step after the present one, and its response; inputs stay as they are.
-    pub(super) fn after_next_part(&mut self) -> Result<(State, Response), Error> {
+    /// The state one internal step after the present one, and its response, with the tunable parameters of now; inputs stay as they are.
+    pub(super) fn after_next_part(&mut self, document: &Document) -> Result<(State, Response), Error> {
         let begin = self.state.time;
         let plan = self.plan(begin, begin + self.step)?;
         let mut state = self.state.clone();
         state.targets.depart(begin, &self.state.prescribed);
         state.targets.end = plan.end;
-        let system = &self.system;
+        let system = &self.settled(document);
         match &mut self.solver {
             Solver::None => Err(Error::NotInitialized),
             Solver::Midpoint(own) => plan.march(own.as_mut(), system, &mut state),

@@ -1,12 +1,13 @@
 //! Does a built unit keep the calling table, function by function, in every mode that a host can bring it to? What is legal
 //! works; what is not is refused with an error that names call and mode, and the unit goes on with the very bits of one that was not
 //! called so. (The mode after an internal fault is reached in `guard.rs`, on a toy that can panic.)
+#![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use ancf14::{
-    ffi::types::fmi2Status,
+    ffi::{fmi2::*, types::fmi2Status},
     fmi::lifecycle::{Call, Mode, TABLE},
 };
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 use super::{
     ffi::MODEL,
@@ -94,5 +95,26 @@ fn every_function_in_every_mode() {
                 assert_eq!(going_on(&unit, mode, saved), expected, "{call} {mode}");
             }
         }
+    }
+}
+
+/// Where a mode forbids to ask for a status, the mode is the mistake, whatever kind of status is asked for.
+#[test]
+fn regression_the_table_comes_before_the_kind_of_a_status() {
+    let place = Place::new(MODEL);
+    let unit = Unit::new(&place);
+    let (c, mut real, mut integer, mut status, mut text) = (unit.c, 0.0, 0, fmi2Status::fmi2OK, null());
+    for kind in [-1, 4, i32::MAX] {
+        // SAFETY: the unit is live, and every value can be written to.
+        let answers = unsafe {
+            [
+                fmi2GetStatus(c, kind, &raw mut status),
+                fmi2GetRealStatus(c, kind, &raw mut real),
+                fmi2GetIntegerStatus(c, kind, &raw mut integer),
+                fmi2GetBooleanStatus(c, kind, &raw mut integer),
+                fmi2GetStringStatus(c, kind, &raw mut text),
+            ]
+        };
+        assert_eq!(answers, [fmi2Status::fmi2Error; 5], "{kind}");
     }
 }

@@ -60,6 +60,19 @@ fn derivatives_by_inputs() {
     assert!(instance.directional_derivative(&[POSITION], &[FORCE], &[], &mut change).is_err());
 }
 
+/// Seeds may be so large that their products exceed the range of a double: an error then, not an infinite change, and no element of the
+/// array is written.
+#[test]
+fn regression_changes_are_finite() {
+    let mut instance = stepped(1);
+    let mut changes = [7.0; 2];
+    for seeds in [[f64::MAX, f64::MAX], [f64::MAX, f64::MIN]] {
+        let outcome = instance.directional_derivative(&[POSITION, POSITION], &[FORCE, FORCE], &seeds, &mut changes);
+        assert!(matches!(outcome, Err(Error::SeedTooLarge { .. })), "{seeds:?}: {outcome:?}");
+        assert_eq!(changes, [7.0; 2]);
+    }
+}
+
 /// In Initialization Mode the unknowns are what is calculated, the knowns what can be set; by time there are derivatives too.
 #[test]
 fn derivatives_in_initialization_mode() {

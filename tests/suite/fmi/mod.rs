@@ -6,6 +6,7 @@ mod call_table;
 mod derivatives;
 mod description;
 mod ffi;
+mod fuzz;
 mod guard;
 mod handles;
 mod header;

@@ -302,19 +302,20 @@ fn run(place: &Place, actions: &[Action], mut mischievous: Option<Random>) -> Ve
     bits
 }
 
-/// Runs a test of this file in a process of its own: the list of live handles is the process's, and other tests change it meanwhile.
-fn alone(name: &str) {
+/// Runs an ignored test in a process of its own: the list of live handles belongs to the process, and other tests change it meanwhile.
+pub fn alone(name: &str) {
     let mut child = Command::new(std::env::current_exe().unwrap());
-    let child = child.args(["--exact", &format!("fmi::sequences::{name}"), "--ignored", "--test-threads=1"]);
+    let child = child.args(["--exact", name, "--ignored", "--test-threads=1", "--nocapture"]);
     let output = child.output().unwrap();
     let told = String::from_utf8_lossy(&output.stdout);
+    println!("{told}");
     assert!(output.status.success() && told.contains("1 passed"), "{told}{}", String::from_utf8_lossy(&output.stderr));
 }
 
 /// Twice the same bits, and after the second run nothing more is in memory than before it.
 #[test]
 fn random_sequences_repeat_and_leave_nothing() {
-    alone("child_that_repeats");
+    alone("fmi::sequences::child_that_repeats");
 }
 
 #[test]
@@ -335,7 +336,7 @@ fn child_that_repeats() {
 /// Wrong calls between all actions change nothing.
 #[test]
 fn wrong_calls_leave_no_trace() {
-    alone("child_that_calls_wrongly");
+    alone("fmi::sequences::child_that_calls_wrongly");
 }
 
 #[test]
