@@ -388,11 +388,16 @@ fn enough_for_twist(document: &Document, beam: &Beam, pretwist: f64, elements: u
     Some(count)
 }
 
+/// Attempts at a number of elements that is hardly more than is needed.
+const CAREFUL: u32 = 4;
+
 /// A number of elements, more than `elements`, none of which turns too far; with so many one turns by `angle`, rad.
 fn enough(curve: &Curve, spacing: Spacing, elements: usize, mut angle: f64) -> Option<usize> {
     let mut count = elements;
-    loop {
-        count = usize::max(count + 1, (count as f64 * angle / LARGEST_BEND).ceil() as usize);
+    for attempt in 0.. {
+        // A sharp bend keeps its angle while elements become shorter: counts that grow by one would take thousands of attempts.
+        let least = if attempt < CAREFUL { count + 1 } else { 2 * count };
+        count = usize::max(least, (count as f64 * angle / LARGEST_BEND).ceil() as usize);
         if count > MOST_PROPOSED {
             return None;
         }
@@ -402,4 +407,5 @@ fn enough(curve: &Curve, spacing: Spacing, elements: usize, mut angle: f64) -> O
             Err(_) => return None,
         }
     }
+    None
 }
