@@ -34,7 +34,7 @@ fn motor(motion: &str) -> String {
 /// 100 rad/s for 0.9 ms, between two places of any rule of 15 points over the step: 0.09 rad.
 #[test]
 fn regression_a_short_rate_is_integrated() {
-    let text = motor("rate = [{ until = 0.0131, is = 0 }, { until = 0.0140, is = 100 }, { is = 0 }]");
+    let text = motor("rate = [{ until = 0.0551, is = 0 }, { until = 0.0560, is = 100 }, { is = 0 }]");
     let angle = Curves::run(&text, &[]).last("J.angle");
     assert!((angle - 0.09).abs() < 1e-12, "{angle}");
 }
