@@ -3,7 +3,7 @@
 
 use crate::curves::Curves;
 use crate::running::{start, try_start, value};
-use ancf14::fmi::Model;
+use ancf14::fmi::{Model, Value};
 
 const HEAD: &str = "format = 1\n[model]\nname = \"Limit\"\n";
 
@@ -243,4 +243,22 @@ fn coarse_increments_are_no_jumps() {
     let model = include_str!("../../models/roll_up.toml").replace("step = 0.05", "step = 1");
     assert!(model.contains("step = 1\n"), "the replacement finds nothing");
     assert_eq!(warnings(&model, &[1.0]), Vec::<String>::new());
+}
+
+/// A damper that a host sets while the mechanism runs stops what it holds like one that is drawn.
+#[test]
+fn dampers_may_be_set_while_it_runs() {
+    let text = format!(
+        "{HEAD}[body.b]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\nvelocity = [1, 0, 0]\n\
+         [joint.rail]\ntype = \"prismatic\"\na = \"ground\"\nb = \"b\"\naxis = [1, 0, 0]\ndamping = 0\n\
+         [output.P]\nat = \"b\"\nquantities = [\"velocity\"]\n[simulation]\nstop = 1\nstep = 1e-3\n"
+    );
+    let mut simulation = start(&text);
+    let damping = simulation.variables().iter().position(|variable| variable.name == "rail.damping").unwrap();
+    simulation.advance(0.01).unwrap_or_else(|failure| panic!("{}", failure.message));
+    assert!((value(&simulation, "P.velocity[1]") - 1.0).abs() < 1e-12);
+    simulation.set_value(damping, Value::Real(1e6)).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation.advance(0.011).unwrap_or_else(|failure| panic!("{}", failure.message));
+    // The factor of the step is 0 to round-off.
+    assert!(value(&simulation, "P.velocity[1]").abs() < 1e-12, "{}", value(&simulation, "P.velocity[1]"));
 }

@@ -302,10 +302,16 @@ fn run(place: &Place, actions: &[Action], mut mischievous: Option<Random>) -> Ve
     bits
 }
 
-/// Runs an ignored test in a process of its own: the list of live handles belongs to the process, and other tests change it meanwhile.
-pub fn alone(name: &str) {
+/// Set in a process that runs a single test.
+const ALONE: &str = "ANCF14_TEST_ALONE";
+
+/// Runs the body of the test `name` in a process of its own: the list of live handles belongs to the process, and other tests change it meanwhile.
+pub fn alone(name: &str, body: impl FnOnce()) {
+    if std::env::var_os(ALONE).is_some() {
+        return body();
+    }
     let mut child = Command::new(std::env::current_exe().unwrap());
-    let child = child.args(["--exact", name, "--ignored", "--test-threads=1", "--nocapture"]);
+    let child = child.args(["--exact", name, "--test-threads=1", "--nocapture"]).env(ALONE, "1");
     let output = child.output().unwrap();
     let told = String::from_utf8_lossy(&output.stdout);
     println!("{told}");
@@ -315,40 +321,33 @@ pub fn alone(name: &str) {
 /// Twice the same bits, and after the second run nothing more is in memory than before it.
 #[test]
 fn random_sequences_repeat_and_leave_nothing() {
-    alone("fmi::sequences::child_that_repeats");
-}
-
-#[test]
-#[ignore = "run by random_sequences_repeat_and_leave_nothing"]
-fn child_that_repeats() {
-    for seed in [1, 2] {
-        let place = Place::new(MODEL);
-        let actions = sequence(&mut Random(seed));
-        let steps = actions.iter().filter(|action| matches!(action, Action::Step { .. })).count();
-        assert!(steps > LENGTH / 4, "most of a sequence are steps, not {steps}");
-        let expected = run(&place, &actions, None);
-        let left =
-            allocations::left_over(|| assert!(run(&place, &actions, None) == expected, "other bits the second time"));
-        assert_eq!(left, 0, "allocations of a run that were not given back");
-    }
+    alone("fmi::sequences::random_sequences_repeat_and_leave_nothing", || {
+        for seed in [1, 2] {
+            let place = Place::new(MODEL);
+            let actions = sequence(&mut Random(seed));
+            let steps = actions.iter().filter(|action| matches!(action, Action::Step { .. })).count();
+            assert!(steps > LENGTH / 4, "most of a sequence are steps, not {steps}");
+            let expected = run(&place, &actions, None);
+            let left = allocations::left_over(|| {
+                assert!(run(&place, &actions, None) == expected, "other bits the second time")
+            });
+            assert_eq!(left, 0, "allocations of a run that were not given back");
+        }
+    });
 }
 
 /// Wrong calls between all actions change nothing.
 #[test]
 fn wrong_calls_leave_no_trace() {
-    alone("fmi::sequences::child_that_calls_wrongly");
-}
-
-#[test]
-#[ignore = "run by wrong_calls_leave_no_trace"]
-fn child_that_calls_wrongly() {
-    for seed in [3, 4] {
-        let place = Place::new(MODEL);
-        let actions = sequence(&mut Random(seed));
-        let expected = run(&place, &actions, None);
-        let left = allocations::left_over(|| {
-            assert!(run(&place, &actions, Some(Random(5))) == expected, "other bits than without wrong calls");
-        });
-        assert_eq!(left, 0, "allocations of a run that were not given back");
-    }
+    alone("fmi::sequences::wrong_calls_leave_no_trace", || {
+        for seed in [3, 4] {
+            let place = Place::new(MODEL);
+            let actions = sequence(&mut Random(seed));
+            let expected = run(&place, &actions, None);
+            let left = allocations::left_over(|| {
+                assert!(run(&place, &actions, Some(Random(5))) == expected, "other bits than without wrong calls");
+            });
+            assert_eq!(left, 0, "allocations of a run that were not given back");
+        }
+    });
 }

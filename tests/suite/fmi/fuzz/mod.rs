@@ -39,16 +39,12 @@ fn sequence(place: &Place, seed: u64) {
 
 #[test]
 fn calls_are_answered_as_the_table_says() {
-    alone("fmi::fuzz::child_that_calls_anything");
-}
-
-#[test]
-#[ignore = "run by calls_are_answered_as_the_table_says"]
-fn child_that_calls_anything() {
-    let places = places();
-    round("sequences of calls", 15, |seed| {
-        sequence(&places[seed as usize % places.len()], seed);
-        Ok(())
+    alone("fmi::fuzz::calls_are_answered_as_the_table_says", || {
+        let places = places();
+        round("sequences of calls", 15, |seed| {
+            sequence(&places[seed as usize % places.len()], seed);
+            Ok(())
+        });
     });
 }
 
@@ -112,15 +108,11 @@ fn use_forged(place: &Place, random: &mut Random) {
 
 #[test]
 fn forged_states_are_refused_or_used() {
-    alone("fmi::fuzz::child_that_forges_states");
-}
-
-#[test]
-#[ignore = "run by forged_states_are_refused_or_used"]
-fn child_that_forges_states() {
-    let places = places();
-    round("forged states", 100, |seed| {
-        use_forged(&places[seed as usize % places.len()], &mut Random(seed));
-        Ok(())
+    alone("fmi::fuzz::forged_states_are_refused_or_used", || {
+        let places = places();
+        round("forged states", 100, |seed| {
+            use_forged(&places[seed as usize % places.len()], &mut Random(seed));
+            Ok(())
+        });
     });
 }
