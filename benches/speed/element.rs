@@ -7,6 +7,7 @@ use crate::shaft;
 use crate::table::{Amount, Row};
 use ancf14::mechanics::ancf14::frame::NodeFrame;
 use ancf14::mechanics::configuration::Configuration;
+use ancf14::mechanics::configuration::Passage;
 use ancf14::model::simulation::Simulation;
 use std::hint::black_box;
 
@@ -51,7 +52,7 @@ impl Bent {
         let Self { simulation, frames, forces, .. } = self;
         let c = configuration(simulation, frames);
         for element in &simulation.system().mesh.elements {
-            element.add_gradient(&c, None, black_box(forces));
+            element.add_gradient(&c, &Passage::Rest, black_box(forces));
         }
     }
 
@@ -60,7 +61,7 @@ impl Bent {
         let Self { simulation, frames, forces, block } = self;
         let c = configuration(simulation, frames);
         for element in &simulation.system().mesh.elements {
-            element.add_gradient_and_set_hessian(&c, None, 1.0, forces, black_box(block));
+            element.add_gradient_and_set_hessian(&c, &Passage::Rest, 1.0, forces, black_box(block));
         }
     }
 }

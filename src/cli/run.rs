@@ -24,8 +24,8 @@ const PARTIAL: &str = "results.part.csv";
 const ROUNDING: f64 = 1e-9;
 /// More rows than this would fill a disk: some 30 GB.
 const MOST_ROWS: f64 = 1e8;
-/// A run is warned of when so many steps were rejected, and when they are a tenth of the steps that simulation.step asks for, or when
-/// halving has doubled the number of steps.
+/// A run is warned of when so many steps were rejected that they are a tenth of the steps that simulation.step asks for, or when halving has doubled the
+/// number of steps.
 const REJECTED: f64 = 10.0;
 const REJECTED_SHARE: f64 = 0.1;
 const STEPS_SHARE: f64 = 2.0;
@@ -181,8 +181,8 @@ fn rejections(simulation: &Simulation, results: &Results) -> Option<String> {
     }
     let asked = results.reached()? / document.value(document.simulation.step);
     let asked = asked.round().max(results.count as f64 - 1.0);
-    let are_many = rejected > REJECTED_SHARE * asked || steps > STEPS_SHARE * asked;
-    (rejected >= REJECTED && are_many).then(|| {
+    let are_many = rejected >= REJECTED && rejected > REJECTED_SHARE * asked;
+    (are_many || steps > STEPS_SHARE * asked + REJECTED).then(|| {
         format!(
             "{rejected} steps were rejected, and {steps} steps were needed instead of {asked}: the motion is too fast for \
              simulation.step, or a load, drive or frame jumps or grows without bound; compare with a smaller simulation.step"

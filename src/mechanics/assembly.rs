@@ -19,7 +19,7 @@ use super::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed};
 use super::rigid_body::{BodyDesign, RigidBody};
 use super::sensor::Sensor;
 use super::spring::Spring;
-use super::state::{Accelerations, State, Statistics};
+use super::state::{Accelerations, Prediction, State, Statistics};
 use super::system::{Beam, System};
 use super::transmission::Transmission;
 use super::triad::Triad;
@@ -390,6 +390,8 @@ impl Assembly {
             momentum: vec![0.0; q.len()],
             multipliers: vec![0.0; system.constraints()],
             strays: vec![0.0; system.constraints()],
+            strain_rates: vec![0.0; system.mesh.strains() + system.gauges.len()],
+            prediction: Prediction::default(),
             accelerations: Accelerations::default(),
             holonomy: vec![0.0; system.mesh.branches],
             readings: vec![0.0; system.gauges.len()],

@@ -21,36 +21,66 @@ pub struct Configuration<'a> {
     pub mesh: &'a Mesh,
 }
 
-/// How fast the machine passes through the configuration in which its forces are taken: what dampers ask.
+/// How the machine passes through the configuration in which its forces are taken.
 #[derive(Clone, Copy, Debug)]
-pub enum Rates<'a> {
+pub enum Passage<'a> {
     /// Not at all: an equilibrium.
     Rest,
-    /// Over a step, in whose middle forces are taken: rates are differences of the ends' strains and readings.
-    Step {
-        /// Start of the step.
-        start: &'a Configuration<'a>,
-        /// End of the step.
-        end: &'a Configuration<'a>,
-        /// Length of the step, s.
-        duration: f64,
-        /// Velocities of the coordinates at the start, 1/s each.
-        velocity: &'a [f64],
-    },
-    /// With these velocities of the coordinates, 1/s each.
+    /// At an instant, with these velocities of the coordinates, 1/s each.
     Instant(&'a [f64]),
+    /// Over a step whose middle is the configuration.
+    Step(TimeStep<'a>),
 }
 
-/// How the forces of a configuration are taken.
+/// A step in time, as the forces of its middle ask for it (MECHANICS 7.6).
 #[derive(Clone, Copy, Debug)]
-pub struct Passage<'a> {
-    /// The change of `q` over a step, where the axial strain is the mean of its two ends' (MECHANICS 7.6).
-    pub increment: Option<&'a [f64]>,
-    /// Rates of strains and gauges.
-    pub rates: Rates<'a>,
+pub struct TimeStep<'a> {
+    /// Start of the step.
+    pub start: &'a Configuration<'a>,
+    /// End of the step.
+    pub end: &'a Configuration<'a>,
+    /// Change of the coordinates.
+    pub increment: &'a [f64],
+    /// Length of the step, s.
+    pub duration: f64,
+    /// Velocities of the coordinates at the start, 1/s each.
+    pub velocity: &'a [f64],
+    /// Numerical dissipation.
+    pub dissipation: Dissipation,
+    /// Rates of all strains and readings over the last step, as [`crate::mechanics::state::State::strain_rates`].
+    pub strain_rates: &'a [f64],
+    /// The same at the start, with its velocities.
+    pub start_rates: &'a [f64],
 }
 
-impl Passage<'_> {
-    /// Nothing moves.
-    pub const REST: Self = Self { increment: None, rates: Rates::Rest };
+impl TimeStep<'_> {
+    /// What a strain or a reading, number `number` in [`Self::strain_rates`], that changes with `rate` over the step has of it that was not predicted, weighted
+    /// by the dissipation.
+    #[inline]
+    pub fn unpredicted(&self, rate: f64, number: usize) -> f64 {
+        let Dissipation { by_last_step, by_start } = self.dissipation;
+        by_last_step * (rate - self.strain_rates[number]) + by_start * (rate - self.start_rates[number])
+    }
+}
+
+/// How strains that are too fast for the step are damped (MECHANICS 7.6): what multiplies the part of the change of a strain over a step that was not predicted, 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Dissipation {
+    /// Not predicted by the rate over the last step, `chi`.
+    pub by_last_step: f64,
+    /// Not predicted by the rate at the start, `psi`.
+    pub by_start: f64,
+}
+
+impl Dissipation {
+    /// Such that the amplitude of a strain that is infinitely fast for the step is multiplied by `spectral_radius` (1/3 to 1) a step.
+    pub fn new(spectral_radius: f64) -> Self {
+        let (lost, square) = (1.0 - spectral_radius, (1.0 + spectral_radius).powi(2));
+        Self { by_last_step: spectral_radius * lost / square, by_start: 0.5 * lost * lost / square }
+    }
+
+    /// Both together: how the weighted change depends on the change over the step.
+    pub fn sum(self) -> f64 {
+        self.by_last_step + self.by_start
+    }
 }

@@ -1,6 +1,6 @@
 //! What the machine asks of an element, whatever its formulation: ANCF14 and ANCF24 answer alike, each in its own folder.
 
-use super::configuration::{Configuration, Rates};
+use super::configuration::{Configuration, Passage, TimeStep};
 use super::marker::{MarkerMatrix, Motion};
 use super::pose::Pose;
 use super::resultants::{SectionForces, SectionShape, SectionStrains};
@@ -61,29 +61,36 @@ pub trait Formulation {
     /// Strain energy, J.
     fn energy(&self, c: &Configuration) -> f64;
 
-    /// Adds the gradient of the strain energy; with the `increment` of the coordinates over a step whose middle is `c`, the
-    /// conserving force of MECHANICS 7.6.
-    fn add_gradient(&self, c: &Configuration, increment: Option<&[f64]>, forces: &mut [f64]);
+    /// Adds the gradient of the strain energy; over a step the force of MECHANICS 7.6, the material's damping included.
+    fn add_gradient(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]);
 
     /// [`Self::add_gradient`], and sets `block` to `scale` times the Hessian; over a step to twice the derivative by the coordinates
     /// at its end.
     fn add_gradient_and_set_hessian(
         &self,
         c: &Configuration,
-        increment: Option<&[f64]>,
+        passage: &Passage,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     );
 
-    /// Adds the viscous forces of the material.
-    fn add_damping(&self, c: &Configuration, rates: &Rates, forces: &mut [f64]);
+    /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole machine, to the rates over it. Returns the elastic energy
+    /// at the end of the step, and what the material's damping has taken over it, J.
+    fn finish_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64], strain_rates: &mut [f64])
+    -> [f64; 2];
 
-    /// [`Self::add_damping`], and adds `scale` times its derivative, as [`Self::add_gradient_and_set_hessian`] counts it, to `block`.
+    /// Sets `strain_rates`, those of the whole machine, to the rates at an instant with the velocities `velocity`.
+    fn set_strain_rates(&self, _c: &Configuration, _velocity: &[f64], _strain_rates: &mut [f64]) {}
+
+    /// Adds the viscous forces of the material at an instant, with the velocities `velocity`.
+    fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]);
+
+    /// [`Self::add_damping`], and adds `scale` times its derivative by the coordinates to `block`.
     fn add_damping_and_tangent(
         &self,
         c: &Configuration,
-        rates: &Rates,
+        velocity: &[f64],
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],

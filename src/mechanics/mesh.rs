@@ -2,6 +2,7 @@
 
 use super::ancf14::coordinates::NODE;
 use super::ancf14::frame::NodeFrame;
+use super::ancf14::over_step::STRAINS;
 use super::formulation::Element;
 use super::node::Node;
 use super::triad::Triad;
@@ -23,6 +24,16 @@ impl Mesh {
     /// Number of coordinates.
     pub fn coordinates(&self) -> usize {
         self.nodes.last().map_or(0, |node| node.coordinates().end)
+    }
+
+    /// Number of strains of all elements that have a numerical dissipation: ANCF14's.
+    pub fn strains(&self) -> usize {
+        STRAINS * self.branches
+    }
+
+    /// Where the rate of gauge `gauge` is among the rates of strains and readings.
+    pub fn gauge_rate(&self, gauge: usize) -> usize {
+        self.strains() + gauge
     }
 
     /// The number of the node that coordinate `index` belongs to.

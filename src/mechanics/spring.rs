@@ -2,8 +2,8 @@
 //!
 //! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind.
 
-use super::configuration::{Configuration, Passage, Rates};
-use super::gauge::Gauge;
+use super::configuration::{Configuration, Passage, TimeStep};
+use super::gauge::{Gauge, Measure};
 use super::joint::own_velocity;
 use super::marker::{Marker, MarkerMatrix, MarkerVector};
 use super::pair::{PairHessian, PairVector};
@@ -42,9 +42,29 @@ impl Spring {
         gauge.reading(c, c.readings[self.gauge])
     }
 
-    /// Its force against the growing of the reading, N or N m.
+    /// Its force against the growing of the reading, N or N m; over a step that of the mean reading of both ends, with what numerical dissipation adds.
     pub fn tension(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> f64 {
-        self.stiffness * (self.reading(gauge, c) - self.rest) + self.damping * self.rate(gauge, c, passage)
+        let elastic = match passage {
+            Passage::Rest | Passage::Instant(_) => self.reading(gauge, c) - self.rest,
+            Passage::Step(step) => {
+                let [start, end] = [step.start, step.end].map(|end| self.reading(gauge, end));
+                let rate = (end - start) / step.duration;
+                0.5 * (start + end) - self.rest + step.duration * step.unpredicted(rate, c.mesh.gauge_rate(self.gauge))
+            }
+        };
+        self.stiffness * elastic + self.damping * self.rate(gauge, c, passage)
+    }
+
+    /// The length of the vector between both sides in the middle of a step over the mean of both ends': a distance then works as much as its energy
+    /// changes. 1 for everything else, and at an instant.
+    fn shortening(&self, gauge: &Gauge, c: &Configuration, passage: &Passage) -> f64 {
+        match passage {
+            Passage::Step(step) if gauge.measure == Measure::Length => {
+                let [start, end] = [step.start, step.end].map(|end| self.reading(gauge, end));
+                2.0 * self.reading(gauge, c) / (start + end)
+            }
+            _ => 1.0,
+        }
     }
 
     /// Rate of the reading, m/s or rad/s.
@@ -52,17 +72,25 @@ impl Spring {
         if self.damping == 0.0 {
             return 0.0;
         }
-        match &passage.rates {
-            Rates::Rest => 0.0,
-            Rates::Step { start, end, duration, velocity } => {
+        match passage {
+            Passage::Rest => 0.0,
+            Passage::Step(TimeStep { start, end, duration, velocity, .. }) => {
                 let mean = (self.reading(gauge, end) - self.reading(gauge, start)) / duration;
                 match self.lateness(*duration) {
                     0.0 => mean,
                     late => (1.0 + late) * mean - late * reading_rate(gauge, start, velocity),
                 }
             }
-            Rates::Instant(velocity) => reading_rate(gauge, c, velocity),
+            Passage::Instant(velocity) => reading_rate(gauge, c, velocity),
         }
+    }
+
+    /// Mean rate of the reading over a step, m/s or rad/s; 0 without stiffness, where nobody asks.
+    pub fn step_rate(&self, gauge: &Gauge, step: &TimeStep) -> f64 {
+        if self.stiffness == 0.0 {
+            return 0.0;
+        }
+        (self.reading(gauge, step.end) - self.reading(gauge, step.start)) / step.duration
     }
 
     /// How far from the middle of a step of `duration` s towards its end the damper's rate is taken, 0 to 1.
@@ -83,7 +111,7 @@ impl Spring {
         if self.is_idle() {
             return [MarkerVector::zeros(); 2];
         }
-        let tension = self.tension(gauge, c, passage);
+        let tension = self.tension(gauge, c, passage) * self.shortening(gauge, c, passage);
         reading_q(gauge, c).map(|by_side| by_side * tension)
     }
 
@@ -94,7 +122,7 @@ impl Spring {
             return [MarkerMatrix::zeros(); 4];
         }
         let (a, b) = (gauge.a.pose(c), gauge.b.pose(c));
-        let tension = self.tension(gauge, c, passage);
+        let tension = self.tension(gauge, c, passage) * self.shortening(gauge, c, passage);
         let by_poses = gauge.measure.gradient(&a, &b);
         let mut hessian = PairHessian::default();
         gauge.measure.add_hessian(&a, &b, tension, &mut hessian);
@@ -102,18 +130,19 @@ impl Spring {
         let sides = [gauge.a.pose_q(c), gauge.b.pose_q(c)];
         pull_back(c, [&gauge.a, &gauge.b], &sides, &(by_poses * tension), &hessian, &mut blocks);
         let here = reading_q(gauge, c);
-        add_products(&here, &here, self.stiffness, &mut blocks);
-        if self.damping != 0.0 {
-            let rate_q = match &passage.rates {
-                Rates::Rest => return blocks,
-                Rates::Step { end, duration, .. } => {
-                    // Compilers divide before they know that there is a step: not by 0, which hosts may trap.
-                    let factor = 2.0 * (1.0 + self.lateness(*duration)) / duration.max(f64::MIN_POSITIVE);
-                    reading_q(gauge, end).map(|by_side| by_side * factor)
+        match passage {
+            Passage::Rest => add_products(&here, &here, self.stiffness, &mut blocks),
+            Passage::Step(TimeStep { end, duration, dissipation, .. }) => {
+                let viscous = 2.0 * self.damping * (1.0 + self.lateness(*duration)) / duration;
+                let stiffness = self.stiffness * (1.0 + 2.0 * dissipation.sum()) + viscous;
+                add_products(&here, &reading_q(gauge, end), stiffness, &mut blocks);
+            }
+            Passage::Instant(velocity) => {
+                add_products(&here, &here, self.stiffness, &mut blocks);
+                if self.damping != 0.0 {
+                    add_products(&here, &reading_rate_q(gauge, c, velocity), self.damping, &mut blocks);
                 }
-                Rates::Instant(velocity) => reading_rate_q(gauge, c, velocity),
-            };
-            add_products(&here, &rate_q, self.damping, &mut blocks);
+            }
         }
         blocks
     }
@@ -134,15 +163,16 @@ impl Spring {
         [by_frames, viscous * sides_moved]
     }
 
-    /// Work over a step that `passage` describes, J, as the step takes its forces: what moving frames put in less what the damper takes out.
-    pub fn step_work(&self, gauge: &Gauge, c: &Configuration, passage: &Passage, increment: &[f64]) -> f64 {
-        let Rates::Step { start, end, .. } = &passage.rates else { return 0.0 };
+    /// Work over `step`, whose middle is `c`, J, as the step takes its forces: what moving frames put in less what the damper takes out.
+    pub fn step_work(&self, gauge: &Gauge, c: &Configuration, step: &TimeStep) -> f64 {
         if self.is_idle() {
             return 0.0;
         }
-        let (tension, viscous) = (self.tension(gauge, c, passage), self.damping * self.rate(gauge, c, passage));
-        let whole = self.reading(gauge, end) - self.reading(gauge, start);
-        let [given, taken] = self.outside_work(gauge, tension, viscous, [along(gauge, c, increment), whole]);
+        let passage = Passage::Step(*step);
+        let (tension, viscous) = (self.tension(gauge, c, &passage), self.damping * self.rate(gauge, c, &passage));
+        let whole = self.reading(gauge, step.end) - self.reading(gauge, step.start);
+        let sides_moved = along(gauge, c, step.increment) * self.shortening(gauge, c, &passage);
+        let [given, taken] = self.outside_work(gauge, tension, viscous, [sides_moved, whole]);
         given - taken
     }
 
@@ -151,7 +181,7 @@ impl Spring {
         if self.is_idle() {
             return [0.0; 2];
         }
-        let passage = Passage { increment: None, rates: Rates::Instant(velocity) };
+        let passage = Passage::Instant(velocity);
         let (tension, viscous) = (self.tension(gauge, c, &passage), self.damping * self.rate(gauge, c, &passage));
         self.outside_work(gauge, tension, viscous, [along(gauge, c, velocity), reading_rate(gauge, c, velocity)])
     }

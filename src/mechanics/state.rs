@@ -21,10 +21,15 @@ pub struct State {
     pub momentum: Vec<f64>,
     /// Multipliers of the joints' conditions at the start of the last midpoint step, or at `time` by generalized-alpha, N or N m.
     pub multipliers: Vec<f64>,
+    /// What a midpoint step starts its iteration from.
+    pub prediction: Prediction,
     /// What generalized-alpha goes on from.
     pub accelerations: Accelerations,
     /// What the momentum has beside that of velocities which the constraints allow, by their conditions: `P = M v + Gᵀ stray`, N s or N m s.
     pub strays: Vec<f64>,
+    /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then `g1`, `g2`, `tau` of each bending
+    /// point (1/m/s, rad/m/s); then of the readings of all gauges that have a spring (m/s, rad/s).
+    pub strain_rates: Vec<f64>,
     /// Reference triads of the nodes.
     pub triads: Vec<Triad>,
     /// Holonomy angles of the elements, rad: the branch that the next one continues.
@@ -54,8 +59,8 @@ impl State {
     pub fn has_the_shape_of(&self, other: &Self) -> bool {
         let lengths = |state: &Self| {
             let Self { q, velocity, momentum, multipliers, strays, triads, holonomy, readings, rotations, .. } = state;
-            let State { prescribed, targets, .. } = state;
-            let lists = [q, velocity, momentum, multipliers, strays, holonomy, readings].map(Vec::len);
+            let State { strain_rates, prescribed, targets, .. } = state;
+            let lists = [q, velocity, momentum, multipliers, strays, strain_rates, holonomy, readings].map(Vec::len);
             let motions =
                 [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
             let departure = [targets.departure.drives.len(), targets.departure.frames.len()];
@@ -66,6 +71,9 @@ impl State {
         let Accelerations { of_coordinates, algorithmic } = &self.accelerations;
         lengths(self) == lengths(other)
             && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
+            && [&self.prediction.acceleration, &self.prediction.acceleration_before]
+                .iter()
+                .all(|list| optional(list.len(), other.q.len()))
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
     }
 }
@@ -77,8 +85,10 @@ impl Clone for State {
             velocity: self.velocity.clone(),
             momentum: self.momentum.clone(),
             multipliers: self.multipliers.clone(),
+            prediction: self.prediction.clone(),
             accelerations: self.accelerations.clone(),
             strays: self.strays.clone(),
+            strain_rates: self.strain_rates.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
             readings: self.readings.clone(),
@@ -101,8 +111,10 @@ impl Clone for State {
         triads.clone_from(&source.triads);
         holonomy.clone_from(&source.holonomy);
         self.strays.clone_from(&source.strays);
+        self.strain_rates.clone_from(&source.strain_rates);
         readings.clone_from(&source.readings);
         rotations.clone_from(&source.rotations);
+        self.prediction.copy_from(&source.prediction);
         self.accelerations.copy_from(&source.accelerations);
         self.prescribed.copy_from(&source.prescribed);
         self.targets.copy_from(&source.targets);
@@ -128,6 +140,46 @@ impl Accelerations {
     pub fn copy_from(&mut self, other: &Self) {
         self.of_coordinates.clone_from(&other.of_coordinates);
         self.algorithmic.clone_from(&other.algorithmic);
+    }
+}
+
+/// What a midpoint step starts its iteration from, and how its corrections are expected to shrink.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Prediction {
+    /// Mean accelerations of the coordinates over the last step, 1/s² each; empty before the first.
+    pub acceleration: Vec<f64>,
+    /// Those of the step before; empty before the second.
+    pub acceleration_before: Vec<f64>,
+    /// How many of both are known, 0 to 2.
+    pub known: u8,
+    /// How many of both predicted the last step best.
+    pub order: u8,
+    /// How the first two corrections of a step are expected to shrink.
+    pub shrinking: Shrinking,
+}
+
+/// How the first two corrections of an iteration shrank.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Shrinking {
+    /// Size of the first one.
+    pub first: f64,
+    /// Size of the second one over that of the first.
+    pub ratio: f64,
+}
+
+impl Default for Shrinking {
+    /// Nothing is known: corrections may not shrink at all.
+    fn default() -> Self {
+        Self { first: 0.0, ratio: 1.0 }
+    }
+}
+
+impl Prediction {
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.acceleration.clone_from(&other.acceleration);
+        self.acceleration_before.clone_from(&other.acceleration_before);
+        (self.known, self.order, self.shrinking) = (other.known, other.order, other.shrinking);
     }
 }
 

@@ -23,30 +23,50 @@ pub struct Variation {
     pub multipliers: Vec<f64>,
     /// Of the momentum that constraints do not allow.
     pub strays: Vec<f64>,
+    /// Of the strain rates.
+    pub strain_rates: Vec<f64>,
     /// Of the accelerations: of the coordinates, and algorithmic; empty where the state has none.
     pub accelerations: [Vec<f64>; 2],
 }
 
 /// The lists of a state in the order of a variation's.
-fn lists(state: &State) -> [&Vec<f64>; 7] {
-    let State { q, velocity, momentum, multipliers, strays, accelerations, .. } = state;
-    [q, velocity, momentum, multipliers, strays, &accelerations.of_coordinates, &accelerations.algorithmic]
+fn lists(state: &State) -> [&Vec<f64>; 8] {
+    let State { q, velocity, momentum, multipliers, strays, strain_rates, accelerations, .. } = state;
+    [
+        q,
+        velocity,
+        momentum,
+        multipliers,
+        strays,
+        strain_rates,
+        &accelerations.of_coordinates,
+        &accelerations.algorithmic,
+    ]
 }
 
-fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 7] {
-    let State { q, velocity, momentum, multipliers, strays, accelerations, .. } = state;
-    [q, velocity, momentum, multipliers, strays, &mut accelerations.of_coordinates, &mut accelerations.algorithmic]
+fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 8] {
+    let State { q, velocity, momentum, multipliers, strays, strain_rates, accelerations, .. } = state;
+    [
+        q,
+        velocity,
+        momentum,
+        multipliers,
+        strays,
+        strain_rates,
+        &mut accelerations.of_coordinates,
+        &mut accelerations.algorithmic,
+    ]
 }
 
 impl Variation {
-    fn lists(&self) -> [&Vec<f64>; 7] {
-        let Self { q, velocity, momentum, multipliers, strays, accelerations: [first, second] } = self;
-        [q, velocity, momentum, multipliers, strays, first, second]
+    fn lists(&self) -> [&Vec<f64>; 8] {
+        let Self { q, velocity, momentum, multipliers, strays, strain_rates, accelerations: [first, second] } = self;
+        [q, velocity, momentum, multipliers, strays, strain_rates, first, second]
     }
 
-    fn lists_mut(&mut self) -> [&mut Vec<f64>; 7] {
-        let Self { q, velocity, momentum, multipliers, strays, accelerations: [first, second] } = self;
-        [q, velocity, momentum, multipliers, strays, first, second]
+    fn lists_mut(&mut self) -> [&mut Vec<f64>; 8] {
+        let Self { q, velocity, momentum, multipliers, strays, strain_rates, accelerations: [first, second] } = self;
+        [q, velocity, momentum, multipliers, strays, strain_rates, first, second]
     }
 
     /// No change of `state`.

@@ -11,7 +11,7 @@ use super::unit;
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
-use crate::mechanics::configuration::{Configuration, Passage, Rates};
+use crate::mechanics::configuration::{Configuration, Passage};
 use crate::mechanics::resultants::Fibre;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
@@ -258,7 +258,7 @@ impl Table {
     pub fn measure(&self, moment: &Moment, snapshot: &mut Snapshot, values: &mut Vec<f64>) {
         let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
-        let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
+        let passage = Passage::Instant(&state.velocity);
         let action = Action { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
         values.clear();
         for measure in &self.measures {

@@ -23,7 +23,10 @@ pub struct Watch {
 impl Watch {
     /// Of a run of `document`.
     pub fn new(document: &Document) -> Self {
-        let damps = matches!(document.simulation.integrator, Integrator::GeneralizedAlpha { .. });
+        let damps = match document.simulation.integrator {
+            Integrator::Conserving { spectral_radius } => spectral_radius.is_some_and(|own| document.value(own) < 1.0),
+            Integrator::GeneralizedAlpha { .. } => true,
+        };
         Self { damps, ..Self::default() }
     }
 

@@ -13,15 +13,15 @@ use super::gyroscopic;
 use super::kkt::Kkt;
 use super::limits;
 use super::linear::Singular;
-use super::newton::{self, Convergence, Problem};
+use super::newton::{self, Convergence, Goal, Problem};
 use super::response::{Responder, Response};
 use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
 use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::{Passage, Rates};
-use crate::mechanics::energy_balance::{Energies, EnergyBalance};
+use crate::mechanics::configuration::Passage;
+use crate::mechanics::energy_balance::{Energies, EnergyBalance, Losses};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
@@ -175,7 +175,7 @@ impl Integrator for GeneralizedAlpha {
         limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
         let mut problem = Step { system, state, weights: self.weights, step, end, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
-        let control = (self.tolerance, limits::ITERATIONS);
+        let control = (Goal::Correction(self.tolerance), limits::ITERATIONS);
         let solved = newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, end, &mut iterations);
         state.statistics.iterations = iterations;
         self.convergence = Some(solved?);
@@ -229,7 +229,7 @@ impl Scratch {
     /// Forces without those of spins and joints, and gradients of these, at the current positions.
     fn act(&mut self, system: &System, state: &State) {
         let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
-        let passage = Passage { increment: None, rates: Rates::Instant(&self.velocity) };
+        let passage = Passage::Instant(&self.velocity);
         system.forces(&configuration, &passage, &self.excitation, &mut self.forces);
         system.constraint_gradients(&configuration, &mut self.gradients);
     }
@@ -271,7 +271,7 @@ impl Scratch {
         let given = 0.5 * step * (balance.power[0] + power[0]);
         // Where a rate changes within a step, the powers at its ends are not those between: the smaller one is surely taken.
         let taken = step * balance.power[1].min(power[1]);
-        balance.account(end, given - taken, energies, system.energy_noise(), true);
+        balance.account(end, given - taken, energies, system.energy_noise(), Losses::NumericalAtInstants);
         balance.power = power;
         balance
     }
@@ -348,7 +348,7 @@ impl Problem for Step<'_> {
         kkt.blocks.clear();
 
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
-        let passage = Passage { increment: None, rates: Rates::Instant(&scratch.velocity) };
+        let passage = Passage::Instant(&scratch.velocity);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
         system.add_damping_matrix(&configuration, scale * by_q[0], tangent);

@@ -1,5 +1,4 @@
-//! The constrained midpoint integrator in position-momentum form (MECHANICS 7): `Variational` (7.1, the paper's) and
-//! `Conserving` (7.6), which differ in one term: the axial strain of the middle, or the mean of the two ends'.
+//! The constrained midpoint integrator in position-momentum form (MECHANICS 7.1), with elastic forces that work as much as the energy changes (7.6).
 //!
 //! A step from `q_k, P_k` solves `P_k − M Dq/h − h/2 f(qm) + C = 0` and `g(q_{k+1}) = 0`, `f = dU/dq − F + Gᵀ λ`,
 //! `qm = q_k + Dq/2`, for `Dq` and `Λ = h λ/2`. Momentum and references then move on to the new charts (gyroscopic.rs), and what
@@ -13,34 +12,37 @@ use super::gyroscopic;
 use super::kkt::Kkt;
 use super::limits;
 use super::linear::Singular;
-use super::newton::{self, Problem};
+use super::newton::{self, Goal, Problem};
+use super::prediction;
 use super::projection::Projection;
 use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
 use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::{Configuration, Passage, Rates};
-use crate::mechanics::energy_balance::Energies;
+use crate::mechanics::configuration::{Configuration, Dissipation, Passage, TimeStep};
+use crate::mechanics::energy_balance::{Energies, Losses};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
-use crate::mechanics::state::State;
+use crate::mechanics::state::{Prediction, State};
 use crate::mechanics::system::System;
 
-/// How the axial strain of a step is taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AxialRule {
-    /// At the middle of the step (7.1).
-    Variational,
-    /// Mean of the two ends' (7.6).
-    Conserving,
-}
+/// What Newton may leave of a step before it is refined, as a share of the tolerance.
+const REMAINDER: f64 = 0.3;
+/// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with the default tolerance a
+/// hundred-thousandth of that.
+const REMAINDER_OF_FIRST: f64 = 1e3;
+/// Largest refinement: of a converged step it is of the size of the tolerance, a larger one is no refinement.
+const LARGEST_REFINEMENT: f64 = 1e-4;
+
+/// Smallest spectral radius: at it the two ways in which a strain far too fast for the step may alternate fade alike, below it one of them more slowly again.
+pub const SMALLEST_RADIUS: f64 = 1.0 / 3.0;
 
 /// Integrator and its scratch memory; nothing in it outlives a step.
 #[derive(Debug)]
 pub struct Midpoint {
-    rule: AxialRule,
+    dissipation: Dissipation,
     tolerance: f64,
     kkt: Kkt,
     right: Vec<f64>,
@@ -58,6 +60,7 @@ struct Scratch {
     q_middle: Vec<f64>,
     q_end: Vec<f64>,
     forces: Vec<f64>,
+    start_rates: Vec<f64>,
     mass_increment: Vec<f64>,
     conditions: Vec<f64>,
     excitation: Excitation,
@@ -71,8 +74,10 @@ struct Scratch {
 }
 
 impl Midpoint {
-    /// For `system`; Newton ends when its correction is below `tolerance`.
-    pub fn new(system: &System, rule: AxialRule, tolerance: f64) -> Self {
+    /// For `system`; the amplitude of a strain far too fast for the step is multiplied by `spectral_radius` (1/3 to 1) a step, by 1 none is ever lost.
+    /// Newton ends when its correction is below `tolerance`.
+    pub fn new(system: &System, spectral_radius: f64, tolerance: f64) -> Self {
+        assert!((SMALLEST_RADIUS..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
         let scratch = Scratch {
             increment: vec![0.0; coordinates],
@@ -85,7 +90,7 @@ impl Midpoint {
             ..Scratch::default()
         };
         Self {
-            rule,
+            dissipation: Dissipation::new(spectral_radius),
             tolerance,
             kkt: Kkt::for_steps(system),
             right: vec![0.0; coordinates + conditions],
@@ -100,6 +105,18 @@ impl Dynamics for Midpoint {
     fn kkt(&mut self) -> &mut Kkt {
         &mut self.kkt
     }
+
+    /// The first step goes on from the rates of the strains at the start.
+    fn begin(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
+        let mut strain_rates = std::mem::take(&mut state.strain_rates);
+        let frames = &mut self.scratch.frames_start;
+        system.frames(&state.q, &state.triads, frames);
+        let configuration = system.configuration(&state.q, frames, state, &state.prescribed);
+        system.set_strain_rates(&configuration, &state.velocity, &mut strain_rates);
+        state.strain_rates = strain_rates;
+        state.prediction = Prediction::default();
+        Ok(())
+    }
 }
 
 impl Integrator for Midpoint {
@@ -107,34 +124,43 @@ impl Integrator for Midpoint {
         self.scratch.prepare(system, state, step, end);
         self.scratch.predict(state, step);
         limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
-        let mut problem = Step { system, state, rule: self.rule, step, scratch: &mut self.scratch };
+        let mut problem = Step { system, state, dissipation: self.dissipation, step, scratch: &mut self.scratch };
         let mut iterations = state.statistics.iterations;
+        let goal = Goal::Remainder {
+            size: [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance),
+            expected: state.prediction.shrinking,
+        };
         let solved = newton::solve(
             system,
             &mut problem,
             &mut self.kkt,
             &mut self.right,
-            (self.tolerance, limits::ITERATIONS),
+            (goal, limits::ITERATIONS),
             end,
             &mut iterations,
         );
         state.statistics.iterations = iterations;
-        solved?;
+        let convergence = solved?;
         self.scratch.place(system, state);
         self.scratch.check(system, state, end)?;
         // All that is left may still fail at the velocities: the state changes at the very end.
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
-        let (energy_before, elastic) = self.scratch.energies(system, state);
-        let work = self.scratch.finish(system, &mut next, self.rule, step, end);
+        let energy_before = self.scratch.energies(system, state);
+        let span = Span { step, end };
+        let [elastic, outside] = self.scratch.evaluate(system, state, self.dissipation, span, &mut next);
+        self.refine(system, state, step);
+        let work = outside + self.scratch.finish(system, &mut next, span);
         let outcome = self.projection.set_velocity(system, &mut self.kkt, &mut next);
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
+            prediction::learn(system, state, &self.scratch.increment, step, &convergence, &mut next);
             next.balance.last = Some(energy_before);
             if system.is_sudden(end, step) {
                 next.balance.skip_jump();
             }
-            next.balance.account(end, work, Energies { kinetic, elastic }, system.energy_noise(), false);
+            let losses = if self.dissipation == Dissipation::default() { Losses::None } else { Losses::Numerical };
+            next.balance.account(end, work, Energies { kinetic, elastic }, system.energy_noise(), losses);
             std::mem::swap(state, &mut next);
         }
         self.next = Some(next);
@@ -143,6 +169,17 @@ impl Integrator for Midpoint {
 }
 
 impl Midpoint {
+    /// Corrects the converged step once more, with the tangent of the last iteration and the residual that its forces leave: what remains is smaller by another ratio of
+    /// corrections, and joints hold to round-off. Far less work than an iteration; left out where it does not help.
+    fn refine(&mut self, system: &System, state: &State, step: f64) {
+        let mut problem = Step { system, state, dissipation: self.dissipation, step, scratch: &mut self.scratch };
+        problem.balance(&mut self.right);
+        if self.kkt.solve_again(&mut self.right).is_ok() && system.correction_size(&self.right).0 < LARGEST_REFINEMENT {
+            problem.correct(&self.right);
+            self.scratch.place(system, state);
+        }
+    }
+
     /// Takes out of the momentum at the end of a step what would alternate for ever. The midpoint rule turns the part that the
     /// constraints do not allow, `ν`, into `c − ν`, with a smooth `c` of second order in the step: its rest is `c/2`, the mean of one `ν`
     /// and the next. Taking that mean, a jump of a drive is gone after a step, and smooth motions keep their energy (taking all of
@@ -167,14 +204,17 @@ impl Scratch {
         system.prescribe(state, middle, &mut self.prescribed_middle);
         system.prescribe(state, end, &mut self.prescribed_end);
         system.frames(&state.q, &state.triads, &mut self.frames_start);
+        self.start_rates.resize(state.strain_rates.len(), 0.0);
+        let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
+        system.set_strain_rates(&start, &state.velocity, &mut self.start_rates);
     }
 
-    /// Start of the iteration: `Dq = h v_k`, `Λ = 0`.
+    /// Start of the iteration: the predicted increment, and the impulses of the last step.
     fn predict(&mut self, state: &State, step: f64) {
-        for (increment, velocity) in self.increment.iter_mut().zip(&state.velocity) {
-            *increment = step * velocity;
+        prediction::predict(state, step, &mut self.increment);
+        for (impulse, multiplier) in self.impulses.iter_mut().zip(&state.multipliers) {
+            *impulse = 0.5 * step * multiplier;
         }
-        self.impulses.fill(0.0);
     }
 
     /// Positions and frames in the middle and at the end, for the current increment.
@@ -188,8 +228,8 @@ impl Scratch {
         system.mass_times(&self.increment, &mut self.mass_increment);
     }
 
-    /// Sets the forces without those of the joints, at the current positions; returns the work over the step of what acts from outside, J.
-    fn act(&mut self, system: &System, state: &State, rule: AxialRule, step: f64) -> f64 {
+    /// Sets the forces without those of the joints, at the current positions.
+    fn act(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) {
         let [start, middle, end] = configurations(
             system,
             state,
@@ -197,22 +237,15 @@ impl Scratch {
             [&self.frames_start, &self.frames_middle, &self.frames_end],
             [&self.prescribed_middle, &self.prescribed_end],
         );
-        let rates = Rates::Step { start: &start, end: &end, duration: step, velocity: &state.velocity };
-        let passage = Passage { increment: over_step(rule, &self.increment), rates };
-        system.forces_and_work(&middle, &passage, &self.excitation, &self.increment, &mut self.forces)
+        let passage =
+            Passage::Step(time_step(state, [&start, &end], &self.increment, &self.start_rates, step, dissipation));
+        system.forces(&middle, &passage, &self.excitation, &mut self.forces);
     }
 
-    /// The energies of `state`, J, and the elastic energy at the current end.
-    fn energies(&self, system: &System, state: &State) -> (Energies, f64) {
-        let [start, _, end] = configurations(
-            system,
-            state,
-            [&self.q_middle, &self.q_end],
-            [&self.frames_start, &self.frames_middle, &self.frames_end],
-            [&self.prescribed_middle, &self.prescribed_end],
-        );
-        let before = state.balance.last.unwrap_or_else(|| system.energies(&start, &state.velocity));
-        (before, system.elastic_energy(&end))
+    /// The energies of `state`, J.
+    fn energies(&self, system: &System, state: &State) -> Energies {
+        let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
+        state.balance.last.unwrap_or_else(|| system.energies(&start, &state.velocity))
     }
 
     /// Gradients of the conditions in the middle, at the current positions.
@@ -226,7 +259,7 @@ impl Scratch {
         &'a mut self,
         system: &'a System,
         state: &'a State,
-        rule: AxialRule,
+        dissipation: Dissipation,
         span: Span,
         unknowns: &[f64],
     ) -> Step<'a> {
@@ -234,7 +267,7 @@ impl Scratch {
         let (increment, impulses) = unknowns.split_at(self.increment.len());
         self.increment.copy_from_slice(increment);
         self.impulses.copy_from_slice(impulses);
-        Step { system, state, rule, step: span.step, scratch: self }
+        Step { system, state, dissipation, step: span.step, scratch: self }
     }
 
     /// Refuses what the elements cannot bear (MECHANICS 7.4).
@@ -243,12 +276,34 @@ impl Scratch {
         system.check(&configuration, state, limits::LARGEST_TURN, end)
     }
 
-    /// Writes the end of the converged step into `state`: momentum (7.4), change of charts (7.5), references (2.6). Returns the work over the step
-    /// of what acts from outside, J.
-    fn finish(&mut self, system: &System, state: &mut State, rule: AxialRule, step: f64, end: f64) -> f64 {
-        let work = self.act(system, state, rule, step);
-        system.add_constraint_forces(&self.gradients_middle, &self.impulses, 2.0 / step, &mut self.forces);
-        // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it.
+    /// Sets the forces of the step from `state` at the current positions, without those of the joints, their gradients, and the rates of strains over the step in
+    /// `next`. Returns the elastic energy at the end, and the work over the step of what acts from outside but for constraints, J.
+    fn evaluate(
+        &mut self,
+        system: &System,
+        state: &State,
+        dissipation: Dissipation,
+        span: Span,
+        next: &mut State,
+    ) -> [f64; 2] {
+        let [start, middle, end] = configurations(
+            system,
+            state,
+            [&self.q_middle, &self.q_end],
+            [&self.frames_start, &self.frames_middle, &self.frames_end],
+            [&self.prescribed_middle, &self.prescribed_end],
+        );
+        let over = time_step(state, [&start, &end], &self.increment, &self.start_rates, span.step, dissipation);
+        let found = system.finish_step(&middle, &over, &self.excitation, &mut self.forces, &mut next.strain_rates);
+        self.differentiate(system, state);
+        found
+    }
+
+    /// Writes the end of the converged step, whose forces are known, into `state`, a copy of the state at its start: momentum (7.4), change of charts (7.5), references
+    /// (2.6). Returns the work of drives and moving frames over the step, J.
+    fn finish(&mut self, system: &System, state: &mut State, Span { step, end }: Span) -> f64 {
+        // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it, and so does h²K/M times what
+        // Newton leaves.
         for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
             *momentum = 2.0 * mass_increment / step - *momentum;
         }
@@ -263,7 +318,7 @@ impl Scratch {
         system.carry_references(state, &self.frames_end);
         state.time = end;
         state.statistics.steps += 1;
-        work + system.driven_work(&self.gradients_middle, &state.multipliers, &self.increment)
+        system.driven_work(&self.gradients_middle, &state.multipliers, &self.increment)
     }
 }
 
@@ -282,19 +337,24 @@ fn configurations<'a>(
     ]
 }
 
-/// The one term in which the two integrators differ.
-fn over_step(rule: AxialRule, increment: &[f64]) -> Option<&[f64]> {
-    match rule {
-        AxialRule::Variational => None,
-        AxialRule::Conserving => Some(increment),
-    }
+/// The step between the two `ends` from `state`, of `duration` s.
+fn time_step<'a>(
+    state: &'a State,
+    [start, end]: [&'a Configuration<'a>; 2],
+    increment: &'a [f64],
+    start_rates: &'a [f64],
+    duration: f64,
+    dissipation: Dissipation,
+) -> TimeStep<'a> {
+    let State { velocity, strain_rates, .. } = state;
+    TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates }
 }
 
 /// One step as Newton sees it.
 struct Step<'a> {
     system: &'a System,
     state: &'a State,
-    rule: AxialRule,
+    dissipation: Dissipation,
     step: f64,
     scratch: &'a mut Scratch,
 }
@@ -334,11 +394,10 @@ impl Problem for Step<'_> {
             [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
             [&scratch.prescribed_middle, &scratch.prescribed_end],
         );
-        let rates = Rates::Step { start: &start, end: &end, duration: h, velocity: &state.velocity };
-        let passage = Passage { increment: over_step(self.rule, &scratch.increment), rates };
+        let step = time_step(state, [&start, &end], &scratch.increment, &scratch.start_rates, h, self.dissipation);
         system.forces_and_tangent(
             &middle,
-            &passage,
+            &Passage::Step(step),
             &scratch.excitation,
             0.25 * h * h,
             &mut scratch.forces,
@@ -375,8 +434,8 @@ impl Linearized for Midpoint {
     }
 
     fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error> {
-        let Self { scratch, rule, kkt, right, .. } = self;
-        let mut problem = scratch.at(system, state, *rule, span, unknowns);
+        let Self { scratch, dissipation, kkt, right, .. } = self;
+        let mut problem = scratch.at(system, state, *dissipation, span, unknowns);
         problem.linearize(kkt, right);
         kkt.factorize(system, span.end)
     }
@@ -386,9 +445,9 @@ impl Linearized for Midpoint {
     }
 
     fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
-        let mut problem = self.scratch.at(system, state, self.rule, span, unknowns);
+        let mut problem = self.scratch.at(system, state, self.dissipation, span, unknowns);
         problem.scratch.place(system, state);
-        problem.scratch.act(system, state, self.rule, span.step);
+        problem.scratch.act(system, state, self.dissipation, span.step);
         problem.scratch.differentiate(system, state);
         problem.balance(right);
     }
@@ -398,6 +457,12 @@ impl Linearized for Midpoint {
         self.balance(system, state, span, unknowns, &mut right);
         self.right = right;
         next.clone_from(state);
-        self.scratch.finish(system, next, self.rule, span.step, span.end);
+        let constraint_forces = |scratch: &mut Scratch| {
+            let Scratch { gradients_middle, impulses, forces, .. } = scratch;
+            system.add_constraint_forces(gradients_middle, impulses, 2.0 / span.step, forces);
+        };
+        self.scratch.evaluate(system, state, self.dissipation, span, next);
+        constraint_forces(&mut self.scratch);
+        self.scratch.finish(system, next, span);
     }
 }

@@ -13,6 +13,7 @@ pub mod mobility;
 pub mod modes;
 pub mod multifrontal;
 pub mod newton;
+pub mod prediction;
 pub mod projection;
 pub mod response;
 pub mod sensitivity;

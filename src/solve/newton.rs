@@ -2,6 +2,7 @@
 
 use super::kkt::Kkt;
 use crate::error::Error;
+use crate::mechanics::state::Shrinking;
 use crate::mechanics::system::System;
 
 /// Most iterations: a step that needs more is heading for a far root, halving it is better (MECHANICS 7.4).
@@ -26,8 +27,52 @@ pub trait Problem {
     fn correct(&mut self, correction: &[f64]);
 }
 
-/// Iterates until a correction of the coordinates is below `tolerance`; that correction is applied too, so that by the quadratic
-/// convergence of the exact tangent what remains is at round-off.
+/// When an iteration ends; sizes are those of [`System::correction_size`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// A correction is below this size. It is applied too, so that by the quadratic convergence of the exact tangent what remains is at round-off.
+    Correction(f64),
+    /// What remains after a correction is below a bound, by the ratio of the last two corrections, or after the first one by the `expected` ratio.
+    Remainder {
+        /// The bound: a size, and a share of the first correction.
+        size: [f64; 2],
+        /// How the first two corrections are expected to shrink.
+        expected: Shrinking,
+    },
+}
+
+impl Goal {
+    fn size(self) -> f64 {
+        match self {
+            Self::Correction(size) | Self::Remainder { size: [size, _], .. } => size,
+        }
+    }
+
+    /// Whether it is reached with the corrections made so far.
+    fn is_reached(self, corrections: &[f64]) -> bool {
+        let [before @ .., last] = corrections else { return false };
+        match self {
+            Self::Correction(size) => *last < size,
+            Self::Remainder { size: [size, share], expected } => {
+                let size = size + share * corrections[0];
+                let ratio = match before.last() {
+                    Some(before) => last / before.max(f64::MIN_POSITIVE),
+                    // Quadratic convergence: the ratio grows with the correction.
+                    None => expected.ratio * f64::max(1.0, last / expected.first.max(f64::MIN_POSITIVE)),
+                };
+                // Corrections that hardly shrink say nothing about what remains.
+                *last <= ROUND_OFF || (ratio < SLOWEST && last * ratio / (1.0 - ratio) < size)
+            }
+        }
+    }
+}
+
+/// Slowest shrinking of corrections from which what remains is estimated.
+const SLOWEST: f64 = 0.5;
+/// A correction of this size is round-off, however corrections shrink.
+const ROUND_OFF: f64 = 1e-14;
+
+/// Iterates until `goal` is reached, at most `limit` times.
 ///
 /// # Errors
 /// The matrix is singular, or `limit` iterations were not enough; `iterations` counts on in any case.
@@ -36,7 +81,7 @@ pub fn solve(
     problem: &mut impl Problem,
     kkt: &mut Kkt,
     right: &mut [f64],
-    (tolerance, limit): (f64, usize),
+    (goal, limit): (Goal, usize),
     time: f64,
     iterations: &mut u64,
 ) -> Result<Convergence, Error> {
@@ -54,7 +99,7 @@ pub fn solve(
         convergence.corrections[convergence.iterations] = last.0;
         convergence.iterations += 1;
         *iterations += 1;
-        if last.0 < tolerance {
+        if goal.is_reached(&convergence.corrections[..convergence.iterations]) {
             return Ok(convergence);
         }
         if !last.0.is_finite() {
@@ -62,5 +107,11 @@ pub fn solve(
         }
     }
     let place = system.describe_unknown(last.1);
-    Err(Error::NotConverged { time, iterations: convergence.iterations, correction: last.0, place, tolerance })
+    Err(Error::NotConverged {
+        time,
+        iterations: convergence.iterations,
+        correction: last.0,
+        place,
+        tolerance: goal.size(),
+    })
 }

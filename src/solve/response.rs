@@ -6,7 +6,7 @@ use super::gyroscopic;
 use super::kkt::Kkt;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::{Passage, Rates};
+use crate::mechanics::configuration::Passage;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::state::State;
@@ -107,7 +107,7 @@ impl Responder {
         system.frames(&state.q, &state.triads, &mut self.frames);
         let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
         system.excite(state.time, &state.targets, &mut self.excitation);
-        let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
+        let passage = Passage::Instant(&state.velocity);
 
         let (forces, conditions) = self.right.split_at_mut(state.q.len());
         system.forces(&configuration, &passage, &self.excitation, forces);

@@ -10,7 +10,7 @@ mod relaxation;
 use super::kkt::Kkt;
 use super::limits;
 use super::linear::Singular;
-use super::newton::{self, Convergence, MOST_ITERATIONS, Problem};
+use super::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
 use super::sensitivity::{Linearized, Span};
 use super::stability::{self, Judgement, Stability};
 use super::stepping::Integrator;
@@ -303,7 +303,7 @@ impl Statics {
         let given = (&self.current, &self.current_motion);
         let mut problem = Equilibrium::near(system, state, time, given, &mut self.scratch);
         let mut iterations = state.statistics.iterations;
-        let control = (self.tolerance, MOST_ITERATIONS);
+        let control = (Goal::Correction(self.tolerance), MOST_ITERATIONS);
         let solved =
             newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, time, &mut iterations);
         state.statistics.iterations = iterations;
@@ -382,7 +382,7 @@ impl Problem for Equilibrium<'_> {
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, self.motion);
         kkt.blocks.clear();
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
-        system.forces_and_tangent(&configuration, &Passage::REST, self.excitation, 1.0, forces, tangent);
+        system.forces_and_tangent(&configuration, &Passage::Rest, self.excitation, 1.0, forces, tangent);
         kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
@@ -442,7 +442,7 @@ impl Linearized for Statics {
         let scratch = &mut *problem.scratch;
         system.frames(&scratch.q, &state.triads, &mut scratch.frames);
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, problem.motion);
-        system.forces(&configuration, &Passage::REST, problem.excitation, &mut scratch.forces);
+        system.forces(&configuration, &Passage::Rest, problem.excitation, &mut scratch.forces);
         system.constraint_gradients(&configuration, &mut scratch.gradients);
         problem.balance(right);
     }

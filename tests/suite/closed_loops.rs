@@ -114,7 +114,7 @@ fn wrist(angle: f64) -> Vec3 {
 fn a_loop_held_once_moves_as_plane_geometry_says() {
     let bands = [5e-3, 2.5e-3].map(|step| {
         let outputs = "[output.middle]\nat = \"coupler\"\nquantities = [\"position\"]\n";
-        let text = four_bar(BODIES, ON_BODIES, ONCE, &format!("step = {step}")) + outputs;
+        let text = four_bar(BODIES, ON_BODIES, ONCE, &format!("step = {step}\ntolerance = 1e-11")) + outputs;
         let mut simulation = start(&text);
         let (mut low, mut high, mut swing) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
         let (mut worst, mut apart, mut turned) = (0.0_f64, 0.0_f64, 0.0_f64);

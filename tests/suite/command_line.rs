@@ -196,7 +196,7 @@ fn regression_check_finds_redundant_joints() {
     }
 }
 
-/// A load that grows without bound at an instant is stepped over with many halvings: the user is told.
+/// A load that grows without bound at an instant is stepped over with many halvings, or loses energy: the user is told.
 #[test]
 fn regression_many_rejected_steps_are_told() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -205,7 +205,9 @@ fn regression_many_rejected_steps_are_told() {
     for (load, is_warned) in [(load, true), ("", false)] {
         std::fs::write(directory.path().join("m.toml"), format!("{file}{load}")).expect("write");
         let output = ancf14(directory.path(), &["run", "m.toml", "--set", "simulation.stop=0.1"]);
-        assert_eq!(text(&output.stderr).contains("steps were rejected"), is_warned, "{}", text(&output.stderr));
+        let message = text(&output.stderr);
+        let told = message.contains("steps were rejected") || message.contains("the integrator has");
+        assert_eq!(told, is_warned, "{message}");
     }
 }
 

@@ -13,9 +13,9 @@ use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::solve::midpoint::AxialRule;
 
-const RULES: [AxialRule; 2] = [AxialRule::Variational, AxialRule::Conserving];
+/// Without numerical dissipation, and with that of the default.
+const RADII: [f64; 2] = [1.0, 0.9];
 
 /// A soft free beam that tumbles and spins about itself, with a spin inertia large enough for the gyroscopic terms to matter.
 pub fn spinning() -> (System, State) {
@@ -45,25 +45,27 @@ pub fn spinning_design() -> BeamDesign {
 /// with both gyroscopic terms: with either of them removed Newton fails within a few steps.
 #[test]
 fn free_spinning_beam_keeps_momentum_and_energy() {
-    for (rule, twist) in RULES.into_iter().flat_map(|rule| [Twist::Linear, Twist::Quadratic].map(|twist| (rule, twist)))
-    {
+    for (radius, twist) in RADII.into_iter().flat_map(|r| [Twist::Linear, Twist::Quadratic].map(|twist| (r, twist))) {
         let (system, mut state) = free(&BeamDesign { elements: ancf14(Strain::Small, twist), ..spinning_design() });
-        let mut start = None;
+        let (mut start, mut start_energy) = (None, f64::NAN);
         let (mut drift, mut low, mut high) = ([0.0_f64; 2], f64::INFINITY, f64::NEG_INFINITY);
-        integrate(&system, &mut state, rule, (1e-3, 4000), |state| {
+        integrate(&system, &mut state, radius, (1e-3, 4000), |state| {
             let (linear, angular) = system.momentum(&state.q, &state.momentum);
             let (linear_0, angular_0) = *start.get_or_insert((linear, angular));
             drift[0] = drift[0].max((linear - linear_0).norm() / linear_0.norm());
             drift[1] = drift[1].max((angular - angular_0).norm() / angular_0.norm());
             let energy: f64 = energies(&system, state).iter().sum();
+            start_energy = if state.time == 0.0 { energy } else { start_energy };
             (low, high) = (low.min(energy), high.max(energy));
         })
         .unwrap();
-        print!("{rule:?}, {twist:?} twist: ");
+        print!("{radius}, {twist:?} twist: ");
         println!("linear {:.1e}, angular {:.1e}, energy band {:.1e}", drift[0], drift[1], (high - low) / low);
         println!("  {:?}", state.statistics);
         assert!(drift[0] < 1e-10 && drift[1] < 1e-10, "{drift:?}");
-        assert!((high - low) / low < 1e-3);
+        // Of second order in the step without dissipation; with it what the step does not resolve is lost, and nothing gained.
+        let gained = high / start_energy - 1.0;
+        assert!(if radius == 1.0 { (high - low) / low < 1e-3 } else { gained < 1e-6 && (high - low) / low < 1e-2 });
     }
 }
 
@@ -85,7 +87,7 @@ fn spinning_beam_shows_no_false_extension() {
         hold(&mut assembly, "hub", number, 0.0, &Mat3::identity(), spherical::PRIMITIVES);
         let (system, mut state) = assembly.finish(Vec3::zeros());
         let (mut sum, mut number) = (0.0, 0.0);
-        integrate(&system, &mut state, AxialRule::Conserving, (step, count), |state| {
+        integrate(&system, &mut state, 1.0, (step, count), |state| {
             sum += Vec3::from_column_slice(&state.q[28..31]).norm() - length;
             number += 1.0;
         })
@@ -98,34 +100,22 @@ fn spinning_beam_shows_no_false_extension() {
     }
 }
 
-/// The tumbling beam of MECHANICS 7.6: 60 rad/s, EA = 1e7 N, h = 2e-3 s. The plain rule fails within 0.1 s; the conserving one
-/// keeps the energy to 1e-5.
+/// The tumbling beam of MECHANICS 7.6: 60 rad/s, EA = 1e7 N, h = 2e-3 s. The plain midpoint rule fails within 0.1 s; with the mean strains of both ends
+/// the energy stays.
 #[test]
 fn tumbling_beam_keeps_its_energy() {
-    let run = |rule| {
-        let section = Section::rectangle(0.01, 0.01);
-        let material = Material { young: 1e11, shear: 4e10, density: 5000.0, damping: 0.0 };
-        let beam = BeamDesign { section, material, angular_velocity: Vec3::new(0.0, 20.0, 56.0), ..design("beam", 4) };
-        let mut assembly = Assembly::default();
-        assembly.add_beam(&beam);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        let mut reached = 0.0;
-        let result = integrate(&system, &mut state, rule, (2e-3, 500), |state| {
-            let energy: f64 = energies(&system, state).iter().sum();
-            (low, high) = (low.min(energy), high.max(energy));
-            reached = state.time;
-        });
-        println!("{rule:?}: energy band {:.1e}, until {reached} s", (high - low) / low);
-        (result, (high - low) / low, reached)
-    };
-    let (result, band, _) = run(AxialRule::Conserving);
-    assert!(result.is_ok() && band < 1e-5, "{result:?} {band:e}");
-    let (result, band, reached) = run(AxialRule::Variational);
-    assert!(
-        result.is_err() && reached < 0.1 || band > 1e-2,
-        "the plain rule has become as good: {band:e} until {reached}"
-    );
+    let section = Section::rectangle(0.01, 0.01);
+    let material = Material { young: 1e11, shear: 4e10, density: 5000.0, damping: 0.0 };
+    let beam = BeamDesign { section, material, angular_velocity: Vec3::new(0.0, 20.0, 56.0), ..design("beam", 4) };
+    let (system, mut state) = free(&beam);
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    integrate(&system, &mut state, 1.0, (2e-3, 500), |state| {
+        let energy: f64 = energies(&system, state).iter().sum();
+        (low, high) = (low.min(energy), high.max(energy));
+    })
+    .unwrap();
+    println!("energy band {:.1e}", (high - low) / low);
+    assert!((high - low) / low < 1e-5);
 }
 
 /// The taut string of MECHANICS 7.6: 4 elements stretched by 1e-2, plucked, h = 1e-2 s. An axial rule whose geometric stiffness acts
@@ -155,7 +145,7 @@ fn taut_string_stays_bounded() {
         state.velocity[7 * node + 2] = -0.2;
     }
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    integrate(&system, &mut state, AxialRule::Conserving, (1e-2, 2000), |state| {
+    integrate(&system, &mut state, 1.0, (1e-2, 2000), |state| {
         let energy: f64 = energies(&system, state).iter().sum();
         (low, high) = (low.min(energy), high.max(energy));
     })
@@ -164,13 +154,13 @@ fn taut_string_stays_bounded() {
     assert!((high - low) / low < 2e-2);
 }
 
-/// Halving the step divides the error by four, for both rules.
+/// Halving the step divides the error by four, with numerical dissipation and without.
 #[test]
 fn order_two_in_the_step() {
-    for rule in RULES {
+    for radius in RADII {
         let end = |step: f64| {
             let (system, mut state) = spinning();
-            integrate(&system, &mut state, rule, (step, (0.2 / step).round() as u32), |_| {}).unwrap();
+            integrate(&system, &mut state, radius, (step, (0.2 / step).round() as u32), |_| {}).unwrap();
             state.q
         };
         let reference = end(6.25e-5);
@@ -184,8 +174,9 @@ fn order_two_in_the_step() {
         };
         let (coarse, fine) = (error(1e-3), error(5e-4));
         let order = (coarse / fine).log2();
-        println!("{rule:?}: errors {coarse:.2e}, {fine:.2e}, order {order:.3}");
-        // Against a reference of 8 times the finer step the ratio is (256 - 1)/(64 - 1) = 4.05, and the next order counts a little.
-        assert!((order - 2.0).abs() < 0.1);
+        println!("{radius}: errors {coarse:.2e}, {fine:.2e}, order {order:.3}");
+        // Against a reference of 8 times the finer step the ratio is (256 - 1)/(64 - 1) = 4.05, and the next order, of which the numerical
+        // dissipation is, counts a little.
+        assert!((order - 2.0).abs() < 0.15);
     }
 }

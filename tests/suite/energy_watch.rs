@@ -4,8 +4,8 @@
 use crate::running::{start, value};
 use ancf14::fmi::Model;
 
-/// A free steel strip that spins about its axis and tumbles, under a force of 1 nN: the midpoint rule pumps energy into it from
-/// `spin * step * elements = 0.24` on.
+/// A free steel strip that spins about its axis and tumbles, under a force of 1 nN: strains taken in the middle of a step, instead of the mean of both ends', pump energy
+/// into it from `spin * step * elements = 0.24` on.
 fn strip(step: &str) -> String {
     format!(
         "format = 1\n[model]\nname = \"Strip\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
@@ -34,19 +34,17 @@ fn warnings(text: &str, stop: f64) -> Vec<String> {
 
 #[test]
 fn regression_energy_out_of_nothing_is_told_under_loads_and_within_a_row() {
-    for (text, stop) in [(strip("1e-3"), 1.0), (body("2e-3"), 3.0)] {
-        let found = warnings(&text, stop);
-        let told = "J, 2.";
-        assert!(
-            matches!(&found[..], [one] if one.contains("the integrator has gained") && one.contains(told) && one.contains("simulation.step")),
-            "{found:?}"
-        );
-    }
+    let found = warnings(&body("2e-3"), 3.0);
+    let told = "J, 2.";
+    assert!(
+        matches!(&found[..], [one] if one.contains("the integrator has gained") && one.contains(told) && one.contains("simulation.step")),
+        "{found:?}"
+    );
 }
 
 #[test]
 fn resolved_motions_are_not_warned_of() {
-    for (text, stop) in [(strip("2.5e-4"), 1.0), (body("2.5e-4"), 3.0)] {
+    for (text, stop) in [(strip("4e-3"), 1.0), (strip("1e-3"), 1.0), (body("2.5e-4"), 3.0)] {
         assert_eq!(warnings(&text, stop), Vec::<String>::new());
     }
 }

@@ -27,7 +27,6 @@ use ancf14::mechanics::spring::Spring;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::solve::generalized_alpha::GeneralizedAlpha;
-use ancf14::solve::midpoint::AxialRule;
 use ancf14::solve::response::{Responder, Response};
 use nalgebra::Matrix3;
 use std::f64::consts::{PI, TAU};
@@ -85,7 +84,7 @@ fn spun_up() -> (System, State) {
 fn order_two_in_the_step() {
     for (name, (system, drawn), coarsest) in [("free", spinning(), 1e-3), ("spun up", spun_up(), 2e-3)] {
         let mut reference = drawn.clone();
-        integrate(&system, &mut reference, AxialRule::Variational, (5e-5, 4000), |_| {}).unwrap();
+        integrate(&system, &mut reference, 1.0, (5e-5, 4000), |_| {}).unwrap();
         for radius in [0.5, 0.8] {
             let error = |step: f64| {
                 let mut state = drawn.clone();
@@ -305,7 +304,7 @@ fn double_pendulum_agrees_with_the_midpoint_rule() {
         let (mut ours, mut theirs) = (state.clone(), state);
         let steps = (step, (0.5 / step).round() as u32);
         march(&system, &mut ours, &mut method(&system, 0.8), steps, |_| {}).unwrap();
-        integrate(&system, &mut theirs, AxialRule::Conserving, steps, |_| {}).unwrap();
+        integrate(&system, &mut theirs, 1.0, steps, |_| {}).unwrap();
         let mut response = Response::default();
         Responder::new(&system).respond(&system, &ours, &mut response).unwrap();
         let size = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0_f64, |largest, (a, b)| largest.max((a - b).abs()));
@@ -414,7 +413,7 @@ fn decrement(radius: Option<f64>, ratio: f64) -> f64 {
     let steps = (TAU / frequency / 200.0, 2000);
     match radius {
         Some(radius) => march(&system, &mut state, &mut method(&system, radius), steps, watch).unwrap(),
-        None => integrate(&system, &mut state, AxialRule::Conserving, steps, watch).unwrap(),
+        None => integrate(&system, &mut state, 1.0, steps, watch).unwrap(),
     }
     let extremes: Vec<f64> = heights.windows(3).filter(|w| (w[1] - w[0]) * (w[2] - w[1]) < 0.0).map(|w| w[1]).collect();
     let swings: Vec<f64> = extremes.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();

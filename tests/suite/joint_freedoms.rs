@@ -15,7 +15,7 @@ use ancf14::mechanics::node::Node;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::solve::midpoint::{AxialRule, Midpoint};
+use ancf14::solve::midpoint::Midpoint;
 use ancf14::solve::start;
 use nalgebra::{DMatrix, DVector};
 
@@ -134,7 +134,7 @@ fn the_promised_motions_are_free_and_no_others() {
             for moved in [false, true] {
                 if moved {
                     let Pair { system, state, .. } = &mut pair;
-                    integrate(system, state, AxialRule::Conserving, (1e-3, 200), |_| {}).unwrap();
+                    integrate(system, state, 1.0, (1e-3, 200), |_| {}).unwrap();
                 }
                 let (smallest, rate) = check(&pair, kind);
                 (least, largest) = (least.min(smallest), largest.max(rate));
@@ -154,7 +154,7 @@ fn allowed_velocities_are_kept_at_the_start() {
         for parts in SIDES {
             let Pair { system, mut state, .. } = Pair::new(&mut random, parts, kind);
             let given = state.velocity.clone();
-            let mut midpoint = Midpoint::new(&system, AxialRule::Conserving, 1e-8);
+            let mut midpoint = Midpoint::new(&system, 1.0, 1e-8);
             let lost = start::set_motion(&system, &mut midpoint, &mut state).unwrap();
             let change = state.velocity.iter().zip(&given).fold(0.0_f64, |sum, (a, b)| sum.max((a - b).abs()));
             // Velocities of some m/s; round-off through a matrix of condition 1e4: the inertia of slopes against that of bodies.

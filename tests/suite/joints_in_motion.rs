@@ -14,7 +14,6 @@ use ancf14::mechanics::pose::Pose;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::solve::midpoint::AxialRule;
 
 const KINDS: [(&str, &[Primitive], usize); 3] =
     [("weld", weld::PRIMITIVES, 6), ("spherical", spherical::PRIMITIVES, 3), ("revolute", revolute::PRIMITIVES, 5)];
@@ -87,7 +86,7 @@ fn joints_hold_and_energy_stays() {
             let (mut gap, mut moved) = (0.0_f64, 0.0_f64);
             let (mut low, mut high, mut swing) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
             let drawn = state.q.clone();
-            integrate(&system, &mut state, AxialRule::Conserving, (1e-3, 400), |state| {
+            integrate(&system, &mut state, 1.0, (1e-3, 400), |state| {
                 let mut snapshot = Snapshot::default();
                 let configuration = snapshot.of(&system, state);
                 let mut g = vec![0.0; system.constraints()];

@@ -60,6 +60,7 @@ mod odd_machines;
 mod oracle;
 mod oscillation;
 mod output_files;
+mod over_step;
 mod parts;
 mod polylines;
 mod princeton;

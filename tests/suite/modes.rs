@@ -16,7 +16,6 @@ use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::model::modes::Kind;
 use ancf14::model::simulation::Simulation;
-use ancf14::solve::midpoint::AxialRule;
 use ancf14::solve::modes::{Modes, modes};
 use std::f64::consts::PI;
 
@@ -276,7 +275,7 @@ fn a_machine_swings_in_its_modes() {
         system.mass_times(&mode.shape, &mut mass);
         let discrete = 2.0 / step * (0.5 * omega * step).atan();
         let (mut count, mut largest) = (0, 0.0_f64);
-        integrate(system, &mut state, AxialRule::Conserving, (step, 200), |state| {
+        integrate(system, &mut state, 1.0, (step, 200), |state| {
             let reached: f64 =
                 mass.iter().zip(state.q.iter().zip(&rest.q)).map(|(mass, (q, rest))| mass * (q - rest)).sum();
             let expected = amplitude * (discrete * step * f64::from(count)).sin();

@@ -183,6 +183,7 @@ quantities = ["velocity", "angular_velocity", "position"]
 stop = 0.2
 step = 1e-3
 output_step = 1e-2
+tolerance = 1e-11
 "#;
     let mut simulation = start(text);
     let (v, w) = (Vec3::new(1.0, 2.0, 3.0), Vec3::new(3.0, -2.0, 4.0));

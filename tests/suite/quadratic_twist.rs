@@ -14,7 +14,7 @@ use ancf14::mechanics::ancf14::quadratic_twist::Twist;
 use ancf14::mechanics::ancf14::strain::{Stiffness, Strain};
 use ancf14::mechanics::assembly::Assembly;
 use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::configuration::{Passage, Rates};
+use ancf14::mechanics::configuration::Passage;
 use ancf14::mechanics::load::Excitation;
 use ancf14::mechanics::material::Material;
 use ancf14::mechanics::sensor::Snapshot;
@@ -48,10 +48,10 @@ impl Case {
         Self { element, q, triads, previous }
     }
 
-    fn over_step<T>(&self, q: &Coordinates, increment: Option<&[f64]>, use_it: impl FnOnce(&Evaluation) -> T) -> T {
+    fn at<T>(&self, q: &Coordinates, use_it: impl FnOnce(&Evaluation) -> T) -> T {
         let q = q.as_slice();
         let frames = [NodeFrame::new(&q[..7], &self.triads[0]), NodeFrame::new(&q[7..], &self.triads[1])];
-        use_it(&Evaluation::new(&self.element, q, increment, [&frames[0], &frames[1]], self.previous))
+        use_it(&Evaluation::new(&self.element, q, [&frames[0], &frames[1]], self.previous))
     }
 }
 
@@ -74,7 +74,7 @@ fn cases(seed: u64) -> Vec<Case> {
 fn condensed_derivatives() {
     let mut largest = 0.0_f64;
     for case in cases(11) {
-        let (bubble, bubble_q, energy, gradient, hessian) = case.over_step(&case.q, None, |own| {
+        let (bubble, bubble_q, energy, gradient, hessian) = case.at(&case.q, |own| {
             let (gradient, hessian) = own.gradient_and_hessian();
             (own.bubble, own.bubble_q(), own.energy(), gradient, hessian)
         });
@@ -101,35 +101,12 @@ fn condensed_derivatives() {
     assert!(largest > 0.05, "{largest}");
 }
 
-/// Over a step (MECHANICS 7.6) the tangent is twice the derivative of the force by the end's coordinates; central differences of the
-/// force err by about 1e-9 of the largest entry.
-#[test]
-fn tangent_over_a_step() {
-    let mut random = Random(12);
-    for case in cases(13).iter().step_by(3) {
-        let (start, end) = (case.q, case.q + Coordinates::from_fn(|_, _| 0.1 * random.signed()));
-        let force = |end: &Coordinates| {
-            let increment = end - start;
-            case.over_step(&((start + end) / 2.0), Some(increment.as_slice()), |own| own.gradient_and_hessian())
-        };
-        let (_, tangent) = force(&end);
-        let width = 1e-5;
-        for column in 0..14 {
-            let mut shift = Coordinates::zeros();
-            shift[column] = width;
-            let difference = (force(&(end + shift)).0 - force(&(end - shift)).0) / width;
-            let error = (difference - tangent.column(column)).amax() / tangent.amax();
-            assert!(error < 2e-9, "column {column} in {:?}: {error:e}", case.element.stiffness.strain);
-        }
-    }
-}
-
 /// A rigid turn changes neither the energy nor the internal coordinate.
 #[test]
 fn rigid_rotation() {
     let mut random = Random(14);
     for case in cases(15) {
-        let found = |case: &Case| case.over_step(&case.q, None, |own| (own.energy(), own.bubble));
+        let found = |case: &Case| case.at(&case.q, |own| (own.energy(), own.bubble));
         let (energy, bubble) = found(&case);
         let turn = rotation::rotation_matrix(&(random.vector() * 2.0));
         let mut turned =
@@ -247,29 +224,24 @@ fn damping_is_that_of_the_linear_twist() {
     // Bent by half a radian in both directions.
     (state.q[4], state.q[5], state.q[11], state.q[12]) = (0.3, -0.2, -0.4, 0.5);
     let velocity: Vec<f64> = state.q.iter().map(|_| random.signed()).collect();
-    let end = ancf14::mechanics::state::State {
-        q: state.q.iter().zip(&velocity).map(|(q, v)| q + 1e-2 * v).collect(),
-        ..state.clone()
-    };
     let viscous = |twist| {
         let (system, _) = machine(twist);
-        let (mut here, mut there) = (Snapshot::default(), Snapshot::default());
-        let (start, end) = (here.of(&system, &state), there.of(&system, &end));
+        let mut here = Snapshot::default();
+        let start = here.of(&system, &state);
         let excitation = Excitation::default();
-        let forces = |rates| {
+        let forces = |passage: Passage| {
             let mut forces = vec![0.0; 14];
-            system.forces(&start, &Passage { increment: None, rates }, &excitation, &mut forces);
+            system.forces(&start, &passage, &excitation, &mut forces);
             Coordinates::from_vec(forces)
         };
-        let rest = forces(Rates::Rest);
-        let step = Rates::Step { start: &start, end: &end, duration: 1e-2, velocity: &[] };
-        [forces(Rates::Instant(&velocity)) - rest, forces(step) - rest, rest]
+        let rest = forces(Passage::Rest);
+        [forces(Passage::Instant(&velocity)) - rest, rest]
     };
     let (linear, quadratic) = (viscous(Twist::Linear), viscous(Twist::Quadratic));
-    for (linear, quadratic) in linear[..2].iter().zip(&quadratic) {
+    for (linear, quadratic) in linear[..1].iter().zip(&quadratic) {
         // What is left of the elastic forces by the subtraction.
         assert!((linear - quadratic).amax() < 1e-12 * (linear.amax() + quadratic.amax()), "{linear} {quadratic}");
         assert!(linear.amax() > 1.0, "not damped");
     }
-    assert!((linear[2] - quadratic[2]).amax() > 1.0, "the elastic forces are those of the linear twist");
+    assert!((linear[1] - quadratic[1]).amax() > 1.0, "the elastic forces are those of the linear twist");
 }

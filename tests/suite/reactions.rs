@@ -9,7 +9,7 @@ use crate::running::{run, start, vector};
 use ancf14::math::Vec3;
 use ancf14::math::vectors::vec3;
 use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::configuration::{Passage, Rates};
+use ancf14::mechanics::configuration::Passage;
 use ancf14::mechanics::joint::{revolute, spherical, weld};
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::pose::{Pose, axis_place};
@@ -17,7 +17,7 @@ use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::transmission::{Action, Transmission};
-use ancf14::solve::midpoint::{AxialRule, Midpoint};
+use ancf14::solve::midpoint::Midpoint;
 use ancf14::solve::response::{Responder, Response};
 use ancf14::solve::start;
 use ancf14::solve::stepping::Integrator;
@@ -160,7 +160,7 @@ fn reactions_are_what_newton_and_euler_demand() {
         let response = respond(system, state);
         let mut snapshot = Snapshot::default();
         let c = snapshot.of(system, state);
-        let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
+        let passage = Passage::Instant(&state.velocity);
         let action = Action { system, c: &c, passage: &passage, multipliers: &response.multipliers };
         let centre = vec3(&state.q, system.bodies[0].start);
         let own = system.bodies[0].start;
@@ -258,11 +258,11 @@ fn every_kind_of_joint_acts_and_reacts() {
             springs: if kind.primitives.is_some() { Vec::new() } else { (0..6).collect() },
             ..Transmission::default()
         };
-        crate::machines::integrate(&system, &mut state, AxialRule::Conserving, (2e-3, 100), |_| {}).unwrap();
+        crate::machines::integrate(&system, &mut state, 1.0, (2e-3, 100), |_| {}).unwrap();
         let response = respond(&system, &state);
         let mut snapshot = Snapshot::default();
         let c = snapshot.of(&system, &state);
-        let passage = Passage { increment: None, rates: Rates::Instant(&state.velocity) };
+        let passage = Passage::Instant(&state.velocity);
         let action = Action { system: &system, c: &c, passage: &passage, multipliers: &response.multipliers };
         let (force, moment) = action.reaction(&transmission);
         let place = sides[1].pose(&c).place;
@@ -287,7 +287,7 @@ fn every_kind_of_joint_acts_and_reacts() {
 /// order, the multipliers of the next step no longer have to.
 fn multiplier_error(system: &System, start: &State, step: f64, count: u32) -> f64 {
     let mut state = start.clone();
-    let mut midpoint = Midpoint::new(system, AxialRule::Conserving, 1e-10);
+    let mut midpoint = Midpoint::new(system, 1.0, 1e-10);
     start::set_motion(system, &mut midpoint, &mut state).unwrap();
     let (mut error, mut size) = (0.0_f64, 0.0_f64);
     let mut before = respond(system, &state).multipliers;

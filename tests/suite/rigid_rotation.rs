@@ -10,7 +10,6 @@ use ancf14::mechanics::assembly::Assembly;
 use ancf14::mechanics::rigid_body::{self, BodyDesign};
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::solve::midpoint::AxialRule;
 use std::f64::consts::TAU;
 
 /// A free body with these principal moments, axes along the global ones, that turns by `angular_velocity`.
@@ -41,7 +40,7 @@ fn tipping_keeps_momentum_energy_and_axes() {
         let mut begin = None;
         let (mut drift, mut low, mut high, mut skew, mut tips, mut side) =
             (0.0_f64, f64::INFINITY, f64::NEG_INFINITY, 0.0_f64, 0, 1.0);
-        integrate(&system, &mut state, AxialRule::Conserving, (step, (20.0 / step).round() as u32), |state| {
+        integrate(&system, &mut state, 1.0, (step, (20.0 / step).round() as u32), |state| {
             let (linear, angular) = system.momentum(&state.q, &state.momentum);
             let (linear_0, angular_0) = *begin.get_or_insert((linear, angular));
             drift = drift.max((linear - linear_0).norm() / linear_0.norm());
@@ -76,10 +75,7 @@ fn regression_a_fast_body_keeps_its_energy() {
     let changes = [(2e-3, 5000), (1e-3, 10_000)].map(|(step, count)| {
         let (system, mut state) = free(MOMENTS, Vec3::new(60.0, 60.0, 52.9));
         let mut energy = Vec::new();
-        integrate(&system, &mut state, AxialRule::Conserving, (step, count), |state| {
-            energy.push(energies(&system, state)[0])
-        })
-        .unwrap();
+        integrate(&system, &mut state, 1.0, (step, count), |state| energy.push(energies(&system, state)[0])).unwrap();
         energy.iter().map(|now| (now / energy[0] - 1.0).abs()).fold(0.0, f64::max)
     });
     println!("energy changes by {changes:?} in 10 s");
@@ -114,7 +110,7 @@ fn it_turns_as_euler_says() {
     let expected = euler(omega, 2.0);
     let errors = [4e-3, 2e-3].map(|step: f64| {
         let (system, mut state) = free(MOMENTS, omega);
-        integrate(&system, &mut state, AxialRule::Conserving, (step, (2.0 / step).round() as u32), |_| {}).unwrap();
+        integrate(&system, &mut state, 1.0, (step, (2.0 / step).round() as u32), |_| {}).unwrap();
         (axes(&state) - expected).norm()
     });
     let order = (errors[0] / errors[1]).log2();
@@ -226,7 +222,7 @@ fn a_flat_disk_wobbles() {
     let mut begin = None;
     let (mut angle, mut before, mut drift, mut low, mut high) = (0.0, None, 0.0_f64, f64::INFINITY, f64::NEG_INFINITY);
     let mut rate = 0.0;
-    integrate(&system, &mut state, AxialRule::Conserving, (step, 4000), |state| {
+    integrate(&system, &mut state, 1.0, (step, 4000), |state| {
         let angular = system.momentum(&state.q, &state.momentum).1;
         let centre = Vec3::from_column_slice(&state.q[..3]);
         // About the centre of mass: the body flies.

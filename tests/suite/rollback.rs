@@ -241,28 +241,6 @@ fn absurdly_small_steps_are_refused() {
     assert!(failure.message.contains("internal steps of 1e-300 s"), "{}", failure.message);
 }
 
-/// A fast motion that the step does not resolve gains energy from nowhere: the user hears of it, once, and not when it is resolved.
-/// The pendulum is drawn so that its lower beam swings through the line of the upper one, which then spins up for milliseconds.
-#[test]
-fn energy_from_nowhere_is_warned_of() {
-    let text = MODELS[0].1.replace("to = [1.3, 0, 0.5]", "to = [1.2, 0.3, 0.4]");
-    let warnings = |step: &str, rows: u32| {
-        let variational = ("simulation.integrator".to_owned(), "variational".to_owned());
-        let overrides = [("simulation.step".to_owned(), step.to_owned()), variational];
-        let mut simulation = Simulation::load("model.toml", &text, &overrides).unwrap();
-        simulation.initialize(0.0).unwrap();
-        let mut warnings = Vec::new();
-        for row in 1..=rows {
-            simulation.advance(f64::from(row) * 0.01).unwrap();
-            warnings.extend(simulation.take_warnings());
-        }
-        warnings
-    };
-    let coarse = warnings("5e-3", 45);
-    assert!(coarse.len() == 1 && coarse[0].contains("take a smaller simulation.step"), "{coarse:?}");
-    assert!(warnings("2e-4", 49).is_empty());
-}
-
 /// A static path is judged from where it is, also after a host has gone back from elsewhere at the same time: the strut buckles
 /// between A and C, whatever was tried before.
 #[test]

@@ -52,13 +52,21 @@ stop = 1.0
 step = 1e-3
 "#;
 
-fn by_expressions() -> Simulation {
+fn expressions() -> String {
     let frame = "[frame.hand]\nposition = [0, \"0.05*sin(7*t)\", 0]\nrotation = [0, 0, \"0.3*sin(4*t)\"]\n";
-    start(&format!("{REST}{frame}"))
+    format!("{REST}{frame}")
+}
+
+fn hosted() -> String {
+    format!("{REST}[frame.hand]\nposition = [0, 0, 0]\ninput = true\n")
+}
+
+fn by_expressions() -> Simulation {
+    start(&expressions())
 }
 
 fn by_host() -> Simulation {
-    start(&format!("{REST}[frame.hand]\nposition = [0, 0, 0]\ninput = true\n"))
+    start(&hosted())
 }
 
 fn start(text: &str) -> Simulation {
@@ -97,10 +105,12 @@ fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// With the same steps outside and inside, the host's machine goes through the same places: to round-off.
+/// With the same steps outside and inside, the host's machine goes through the same places: to round-off. Without the numerical dissipation, which begins with the
+/// strain rates of the start, and these with a velocity of the frame that the host does not give.
 #[test]
 fn expression_and_host_agree() {
-    let (mut first, mut second) = (by_expressions(), by_host());
+    let still = |text: String| start(&text.replace("step = 1e-3", "step = 1e-3\nspectral_radius = 1"));
+    let (mut first, mut second) = (still(expressions()), still(hosted()));
     let mut largest = 0.0_f64;
     for number in 1..=500 {
         let time = 1e-3 * f64::from(number);

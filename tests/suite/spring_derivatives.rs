@@ -4,7 +4,7 @@ use crate::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marke
 use crate::random::Random;
 use ancf14::mechanics::ancf14::coordinates::NODE;
 use ancf14::mechanics::ancf14::frame::NodeFrame;
-use ancf14::mechanics::configuration::{Passage, Rates};
+use ancf14::mechanics::configuration::{Dissipation, Passage, TimeStep};
 use ancf14::mechanics::gauge::{Gauge, Measure};
 use ancf14::mechanics::marker::MarkerVector;
 use ancf14::mechanics::spring::{self, Spring};
@@ -64,12 +64,12 @@ fn check_spring_derivatives() {
                 }
                 sum
             };
-            let closed = scatter(spring.gradient(&gauge, &c, &Passage::REST));
+            let closed = scatter(spring.gradient(&gauge, &c, &Passage::Rest));
             assert!(
                 (closed - gradient.fixed_rows::<COUNT>(0)).amax() < ROUNDING * gradient.amax().max(1.0),
                 "{kind:?}"
             );
-            let at_rest = spread(&machine, [&a, &b], &spring.hessian(&gauge, &c, &Passage::REST));
+            let at_rest = spread(&machine, [&a, &b], &spring.hessian(&gauge, &c, &Passage::Rest));
             let error = (at_rest - hessian.fixed_view::<COUNT, COUNT>(0, 0)).amax() / hessian.amax().max(1.0);
             assert!(error < ROUNDING, "{kind:?}: {error:e}");
 
@@ -84,7 +84,7 @@ fn check_spring_derivatives() {
             let rate_q = (by_all_twice * along).fixed_rows::<COUNT>(0).into_owned();
             let velocity = machine.velocity.as_slice();
             assert!((spring::reading_rate(&gauge, &c, velocity) - rate).abs() < ROUNDING * rate.abs().max(1.0));
-            let moving = Passage { increment: None, rates: Rates::Instant(velocity) };
+            let moving = Passage::Instant(velocity);
             let damped = scatter(spring.gradient(&gauge, &c, &moving));
             let by_q = by_all.fixed_rows::<COUNT>(0).into_owned();
             let size = by_all_twice.amax().max(1.0) * 10.0;
@@ -96,7 +96,7 @@ fn check_spring_derivatives() {
             let by_v = spread(&machine, [&a, &b], &spring.damping_matrix(&gauge, &c));
             assert!((by_v - by_q * by_q.transpose() * 0.3).amax() < ROUNDING * size);
 
-            // Over a step: rates are differences of the readings at its ends.
+            // Over a step: rates are differences of the readings at its ends. Here the machine in the middle is the one at the start.
             let other = Machine { q: machine.q + machine.velocity * 0.05, ..Machine::new(&mut random) };
             let other = Machine {
                 triads: machine.triads,
@@ -107,8 +107,17 @@ fn check_spring_derivatives() {
                 ..other
             };
             let end = other.configuration();
-            let passage =
-                Passage { increment: None, rates: Rates::Step { start: &c, end: &end, duration: 0.1, velocity: &[] } };
+            let rates = [0.0; COUNT];
+            let passage = Passage::Step(TimeStep {
+                start: &c,
+                end: &end,
+                increment: &[],
+                duration: 0.1,
+                velocity: &[],
+                dissipation: Dissipation::default(),
+                strain_rates: &rates,
+                start_rates: &rates,
+            });
             let reading_end =
                 |q: All<Dual>| measure(kind, &other.pose(&a, q.as_slice()), &other.pose(&b, q.as_slice()));
             let (end_value, end_q, _) = num_dual::hessian(reading_end, &other.all());
@@ -116,12 +125,16 @@ fn check_spring_derivatives() {
                 measure(kind, &machine.pose(&a, machine.all().as_slice()), &machine.pose(&b, machine.all().as_slice()));
             // Angles of both ends are read near the last accepted one, 0.
             let rate = (end_value - here) / 0.1;
-            let damped = scatter(spring.gradient(&gauge, &c, &passage));
-            assert!((damped - closed - by_q * (0.3 * rate)).amax() < ROUNDING * size * rate.abs().max(1.0), "{kind:?}");
-            let tangent = spread(&machine, [&a, &b], &spring.hessian(&gauge, &c, &passage)) - at_rest;
+            // The elastic force is that of the mean reading; a distance pulls along the mean direction, which is shorter than 1.
+            let mean = 0.5 * (end_value + here);
+            let shortening = if gauge.measure == Measure::Length { here / mean } else { 1.0 };
+            let tension = (spring.stiffness * (mean - spring.rest) + 0.3 * rate) * shortening;
+            let over = scatter(spring.gradient(&gauge, &c, &passage));
+            assert!((over - by_q * tension).amax() < ROUNDING * size * rate.abs().max(1.0), "{kind:?}");
+            let tangent = spread(&machine, [&a, &b], &spring.hessian(&gauge, &c, &passage));
             let end_q = end_q.fixed_rows::<COUNT>(0).into_owned();
-            let expected = by_all_twice.fixed_view::<COUNT, COUNT>(0, 0) * (0.3 * rate)
-                + by_q * end_q.transpose() * (0.3 * 2.0 / 0.1);
+            let expected = by_all_twice.fixed_view::<COUNT, COUNT>(0, 0) * tension
+                + by_q * end_q.transpose() * (spring.stiffness + 0.3 * 2.0 / 0.1);
             assert!((tangent - expected).amax() < ROUNDING * size * size * rate.abs().max(10.0), "{kind:?}");
         }
     }

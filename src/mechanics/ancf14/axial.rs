@@ -56,6 +56,13 @@ impl Slope {
         self.increment / (2.0 * self.reference_square)
     }
 
+    /// `n/J0`, 1, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: its product with the increment is what the engineering strain changes by over the step.
+    #[inline]
+    pub fn engineering_strain_mean_p(&self) -> Vec3 {
+        let (start, end) = self.stretches();
+        self.middle * (2.0 / ((start + end) * self.reference_stretch))
+    }
+
     /// Derivative of the engineering strain `|r'|/J0 − 1` of the middle of the step by the slope there, 1.
     pub fn engineering_strain_p(&self) -> Vec3 {
         self.middle / (self.middle.norm() * self.reference_stretch)
@@ -70,7 +77,7 @@ impl Slope {
 
 /// The small-strain energy `EA/2 eps²`, a function of the slope alone.
 pub mod small {
-    use super::{Mat3, Slope, Stiffness, Vec3};
+    use super::{Mat3, Slope, Stiffness};
 
     /// Energy density, J/m.
     pub fn energy(stiffness: &Stiffness, slope: &Slope) -> f64 {
@@ -82,24 +89,16 @@ pub mod small {
         stiffness.axial * strain
     }
 
-    /// `EA/J0 eps n`, N, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: work by the increment is the increment of the energy.
+    /// Twice the derivative of `force` along the mean slope by the slope at the end of the step, N m, where `force` (N m) changes by `stiffness` (N m) with
+    /// the strain; at an increment of zero the Hessian.
     #[inline]
-    pub fn gradient(stiffness: &Stiffness, slope: &Slope) -> Vec3 {
-        let (start, end) = slope.stretches();
-        let direction = slope.middle * (2.0 / (start + end));
-        direction * (force(stiffness, slope.engineering_strain()) / slope.reference_stretch)
-    }
-
-    /// Twice the derivative of the gradient by the slope at the end of the step, N: at an increment of zero the Hessian.
-    #[inline]
-    pub fn hessian(stiffness: &Stiffness, slope: &Slope) -> Mat3 {
+    pub fn hessian(slope: &Slope, force: f64, stiffness: f64) -> Mat3 {
         let (start, end) = slope.stretches();
         let n = slope.middle * (2.0 / (start + end));
         let tangent = (slope.middle + slope.increment * 0.5) / end;
         let n_t = n * tangent.transpose();
         let j0 = slope.reference_stretch;
-        n_t * (stiffness.axial / (j0 * j0))
-            + (Mat3::identity() - n_t) * (2.0 * force(stiffness, slope.engineering_strain()) / (j0 * (start + end)))
+        n_t * (stiffness / (j0 * j0)) + (Mat3::identity() - n_t) * (2.0 * force / (j0 * (start + end)))
     }
 }
 

@@ -98,10 +98,15 @@ fn add_block(block: &Mat3, row: usize, column: usize, sum: &mut ElementColumns) 
     }
 }
 
-/// Adds `by_q (weightsᵀ right)ᵀ + weightsᵀ left by_qᵀ`, 14×14, to `sum`, without the rows and columns of `r_0`: of what `by_q` changes by
-/// with a function of `Σ_a weight_a X_a` that has the derivatives `left`, or `right` by the end of a step.
+/// Adds `by_q (weightsᵀ right)ᵀ + weightsᵀ left by_endᵀ`, 14×14, to `sum`, without the rows and columns of `r_0`: of what `by_q`, or by the end of a step `by_end`,
+/// changes by with a function of `Σ_a weight_a X_a` that has the derivatives `left`, or `right` by the end of a step.
 #[inline]
-pub fn add_between(by_q: &ElementVector, weights: &[f64; 4], [left, right]: [&Vec3; 2], sum: &mut ElementColumns) {
+pub fn add_between(
+    [by_q, by_end]: [&ElementVector; 2],
+    weights: &[f64; 4],
+    [left, right]: [&Vec3; 2],
+    sum: &mut ElementColumns,
+) {
     for (a, place) in CHORD_PLACES {
         // At the ends of the element most weights are 0.
         if weights[a] == 0.0 {
@@ -115,7 +120,7 @@ pub fn add_between(by_q: &ElementVector, weights: &[f64; 4], [left, right]: [&Ve
         }
         for column in P..ELEMENT {
             for i in 0..3 {
-                sum[column][place + i] += left[i] * by_q[column];
+                sum[column][place + i] += left[i] * by_end[column];
             }
         }
     }

@@ -62,6 +62,18 @@ impl CurvePoint {
 }
 
 impl CurveGradients<'_> {
+    /// Changes of `κ1`, `κ2` and of `ω` with small changes of `P` and `W`, 1/m and rad/m.
+    #[inline]
+    pub fn along(&self, by_p: &Vec3, by_w: &Vec3) -> ([f64; 2], f64) {
+        let &Self { point, per_stretch, per_area, n, h_p, h_w, omega_p, .. } = self;
+        let (by_h, by_stretch) = (h_p.dot(by_p) + h_w.dot(by_w), n.dot(by_p));
+        let kappa = |q: usize| {
+            (by_w[q] - point.h * by_p[q] - point.p[q] * by_h - point.curvatures[q - 1] * by_stretch) * per_stretch
+        };
+        let rate = omega_p.dot(by_p) + (point.p[2] * by_w[1] - point.p[1] * by_w[2]) * per_area;
+        ([kappa(1), kappa(2)], rate)
+    }
+
     /// `(∂F/∂P, ∂F/∂W)` of `F = c·(κ1, κ2, ω)`.
     #[inline]
     pub fn gradient(&self, c: &[f64; 3]) -> (Vec3, Vec3) {

@@ -11,36 +11,14 @@
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, complete, spread};
 use super::element::{Element, Evaluation};
+use super::over_step::STRAINS;
 use super::pullback::{Couplings, Forces, Gradients};
 use super::relative::RELATIVE;
 use super::strain::{Resultants, Rigidities, Strain};
 use nalgebra::{SMatrix, SVector};
 
-/// Strains of an element: three axial points, then `g1`, `g2`, `tau` of each bending point.
-pub const STRAINS: usize = 12;
 /// One number per strain of an element.
 pub type StrainVector = SVector<f64, STRAINS>;
-
-/// Viscous force over a step of length `h` that begins with the strains `start`, 14×1: `J(middle)ᵀ c W D (strains(end) − start)/h`.
-///
-/// `end` is no evaluation over a step; for `middle` it makes no difference. All of them have linear twist, here and below.
-pub fn force_over_step(start: &StrainVector, middle: &Evaluation, end: &Evaluation, h: f64) -> ElementVector {
-    strains_q(middle) * resultants_over_step(start, end, h)
-}
-
-/// The force over a step and twice its derivative by the coordinates at the end of the step, 14×14 (unsymmetric):
-/// `Hess(middle) · resultants + 2 J(middle)ᵀ c W D J(end)/h`.
-pub fn force_and_tangent_over_step(
-    start: &StrainVector,
-    middle: &Evaluation,
-    end: &Evaluation,
-    h: f64,
-) -> (ElementVector, ElementMatrix) {
-    let resultants = resultants_over_step(start, end, h);
-    let middle_q = strains_q(middle);
-    let by_rate = weighted(&middle_q, &viscosities(end.element)) * strains_q(end).transpose() * (2.0 / h);
-    (middle_q * resultants, stress_hessian(middle, &resultants) + by_rate)
-}
 
 /// Viscous force at the velocities `velocity` of the coordinates, 14×1: `Jᵀ c W D J v`.
 pub fn force(evaluation: &Evaluation, velocity: &ElementVector) -> ElementVector {
@@ -127,23 +105,7 @@ fn first_strain(g: usize) -> usize {
 
 /// `c W D` of each strain: viscous resultant, quadrature weight included, over the rate of its strain.
 fn viscosities(element: &Element) -> StrainVector {
-    let stiffness = &element.stiffness;
-    let mut all = StrainVector::zeros();
-    for (m, point) in element.axial.iter().enumerate() {
-        all[m] = point.weight * stiffness.axial;
-    }
-    for (g, point) in element.bending.iter().enumerate() {
-        let rigidities = [stiffness.bending_z, stiffness.bending_y, stiffness.torsion];
-        for (i, rigidity) in rigidities.into_iter().enumerate() {
-            all[first_strain(g) + i] = point.weight * rigidity;
-        }
-    }
-    all * stiffness.damping
-}
-
-/// Viscous resultants over a step of length `h` that begins with the strains `start`.
-fn resultants_over_step(start: &StrainVector, end: &Evaluation, h: f64) -> StrainVector {
-    viscosities(end.element).component_mul(&(strains(end) - start)) / h
+    StrainVector::from(element.rigidities()) * element.stiffness.damping
 }
 
 /// Viscous resultants at the velocities `velocity`.

@@ -9,6 +9,8 @@ use super::coordinates::{
 use super::frame::NodeFrame;
 use super::inertia::{self, Mass};
 use super::kinematics::Kinematics;
+use super::over_step::{Added, Turn};
+use super::points::{AxialPoint, BendingPoint};
 use super::pullback::{Couplings, Forces, Gradients};
 use super::quadratic_twist::{self, Condensation, Twist};
 use super::relative::{RELATIVE, RelativeVector};
@@ -17,46 +19,6 @@ use super::{axial, bending, fourth_moments, stretching, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::configuration::Configuration;
-
-/// A Lobatto point: stretching is taken here.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AxialPoint {
-    /// `N'_a`.
-    pub shape_x: [f64; 4],
-    /// Quadrature weight `w l J0`, m.
-    pub weight: f64,
-    /// `J0 = |r0'|`, 1.
-    pub reference_stretch: f64,
-    /// `|r0'|²`, 1.
-    pub reference_square: f64,
-    /// `1/(l J0)`, 1/m: torsion by twist.
-    pub torsion_by_twist: f64,
-    /// Mean torsion of the undeformed beam, rad/m.
-    pub reference_torsion: f64,
-}
-
-/// A Gauss point: bending and torsion are taken here.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BendingPoint {
-    /// Place in the element, 0 to 1.
-    pub xi: f64,
-    /// `N'_a`.
-    pub shape_x: [f64; 4],
-    /// `N''_a`, 1/m.
-    pub shape_xx: [f64; 4],
-    /// `l A_gh` of (2.13), m.
-    pub collocation: [f64; 3],
-    /// Quadratic Lagrange polynomials of the axial points, here.
-    pub from_axial: [f64; 3],
-    /// Quadrature weight `w l J0`, m.
-    pub weight: f64,
-    /// `J0 = |r0'|`, 1.
-    pub reference_stretch: f64,
-    /// `1/(l J0)`, 1/m: torsion by twist.
-    pub torsion_by_twist: f64,
-    /// Curvatures `gamma_10`, `gamma_20` (1/m) and torsion (rad/m) of the undeformed beam.
-    pub reference: [f64; 3],
-}
 
 /// Where an element's numbers are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -174,16 +136,22 @@ impl Element {
         Kinematics::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
     }
 
-    /// Strains, over a step whose middle is `c` with the `increment` of all coordinates.
+    /// Strains at `c`.
     #[inline]
-    pub fn evaluation<'a>(&'a self, c: &Configuration<'a>, increment: Option<&[f64]>) -> Evaluation<'a> {
-        let own = increment.map(|increment| self.own(increment));
-        Evaluation::new(self, self.own(c.q), own, self.frames(c), c.holonomy[self.place.branch])
+    pub fn evaluation<'a>(&'a self, c: &Configuration<'a>) -> Evaluation<'a> {
+        Evaluation::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
     }
 
-    /// Strains with linear twist, whatever the element's is: those that material damping sees.
+    /// Strains with linear twist, whatever the element's is: those that material damping sees at an instant.
     pub fn linear_evaluation<'a>(&'a self, c: &Configuration<'a>) -> Evaluation<'a> {
         Evaluation::with_linear_twist(self, self.own(c.q), None, self.frames(c), c.holonomy[self.place.branch])
+    }
+
+    /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the `increment` of all coordinates.
+    #[inline]
+    pub(super) fn with_increment<'a>(&'a self, c: &Configuration<'a>, increment: &[f64]) -> Evaluation<'a> {
+        let own = Some(self.own(increment));
+        Evaluation::with_linear_twist(self, self.own(c.q), own, self.frames(c), c.holonomy[self.place.branch])
     }
 
     /// Generalized weight in the gravity field `gravity` (m/s²), 14×1.
@@ -210,6 +178,10 @@ pub struct Evaluation<'a> {
     pub(super) gammahat: [[f64; 2]; 3],
     /// Strains at the bending points, undeformed values taken off.
     pub strains: [Strains; 3],
+    /// What a step adds to the resultants of these strains.
+    pub(super) added: Added,
+    /// From the end of a step to its middle; none at an instant.
+    pub(super) turn_from_end: Option<Turn>,
 }
 
 /// First derivatives, shared by gradient and Hessian.
@@ -222,23 +194,18 @@ struct FirstOrder {
 
 impl<'a> Evaluation<'a> {
     /// Of `element` at the coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last
-    /// accepted state (rad); `increment` is what the coordinates change by over a step whose middle is `q`, or none.
+    /// accepted state, rad.
     #[inline]
-    pub fn new(
-        element: &'a Element,
-        q: &[f64],
-        increment: Option<&[f64]>,
-        frames: [&'a NodeFrame; 2],
-        previous: f64,
-    ) -> Self {
-        let mut evaluation = Self::with_linear_twist(element, q, increment, frames, previous);
+    pub fn new(element: &'a Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
+        let mut evaluation = Self::with_linear_twist(element, q, None, frames, previous);
         if element.stiffness.twist == Twist::Quadratic {
             quadratic_twist::relax(&mut evaluation);
         }
         evaluation
     }
 
-    /// As [`Self::new`], but with linear twist whatever the element's is.
+    /// As [`Self::new`], but with linear twist whatever the element's is; `increment` is what the coordinates change by over a step whose middle is
+    /// `q`, or none.
     #[inline]
     pub fn with_linear_twist(
         element: &'a Element,
@@ -264,8 +231,19 @@ impl<'a> Evaluation<'a> {
         };
         let mean_torsion = [torsion(first), torsion(middle), torsion(last)];
         let (turn, gammahat, strains) = ([[0.0; 2]; 3], [[0.0; 2]; 3], [Strains::zeros(); 3]);
-        let mut evaluation =
-            Self { element, kinematics, slopes, green, mean_torsion, bubble: 0.0, turn, gammahat, strains };
+        let mut evaluation = Self {
+            element,
+            kinematics,
+            slopes,
+            green,
+            mean_torsion,
+            bubble: 0.0,
+            turn,
+            gammahat,
+            strains,
+            added: Added::default(),
+            turn_from_end: None,
+        };
         evaluation.set_bubble(0.0);
         evaluation
     }
@@ -330,7 +308,7 @@ impl<'a> Evaluation<'a> {
         sum
     }
 
-    /// `∂U/∂q`, 14×1, J per unit of each coordinate; over a step the force of MECHANICS 7.6.
+    /// `∂U/∂q`, 14×1, J per unit of each coordinate; over a step its force (MECHANICS 7.6).
     #[inline]
     pub fn gradient(&self) -> ElementVector {
         let first = self.first_order();
@@ -364,6 +342,9 @@ impl<'a> Evaluation<'a> {
             condensation.condense(&mut second);
         }
         self.kinematics.shape.set_hessian(&by_shape, &mut second, scale, hessian);
+        if let Some(turn) = &self.turn_from_end {
+            turn.apply(hessian);
+        }
         match element.stiffness.strain {
             Strain::Small => stretching::add_small_hessian(self, scale, hessian),
             _ => {
@@ -390,9 +371,15 @@ impl<'a> Evaluation<'a> {
 
     /// Green strains at the axial points (engineering strains for small strain), 1.
     pub fn axial_strains(&self) -> [f64; 3] {
+        [self.axial_strain(0), self.axial_strain(1), self.axial_strain(2)]
+    }
+
+    /// Green strain at axial point `m` (engineering strain for small strain), 1.
+    #[inline]
+    pub fn axial_strain(&self, m: usize) -> f64 {
         match self.element.stiffness.strain {
-            Strain::Small => self.slopes.each_ref().map(axial::Slope::engineering_strain),
-            _ => self.green,
+            Strain::Small => self.slopes[m].engineering_strain(),
+            _ => self.green[m],
         }
     }
 
@@ -404,7 +391,7 @@ impl<'a> Evaluation<'a> {
         if stiffness.strain == Strain::Large {
             density += fourth_moments::gradient(stiffness, strains);
         }
-        density * self.element.bending[g].weight
+        density * self.element.bending[g].weight + self.added.bending[g]
     }
 
     /// Second derivatives of the energy by the strains of bending point `g`, quadrature weight included.
@@ -412,6 +399,7 @@ impl<'a> Evaluation<'a> {
     pub(super) fn rigidities(&self, g: usize) -> Rigidities {
         let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
         let mut density = bending::hessian(stiffness, strains) + torsion::hessian(stiffness, strains);
+        density.stiffen(stiffness, self.added.stiffening);
         if stiffness.strain == Strain::Large {
             density = density + fourth_moments::hessian(stiffness, strains);
         }
@@ -458,9 +446,8 @@ impl<'a> Evaluation<'a> {
     /// Derivative of the energy by `r'` at axial point `m`, N m.
     #[inline]
     fn axial_force(&self, m: usize, resultants: &[Resultants; 3]) -> Vec3 {
-        let (stiffness, point) = (&self.element.stiffness, &self.element.axial[m]);
-        match stiffness.strain {
-            Strain::Small => axial::small::gradient(stiffness, &self.slopes[m]) * point.weight,
+        match self.element.stiffness.strain {
+            Strain::Small => self.slopes[m].engineering_strain_mean_p() * self.engineering_force(m),
             _ => self.slopes[m].green_strain_p() * self.green_force(m, resultants),
         }
     }
@@ -470,6 +457,13 @@ impl<'a> Evaluation<'a> {
         let (element, point) = (self.element, &self.element.axial[m]);
         let here = axial::large::gradient(&element.stiffness, self.green[m], self.mean_torsion[m])[0];
         let bending: f64 = (0..3).map(|g| element.bending[g].from_axial[m] * resultants[g][3]).sum();
-        point.weight * here + bending
+        point.weight * here + bending + self.added.axial[m]
+    }
+
+    /// `EA eps W`, N m: derivative of the small-strain energy by the strain of axial point `m`.
+    #[inline]
+    pub(super) fn engineering_force(&self, m: usize) -> f64 {
+        let (stiffness, point) = (&self.element.stiffness, &self.element.axial[m]);
+        point.weight * axial::small::force(stiffness, self.slopes[m].engineering_strain()) + self.added.axial[m]
     }
 }

@@ -1,13 +1,13 @@
 //! What ANCF14 answers to the machine.
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, interpolate};
-use super::element::Element;
+use super::element::{Element, Evaluation};
 use super::kinematics::Holonomy;
 use super::quadratic_twist::{self, Twist};
 use super::section_point::SectionPoint;
 use super::{damping, section};
 use crate::math::{Vec3, hermite};
-use crate::mechanics::configuration::{Configuration, Rates};
+use crate::mechanics::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::formulation::Formulation;
 use crate::mechanics::marker::{ByCoordinates, MarkerMatrix, Motion};
 use crate::mechanics::pose::Pose;
@@ -25,11 +25,20 @@ impl Element {
         own.iter_mut().zip(values).for_each(|(target, value)| *target += value);
     }
 
+    /// Strains as `passage` says.
+    #[inline]
+    fn passing<'a>(&'a self, c: &Configuration<'a>, passage: &Passage) -> Evaluation<'a> {
+        match passage {
+            Passage::Rest | Passage::Instant(_) => self.evaluation(c),
+            Passage::Step(step) => self.over_step(c, step),
+        }
+    }
+
     /// Internal coordinate of the quadratic twist, rad; 0 for linear twist.
     fn bubble(&self, c: &Configuration) -> f64 {
         match self.stiffness.twist {
             Twist::Linear => 0.0,
-            Twist::Quadratic => self.evaluation(c, None).bubble,
+            Twist::Quadratic => self.evaluation(c).bubble,
         }
     }
 }
@@ -81,61 +90,60 @@ impl Formulation for Element {
     }
 
     fn energy(&self, c: &Configuration) -> f64 {
-        self.evaluation(c, None).energy()
+        self.evaluation(c).energy()
     }
 
-    fn add_gradient(&self, c: &Configuration, increment: Option<&[f64]>, forces: &mut [f64]) {
-        self.add(&self.evaluation(c, increment).gradient(), forces);
+    fn add_gradient(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+        self.add(&self.passing(c, passage).gradient(), forces);
     }
 
     fn add_gradient_and_set_hessian(
         &self,
         c: &Configuration,
-        increment: Option<&[f64]>,
+        passage: &Passage,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
         let (columns, _) = block.as_chunks_mut::<ELEMENT>();
         let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
-        self.add(&self.evaluation(c, increment).gradient_and_set_hessian(scale, columns), forces);
+        self.add(&self.passing(c, passage).gradient_and_set_hessian(scale, columns), forces);
     }
 
-    fn add_damping(&self, c: &Configuration, rates: &Rates, forces: &mut [f64]) {
-        let middle = self.linear_evaluation(c);
-        let force = match rates {
-            Rates::Rest => return,
-            Rates::Step { start, end, duration, .. } => {
-                let start = damping::strains(&self.linear_evaluation(start));
-                damping::force_over_step(&start, &middle, &self.linear_evaluation(end), *duration)
-            }
-            Rates::Instant(velocity) => damping::force(&middle, &ElementVector::from_column_slice(self.own(velocity))),
-        };
-        self.add(&force, forces);
+    fn finish_step(
+        &self,
+        c: &Configuration,
+        step: &TimeStep,
+        forces: &mut [f64],
+        strain_rates: &mut [f64],
+    ) -> [f64; 2] {
+        let end = self.evaluation(step.end);
+        let middle = self.between([&self.evaluation(step.start), &end], c, step);
+        self.add(&middle.gradient(), forces);
+        *self.own_rates_mut(strain_rates) = middle.added.rates;
+        [end.energy(), middle.added.taken]
+    }
+
+    fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
+        *self.own_rates_mut(strain_rates) = self.strain_rates(c, velocity);
+    }
+
+    fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
+        let velocity = ElementVector::from_column_slice(self.own(velocity));
+        self.add(&damping::force(&self.linear_evaluation(c), &velocity), forces);
     }
 
     fn add_damping_and_tangent(
         &self,
         c: &Configuration,
-        rates: &Rates,
+        velocity: &[f64],
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        let middle = self.linear_evaluation(c);
-        let (force, by_q) = match rates {
-            Rates::Rest => return,
-            Rates::Step { start, end, duration, .. } => {
-                let start = damping::strains(&self.linear_evaluation(start));
-                damping::force_and_tangent_over_step(&start, &middle, &self.linear_evaluation(end), *duration)
-            }
-            Rates::Instant(velocity) => {
-                let velocity = ElementVector::from_column_slice(self.own(velocity));
-                (damping::force(&middle, &velocity), damping::force_q(&middle, &velocity))
-            }
-        };
-        self.add(&force, forces);
-        add_matrix(&by_q, scale, block);
+        let (here, velocity) = (self.linear_evaluation(c), ElementVector::from_column_slice(self.own(velocity)));
+        self.add(&damping::force(&here, &velocity), forces);
+        add_matrix(&damping::force_q(&here, &velocity), scale, block);
     }
 
     fn add_damping_matrix(&self, c: &Configuration, factor: f64, block: &mut [f64]) {
@@ -172,7 +180,7 @@ impl Formulation for Element {
         match self.stiffness.twist {
             Twist::Linear => 0.0,
             Twist::Quadratic => {
-                let bubble_q = self.evaluation(c, None).bubble_q();
+                let bubble_q = self.evaluation(c).bubble_q();
                 let products = bubble_q.iter().zip(self.own(velocity)).map(|(by_q, velocity)| by_q * velocity);
                 quadratic_twist::shape(xi) * products.sum::<f64>()
             }
@@ -202,7 +210,7 @@ impl Formulation for Element {
     }
 
     fn largest_torsion(&self, c: &Configuration) -> f64 {
-        self.evaluation(c, None).largest_torsion()
+        self.evaluation(c).largest_torsion()
     }
 
     fn distortion(&self, c: &Configuration) -> Option<&'static str> {

@@ -2,8 +2,9 @@
 
 use super::coordinates::THETA;
 use super::curve_point::CurvePoint;
-use super::element::{BendingPoint, Element};
+use super::element::Element;
 use super::frame::NodeFrame;
+use super::points::BendingPoint;
 use super::relative::RelativeShape;
 use crate::math::rotation::{carry, half_turn};
 use crate::math::{Mat3, Vec3};

@@ -13,6 +13,8 @@ pub mod fourth_moments;
 pub mod frame;
 pub mod inertia;
 pub mod kinematics;
+pub mod over_step;
+pub mod points;
 pub mod pullback;
 pub mod quadratic_twist;
 pub mod relative;

@@ -6,7 +6,8 @@
 //! points do not change with `b`.
 
 use super::coordinates::{ElementVector, spread};
-use super::element::{BendingPoint, Evaluation};
+use super::element::Evaluation;
+use super::points::BendingPoint;
 use super::pullback::{Couplings, Forces, Gradients, PointCouplings};
 use super::relative::{RelativeMatrix, RelativeVector};
 use super::strain::Rigidities;

@@ -42,6 +42,30 @@ pub struct RelativeShape<'a> {
     slope_local: Vec3,
 }
 
+/// A small change of a relative shape.
+#[derive(Clone, Copy, Debug)]
+pub struct RelativeChange {
+    /// Of chord and second slope in the first node's frame, m and 1.
+    chord: Vec3,
+    slope: Vec3,
+    /// Of the first stretch, 1.
+    stretch: f64,
+    /// Of the twist between the nodes, rad.
+    pub twist: f64,
+    /// Of the first node's angle, rad.
+    pub angle: f64,
+}
+
+impl RelativeChange {
+    /// As [`RelativeShape::interpolate`].
+    #[inline]
+    pub fn interpolate(&self, weights: &[f64; 4]) -> Vec3 {
+        let mut sum = self.chord * weights[2] + self.slope * weights[3];
+        sum[0] += self.stretch * weights[1];
+        sum
+    }
+}
+
 impl<'a> RelativeShape<'a> {
     /// At the element's coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last accepted
     /// state, rad.
@@ -64,6 +88,25 @@ impl<'a> RelativeShape<'a> {
         let mut sum = self.chord_local * weights[2] + self.slope_local * weights[3];
         sum[0] += self.frames[0].stretch * weights[1];
         sum
+    }
+
+    /// What it changes by with small changes `change` (14) of the coordinates.
+    #[inline]
+    pub fn along(&self, change: &[f64]) -> RelativeChange {
+        let [first, second] = self.frames;
+        let (p0, p1) = (vec3(change, P), vec3(change, NODE + P));
+        let moved = first.components(&p0);
+        let [k_u, k_v] = first.k_local();
+        let turn = Vec3::new(-k_u * moved[1] - k_v * moved[2], -moved[2], moved[1]) / first.stretch;
+        let chord = first.components(&(vec3(change, NODE + R) - vec3(change, R)));
+        let (twist_p0, twist_p1) = self.holonomy.gradient(first, second);
+        RelativeChange {
+            chord: chord + self.chord_local.cross(&turn),
+            slope: first.components(&p1) + self.slope_local.cross(&turn),
+            stretch: moved[0],
+            twist: change[NODE + THETA] - change[THETA] + twist_p0.dot(&p0) + twist_p1.dot(&p1),
+            angle: change[THETA],
+        }
     }
 
     /// `∂F/∂q`, 14×1, of what has the derivatives `by` by the relative shape.

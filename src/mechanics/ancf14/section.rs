@@ -28,7 +28,7 @@ pub fn shape(element: &Element, c: &Configuration, kinematics: &Kinematics, xi: 
 
 /// Strains at `xi`: the axial one is the quadratic through the axial points.
 pub fn strains(element: &Element, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionStrains {
-    let evaluation = element.evaluation(c, None);
+    let evaluation = element.evaluation(c);
     let of_energy: f64 =
         lagrange(&LOBATTO_POINTS, xi).iter().zip(evaluation.axial_strains()).map(|(weight, e)| weight * e).sum();
     let axial = match element.stiffness.strain {

@@ -25,6 +25,16 @@ pub struct Rigidities {
     pub with_axial: [f64; 2],
 }
 
+impl Rigidities {
+    /// Adds `factor` times the rigidities of small strains.
+    #[inline]
+    pub fn stiffen(&mut self, stiffness: &Stiffness, factor: f64) {
+        self.bending[0] += factor * stiffness.bending_z;
+        self.bending[1] += factor * stiffness.bending_y;
+        self.torsion += factor * stiffness.torsion;
+    }
+}
+
 impl Add for Rigidities {
     type Output = Self;
 

@@ -26,8 +26,11 @@ pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
 #[inline]
 pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementColumns) {
     let element = evaluation.element;
-    for (point, slope) in element.axial.iter().zip(&evaluation.slopes) {
-        add_spread(&point.shape_x, &(axial::small::hessian(&element.stiffness, slope) * (point.weight * scale)), sum);
+    let stiffness = element.stiffness.axial * (1.0 + evaluation.added.stiffening);
+    for (m, point) in element.axial.iter().enumerate() {
+        let force = evaluation.engineering_force(m);
+        let hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness * point.weight);
+        add_spread(&point.shape_x, &(hessian * scale), sum);
     }
 }
 
@@ -44,6 +47,11 @@ pub struct Large<'a> {
     pub gradients: &'a Gradients<'a>,
     /// Of the quadratic twist.
     pub condensation: Option<&'a Condensation>,
+}
+
+/// What a step adds to the axial rigidity, N.
+fn added_rigidity(evaluation: &Evaluation) -> f64 {
+    evaluation.added.stiffening * evaluation.element.stiffness.axial
 }
 
 impl Large<'_> {
@@ -68,8 +76,11 @@ impl Large<'_> {
                 bubble_q += spread(&point.shape_x, &(green_p * share));
                 bubble_end += spread(&point.shape_x, &(by_end * share));
             }
-            add_between(&(shape.gradient(&by_green) * scale), &point.shape_x, [&green_p, &by_end], sum);
-            let block = green_p * by_end.transpose() * density[(0, 0)]
+            let by_middle = shape.gradient(&by_green) * scale;
+            let turned = self.evaluation.turn_from_end.as_ref().map_or(by_middle, |turn| turn.of_end(&by_middle));
+            add_between([&by_middle, &turned], &point.shape_x, [&green_p, &by_end], sum);
+            let stiffening = added_rigidity(self.evaluation) * point.weight;
+            let block = green_p * by_end.transpose() * (density[(0, 0)] + stiffening)
                 + slope.green_strain_pp() * self.evaluation.green_force(m, self.resultants);
             add_spread(&point.shape_x, &(block * scale), sum);
         }

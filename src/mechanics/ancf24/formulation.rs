@@ -9,7 +9,7 @@ use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS};
 use crate::math::rotation::carry;
 use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3, hermite};
-use crate::mechanics::configuration::{Configuration, Rates};
+use crate::mechanics::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::formulation::Formulation;
 use crate::mechanics::marker::{ByCoordinates, MarkerMatrix, Motion};
 use crate::mechanics::pose::Pose;
@@ -29,6 +29,21 @@ impl Element {
     /// The triad at `xi`.
     fn frame(&self, c: &Configuration, xi: f64) -> SectionFrame {
         section::frame(&Interpolation::new(xi, self.length).directors(self.own(c.q)))
+    }
+
+    /// Adds the force of a step whose middle is `c`, damping included.
+    fn add_force_over_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) {
+        let forces = self.own_mut(forces);
+        self.add_gradient(self.own(c.q), Some(self.own(step.increment)), forces);
+        if self.properties.damping != 0.0 {
+            self.add_damping_over_step(c, step, forces);
+        }
+    }
+
+    /// Adds the viscous force of a step whose middle is `c` to `forces` (24).
+    fn add_damping_over_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) {
+        let places = [self.own(step.start.q), self.own(c.q), self.own(step.end.q)];
+        damping::add_force_over_step(self, places, step.duration, forces);
     }
 
     fn own_mut<'a>(&self, vector: &'a mut [f64]) -> &'a mut [f64] {
@@ -93,53 +108,62 @@ impl Formulation for Element {
         self.energy(self.own(c.q))
     }
 
-    fn add_gradient(&self, c: &Configuration, increment: Option<&[f64]>, forces: &mut [f64]) {
-        self.add_gradient(self.own(c.q), increment.map(|increment| self.own(increment)), self.own_mut(forces));
+    fn add_gradient(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+        match passage {
+            Passage::Step(step) => self.add_force_over_step(c, step, forces),
+            _ => self.add_gradient(self.own(c.q), None, self.own_mut(forces)),
+        }
     }
 
     fn add_gradient_and_set_hessian(
         &self,
         c: &Configuration,
-        increment: Option<&[f64]>,
+        passage: &Passage,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
         block.fill(0.0);
-        let increment = increment.map(|increment| self.own(increment));
-        self.add_gradient_and_hessian(self.own(c.q), increment, scale, self.own_mut(forces), block);
+        let (here, forces) = (self.own(c.q), self.own_mut(forces));
+        let Passage::Step(step) = passage else {
+            return self.add_gradient_and_hessian(here, None, scale, forces, block);
+        };
+        self.add_gradient_and_hessian(here, Some(self.own(step.increment)), scale, forces, block);
+        if self.properties.damping != 0.0 {
+            let places = [self.own(step.start.q), here, self.own(step.end.q)];
+            damping::add_force_and_tangent_over_step(self, places, step.duration, scale, forces, block);
+        }
     }
 
-    fn add_damping(&self, c: &Configuration, rates: &Rates, forces: &mut [f64]) {
-        let (here, forces) = (self.own(c.q), self.own_mut(forces));
-        match rates {
-            Rates::Rest => {}
-            Rates::Step { start, end, duration, .. } => {
-                damping::add_force_over_step(self, [self.own(start.q), here, self.own(end.q)], *duration, forces);
-            }
-            Rates::Instant(velocity) => damping::add_force(self, here, self.own(velocity), forces),
+    fn finish_step(
+        &self,
+        c: &Configuration,
+        step: &TimeStep,
+        forces: &mut [f64],
+        _strain_rates: &mut [f64],
+    ) -> [f64; 2] {
+        self.add_force_over_step(c, step, forces);
+        let mut viscous = [0.0; ELEMENT];
+        if self.properties.damping != 0.0 {
+            self.add_damping_over_step(c, step, &mut viscous);
         }
+        let taken = viscous.iter().zip(self.own(step.increment)).map(|(force, change)| force * change).sum();
+        [self.energy(self.own(step.end.q)), taken]
+    }
+
+    fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
+        damping::add_force(self, self.own(c.q), self.own(velocity), self.own_mut(forces));
     }
 
     fn add_damping_and_tangent(
         &self,
         c: &Configuration,
-        rates: &Rates,
+        velocity: &[f64],
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        let (here, forces) = (self.own(c.q), self.own_mut(forces));
-        match rates {
-            Rates::Rest => {}
-            Rates::Step { start, end, duration, .. } => {
-                let places = [self.own(start.q), here, self.own(end.q)];
-                damping::add_force_and_tangent_over_step(self, places, *duration, scale, forces, block);
-            }
-            Rates::Instant(velocity) => {
-                damping::add_force_and_tangent(self, here, self.own(velocity), scale, forces, block);
-            }
-        }
+        damping::add_force_and_tangent(self, self.own(c.q), self.own(velocity), scale, self.own_mut(forces), block);
     }
 
     fn add_damping_matrix(&self, c: &Configuration, factor: f64, block: &mut [f64]) {

@@ -2,7 +2,7 @@
 
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
-use crate::mechanics::configuration::{Configuration, Passage};
+use crate::mechanics::configuration::Configuration;
 use crate::mechanics::formulation::Element;
 use crate::mechanics::system::System;
 
@@ -17,24 +17,24 @@ impl System {
         self.damped_elements().next().is_some()
     }
 
-    /// Adds the viscous forces of the beams' material.
-    pub(super) fn add_material_damping(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+    /// Adds the viscous forces of the beams' material at an instant, with the velocities `velocity`.
+    pub(super) fn add_material_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
         for (_, element) in self.damped_elements() {
-            element.add_damping(c, &passage.rates, forces);
+            element.add_damping(c, velocity, forces);
         }
     }
 
-    /// [`Self::add_material_damping`], and `scale` times the derivative as [`System::forces_and_tangent`] counts it.
+    /// [`Self::add_material_damping`], and `scale` times its derivative by the coordinates.
     pub(super) fn add_material_damping_and_tangent(
         &self,
         c: &Configuration,
-        passage: &Passage,
+        velocity: &[f64],
         scale: f64,
         forces: &mut [f64],
         tangent: &mut Blocks,
     ) {
         for (number, element) in self.damped_elements() {
-            element.add_damping_and_tangent(c, &passage.rates, scale, forces, tangent.block_mut(number));
+            element.add_damping_and_tangent(c, velocity, scale, forces, tangent.block_mut(number));
         }
     }
 

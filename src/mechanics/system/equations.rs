@@ -43,9 +43,11 @@ impl System {
     pub fn forces(&self, c: &Configuration, passage: &Passage, excitation: &Excitation, forces: &mut [f64]) {
         self.add_external(c, excitation, forces);
         for element in &self.mesh.elements {
-            element.add_gradient(c, passage.increment, forces);
+            element.add_gradient(c, passage, forces);
         }
-        self.add_material_damping(c, passage, forces);
+        if let Passage::Instant(velocity) = passage {
+            self.add_material_damping(c, velocity, forces);
+        }
         self.add_springs(c, passage, forces);
     }
 
@@ -62,9 +64,11 @@ impl System {
     ) {
         self.add_external(c, excitation, forces);
         for (number, element) in self.mesh.elements.iter().enumerate() {
-            element.add_gradient_and_set_hessian(c, passage.increment, scale, forces, tangent.block_mut(number));
+            element.add_gradient_and_set_hessian(c, passage, scale, forces, tangent.block_mut(number));
         }
-        self.add_material_damping_and_tangent(c, passage, scale, forces, tangent);
+        if let Passage::Instant(velocity) = passage {
+            self.add_material_damping_and_tangent(c, velocity, scale, forces, tangent);
+        }
         let mut block = self.mesh.elements.len() + self.bodies.len();
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for (number, (marker, _)) in load.points.iter().enumerate() {

@@ -1,11 +1,12 @@
 //! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the system may change by.
 
 use crate::math::Vec3;
-use crate::mechanics::configuration::{Configuration, Passage, Rates};
+use crate::mechanics::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::energy_balance::{Energies, LIFT_ROUND_OFF};
 use crate::mechanics::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::load::Excitation;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::spring::reading_rate;
 use crate::mechanics::system::System;
 
 impl System {
@@ -28,33 +29,41 @@ impl System {
         self.bodies.iter().fold(nodes, |sum, body| sum + body.mass)
     }
 
-    /// [`System::forces`] over a step by `increment`, and the work of what acts from outside but for constraints, J, as the step takes its forces.
-    pub fn forces_and_work(
+    /// [`System::forces`] over a step, and `strain_rates` set to the rates over it. Returns the elastic energy at its end, J, and the work of what acts
+    /// from outside but for constraints, J, as the step takes its forces.
+    pub fn finish_step(
         &self,
         c: &Configuration,
-        passage: &Passage,
+        step: &TimeStep,
         excitation: &Excitation,
-        increment: &[f64],
         forces: &mut [f64],
-    ) -> f64 {
+        strain_rates: &mut [f64],
+    ) -> [f64; 2] {
         self.add_external(c, excitation, forces);
-        let external = -dot(forces, increment);
+        let (mut work, mut elastic) = (-dot(forces, step.increment), 0.0);
         for element in &self.mesh.elements {
-            element.add_gradient(c, passage.increment, forces);
+            let [energy, taken] = element.finish_step(c, step, forces, strain_rates);
+            elastic += energy;
+            work -= taken;
         }
-        let viscous = if self.has_material_damping() {
-            let before = dot(forces, increment);
-            self.add_material_damping(c, passage, forces);
-            dot(forces, increment) - before
-        } else {
-            0.0
-        };
-        self.add_springs(c, passage, forces);
-        let springs = self.springs.iter().map(|spring| {
+        let passage = Passage::Step(*step);
+        self.add_springs(c, &passage, forces);
+        for spring in &self.springs {
             let gauge = &self.gauges[spring.gauge];
-            spring.step_work(gauge, c, passage, increment)
-        });
-        external - viscous + springs.sum::<f64>()
+            elastic += spring.energy(gauge, step.end);
+            strain_rates[self.mesh.gauge_rate(spring.gauge)] = spring.step_rate(gauge, step);
+            work += spring.step_work(gauge, c, step);
+        }
+        [elastic, work]
+    }
+
+    /// Sets `strain_rates` to the rates of all strains, and of the readings of springs, at the instant `c` with the velocities `velocity`.
+    pub fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
+        self.mesh.elements.iter().for_each(|element| element.set_strain_rates(c, velocity, strain_rates));
+        for spring in self.springs.iter().filter(|spring| spring.stiffness != 0.0) {
+            let rate = reading_rate(&self.gauges[spring.gauge], c, velocity);
+            strain_rates[self.mesh.gauge_rate(spring.gauge)] = rate;
+        }
     }
 
     /// Power at the instant `c` with the velocities `velocity`, W: of what acts from outside but for constraints and dampers, and of dampers, which take it;
@@ -64,7 +73,7 @@ impl System {
         let external = -dot(forces, velocity);
         let viscous = if self.has_material_damping() {
             forces.fill(0.0);
-            self.add_material_damping(c, &Passage { increment: None, rates: Rates::Instant(velocity) }, forces);
+            self.add_material_damping(c, velocity, forces);
             dot(forces, velocity)
         } else {
             0.0

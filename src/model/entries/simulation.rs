@@ -38,10 +38,11 @@ pub enum Analysis {
 /// Time integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrator {
-    /// Midpoint rule that keeps the energy.
-    Conserving,
-    /// The paper's variational midpoint rule.
-    Variational,
+    /// Midpoint rule that keeps momenta, and the energy of all that the step resolves.
+    Conserving {
+        /// Share of the fastest oscillations that a step keeps, 1/3 to 1; none: all of them.
+        spectral_radius: Option<Number>,
+    },
     /// Generalized-alpha, with numerical damping.
     GeneralizedAlpha {
         /// Share of the fastest oscillations that a step keeps, 0 to 1.
@@ -66,7 +67,7 @@ const INTEGRATORS: [(&str, Word); 3] = [
 ];
 const INITIALS: [(&str, Initial); 2] = [("as_drawn", Initial::AsDrawn), ("equilibrium", Initial::Equilibrium)];
 
-/// A word of `integrator`.
+/// A word of `integrator`; `variational`, the paper's midpoint rule, is now `conserving` without numerical dissipation.
 #[derive(Clone, Copy)]
 enum Word {
     Conserving,
@@ -76,7 +77,10 @@ enum Word {
 
 /// Default of `tolerance`.
 const TOLERANCE: f64 = 1e-8;
-/// Default of `spectral_radius`: the fastest oscillations lose a fifth a step. With 0.9 a body that turns by 0.12 rad a step gains energy without
+/// Default of `spectral_radius` for `conserving`: what is far too fast for the step is down to a tenth after 22 of them, and a strain with 60 steps a period, whose phase
+/// errs by 9e-4, has a damping ratio of 6e-6.
+const CONSERVED: f64 = 0.9;
+/// Default of `spectral_radius` for `generalized_alpha`: the fastest oscillations lose a fifth a step. With 0.9 a body that turns by 0.12 rad a step gains energy without
 /// bound; with 0.8 it loses 1 % in 1,500 steps.
 const SPECTRAL_RADIUS: f64 = 0.8;
 
@@ -108,8 +112,11 @@ impl Simulation {
 fn integrator(reader: &mut Reader<'_, '_>) -> Integrator {
     let default = (!reader.has("integrator")).then_some(Word::Conserving);
     let integrator = match reader.word("integrator", &INTEGRATORS, default) {
-        Some(Word::Conserving) => Integrator::Conserving,
-        Some(Word::Variational) => Integrator::Variational,
+        Some(Word::Conserving) => {
+            let spectral_radius = Some(reader.number_or(&schema::CONSERVED_RADIUS, CONSERVED));
+            return Integrator::Conserving { spectral_radius };
+        }
+        Some(Word::Variational) => Integrator::Conserving { spectral_radius: None },
         Some(Word::GeneralizedAlpha) => {
             let spectral_radius = reader.number_or(&schema::SPECTRAL_RADIUS, SPECTRAL_RADIUS);
             return Integrator::GeneralizedAlpha { spectral_radius };
@@ -117,10 +124,10 @@ fn integrator(reader: &mut Reader<'_, '_>) -> Integrator {
         None => {
             // Whether it belongs to the integrator that was meant is unknown.
             reader.optional(&schema::SPECTRAL_RADIUS);
-            return Integrator::Conserving;
+            return Integrator::Conserving { spectral_radius: None };
         }
     };
     let message = "this integrator has no spectral_radius";
-    reader.refuse("spectral_radius", message, "it belongs to integrator = \"generalized_alpha\"");
+    reader.refuse("spectral_radius", message, "take integrator = \"conserving\"");
     integrator
 }

@@ -8,7 +8,7 @@ use crate::model::document::Document;
 use crate::model::entries::simulation::{Analysis, Initial, Integrator as Choice};
 use crate::solve::generalized_alpha::GeneralizedAlpha;
 use crate::solve::limits;
-use crate::solve::midpoint::{AxialRule, Midpoint};
+use crate::solve::midpoint::Midpoint;
 use crate::solve::response::{Responder, Response};
 use crate::solve::start;
 use crate::solve::statics::Statics;
@@ -368,11 +368,9 @@ impl Solver {
         let tolerance = document.value(simulation.tolerance);
         match (simulation.analysis, simulation.integrator) {
             (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance))),
-            (Analysis::Dynamic, Choice::Conserving) => {
-                Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Conserving, tolerance)))
-            }
-            (Analysis::Dynamic, Choice::Variational) => {
-                Self::Midpoint(Box::new(Midpoint::new(system, AxialRule::Variational, tolerance)))
+            (Analysis::Dynamic, Choice::Conserving { spectral_radius }) => {
+                let spectral_radius = spectral_radius.map_or(1.0, |number| document.value(number));
+                Self::Midpoint(Box::new(Midpoint::new(system, spectral_radius, tolerance)))
             }
             (Analysis::Dynamic, Choice::GeneralizedAlpha { spectral_radius }) => {
                 let spectral_radius = document.value(spectral_radius);

@@ -1,0 +1,73 @@
+//! Where a midpoint step starts its iteration: at the increment that the last steps lead to.
+//!
+//! Three predictions compete: `Dq = h v`, with the mean acceleration of the last step `h v + h²/2 a`, and with that of the last two continued,
+//! `h v + h²/2 (2 a − a')`. The one that would have predicted the last step best is taken: of a smooth motion the last one, of a machine that trembles the first.
+
+use super::newton::Convergence;
+use crate::mechanics::state::{Prediction, Shrinking, State};
+use crate::mechanics::system::System;
+
+/// What an expected shrinking of corrections grows by with every step that does not measure it: a step now and then makes a second iteration to do so.
+const AGING: f64 = 1.2;
+
+/// Sets `increment` to the predicted change of the coordinates over `step` s from `state`.
+pub fn predict(state: &State, step: f64, increment: &mut [f64]) {
+    set_by(state, state.prediction.order, step, increment);
+}
+
+/// Sets what the next step is predicted from, in `next`, the end of the converged step of `step` s from `state` by `increment`.
+pub fn learn(
+    system: &System,
+    state: &State,
+    increment: &[f64],
+    step: f64,
+    convergence: &Convergence,
+    next: &mut State,
+) {
+    let known = state.prediction.known;
+    let scratch = &mut next.prediction.acceleration_before;
+    scratch.resize(increment.len(), 0.0);
+    let mut best = (f64::INFINITY, 0);
+    for order in 0..=known {
+        set_by(state, order, step, scratch);
+        scratch.iter_mut().zip(increment).for_each(|(predicted, own)| *predicted -= own);
+        let (size, _) = system.correction_size(scratch);
+        if size < best.0 {
+            best = (size, order);
+        }
+    }
+    let (velocity, prediction) = (&next.velocity, &mut next.prediction);
+    prediction.acceleration_before.clone_from(&state.prediction.acceleration);
+    prediction.acceleration.clear();
+    let change = velocity.iter().zip(&state.velocity);
+    prediction.acceleration.extend(change.map(|(after, before)| (after - before) / step));
+    prediction.known = (known + 1).min(MOST_KNOWN);
+    // Until both accelerations are known, whatever is known is used.
+    prediction.order = if known < MOST_KNOWN { prediction.known } else { best.1 };
+    prediction.shrinking = match convergence.corrections[..convergence.iterations] {
+        [first, second, ..] => Shrinking { first, ratio: second / first.max(f64::MIN_POSITIVE) },
+        _ => Shrinking { ratio: AGING * state.prediction.shrinking.ratio, ..state.prediction.shrinking },
+    };
+}
+
+/// How many accelerations are kept.
+const MOST_KNOWN: u8 = 2;
+
+/// Sets `increment` to the change of the coordinates over `step` s from `state`, by the `order` last accelerations.
+fn set_by(state: &State, order: u8, step: f64, increment: &mut [f64]) {
+    let Prediction { acceleration, acceleration_before, .. } = &state.prediction;
+    for (increment, velocity) in increment.iter_mut().zip(&state.velocity) {
+        *increment = step * velocity;
+    }
+    let half = 0.5 * step * step;
+    match order {
+        0 => {}
+        1 => increment.iter_mut().zip(acceleration).for_each(|(increment, a)| *increment += half * a),
+        _ => {
+            let accelerations = acceleration.iter().zip(acceleration_before);
+            for (increment, (a, before)) in increment.iter_mut().zip(accelerations) {
+                *increment += half * (2.0 * a - before);
+            }
+        }
+    }
+}
