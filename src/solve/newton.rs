@@ -54,6 +54,10 @@ impl Goal {
         match self {
             Self::Correction(size) => *last < size,
             Self::Remainder { size: [size, share], expected } => {
+                // A first correction below the size itself leaves less than that, whatever was expected.
+                if *last <= size {
+                    return true;
+                }
                 let size = size + share * corrections[0];
                 let ratio = match before.last() {
                     Some(before) => last / before.max(f64::MIN_POSITIVE),
@@ -61,7 +65,7 @@ impl Goal {
                     None => expected.ratio * f64::max(1.0, last / expected.first.max(f64::MIN_POSITIVE)),
                 };
                 // Corrections that hardly shrink say nothing about what remains.
-                *last <= ROUND_OFF || (ratio < SLOWEST && last * ratio / (1.0 - ratio) < size)
+                ratio < SLOWEST && last * ratio / (1.0 - ratio) < size
             }
         }
     }
@@ -69,8 +73,6 @@ impl Goal {
 
 /// Slowest shrinking of corrections from which what remains is estimated.
 const SLOWEST: f64 = 0.5;
-/// A correction of this size is round-off, however corrections shrink.
-const ROUND_OFF: f64 = 1e-14;
 
 /// Iterates until `goal` is reached, at most `limit` times.
 ///
