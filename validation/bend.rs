@@ -4,7 +4,7 @@ use super::{Section, dots, line, plot, points, study};
 use crate::curves::Curves;
 use ancf14::math::Vec3;
 
-const MODEL: &str = include_str!("../models/bend_45.toml");
+pub const MODEL: &str = include_str!("../models/bend_45.toml");
 const REFERENCE: &str = include_str!("../tests/references/bend_45_degrees.csv");
 
 fn run(elements: u32, twist: &str, constant: f64) -> Curves {

@@ -3,7 +3,7 @@
 use super::{Section, dots, line, plot, points, shapes, study};
 use crate::curves::Curves;
 
-const MODEL: &str = include_str!("../models/elastica.toml");
+pub const MODEL: &str = include_str!("../models/elastica.toml");
 const REFERENCE: &str = include_str!("../tests/references/elastica.csv");
 
 fn run(elements: u32, twist: &str) -> Curves {
