@@ -85,3 +85,4 @@ mod strain_outputs;
 mod stress_derivatives;
 mod turned_models;
 mod validation;
+mod verification;

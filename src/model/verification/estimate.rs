@@ -204,3 +204,92 @@ impl Orders {
 fn round_off(tally: &Tally, scale: f64) -> f64 {
     ROUND_OFF * tally.size().max(scale)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::verification::tally::Sample;
+
+    /// What levels whose errors are those of the step and of the mesh, given by `step(h)` and `mesh(l)` times a signal, tell.
+    fn tally(step: impl Fn(f64) -> f64, mesh: impl Fn(f64) -> f64) -> Tally {
+        let mut tally = Tally::default();
+        for k in 0..=200 {
+            let time = 0.01 * f64::from(k);
+            // The errors grow in time and pass through zero, together.
+            let (signal, grown) = ((3.0 * time).sin(), time * (7.0 * time).cos());
+            let at = |h: f64, l: f64| signal + grown * (step(h) + mesh(l));
+            let sample = Sample {
+                own: at(1.0, 1.0),
+                half_step: Some(at(0.5, 1.0)),
+                double_step: Some(at(2.0, 1.0)),
+                quadratic: Some(at(1.0, 1.0)),
+                double_elements: Some(at(1.0, 0.5)),
+                half_elements: Some(at(1.0, 2.0)),
+            };
+            tally.add(time, sample);
+        }
+        tally
+    }
+
+    /// The largest size of the growth in [`tally`].
+    fn largest() -> f64 {
+        (0..=200).map(|k| 0.01 * f64::from(k)).map(|time| (time * (7.0 * time).cos()).abs()).fold(0.0, f64::max)
+    }
+
+    /// Errors of the known orders are found to what Richardson's factor for order 2 adds to one of order 4, a quarter; the observed orders
+    /// are those put in.
+    #[test]
+    fn known_orders_give_the_error() {
+        let only_step = Estimate::of("tip.velocity", &tally(|h| 1e-3 * h * h, |_| 0.0), 2.0);
+        assert!((only_step.error() / (1e-3 * largest()) - 1.0).abs() < 1e-9, "{only_step:?}");
+        assert!(matches!(only_step.order, Order::Observed(order) if (order - 2.0).abs() < 1e-6));
+        assert_eq!((only_step.limit, only_step.trust), (Limit::Step, Trust::Estimate));
+
+        let only_mesh = Estimate::of("tip.velocity", &tally(|_| 0.0, |l| 1e-3 * l.powi(4)), 2.0);
+        assert!((only_mesh.error() / (1e-3 * largest()) - 1.25).abs() < 1e-9, "{only_mesh:?}");
+        assert!(matches!(only_mesh.order, Order::Observed(order) if (order - 4.0).abs() < 1e-6));
+        assert_eq!((only_mesh.limit, only_mesh.trust), (Limit::Elements, Trust::Estimate));
+    }
+
+    /// Parts of opposite signs do not cancel: they will not in another case.
+    #[test]
+    fn parts_do_not_cancel() {
+        let both = Estimate::of("tip.velocity", &tally(|h| 1e-3 * h * h, |l| -1e-3 * l * l), 2.0);
+        assert!((both.error() / (2e-3 * largest()) - 1.0).abs() < 1e-9, "{both:?}");
+    }
+
+    /// Levels that do not fall by order 2 give a bound: order 1, which has twice the difference for its error, is not
+    /// underestimated by more than a quarter, and noise that does not fall at all is not lost.
+    #[test]
+    fn other_orders_give_a_bound() {
+        for (order, truth) in [(1.0, 1.0), (0.5, 1.0), (0.0, 0.0)] {
+            let slow = Estimate::of("tip.velocity", &tally(|h: f64| 1e-3 * h.powf(order), |_| 0.0), 2.0);
+            if truth == 0.0 {
+                assert_eq!(slow.trust, Trust::RoundOff, "a constant has no differences");
+                continue;
+            }
+            assert_eq!(slow.trust, Trust::Bound, "{slow:?}");
+            let ratio = slow.error() / (1e-3 * largest());
+            assert!((1.0 / 3.0..=2.0).contains(&ratio), "order {order}: {ratio}");
+        }
+    }
+
+    /// What is zero by symmetry, or exact to round-off, has no error, and no order is observed in its noise.
+    #[test]
+    fn noise_is_no_error() {
+        let noise = tally(|h| 1e-15 * h, |_| 0.0);
+        assert_eq!(Estimate::of("tip.velocity", &noise, 2.0).trust, Trust::RoundOff);
+        let symmetric = tally(|h| 1e-3 * h * h, |_| 0.0);
+        assert_eq!(Estimate::of("tip.velocity", &symmetric, 0.0).trust, Trust::RoundOff);
+    }
+
+    /// Without a third level the order is that of theory.
+    #[test]
+    fn two_levels_assume_the_order() {
+        let mut tally = Tally::default();
+        tally.add(0.0, Sample { own: 1.0, half_step: Some(1.03), ..Sample::default() });
+        let estimate = Estimate::of("tip.velocity", &tally, 1.0);
+        assert_eq!(estimate.order, Order::Assumed(2.0));
+        assert!((estimate.error() - 0.04).abs() < 1e-12);
+    }
+}

@@ -50,3 +50,41 @@ pub fn cheapest(demands: &[Demand]) -> Option<Setting> {
     });
     settings.min_by_key(|setting| setting.steps * setting.elements)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn demand(step: f64, twist: f64, elements: f64) -> Demand {
+        Demand { parts: Parts { step: (step, 2.0), twist: (twist, 2.0), elements: (elements, 4.0) }, allowed: 1.0 }
+    }
+
+    fn setting(steps: u32, elements: u32, quadratic: bool) -> Option<Setting> {
+        Some(Setting { steps, elements, quadratic })
+    }
+
+    /// What limits is refined, by its order, and nothing else; quadratic twist costs nothing.
+    #[test]
+    fn the_limit_is_refined() {
+        assert_eq!(cheapest(&[]), setting(1, 1, false));
+        assert_eq!(cheapest(&[demand(3.9, 0.0, 0.0)]), setting(2, 1, false));
+        assert_eq!(cheapest(&[demand(0.0, 0.0, 15.0)]), setting(1, 2, false));
+        assert_eq!(cheapest(&[demand(0.0, 30.0, 0.5)]), setting(1, 1, true));
+        assert_eq!(cheapest(&[demand(0.0, 30.0, 15.0)]), setting(1, 2, true));
+    }
+
+    /// Several columns are met together, each with what the others need.
+    #[test]
+    fn all_demands_are_met() {
+        assert_eq!(cheapest(&[demand(3.9, 0.0, 0.0), demand(0.0, 0.0, 15.0)]), setting(2, 2, false));
+        // Half of the error from each part: one of them must fall further.
+        assert_eq!(cheapest(&[demand(0.9, 0.0, 0.9)]), setting(1, 2, false));
+    }
+
+    /// Where the order is low no setting is far enough.
+    #[test]
+    fn some_demands_are_never_met() {
+        let slow = Parts { step: (50.0, 0.3), twist: (0.0, 2.0), elements: (0.0, 4.0) };
+        assert_eq!(cheapest(&[Demand { parts: slow, allowed: 1.0 }]), None);
+    }
+}

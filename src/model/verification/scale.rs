@@ -88,3 +88,60 @@ pub fn energy(columns: &[(&str, &str, &Tally)]) -> f64 {
 fn range(name: &str, tally: &Tally) -> f64 {
     if matches!(name, "energy.kinetic" | "energy.elastic") { tally.size() } else { tally.range() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tally::Sample;
+    use super::*;
+
+    const MACHINE: Measures = Measures { size: 2.0, duration: 10.0, energy: 100.0, gravity: 9.81 };
+
+    fn tally(values: [f64; 2]) -> Tally {
+        let mut tally = Tally::default();
+        values.into_iter().for_each(|own| tally.add(0.0, Sample { own, ..Sample::default() }));
+        tally
+    }
+
+    fn of<const N: usize>(columns: [(&str, &str, [f64; 2]); N]) -> Vec<f64> {
+        let tallies = columns.map(|(_, _, values)| tally(values));
+        let rows: Vec<_> = columns.iter().zip(&tallies).map(|((name, unit, _), tally)| (*name, *unit, tally)).collect();
+        scales(&rows, &MACHINE)
+    }
+
+    /// Components and stations share the largest range among them; another quantity has its own.
+    #[test]
+    fn components_share_a_scale() {
+        let found = of([
+            ("tip.velocity[1]", "m/s", [1e-17, -1e-17]),
+            ("tip.velocity[2]", "m/s", [-1.0, 3.0]),
+            ("tip.position[1]", "m", [1000.0, 1000.1]),
+            ("shape.twist[1]", "rad", [0.0, 0.0]),
+            ("shape.twist[2]", "rad", [0.0, 0.5]),
+        ]);
+        assert_eq!(found[..2], [4.0; 2]);
+        assert!((found[2] - 0.1).abs() < 1e-9);
+        assert_eq!(found[3..], [0.5; 2]);
+    }
+
+    /// A constant is compared with its size, a quantity of round-off with nothing.
+    #[test]
+    fn constants_and_zeros_are_told_apart() {
+        let found = of([
+            ("hinge.reaction_force[3]", "N", [98.1, 98.1 + 1e-9]),
+            ("hinge.reaction_moment[1]", "N.m", [1e-12, -3e-11]),
+            ("tip.acceleration[1]", "m/s2", [1e-9, -1e-9]),
+        ]);
+        assert_eq!(found, [98.1 + 1e-9, 0.0, 0.0]);
+    }
+
+    /// Energies are one quantity; the constant in that of gravity does not count.
+    #[test]
+    fn energies_are_compared_with_the_largest() {
+        let found = of([
+            ("energy.kinetic", "J", [0.0, 5.0]),
+            ("energy.gravity", "J", [1e4, 1e4 - 5.0]),
+            ("energy.total", "J", [1e4, 1e4]),
+        ]);
+        assert_eq!(found, [5.0; 3]);
+    }
+}
