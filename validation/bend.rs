@@ -5,7 +5,7 @@ use crate::curves::Curves;
 use ancf14::math::Vec3;
 
 pub const MODEL: &str = include_str!("../models/bend_45.toml");
-const REFERENCE: &str = include_str!("../tests/references/bend_45_degrees.csv");
+pub const REFERENCE: &str = include_str!("../tests/references/bend_45_degrees.csv");
 
 fn run(elements: u32, twist: &str, constant: f64) -> Curves {
     let (elements, constant) = (elements.to_string(), constant.to_string());

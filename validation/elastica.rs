@@ -4,7 +4,7 @@ use super::{Section, dots, line, plot, points, shapes, study};
 use crate::curves::Curves;
 
 pub const MODEL: &str = include_str!("../models/elastica.toml");
-const REFERENCE: &str = include_str!("../tests/references/elastica.csv");
+pub const REFERENCE: &str = include_str!("../tests/references/elastica.csv");
 
 fn run(elements: u32, twist: &str) -> Curves {
     Curves::run(MODEL, &[("strip.elements", &elements.to_string()), ("strip.twist", twist)])

@@ -7,6 +7,7 @@ use ancf14::fmi::variable::Causality;
 use ancf14::model::entries::simulation::Analysis;
 use ancf14::model::verification::estimate::Trust;
 use ancf14::model::verification::{Report, Row, Verification, levels};
+use std::f64::consts::TAU;
 use std::fmt::Write;
 
 /// A model, run as its file has it but for these overrides.
@@ -181,6 +182,79 @@ const MEANING: &str = "A column of the results counts where its error is above r
      `smallest`, `median` and `largest` are of the estimate over the true error; the worst column is the one furthest from 1, with both errors \
      over its scale.";
 
+/// The largest error of a column at the loads of a reference that is no run of this program, beside its estimate.
+struct Exact {
+    title: &'static str,
+    column: &'static str,
+    estimate: f64,
+    truth: f64,
+}
+
+fn exact(
+    title: &'static str,
+    model: &'static str,
+    overrides: &'static [(&'static str, &'static str)],
+    column: &'static str,
+    points: &[(f64, f64)],
+) -> Exact {
+    let Verified { report, columns } = verified(&case(title, model, overrides));
+    let place = report.rows.iter().position(|row| row.name == column).unwrap();
+    let time = Curves::run(model, overrides).time;
+    let errors = points.iter().filter_map(|(at, value)| {
+        let row = time.iter().position(|time| (time - at).abs() < 1e-9)?;
+        Some((columns[place][row] - value).abs())
+    });
+    Exact { title, column, estimate: report.rows[place].estimate.error(), truth: errors.fold(0.0, f64::max) }
+}
+
+/// References by shooting, by elliptic integrals, and a circle; times are those of the model files.
+fn exact_table() -> String {
+    let mut rows = Vec::new();
+    let table = Curves::read(super::princeton::REFERENCE);
+    let columns = ["load", "angle_deg", "y_weak", "z_stiff", "twist_bishop"].map(|name| table.column(name));
+    let own = (0..columns[0].len()).find(|k| columns[0][*k] == 8.896 && columns[1][*k] == 45.0).unwrap();
+    for (column, values) in
+        [("tip.displacement[2]", &columns[2]), ("tip.displacement[3]", &columns[3]), ("tip.twist", &columns[4])]
+    {
+        rows.push(exact("Princeton beam", super::princeton::MODEL, &[], column, &[(1.0, values[own])]));
+    }
+    let table = Curves::read(super::spring::REFERENCE);
+    let points: Vec<_> = table.time.iter().map(|pull| pull / 0.04).zip(table.column("force_N")).collect();
+    rows.push(exact("helical spring", super::spring::MODEL, &[], "puller_force.effort", &points));
+    let table = Curves::read(super::bend::REFERENCE);
+    let constants = table.column("J");
+    for (column, name) in [("end.position[1]", "x"), ("end.position[2]", "y"), ("end.position[3]", "z")] {
+        let points = table.column("P").into_iter().map(|load| load / 600.0).zip(table.column(name));
+        let points: Vec<_> =
+            points.zip(&constants).filter(|(_, own)| **own == constants[0]).map(|(point, _)| point).collect();
+        rows.push(exact("45-degree bend", super::bend::MODEL, &[], column, &points));
+    }
+    let table = Curves::read(super::elastica::REFERENCE);
+    let back = table.column("u_over_L").into_iter().map(|back| -back);
+    let points: Vec<_> = table.time.iter().copied().zip(back).collect();
+    rows.push(exact("elastica", super::elastica::MODEL, &[], "tip.displacement[1]", &points));
+    let points: Vec<_> = table.time.iter().copied().zip(table.column("w_over_L")).collect();
+    rows.push(exact("elastica", super::elastica::MODEL, &[], "tip.displacement[2]", &points));
+    let turn = |k: u32| TAU * f64::from(k) / 20.0;
+    let arc = |place: fn(f64) -> f64| (1..=20).map(|k| (f64::from(k) / 20.0, place(turn(k)))).collect::<Vec<_>>();
+    let along = arc(|turn| turn.sin() / turn);
+    let across = arc(|turn| (1.0 - turn.cos()) / turn);
+    rows.push(exact("rolled up", super::roll_up::MODEL, &[], "tip.position[1]", &along));
+    rows.push(exact("rolled up", super::roll_up::MODEL, &[], "tip.position[2]", &across));
+    let mut text = String::from("| run | column | estimated | true | ratio |\n|---|---|---|---|---|");
+    for Exact { title, column, estimate, truth } in rows {
+        // Writing into a String cannot fail.
+        let _ = write!(
+            text,
+            "\n| {title} | `{column}` | {} | {} | {:.2} |",
+            study::small(estimate),
+            study::small(truth),
+            estimate / truth
+        );
+    }
+    text + "\n"
+}
+
 pub fn equilibria(section: &mut Section) {
     section.say(&format!(
         "`ancf14 run --verify` ([accuracy.md](accuracy.md)) against the largest true error of each column, for the model files as they are. True is the difference from \
@@ -188,6 +262,11 @@ pub fn equilibria(section: &mut Section) {
         ELEMENTS[0]
     ));
     section.say(&table(&EQUILIBRIA));
+    section.say(
+        "Against references that are no runs of this program, those of the sections above: rods by shooting, elliptic integrals, a circle. Errors are in the unit of the \
+         column, the true ones the largest at the loads of the reference.",
+    );
+    section.say(&exact_table());
 }
 
 pub fn motion(section: &mut Section) {

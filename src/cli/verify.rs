@@ -11,7 +11,7 @@ use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::verification::estimate::{Limit, Order, Trust};
-use ancf14::model::verification::levels::Override;
+use ancf14::model::verification::levels::{Level, Override};
 use ancf14::model::verification::{Report, Row, Verification};
 use std::fmt::Write;
 use std::fs::File;
@@ -102,7 +102,7 @@ fn tell(report: &Report, verification: &Verification, folder: &Folder) -> Result
     folder.write(table, &csv(report))?;
     let svg = Bars::of(&worst, report.wanted).svg();
     folder.write(picture, &svg.map_err(|reason| output::trouble(&folder.file(picture), &reason))?)?;
-    say(&shown(&worst, verification.runs()))?;
+    say(&shown(&worst, report, verification.runs()))?;
     say(&format!(
         "all {} columns in {} and {}",
         report.rows.len(),
@@ -114,7 +114,7 @@ fn tell(report: &Report, verification: &Verification, folder: &Folder) -> Result
 }
 
 /// The table of the terminal, the worst columns first.
-fn shown(worst: &[&Row], runs: usize) -> String {
+fn shown(worst: &[&Row], report: &Report, runs: usize) -> String {
     let mut text = format!("errors, estimated by {runs} more runs:");
     let Some(_) = worst.first() else { return format!("{text} none above round-off") };
     let width = worst.iter().take(SHOWN).map(|row| row.name.len()).max().unwrap_or(0).max("column".len());
@@ -133,8 +133,8 @@ fn shown(worst: &[&Row], runs: usize) -> String {
             row.name,
             percent(row.relative()),
             decimal(estimate.time),
-            small(estimate.step),
-            small(estimate.mesh),
+            small(report.part(Level::HalfStep, estimate.step)),
+            small(report.part(Level::DoubleElements, estimate.mesh)),
             limit(row),
         );
     }
@@ -161,10 +161,7 @@ fn limit(row: &Row) -> String {
 /// What the user should know: runs that failed, columns that miss the accuracy, and the remedy.
 fn warnings(report: &Report) -> Vec<String> {
     let failed = report.failures.iter().map(|(level, reason)| {
-        format!(
-            "the run with {} failed; its part of the errors is only what it told until then: {reason}",
-            level.words()
-        )
+        format!("the run with {} failed, and its part of the errors is unknown beyond: {reason}", level.words())
     });
     let mut warnings: Vec<String> = failed.collect();
     let missed: Vec<&Row> = report.counted().filter(|row| row.relative() > report.wanted).collect();
@@ -237,8 +234,8 @@ fn csv(report: &Report) -> String {
             digits(estimate.error()),
             digits(row.relative()),
             shortest(decimal(estimate.time)),
-            digits(estimate.step),
-            digits(estimate.mesh),
+            report.part(Level::HalfStep, estimate.step).map_or_else(String::new, digits),
+            report.part(Level::DoubleElements, estimate.mesh).map_or_else(String::new, digits),
             estimate.limit.word().to_owned(),
             order,
             source.to_owned(),
@@ -256,9 +253,13 @@ fn digits(value: f64) -> String {
     shortest(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
-/// A part of an error; none where there is nothing.
-fn small(value: f64) -> String {
-    if value == 0.0 { String::from("0") } else { format!("{value:.1e}") }
+/// A part of an error, if it is known.
+fn small(part: Option<f64>) -> String {
+    match part {
+        None => String::from("unknown"),
+        Some(0.0) => String::from("0"),
+        Some(value) => format!("{value:.1e}"),
+    }
 }
 
 /// A share, with two digits.

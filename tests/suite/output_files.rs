@@ -134,6 +134,8 @@ fn regression_what_is_incomplete_looks_incomplete() {
 #[test]
 fn errors_belong_to_their_run() {
     let place = Place::new();
+    let swinging = MODEL.replace("position = [0, 0, -1]", "position = [1, 0, 0]");
+    fs::write(place.at("m.toml"), swinging).unwrap();
     let output = place.ancf14(&["run", "m.toml", "--verify"]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
     assert!(text(&output.stdout).contains("errors, estimated by 2 more runs"), "{}", text(&output.stdout));

@@ -5,7 +5,6 @@
 use crate::curves::{Curves, load};
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::Causality;
-use ancf14::model::document::Document;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::verification::estimate::{Limit, Trust};
 use ancf14::model::verification::levels::{Level, merged};
@@ -45,10 +44,6 @@ fn results(simulation: &Simulation) -> Vec<String> {
 
 fn row<'a>(report: &'a Report, name: &str) -> &'a Row {
     report.rows.iter().find(|row| row.name == name).unwrap_or_else(|| panic!("no column {name}"))
-}
-
-fn document(text: &str) -> Document {
-    Document::parse("model.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }
 
 /// A cantilever rolled up is an arc of a circle at every instant: the end's place is known. The estimate is within a factor of 2.
@@ -188,21 +183,20 @@ fn overrides_of_the_user_hold() {
 /// A run beside the first one that cannot be built is reported with its reason, and what the others tell is kept.
 #[test]
 fn failures_are_told() {
-    // Three pieces, three elements each; a joint in the middle of the second one has no node with 18.
-    let most = [("arm.elements", "60000")];
-    let document = document(CANTILEVER);
-    assert!(Level::DoubleElements.overrides(&document).is_some());
-    let simulation = load(CANTILEVER, &[("arm.elements", "3")]);
-    let mut verification =
-        Verification::new(&simulation, "model.toml", &CANTILEVER.replace("elements = 8", "elements = 3"), &[]);
-    assert_eq!(verification.runs(), 4, "three elements have no half");
-    verification.compare(0, 0.0, &vec![0.0; results(&simulation).len()]);
-    assert!(verification.report(&simulation, WANTED).failures.is_empty());
-    let own = Simulation::load("model.toml", CANTILEVER, &owned(&most)).expect("a model");
-    let verification = Verification::new(&own, "model.toml", CANTILEVER, &owned(&most));
-    let report = verification.report(&own, WANTED);
+    // Of three elements the first piece has two, of six three: the joint in its middle has no node.
+    let line =
+        "y_axis = [0, 0, 1]\ncurve = { points = [[0, 0, 0], [1, 0, 0], [1, 0.72, 0]], polyline = true }\nelements = 3";
+    let hold = "[joint.hold]\ntype = \"inplane\"\na = \"ground\"\nb = \"arm.node[1]\"\naxis = [0, 1, 0]\n";
+    let text = CANTILEVER.replace("from = [0, 0, 0]\nto = [1, 0, 0]\nelements = 8", line) + hold;
+    let report = verified(&text, &[("simulation.stop", "0.1")], WANTED);
     let [(Level::DoubleElements, reason)] = report.failures.as_slice() else { panic!("{:?}", report.failures) };
-    assert!(reason.contains("arm.elements"), "{reason}");
+    assert!(reason.contains("arm"), "{reason}");
+    let estimate = row(&report, "tip.displacement[3]").estimate;
+    assert!(estimate.step > 0.0 && estimate.mesh == 0.0);
+    // Where nothing but a load and an output is there, a fraction does.
+    let push = "[load.push]\nat = \"arm.node[1]\"\nforce = [0, 0, -1]\n";
+    let text = text.replace(hold, push);
+    assert!(verified(&text, &[("simulation.stop", "0.1")], WANTED).failures.is_empty());
 }
 
 /// A crane that stands still, its host away: nothing moves, and no column of round-off passes for an error.

@@ -50,7 +50,7 @@ impl Level {
     }
 
     /// What it takes to get it from `document`. None: there is no such run, because statics has no step error, the machine has no
-    /// beams, or no beam has linear twist, or a number of elements is odd.
+    /// beams, no beam has linear twist, or a number of elements is odd.
     pub fn overrides(self, document: &Document) -> Option<Vec<Override>> {
         let is_dynamic = document.simulation.analysis == Analysis::Dynamic;
         let own = match self {
@@ -112,8 +112,7 @@ fn mesh(document: &Document, other: impl Fn(usize) -> Option<usize>) -> Option<V
         let Spot::Beam { beam, along: Along::Node(node) } = spot else { continue };
         let beam = &document.beams[beam];
         let count = elements(document, beam);
-        let node = same_place(document, beam, node, [count, other(count)?])?;
-        overrides.push((key, format!("{}.node[{node}]", beam.name)));
+        overrides.push((key, same_place(document, beam, node, [count, other(count)?])?));
     }
     Some(overrides).filter(|_| !document.beams.is_empty())
 }
@@ -134,16 +133,18 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
     joints.chain(springs).chain(loads).chain(outputs)
 }
 
-/// The node of a beam in another number of elements at the place of node `node`; none: there is no node.
-fn same_place(document: &Document, beam: &Beam, node: usize, [from, to]: [usize; 2]) -> Option<usize> {
-    match &beam.line {
+/// The place of node `node` of a beam, as it is written for another number of elements: a node, or where there is none, a fraction.
+fn same_place(document: &Document, beam: &Beam, node: usize, [from, to]: [usize; 2]) -> Option<String> {
+    let fraction = geometry::division(document, beam, from)?.fraction(node)?;
+    let other = match &beam.line {
         // The pieces between the points share the elements by length: not every one gets the same multiple.
         Some(Line::Curved(Curve { polyline: true, shape: Shape::Points(_), .. })) => {
-            let fraction = geometry::division(document, beam, from)?.fraction(node)?;
-            geometry::division(document, beam, to)?.end_at(fraction)
+            geometry::division(document, beam, to).and_then(|division| division.end_at(fraction))
         }
         _ => (node * to).is_multiple_of(from).then(|| node * to / from),
-    }
+    };
+    let name = &beam.name;
+    Some(other.map_or_else(|| format!("{name}@{fraction}"), |node| format!("{name}.node[{node}]")))
 }
 
 /// The overrides of a run beside the first one: those of the user, but for what `others` set anew.

@@ -48,6 +48,12 @@ pub struct Report {
 }
 
 impl Report {
+    /// A part of an error that the run `level` tells; none where it failed before it told anything.
+    pub fn part(&self, level: Level, value: f64) -> Option<f64> {
+        let is_untold = value == 0.0 && self.failures.iter().any(|(failed, _)| *failed == level);
+        (!is_untold).then_some(value)
+    }
+
     /// The columns that count: those asked for, or all where the file has no outputs.
     pub fn counted(&self) -> impl Iterator<Item = &Row> {
         let any = self.rows.iter().any(|row| row.is_asked_for);
