@@ -136,10 +136,10 @@ fn errors_belong_to_their_run() {
     let place = Place::new();
     let swinging = MODEL.replace("position = [0, 0, -1]", "position = [1, 0, 0]");
     fs::write(place.at("m.toml"), swinging).unwrap();
-    let output = place.ancf14(&["run", "m.toml", "--verify"]);
+    let output = place.ancf14(&["run", "m.toml", "--verify=1e-8"]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
     assert!(text(&output.stdout).contains("errors, estimated by 2 more runs"), "{}", text(&output.stdout));
-    assert!(text(&output.stderr).contains("miss 0.1 % of their range"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("miss 1e-6 % of their range"), "{}", text(&output.stderr));
     assert_whole(&place.at("m-results/errors.csv"));
     assert!(fs::read_to_string(place.at("m-results/errors.svg")).unwrap().contains("place.velocity[3]"));
     let rows = |name: &str| fs::read_to_string(place.at("m-results").join(name)).unwrap().lines().count();

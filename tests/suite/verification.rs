@@ -78,28 +78,58 @@ fn linear_twist_is_found_out() {
     assert_eq!(report.remedy.as_deref(), Some(&[][..]));
 }
 
-/// With the settings that are proposed a motion has the accuracy wanted, against one with far finer steps.
+/// A rigid pendulum, whose only error is that of the step.
+const PENDULUM: &str = r#"format = 1
+[model]
+name = "Pendulum"
+gravity = [0, 0, -9.81]
+[body.bob]
+mass = 1.0
+position = [1, 0, 0]
+inertia = [0.1, 0.1, 0.1]
+[joint.hinge]
+type = "revolute"
+a = "ground"
+b = "bob"
+at = [0, 0, 0]
+axis = [0, 1, 0]
+[output.place]
+at = "bob"
+quantities = ["position"]
+[simulation]
+stop = 2
+step = 0.02
+output_step = 0.1
+"#;
+
+/// With the settings that are proposed a motion has the accuracy wanted, against one with far finer steps; and a rolled-up strip has, against
+/// the circle.
 #[test]
 fn remedies_reach_the_accuracy() {
-    // Damping, so that all motion is slow and the order of the step is reached.
-    let damped = [("steel.damping", "1e-3"), ("simulation.stop", "0.5")];
-    let wanted = 2e-5;
-    let report = verified(CANTILEVER, &damped, wanted);
-    let name = "tip.displacement[3]";
-    let Row { scale, remedy, .. } = row(&report, name);
-    assert!(row(&report, name).relative() > wanted);
-    let remedy: Vec<(String, String)> =
-        remedy.as_deref().expect("a remedy").iter().map(|setting| split(setting)).collect();
-    assert!(!remedy.is_empty());
-    let finest = owned(&[("simulation.step", "2e-5"), ("arm.elements", "32"), ("simulation.output_step", "5e-3")]);
-    let run = |other: Vec<(String, String)>| {
-        let all = merged(&owned(&damped), other);
+    let with = |text: &str, own: &[(&str, &str)], settings: &[String]| {
+        let all = merged(&owned(own), settings.iter().map(|setting| split(setting)).collect());
         let all: Vec<_> = all.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
-        Curves::run(CANTILEVER, &all)
+        Curves::run(text, &all)
     };
-    let (own, finest) = (run(remedy), run(finest));
-    let error = own.difference(&own.column(name), &finest.column(name), 0.5) / scale;
-    assert!(error <= wanted, "{error}");
+    let name = "place.position[3]";
+    let finest = Curves::run(PENDULUM, &[("simulation.step", "1e-4")]).column(name);
+    for wanted in [2e-4, 5e-5, 1e-5] {
+        let report = verified(PENDULUM, &[], wanted);
+        let Row { scale, remedy, .. } = row(&report, name);
+        assert!(row(&report, name).relative() > wanted);
+        let curves = with(PENDULUM, &[], remedy.as_ref().expect("a remedy"));
+        let error = curves.difference(&curves.column(name), &finest, 2.0) / scale;
+        // The next coarser step that could be proposed is twice as long at most.
+        assert!((0.2 * wanted..=wanted).contains(&error), "wanted {wanted}: {error} with {remedy:?}");
+    }
+    let coarse = [("strip.elements", "4")];
+    for wanted in [1e-3, 1e-5] {
+        let report = verified(ROLL_UP, &coarse, wanted);
+        let Row { scale, remedy, .. } = row(&report, "tip.position[1]");
+        let curves = with(ROLL_UP, &coarse, remedy.as_ref().expect("a remedy"));
+        let error = curves.last("tip.position[1]").abs() / scale;
+        assert!(error <= wanted, "wanted {wanted}: {error} with {remedy:?}");
+    }
 }
 
 /// A setting of a report as an override.

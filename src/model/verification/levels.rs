@@ -66,15 +66,17 @@ impl Level {
         Some(own.into_iter().chain([(String::from("simulation.output_step"), output_step.to_string())]).collect())
     }
 
-    /// Every how many rows it has one to compare: internal steps end at every row, so that longer ones need rows further apart.
+    /// Every how many rows it has one to compare. Internal steps end at every row: where whole numbers of longer ones do not fill the time between
+    /// two rows, they fill that between three, or the steps would not all be twice as long.
     pub fn stride(self, document: &Document) -> u64 {
-        let output_step = document.value(document.simulation.output_step);
-        match self {
-            Self::DoubleStep if 2.0 * document.value(document.simulation.step) > output_step => 2,
-            _ => 1,
-        }
+        let steps = document.value(document.simulation.output_step) / (2.0 * taken_step(document));
+        let is_whole = (steps - steps.round()).abs() < WHOLE;
+        if self == Self::DoubleStep && !is_whole { 2 } else { 1 }
     }
 }
+
+/// How near to a whole number of steps the time between two rows is one: the round-off of decimal fractions.
+const WHOLE: f64 = 1e-6;
 
 /// The step that a run really takes: internal steps end at every row, s.
 pub fn taken_step(document: &Document) -> f64 {
