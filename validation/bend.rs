@@ -4,8 +4,8 @@ use super::{Section, dots, line, plot, points, study};
 use crate::curves::Curves;
 use ancf14::math::Vec3;
 
-const MODEL: &str = include_str!("../models/bend_45.toml");
-const REFERENCE: &str = include_str!("../tests/references/bend_45_degrees.csv");
+pub const MODEL: &str = include_str!("../models/bend_45.toml");
+pub const REFERENCE: &str = include_str!("../tests/references/bend_45_degrees.csv");
 
 fn run(elements: u32, twist: &str, constant: f64) -> Curves {
     let (elements, constant) = (elements.to_string(), constant.to_string());

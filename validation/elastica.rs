@@ -3,8 +3,8 @@
 use super::{Section, dots, line, plot, points, shapes, study};
 use crate::curves::Curves;
 
-const MODEL: &str = include_str!("../models/elastica.toml");
-const REFERENCE: &str = include_str!("../tests/references/elastica.csv");
+pub const MODEL: &str = include_str!("../models/elastica.toml");
+pub const REFERENCE: &str = include_str!("../tests/references/elastica.csv");
 
 fn run(elements: u32, twist: &str) -> Curves {
     Curves::run(MODEL, &[("strip.elements", &elements.to_string()), ("strip.twist", twist)])

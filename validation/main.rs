@@ -38,6 +38,9 @@ fn main() {
         }
         sections.push(section.text);
     }
-    std::fs::write(&file, page::page(&sections)).unwrap();
-    println!("docs/validation.md and docs/validation/*.svg are written");
+    let whole = page::page(&sections);
+    let accuracy = docs.join("accuracy.md");
+    std::fs::write(&accuracy, page::accuracy(&std::fs::read_to_string(&accuracy).unwrap(), &whole)).unwrap();
+    std::fs::write(&file, whole).unwrap();
+    println!("docs/validation.md, docs/validation/*.svg and the tables of docs/accuracy.md are written");
 }

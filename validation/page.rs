@@ -9,6 +9,7 @@ mod buckling;
 mod comparison;
 mod critical;
 mod elastica;
+mod estimates;
 mod frames;
 mod frequencies;
 mod princeton;
@@ -51,7 +52,7 @@ pub enum Runs {
 }
 
 /// All sections in the order of the page.
-pub const CASES: [Case; 14] = [
+pub const CASES: [Case; 16] = [
     Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
     Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
     Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
@@ -66,6 +67,8 @@ pub const CASES: [Case; 14] = [
     Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
     Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
     Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
+    Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },
+    Case { title: "Estimated errors: motion", runs: Runs::Long, write: estimates::motion },
 ];
 
 impl Case {
@@ -128,6 +131,14 @@ pub fn part<'a>(page: &'a str, title: &str) -> Option<&'a str> {
 pub fn page(sections: &[String]) -> String {
     let texts: Vec<&str> = sections.iter().map(|text| text.trim_end()).collect();
     format!("{HEAD}\n{}\n", texts.join("\n\n"))
+}
+
+/// The page on accuracy, with the tables of `page`, the validation page: they stand behind its last remark.
+pub fn accuracy(text: &str, page: &str) -> String {
+    let end = text.find("-->").expect("the remark before the tables") + "-->".len();
+    let titles = CASES.iter().map(|case| case.title).filter(|title| title.starts_with("Estimated errors"));
+    let tables: Vec<&str> = titles.filter_map(|title| part(page, title)).collect();
+    format!("{}\n\n{}\n", &text[..end], tables.concat().replace("## Estimated", "### Estimated").trim_end())
 }
 
 /// What stands before the sections.

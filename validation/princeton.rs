@@ -4,7 +4,7 @@ use super::{Section, dots, line, plot, study};
 use crate::curves::Curves;
 
 pub const MODEL: &str = include_str!("../models/princeton_beam.toml");
-const REFERENCE: &str = include_str!("../tests/references/princeton_beam.csv");
+pub const REFERENCE: &str = include_str!("../tests/references/princeton_beam.csv");
 
 /// Where the tip is.
 pub struct Tip {

@@ -5,7 +5,7 @@ use crate::curves::load;
 use ancf14::fmi::Model;
 use std::f64::consts::{PI, TAU};
 
-const MODEL: &str = include_str!("../models/ring.toml");
+pub const MODEL: &str = include_str!("../models/ring.toml");
 
 pub fn write(section: &mut Section) {
     section.say(

@@ -4,7 +4,7 @@ use super::{Section, line, shapes, study};
 use crate::curves::Curves;
 use std::f64::consts::TAU;
 
-const MODEL: &str = include_str!("../models/roll_up.toml");
+pub const MODEL: &str = include_str!("../models/roll_up.toml");
 
 fn run(elements: u32, twist: &str) -> Curves {
     Curves::run(MODEL, &[("strip.elements", &elements.to_string()), ("strip.twist", twist)])

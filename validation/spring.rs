@@ -6,7 +6,7 @@ use ancf14::math::Vec3;
 use ancf14::math::integral::integral;
 
 pub const MODEL: &str = include_str!("../models/helical_spring.toml");
-const REFERENCE: &str = include_str!("../tests/references/helical_spring.csv");
+pub const REFERENCE: &str = include_str!("../tests/references/helical_spring.csv");
 
 /// Breaks of the printed curve.
 const BREAKS: [f64; 4] = [0.0, 0.15, 0.35, 0.5];

@@ -7,13 +7,13 @@ use std::error::Error;
 /// Size of a chart on the screen, pixels.
 const SHOWN: (u32, u32) = (960, 540);
 /// Units of the drawing to a pixel: the backend knows whole units only, and a curve in whole pixels is a staircase.
-const FINE: i32 = 10;
+pub(super) const FINE: i32 = 10;
 /// Size of a chart, and of the column for the legend in it; these and all other lengths in units of the drawing.
 const SIZE: (u32, u32) = (SHOWN.0 * FINE as u32, SHOWN.1 * FINE as u32);
 const LEGEND: i32 = 210 * FINE;
 /// Border around the axes, height of the labels below and width of those on the left.
-const MARGIN: i32 = 14 * FINE;
-const BELOW: i32 = 48 * FINE;
+pub(super) const MARGIN: i32 = 14 * FINE;
+pub(super) const BELOW: i32 = 48 * FINE;
 const LEFT: i32 = 84 * FINE;
 /// Height of the title: the height that remains for the axes depends on it.
 const TITLE: i32 = 36 * FINE;
@@ -23,10 +23,10 @@ const SPACING: i32 = 24 * FINE;
 const NAMES: usize = 18;
 /// Widths of curves and of all other lines.
 const BOLD: u32 = 2 * FINE as u32;
-const THIN: u32 = FINE as u32;
+pub(super) const THIN: u32 = FINE as u32;
 
 /// Colours that everybody can tell apart (Okabe and Ito).
-const COLOURS: [RGBColor; 7] = [
+pub(super) const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -35,8 +35,8 @@ const COLOURS: [RGBColor; 7] = [
     RGBColor(86, 180, 233),
     RGBColor(60, 60, 60),
 ];
-const INK: RGBColor = RGBColor(50, 50, 50);
-const GRID: RGBColor = RGBColor(225, 225, 225);
+pub(super) const INK: RGBColor = RGBColor(50, 50, 50);
+pub(super) const GRID: RGBColor = RGBColor(225, 225, 225);
 
 /// Points of a line that are drawn; of more the lowest and highest of each interval.
 const POINTS: usize = 4000;
@@ -170,7 +170,7 @@ impl Chart {
 const DOT: i32 = 3 * FINE;
 
 /// Letters of this height, pixels.
-fn text(height: i32) -> FontDesc<'static> {
+pub(super) fn text(height: i32) -> FontDesc<'static> {
     ("sans-serif", height * FINE).into_font()
 }
 

@@ -1,6 +1,7 @@
 //! Commands, arguments and exit codes: 0, 1 (the run failed), 2 (bad file or arguments), 128 and the number of a signal that ended a
 //! run. The only part that prints.
 
+mod bars;
 mod chart;
 mod check;
 mod demo;
@@ -17,6 +18,7 @@ mod rows;
 mod run;
 mod shapes;
 mod trace;
+mod verify;
 
 use ancf14::fmi::package::Platform;
 use ancf14::fmi::{Failure, Model};
@@ -28,6 +30,7 @@ use std::fs;
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use verify::Wish;
 
 /// Simulates flexible beams described in a model file, and packs them as FMUs.
 #[derive(Debug, Parser)]
@@ -46,6 +49,10 @@ enum Command {
     Run {
         #[command(flatten)]
         model: ModelArguments,
+        /// Estimate the error of every column by more runs with other steps and meshes: errors.csv and errors.svg. ACCURACY is the error
+        /// to be reached, of each column's range [default: 0.001]
+        #[arg(long, value_name = "ACCURACY", num_args = 0..=1, require_equals = true, value_parser = verify::accuracy)]
+        verify: Option<Option<f64>>,
         /// Folder of the results, relative to the current one [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
@@ -151,9 +158,13 @@ pub fn main() -> ExitCode {
 
 fn execute(command: Command) -> Result<(), Stop> {
     match command {
-        Command::Run { model, out } => {
-            let (simulation, _) = model.load()?;
-            run::run(simulation, &model.directory(out), &[model.input()])
+        Command::Run { model, verify, out } => {
+            let (simulation, text) = model.load()?;
+            let file_name = model.file.display().to_string();
+            let is_wanted = verify.is_some() || simulation.document().simulation.verify;
+            let accuracy = verify.flatten().unwrap_or(verify::ACCURACY);
+            let wish = Wish { file_name: &file_name, text: &text, overrides: &model.overrides, accuracy };
+            run::run(simulation, &model.directory(out), &[model.input()], is_wanted.then_some(wish))
         }
         Command::Check { model, draw } => {
             let picture = draw.as_deref().map(picture::Target::of).transpose()?;

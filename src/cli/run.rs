@@ -6,6 +6,7 @@ use super::output::{Input, trouble};
 use super::plot::Plot;
 use super::results::Results;
 use super::rows::Rows;
+use super::verify::{self, Wish};
 use super::{Stop, complain, failed, say, start};
 use ancf14::error::decimal;
 use ancf14::fmi::{About, Model};
@@ -18,7 +19,7 @@ use std::path::Path;
 use std::time::Instant;
 
 /// The table of results, and its name until the run has come to its end.
-const COMPLETE: &str = "results.csv";
+pub const COMPLETE: &str = "results.csv";
 const PARTIAL: &str = "results.part.csv";
 /// An output step may miss the end by its round-off without making a row of its own, in output steps.
 const ROUNDING: f64 = 1e-9;
@@ -30,14 +31,20 @@ const REJECTED: f64 = 10.0;
 const REJECTED_SHARE: f64 = 0.1;
 const STEPS_SHARE: f64 = 2.0;
 
-/// Simulates and writes everything into the folder `directory`.
-pub fn run(mut simulation: Simulation, directory: &Path, inputs: &[Input<'_>]) -> Result<(), Stop> {
+/// Simulates and writes everything into the folder `directory`; with a `wish` the errors of the results too.
+pub fn run(
+    mut simulation: Simulation,
+    directory: &Path,
+    inputs: &[Input<'_>],
+    wish: Option<Wish<'_>>,
+) -> Result<(), Stop> {
     let last_row = last_row(&simulation)?;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
     let mut results = Results::new(partial.clone(), simulation.variables(), last_row);
     let plots = Plot::all(&results.columns, simulation.document());
-    let names: Vec<String> = plots.iter().map(Plot::file).chain([COMPLETE, PARTIAL].map(str::to_owned)).collect();
+    let own = [COMPLETE, PARTIAL].iter().chain(wish.iter().flat_map(|_| &verify::FILES)).map(|name| (*name).to_owned());
+    let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
     folder.claim("run", &simulation.about().guid, &names, inputs)?;
     let keeper = Keeper::start(results.rows())
         .map_err(|reason| Stop::Failed(format!("error: cannot watch for signals: {reason}")))?;
@@ -57,7 +64,8 @@ pub fn run(mut simulation: Simulation, directory: &Path, inputs: &[Input<'_>]) -
         _ => Ok(()),
     };
     // The first reason to fail is the one to tell.
-    outcome.map_err(|end| end.stop(&locked(&results.rows()))).and(finished.map(drop)).and(told)
+    outcome.map_err(|end| end.stop(&locked(&results.rows()))).and(finished.map(drop)).and(told)?;
+    wish.map_or(Ok(()), |wish| verify::verify(&simulation, &results, last_row, &folder, wish))
 }
 
 /// Brings the rows to the disk and draws the plots; says what there is. None: there was no row.
@@ -67,6 +75,7 @@ fn finish(results: &Results, plots: &[Plot], folder: &Folder, is_complete: bool)
     locked(&results.rows()).finish().map_err(|reason| trouble(&partial, &reason))?;
     let (table, remark) = if is_complete {
         fs::rename(&partial, &complete).map_err(|reason| trouble(&complete, &reason))?;
+        locked(&results.rows()).path.clone_from(&complete);
         (complete, String::new())
     } else {
         (partial, format!(" (incomplete: to t = {} s)", decimal(reached)))
@@ -99,17 +108,13 @@ impl End {
 }
 
 fn simulate(simulation: &mut Simulation, results: &mut Results, last_row: u64, keeper: &Keeper) -> Result<(), End> {
-    let bar = ProgressBar::new(last_row);
-    // A pipe gets no bar: indicatif draws on terminals only.
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let bar = bar(last_row);
     // The bar appears with the first row.
     start(simulation).map_err(End::Model)?;
     results.record(0.0, simulation).map_err(End::Write)?;
     let outcome = (1..=last_row).try_for_each(|row| {
         keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
-        let About { stop, output_step, .. } = *simulation.about();
-        let time = if row == last_row { stop } else { row as f64 * output_step };
+        let time = row_time(simulation.about(), row, last_row);
         let advanced = simulation.advance(time);
         for warning in simulation.take_warnings() {
             bar.suspend(|| complain(&format!("warning: {warning}")));
@@ -122,6 +127,17 @@ fn simulate(simulation: &mut Simulation, results: &mut Results, last_row: u64, k
     });
     bar.finish_and_clear();
     outcome
+}
+
+/// A bar that fills with rows. A pipe gets none: indicatif draws on terminals only.
+pub fn bar(last_row: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
+    ProgressBar::new(last_row).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// The time of a row, s.
+pub fn row_time(about: &About, row: u64, last_row: u64) -> f64 {
+    if row == last_row { about.stop } else { row as f64 * about.output_step }
 }
 
 /// Number of the last row of results; row 0 is the start. Too many rows are a mistake of the file.

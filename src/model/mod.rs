@@ -27,4 +27,5 @@ mod syntax;
 mod tree;
 pub mod unit;
 pub mod variables;
+pub mod verification;
 pub mod watch;

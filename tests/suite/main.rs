@@ -86,3 +86,4 @@ mod strain_outputs;
 mod stress_derivatives;
 mod turned_models;
 mod validation;
+mod verification;

@@ -162,6 +162,7 @@ fn springs_materials_and_the_simulation_arrive_as_written() {
     assert_eq!(row(&document, "tie.length").variability, Variability::Tunable);
     assert_eq!(document.value(document.materials[0].damping), 1e-4);
     assert_eq!(document.simulation.initial, Initial::Equilibrium);
+    assert!(document.simulation.verify);
     let Integrator::GeneralizedAlpha { spectral_radius } = document.simulation.integrator else { panic!("alpha") };
     assert_eq!(document.value(spectral_radius), 0.8);
     let load::Target::At(Anchor { spot, .. }) = document.loads[0].target else { panic!("at a body") };

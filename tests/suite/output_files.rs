@@ -130,6 +130,34 @@ fn regression_what_is_incomplete_looks_incomplete() {
     assert!(!fs::read_to_string(place.at("m-results/energy.svg")).unwrap().contains("incomplete"));
 }
 
+/// Errors are files of the run that they are of: the next run without them takes them away. A wrong accuracy is refused before anything runs.
+#[test]
+fn errors_belong_to_their_run() {
+    let place = Place::new();
+    let swinging = MODEL.replace("position = [0, 0, -1]", "position = [1, 0, 0]");
+    fs::write(place.at("m.toml"), swinging).unwrap();
+    let output = place.ancf14(&["run", "m.toml", "--verify=1e-8"]);
+    assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("errors, estimated by 2 more runs"), "{}", text(&output.stdout));
+    assert!(text(&output.stderr).contains("miss 1e-6 % of their range"), "{}", text(&output.stderr));
+    assert_whole(&place.at("m-results/errors.csv"));
+    assert!(fs::read_to_string(place.at("m-results/errors.svg")).unwrap().contains("place.velocity[3]"));
+    let rows = |name: &str| fs::read_to_string(place.at("m-results").join(name)).unwrap().lines().count();
+    // Three counts are no physical quantities.
+    let columns = fs::read_to_string(place.at("m-results/results.csv")).unwrap();
+    assert_eq!(rows("errors.csv") - 1, columns.lines().next().unwrap().split(',').count() - 1 - 3);
+
+    assert_eq!(code(&place.ancf14(&["run", "m.toml"])), 0);
+    assert!(place.results().iter().all(|name| !name.starts_with("errors")), "{:?}", place.results());
+    let output = place.ancf14(&["run", "m.toml", "--set", "simulation.verify=true"]);
+    assert_eq!(code(&output), 0);
+    assert!(place.at("m-results/errors.csv").exists());
+    let output = place.ancf14(&["run", "m.toml", "--verify=0.5"]);
+    assert!(!text(&output.stderr).contains("miss"), "{}", text(&output.stderr));
+    assert_eq!(code(&place.ancf14(&["run", "m.toml", "--verify=2"])), 2);
+    assert_eq!(code(&place.ancf14(&["run", "m.toml", "--set", "simulation.verify=0.1"])), 2);
+}
+
 /// Pictures of an output that has gone go too; what `modes` wrote stays, with a warning if it was another model's.
 #[test]
 fn regression_old_pictures_go() {

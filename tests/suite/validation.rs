@@ -17,6 +17,14 @@ fn the_page_holds_the_numbers_of_the_short_runs() {
     }
 }
 
+/// docs/accuracy.md has the tables on estimated errors of this page.
+#[test]
+fn the_page_on_accuracy_has_its_tables() {
+    let accuracy = include_str!("../../docs/accuracy.md");
+    assert_eq!(accuracy, page::accuracy(accuracy, PAGE));
+    assert!(accuracy.contains("| rolled up |") && accuracy.contains("| rotating shaft |"));
+}
+
 /// Every section has its place, and every picture is there.
 #[test]
 fn the_page_is_whole() {

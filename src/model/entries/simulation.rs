@@ -24,6 +24,8 @@ pub struct Simulation {
     pub output_step: Number,
     /// Bound of the last Newton increment.
     pub tolerance: Number,
+    /// Whether `run` estimates the errors of its results.
+    pub verify: bool,
 }
 
 /// What is computed.
@@ -93,6 +95,7 @@ impl Simulation {
         let output_step = reader.optional(&schema::OUTPUT_STEP).unwrap_or(step);
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&schema::TOLERANCE, TOLERANCE);
+        let verify = reader.boolean("verify", false);
         let place = reader.place;
         // The two that a host may always change are parameters also where the file does not write them; the two that only
         // fill the default experiment are none.
@@ -105,7 +108,7 @@ impl Simulation {
         }
         reader.finish();
         let initial = initial.unwrap_or(Initial::AsDrawn);
-        Self { place, analysis, integrator, initial, stop, step, output_step, tolerance }
+        Self { place, analysis, integrator, initial, stop, step, output_step, tolerance, verify }
     }
 }
 

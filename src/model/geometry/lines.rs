@@ -119,6 +119,11 @@ pub fn line(document: &Document, beam: &Beam, elements: usize) -> Drawn {
     }
 }
 
+/// How a beam in `elements` elements is divided; none where it cannot be drawn.
+pub fn division(document: &Document, beam: &Beam, elements: usize) -> Option<Division> {
+    line(document, beam, elements).ok()?.map(|line| line.division)
+}
+
 /// Whether a beam of `elements` elements could be drawn and had a node at a fraction.
 pub fn fits(document: &Document, beam: &Beam, elements: usize, fraction: f64) -> bool {
     let is_equal = match &beam.line {

@@ -4,7 +4,7 @@
 
 mod lines;
 
-pub use lines::Lines;
+pub use lines::{Lines, division};
 
 use super::diagnostic::{Diagnostic, Place};
 use super::document::Document;

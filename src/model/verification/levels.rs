@@ -1,0 +1,156 @@
+//! The runs beside the first one: the same file and the same overrides, with another step or another mesh.
+
+use crate::mechanics::ancf14::quadratic_twist::Twist;
+use crate::mechanics::beam_design::{Elements, Torsion};
+use crate::model::document::Document;
+use crate::model::entries::anchor::{Along, Spot};
+use crate::model::entries::beam::Beam;
+use crate::model::entries::curve::{Curve, Line, Shape};
+use crate::model::entries::simulation::Analysis;
+use crate::model::entries::{load, output};
+use crate::model::geometry;
+
+/// A key and a value, as `--set` takes them.
+pub type Override = (String, String);
+
+/// What is different in a run. The three meshes have quadratic twist, so that they differ in the elements alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Half the step.
+    HalfStep,
+    /// Twice the step: together with the other two it shows the order.
+    DoubleStep,
+    /// Quadratic twist in all beams that have linear twist.
+    QuadraticTwist,
+    /// Twice the elements.
+    DoubleElements,
+    /// Half the elements: together with the other two it shows the order.
+    HalfElements,
+}
+
+impl Level {
+    /// All of them.
+    pub const ALL: [Self; 5] =
+        [Self::HalfStep, Self::DoubleStep, Self::QuadraticTwist, Self::DoubleElements, Self::HalfElements];
+
+    /// What is different, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::HalfStep => "half the step",
+            Self::DoubleStep => "twice the step",
+            Self::QuadraticTwist => "quadratic twist",
+            Self::DoubleElements => "twice the elements",
+            Self::HalfElements => "half the elements",
+        }
+    }
+
+    /// Whether it serves to observe the order only: the estimate does without it.
+    pub fn is_coarse(self) -> bool {
+        matches!(self, Self::DoubleStep | Self::HalfElements)
+    }
+
+    /// What it takes to get it from `document`. None: there is no such run, because statics has no step error, the machine has no
+    /// beams, no beam has linear twist, or a number of elements is odd.
+    pub fn overrides(self, document: &Document) -> Option<Vec<Override>> {
+        let is_dynamic = document.simulation.analysis == Analysis::Dynamic;
+        let own = match self {
+            Self::HalfStep => is_dynamic.then(|| vec![step(document, 0.5)]),
+            Self::DoubleStep => is_dynamic.then(|| vec![step(document, 2.0)]),
+            Self::QuadraticTwist => Some(quadratic_twist(document)),
+            Self::DoubleElements => mesh(document, |count| Some(2 * count)),
+            Self::HalfElements => mesh(document, |count| count.is_multiple_of(2).then_some(count / 2)),
+        };
+        let own = own.filter(|overrides| !overrides.is_empty())?;
+        // The rows stay where they are, also where the file leaves their distance to the step.
+        let output_step = document.value(document.simulation.output_step);
+        Some(own.into_iter().chain([(String::from("simulation.output_step"), output_step.to_string())]).collect())
+    }
+
+    /// Every how many rows it has one to compare. Internal steps end at every row: where whole numbers of longer ones do not fill the time between
+    /// two rows, they fill that between three, or the steps would not all be twice as long.
+    pub fn stride(self, document: &Document) -> u64 {
+        let steps = document.value(document.simulation.output_step) / (2.0 * taken_step(document));
+        let is_whole = (steps - steps.round()).abs() < WHOLE;
+        if self == Self::DoubleStep && !is_whole { 2 } else { 1 }
+    }
+}
+
+/// How near to a whole number of steps the time between two rows is one: the round-off of decimal fractions.
+const WHOLE: f64 = 1e-6;
+
+/// The step that a run really takes: internal steps end at every row, s.
+pub fn taken_step(document: &Document) -> f64 {
+    document.value(document.simulation.step).min(document.value(document.simulation.output_step))
+}
+
+/// The setting for steps that are `factor` times as long: the one place that knows how fine steps are asked for.
+fn step(document: &Document, factor: f64) -> Override {
+    (String::from("simulation.step"), (factor * taken_step(document)).to_string())
+}
+
+/// Whether a beam has a finer twist than it uses.
+pub fn has_linear_twist(beam: &Beam) -> bool {
+    matches!(beam.formulation, Elements::Ancf14 { twist: Twist::Linear, torsion: Torsion::Free, .. })
+}
+
+fn quadratic_twist(document: &Document) -> Vec<Override> {
+    let beams = document.beams.iter().filter(|beam| has_linear_twist(beam));
+    beams.map(|beam| (format!("{}.twist", beam.name), String::from("quadratic"))).collect()
+}
+
+/// The number of elements of a beam.
+pub fn elements(document: &Document, beam: &Beam) -> usize {
+    document.value(beam.elements) as usize
+}
+
+/// Other numbers of elements in all beams, with quadratic twist; none where one of them has no such number.
+fn mesh(document: &Document, other: impl Fn(usize) -> Option<usize>) -> Option<Vec<Override>> {
+    let mut overrides = quadratic_twist(document);
+    for beam in &document.beams {
+        let count = other(elements(document, beam))?;
+        overrides.push((format!("{}.elements", beam.name), count.to_string()));
+    }
+    for (key, spot) in anchors(document) {
+        let Spot::Beam { beam, along: Along::Node(node) } = spot else { continue };
+        let beam = &document.beams[beam];
+        let count = elements(document, beam);
+        overrides.push((key, same_place(document, beam, node, [count, other(count)?])?));
+    }
+    Some(overrides).filter(|_| !document.beams.is_empty())
+}
+
+/// Everything that holds on to a point, with its key.
+fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
+    let sides = |name: &str, a: Spot, b: Spot| [(format!("{name}.a"), a), (format!("{name}.b"), b)];
+    let joints = document.joints.iter().flat_map(move |joint| sides(&joint.name, joint.a.spot, joint.b.spot));
+    let springs = document.springs.iter().flat_map(move |spring| sides(&spring.name, spring.a.spot, spring.b.spot));
+    let loads = document.loads.iter().filter_map(|load| match &load.target {
+        load::Target::At(anchor) => Some((format!("{}.at", load.name), anchor.spot)),
+        load::Target::On(_) => None,
+    });
+    let outputs = document.outputs.iter().filter_map(|output| match &output.target {
+        output::Target::At(anchor) => Some((format!("{}.at", output.name), anchor.spot)),
+        output::Target::Joint(_) | output::Target::Drive(_) | output::Target::On { .. } => None,
+    });
+    joints.chain(springs).chain(loads).chain(outputs)
+}
+
+/// The place of node `node` of a beam, as it is written for another number of elements: a node, or where there is none, a fraction.
+fn same_place(document: &Document, beam: &Beam, node: usize, [from, to]: [usize; 2]) -> Option<String> {
+    let fraction = geometry::division(document, beam, from)?.fraction(node)?;
+    let other = match &beam.line {
+        // The pieces between the points share the elements by length: not every one gets the same multiple.
+        Some(Line::Curved(Curve { polyline: true, shape: Shape::Points(_), .. })) => {
+            geometry::division(document, beam, to).and_then(|division| division.end_at(fraction))
+        }
+        _ => (node * to).is_multiple_of(from).then(|| node * to / from),
+    };
+    let name = &beam.name;
+    Some(other.map_or_else(|| format!("{name}@{fraction}"), |node| format!("{name}.node[{node}]")))
+}
+
+/// The overrides of a run beside the first one: those of the user, but for what `others` set anew.
+pub fn merged(own: &[Override], others: Vec<Override>) -> Vec<Override> {
+    let is_kept = |(key, _): &&Override| others.iter().all(|(other, _)| other != key);
+    own.iter().filter(is_kept).cloned().chain(others.iter().cloned()).collect()
+}
