@@ -1,0 +1,1 @@
+//! Machines from seeded random numbers, as the text of model files.

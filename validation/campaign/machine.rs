@@ -1,0 +1,144 @@
+//! A machine of the campaign: a model file with a name, and the settings that are derived from it.
+
+use super::edit;
+use ancf14::model::simulation::Simulation;
+
+/// A machine of the catalogue.
+#[derive(Clone, Debug)]
+pub struct Machine {
+    /// Its name, one of a kind in the catalogue.
+    pub name: String,
+    /// What it has in common with others.
+    pub group: &'static str,
+    /// The model file. Its `step` is the one that an engineer would take, and `stop` is absolute.
+    pub text: String,
+    /// When it starts, s.
+    pub start: f64,
+    /// The integrator of its reference, where the file's own one is known to be wrong.
+    pub judge: Option<&'static str>,
+}
+
+/// How a machine is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Setting {
+    /// As its file says.
+    Own,
+    /// Without `integrator`, and without `step` where a file may leave it out.
+    Defaults,
+    /// With a fixed step so many times as large.
+    Step(u32),
+    /// With one element instead of so many.
+    Mesh(u32),
+    /// As a reference: with so many steps instead of one, and a mesh twice as fine.
+    Finer(u32),
+}
+
+/// The settings that are judged, in the order of the tables.
+pub const SETTINGS: [Setting; 7] = [
+    Setting::Own,
+    Setting::Defaults,
+    Setting::Step(3),
+    Setting::Step(10),
+    Setting::Step(30),
+    Setting::Mesh(2),
+    Setting::Mesh(4),
+];
+
+/// A coarser mesh is tried where the longest beam has so many elements or more.
+const FEWEST_TO_COARSEN: u32 = 4;
+/// Refinement of the mesh of references.
+const FINER_MESH: u32 = 2;
+
+impl Setting {
+    /// `step x 3`.
+    pub fn title(self) -> String {
+        match self {
+            Self::Own => String::from("own"),
+            Self::Defaults => String::from("defaults"),
+            Self::Step(factor) => format!("step x {factor}"),
+            Self::Mesh(divisor) => format!("mesh / {divisor}"),
+            Self::Finer(divisor) => format!("step / {divisor}, mesh x {FINER_MESH}"),
+        }
+    }
+
+    /// `step-times-3`: for file names.
+    pub fn file_stem(self) -> String {
+        self.title().replace(" x ", "-times-").replace(" / ", "-over-").replace(", ", "-")
+    }
+
+    /// The step of this setting, s.
+    pub fn step(self, machine: &Machine) -> f64 {
+        match self {
+            Self::Step(factor) => machine.step() * f64::from(factor),
+            Self::Finer(divisor) => machine.step() / f64::from(divisor),
+            Self::Own | Self::Defaults | Self::Mesh(_) => machine.step(),
+        }
+    }
+
+    /// Rows of the machine's table between two rows of this setting: so many that each is at the end of a step.
+    pub fn rows_apart(self, machine: &Machine) -> usize {
+        let Self::Step(factor) = self else { return 1 };
+        let steps = machine.output_step() / machine.step();
+        let is_whole = |rows: &usize| {
+            let count = *rows as f64 * steps / f64::from(factor);
+            count > 0.5 && (count - count.round()).abs() < 1e-6
+        };
+        (1..=factor as usize).find(is_whole).unwrap_or((f64::from(factor) / steps).ceil() as usize)
+    }
+}
+
+impl Machine {
+    /// The model file of a setting; none where the setting does not apply.
+    pub fn text(&self, setting: Setting) -> Option<String> {
+        let resized = || edit::with(&self.text, "simulation", "step", &format!("{:e}", setting.step(self)));
+        match setting {
+            Setting::Own => Some(self.text.clone()),
+            Setting::Defaults => Some(self.with_defaults()),
+            Setting::Step(_) => Some(resized()),
+            Setting::Mesh(divisor) => {
+                let coarser = |elements: u32| elements.div_ceil(divisor);
+                let largest = edit::meshes(&self.text).into_iter().map(|(_, elements)| elements).max();
+                let is_fine = largest.is_some_and(|elements| elements >= FEWEST_TO_COARSEN);
+                let text = edit::remeshed(&self.text, coarser).filter(|_| is_fine)?;
+                // A joint at a fraction of a beam where the coarser mesh has no node, or a corner too many, is no fault of the solver.
+                Simulation::load("machine.toml", &text, &[]).is_ok().then_some(text)
+            }
+            Setting::Finer(_) => {
+                let text = edit::remeshed(&resized(), |elements| FINER_MESH * elements)?;
+                Some(match self.judge {
+                    Some(word) => edit::with(&text, "simulation", "integrator", &format!("\"{word}\"")),
+                    None => text,
+                })
+            }
+        }
+    }
+
+    /// The file without what its author chose of the integration.
+    fn with_defaults(&self) -> String {
+        let rows = edit::with(&self.text, "simulation", "output_step", &format!("{:e}", self.output_step()));
+        let chosen = ["spectral_radius", "integrator"];
+        let text = chosen.iter().fold(rows, |text, key| edit::without(&text, "simulation", key));
+        let without_step = edit::without(&text, "simulation", "step");
+        if Simulation::load("machine.toml", &without_step, &[]).is_ok() { without_step } else { text }
+    }
+
+    /// The step of the file, s.
+    pub fn step(&self) -> f64 {
+        self.simulation("step")
+    }
+
+    /// The time between two rows, s.
+    pub fn output_step(&self) -> f64 {
+        edit::number(&self.text, "simulation", "output_step").unwrap_or_else(|| self.step())
+    }
+
+    /// When it ends, s.
+    pub fn stop(&self) -> f64 {
+        self.simulation("stop")
+    }
+
+    fn simulation(&self, key: &str) -> f64 {
+        let number = edit::number(&self.text, "simulation", key);
+        number.unwrap_or_else(|| panic!("{}: simulation.{key} is not a number on a line of its own", self.name))
+    }
+}

@@ -1,0 +1,123 @@
+//! The verdict on a machine in a setting.
+
+use super::family::Family;
+use super::machine::{Machine, SETTINGS, Setting};
+use super::reference::Reference;
+use super::run::{End, Record};
+use super::warning;
+
+/// Largest error that is right, of the family's scale.
+const RIGHT: f64 = 0.01;
+/// The same with a coarser mesh: whoever takes a quarter of the elements wants an impression.
+const RIGHT_WITH_COARSE_MESH: f64 = 0.05;
+/// An error beyond which nobody would call the results rough.
+pub const GROSS: f64 = 0.1;
+
+/// What becomes of a machine in a setting.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// Within the bound; `is_warned`: it was warned of all the same.
+    Right {
+        /// Whether a warning doubted the numbers.
+        is_warned: bool,
+    },
+    /// Wrong, and a warning doubted the numbers.
+    Warned(Error),
+    /// Wrong without a word.
+    SilentlyWrong(Error),
+    /// It ended with an error.
+    Refused(String),
+    /// It had to be stopped.
+    Endless,
+    /// It ended with a panic.
+    Panicked(String),
+    /// Nobody knows what is right.
+    NoReference,
+    /// There is no such setting of this machine.
+    NotApplicable,
+}
+
+/// The largest error of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Error {
+    /// The family that it is in.
+    pub family: String,
+    /// Its size, of the family's scale.
+    pub size: f64,
+}
+
+/// What is known of a machine when all its settings have run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// Its name.
+    pub name: String,
+    /// Its group.
+    pub group: &'static str,
+    /// A verdict for each of [`SETTINGS`].
+    pub verdicts: Vec<Verdict>,
+    /// Share of its results that the reference knows; none: no reference.
+    pub known: Option<f64>,
+    /// The first warning of it that the campaign does not know.
+    pub unknown_warning: Option<String>,
+}
+
+/// Runs a machine in all settings, and judges.
+pub fn judged(machine: &Machine) -> Judged {
+    let reference = Reference::new(machine);
+    let mut unknown_warning = None;
+    let mut verdicts: Vec<Verdict> = Vec::new();
+    for setting in SETTINGS {
+        let text = machine.text(setting);
+        let same = |earlier: &Setting| machine.text(*earlier) == text && earlier.step(machine) == setting.step(machine);
+        let earlier = SETTINGS[..verdicts.len()].iter().position(|earlier| text.is_some() && same(earlier));
+        verdicts.push(match (earlier, text) {
+            (Some(place), _) => verdicts[place].clone(),
+            (None, None) => Verdict::NotApplicable,
+            (None, Some(text)) => {
+                let record = Record::new(machine, setting, &text);
+                unknown_warning = unknown_warning.or_else(|| warning::unknown(&record.warnings).cloned());
+                verdict(setting, &record, reference.as_ref())
+            }
+        });
+    }
+    let known = reference.map(|reference| reference.share());
+    Judged { name: machine.name.clone(), group: machine.group, verdicts, known, unknown_warning }
+}
+
+/// What a run is worth beside the reference.
+pub fn verdict(setting: Setting, record: &Record, reference: Option<&Reference>) -> Verdict {
+    match &record.end {
+        End::Refused(reason) => return Verdict::Refused(reason.clone()),
+        End::Endless => return Verdict::Endless,
+        End::Panicked(words) => return Verdict::Panicked(words.clone()),
+        End::Complete => (),
+    }
+    let Some(reference) = reference else { return Verdict::NoReference };
+    let known = reference.families.iter().filter(|(_, rows)| *rows > 0);
+    let errors = known.filter_map(|(family, rows)| error(family, *rows, record, &reference.record));
+    let Some(worst) = errors.reduce(|worst, other| if other.size > worst.size { other } else { worst }) else {
+        return Verdict::NoReference;
+    };
+    let is_warned = warning::doubts_numbers(&record.warnings);
+    let bound = if matches!(setting, Setting::Mesh(_)) { RIGHT_WITH_COARSE_MESH } else { RIGHT };
+    match (worst.size <= bound, is_warned) {
+        (true, is_warned) => Verdict::Right { is_warned },
+        (false, true) => Verdict::Warned(worst),
+        (false, false) => Verdict::SilentlyWrong(worst),
+    }
+}
+
+/// The error of a family over the first `known` rows of the reference, but for the share of the rows that may be off. None: no row is there.
+fn error(family: &Family, known: usize, record: &Record, reference: &Record) -> Option<Error> {
+    let scale = family.scale(reference, known);
+    // Row 0 is not a result of any step.
+    let rows = record.rows.iter().filter(|(number, _)| (1..known).contains(number));
+    let mut differences: Vec<f64> =
+        rows.filter_map(|(number, own)| Some(family.difference(own, reference.row(*number)?))).collect();
+    differences.sort_by(f64::total_cmp);
+    let off = (family.share() * differences.len() as f64) as usize;
+    let worst = *differences.get(differences.len().checked_sub(1 + off)?)?;
+    // A family without any size, where forces are zero throughout: what is zero is right.
+    let size = if worst == 0.0 { 0.0 } else { worst / scale };
+    Some(Error { family: family.name.clone(), size })
+}
