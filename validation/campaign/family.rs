@@ -4,9 +4,13 @@ use super::run::{Column, Record};
 
 /// Share of the rows of a force in which it may be off: forces hold the fast oscillations that a step does not resolve, and jump where the motion only
 /// bends. Motions and energies are right in every row or wrong.
-const ROUGH_SHARE: f64 = 0.05;
+pub const ROUGH_SHARE: f64 = 0.05;
 /// Below this share of what is usual in a machine, a family is zero by symmetry: what it holds is round-off.
 const ZERO: f64 = 1e-6;
+
+/// The same of a force or moment beside the largest one of its machine: an axial force is a component of a section's force, of which the others are not
+/// there to be compared with.
+pub const SMALL_FORCE: f64 = 0.1;
 
 /// What is not compared: counts of the solver, and momenta, which say nothing that velocities do not say.
 const LEFT_OUT: [&str; 2] = ["statistics", "momentum"];
@@ -109,8 +113,8 @@ fn usual(record: &Record, unit: &str, rows: usize) -> f64 {
         "rad" | "" => 1.0,
         "rad/s" => 1.0 / time,
         "1/m" | "rad/m" => 1.0 / size,
-        "N" => largest("N").max(largest("N.m") / size),
-        "N.m" => largest("N.m").max(largest("N") * size),
+        "N" => (largest("N") * SMALL_FORCE / ZERO).max(largest("N.m") / size),
+        "N.m" => (largest("N.m") * SMALL_FORCE / ZERO).max(largest("N") * size),
         other => largest(other),
     }
 }

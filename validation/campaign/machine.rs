@@ -29,6 +29,8 @@ pub enum Setting {
     Step(u32),
     /// With one element instead of so many.
     Mesh(u32),
+    /// As its file says, with a mesh twice as fine: to find out whose fault an error is.
+    FinerMesh,
     /// As a reference: with so many steps instead of one, and a mesh twice as fine.
     Finer(u32),
 }
@@ -48,6 +50,8 @@ pub const SETTINGS: [Setting; 7] = [
 const FEWEST_TO_COARSEN: u32 = 4;
 /// Refinement of the mesh of references.
 const FINER_MESH: u32 = 2;
+/// The level of references that has an odd number of steps between two rows.
+const ODD_LEVEL: u32 = 8;
 
 impl Setting {
     /// `step x 3`.
@@ -57,6 +61,7 @@ impl Setting {
             Self::Defaults => String::from("defaults"),
             Self::Step(factor) => format!("step x {factor}"),
             Self::Mesh(divisor) => format!("mesh / {divisor}"),
+            Self::FinerMesh => format!("mesh x {FINER_MESH}"),
             Self::Finer(divisor) => format!("step / {divisor}, mesh x {FINER_MESH}"),
         }
     }
@@ -70,8 +75,8 @@ impl Setting {
     pub fn step(self, machine: &Machine) -> f64 {
         match self {
             Self::Step(factor) => machine.step() * f64::from(factor),
-            Self::Finer(divisor) => machine.step() / f64::from(divisor),
-            Self::Own | Self::Defaults | Self::Mesh(_) => machine.step(),
+            Self::Finer(divisor) => machine.output_step() / finer_steps(machine, divisor),
+            Self::Own | Self::Defaults | Self::Mesh(_) | Self::FinerMesh => machine.step(),
         }
     }
 
@@ -85,6 +90,13 @@ impl Setting {
         };
         (1..=factor as usize).find(is_whole).unwrap_or((f64::from(factor) / steps).ceil() as usize)
     }
+}
+
+/// Steps between two rows of a reference: an even number of the coarser levels, an odd one of the next. What alternates from step to step would look the
+/// same in every row of two levels otherwise, and pass for agreement.
+fn finer_steps(machine: &Machine, divisor: u32) -> f64 {
+    let steps = (f64::from(divisor) * machine.output_step() / machine.step()).round();
+    if divisor == ODD_LEVEL { 2.0 * (steps / 2.0).floor() + 1.0 } else { 2.0 * (steps / 2.0).ceil() }
 }
 
 impl Machine {
@@ -103,6 +115,7 @@ impl Machine {
                 // A joint at a fraction of a beam where the coarser mesh has no node, or a corner too many, is no fault of the solver.
                 Simulation::load("machine.toml", &text, &[]).is_ok().then_some(text)
             }
+            Setting::FinerMesh => edit::remeshed(&self.text, |elements| FINER_MESH * elements),
             Setting::Finer(_) => {
                 let text = edit::remeshed(&resized(), |elements| FINER_MESH * elements)?;
                 Some(match self.judge {

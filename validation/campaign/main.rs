@@ -71,11 +71,11 @@ fn judge_all(machines: &[Machine], jobs: usize) -> Vec<Judged> {
     results.into_inner().expect("all threads have ended").into_iter().flatten().collect()
 }
 
-/// Tells why machines were refused, and writes the page of a whole campaign.
+/// Tells why machines were refused or warned of, and writes the page of a whole campaign.
 fn report(judged: &[Judged], is_whole: bool) -> io::Result<()> {
     for machine in judged {
         for (setting, verdict) in SETTINGS.iter().zip(&machine.verdicts) {
-            if let Verdict::Refused(reason) | Verdict::Panicked(reason) = verdict {
+            if let Verdict::Refused(reason) | Verdict::Panicked(reason) | Verdict::Warned(_, reason) = verdict {
                 println!("{}, {}: {}", machine.name, setting.title(), reason.lines().next().unwrap_or(reason));
             }
         }

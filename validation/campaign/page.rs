@@ -1,11 +1,13 @@
 //! docs/campaign.md: how many answers were right, refused, warned of and silently wrong, and which ones.
 
-use super::machine::SETTINGS;
-use super::verdict::{GROSS, Judged, Verdict};
+use super::family::{ROUGH_SHARE, SMALL_FORCE};
+use super::machine::{SETTINGS, Setting};
+use super::reference::AGREEMENT;
+use super::verdict::{Fault, GROSS, Judged, RIGHT, RIGHT_WITH_COARSE_MESH, Verdict};
 use super::warning;
 use std::fmt::Write;
 
-/// What stands before the tables.
+/// What stands before the definitions.
 const HEAD: &str = include_str!("head.md");
 
 /// A row of the first table: what it counts, and which verdicts.
@@ -14,7 +16,7 @@ type Count = (&'static str, fn(&Verdict) -> bool);
 const COUNTS: [Count; 10] = [
     ("right", |verdict| matches!(verdict, Verdict::Right { is_warned: false })),
     ("right, but warned of", |verdict| matches!(verdict, Verdict::Right { is_warned: true })),
-    ("wrong and warned of", |verdict| matches!(verdict, Verdict::Warned(_))),
+    ("wrong and warned of", |verdict| matches!(verdict, Verdict::Warned(..))),
     ("refused", |verdict| matches!(verdict, Verdict::Refused(_))),
     ("**silently wrong**", |verdict| matches!(verdict, Verdict::SilentlyWrong(_))),
     ("of these by more than 10 %", |verdict| matches!(verdict, Verdict::SilentlyWrong(error) if error.size > GROSS)),
@@ -26,15 +28,17 @@ const COUNTS: [Count; 10] = [
 
 /// The page.
 pub fn page(judged: &[Judged]) -> String {
-    let sections =
-        [HEAD.trim_end().to_owned(), warnings(judged), totals(judged), groups(judged), silent(judged), unknown(judged)];
-    sections
-        .iter()
-        .map(|section| section.trim_end())
-        .filter(|section| !section.is_empty())
-        .collect::<Vec<_>>()
-        .join("\n\n")
-        + "\n"
+    let sections = [
+        HEAD.to_owned(),
+        definitions(),
+        totals(judged),
+        groups(judged),
+        silent(judged),
+        unknown(judged),
+        every(judged),
+    ];
+    let texts: Vec<&str> = sections.iter().map(|section| section.trim_end()).filter(|text| !text.is_empty()).collect();
+    texts.join("\n\n") + "\n"
 }
 
 /// The head of a table with a column for each setting.
@@ -43,9 +47,32 @@ fn header(first: &str) -> String {
     format!("| {first} |{titles}\n|---|{}\n", "---|".repeat(SETTINGS.len()))
 }
 
-fn warnings(_judged: &[Judged]) -> String {
+/// What the verdicts mean.
+fn definitions() -> String {
     let words: Vec<String> = warning::counted().map(|words| format!("\"{words}\"")).collect();
-    format!("Warnings count where they hold these words: {}.", words.join(", "))
+    format!(
+        "- **own**: as the file of the machine says. **defaults**: without its `integrator`, and without its `step` where a file may leave it out. \
+           **step x N**: a fixed step N times as large. **mesh / N**: one element instead of N.\n\
+         - The **reference** has a mesh twice as fine, a fourth and an eighth of the step, and a sixteenth where those two do not agree. It is taken as far as the \
+           two finest levels agree to {} of the scale, for each family of columns by itself; later rows are not compared. Where its finest level \
+           warns of the steps there is none. Between two rows one level has an even number of steps and the next an odd one, so that what alternates \
+           from step to step does not pass for agreement. Where refinement is known to make an integrator worse the reference has another one.\n\
+         - A **family** is the components of an output, or all energies. Its **scale** is how far positions and angles change, and the largest size \
+           of velocities, forces and energies, of the component that has most of it; a force or moment counts for {} of the largest one of its \
+           machine at least. The **error** is the largest difference in any row, over the scale. Of forces, strains, stresses and accelerations {} \
+           of the rows may be off by more.\n\
+         - **right**: within {} of the scale; with a coarser mesh within {}.\n\
+         - **refused**: it ended with an error. **wrong and warned of**: a warning tells that numbers are not to be trusted. **silently \
+           wrong**: neither. A warning counts where it holds one of these words: {}.\n\
+         - **without an end**: given up after far more steps than the step asks for.\n\
+         - **(step)**, **(mesh)**: whose fault it is. With the same steps, a mesh twice as fine is right (mesh), or has more than half of the error left (step).",
+        percent(AGREEMENT),
+        percent(SMALL_FORCE),
+        percent(ROUGH_SHARE),
+        percent(RIGHT),
+        percent(RIGHT_WITH_COARSE_MESH),
+        words.join(", ")
+    )
 }
 
 fn totals(judged: &[Judged]) -> String {
@@ -76,7 +103,7 @@ fn groups(judged: &[Judged]) -> String {
             let own = judged.iter().filter(|machine| machine.group == group).map(|machine| &machine.verdicts[place]);
             let known: Vec<_> = own
                 .filter(|verdict| {
-                    matches!(verdict, Verdict::Right { .. } | Verdict::Warned(_) | Verdict::SilentlyWrong(_))
+                    matches!(verdict, Verdict::Right { .. } | Verdict::Warned(..) | Verdict::SilentlyWrong(_))
                 })
                 .collect();
             let silent = known.iter().filter(|verdict| matches!(verdict, Verdict::SilentlyWrong(_))).count();
@@ -96,16 +123,28 @@ fn silent(judged: &[Judged]) -> String {
         "---|".repeat(SETTINGS.len())
     );
     for machine in judged {
-        if machine.verdicts.iter().any(|verdict| matches!(verdict, Verdict::SilentlyWrong(_))) {
+        if is_silently_wrong(machine) {
             text += &line(machine);
         }
     }
     text
 }
 
+/// Whether a machine is silently wrong in any setting.
+pub fn is_silently_wrong(machine: &Judged) -> bool {
+    machine.verdicts.iter().any(|verdict| matches!(verdict, Verdict::SilentlyWrong(_)))
+}
+
 /// The line of a machine.
 pub fn line(machine: &Judged) -> String {
-    let cells: String = machine.verdicts.iter().map(|verdict| format!(" {} |", cell(verdict))).collect();
+    let fault = |setting: Setting| match machine.fault.filter(|_| setting == Setting::Own) {
+        Some(Fault::Mesh) => " (mesh)",
+        Some(Fault::Step) => " (step)",
+        Some(Fault::Both) => " (mesh and step)",
+        None => "",
+    };
+    let cells = SETTINGS.iter().zip(&machine.verdicts);
+    let cells: String = cells.map(|(setting, verdict)| format!(" {}{} |", cell(verdict), fault(*setting))).collect();
     let known = machine.known.map_or(String::from("-"), |known| format!("{:.0} %", 100.0 * known));
     format!("| {} | {known} |{cells}\n", machine.name)
 }
@@ -114,7 +153,7 @@ fn cell(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Right { is_warned: false } => String::from("right"),
         Verdict::Right { is_warned: true } => String::from("right, warned"),
-        Verdict::Warned(_) => String::from("warned"),
+        Verdict::Warned(..) => String::from("warned"),
         Verdict::SilentlyWrong(error) => format!("**{}** {}", percent(error.size), error.family),
         Verdict::Refused(_) => String::from("refused"),
         Verdict::Endless => String::from("endless"),
@@ -142,4 +181,28 @@ fn unknown(judged: &[Judged]) -> String {
         }
     }
     if text.is_empty() { text } else { format!("## Warnings that the campaign does not know\n\n{text}") }
+}
+
+/// Every verdict in a letter.
+fn every(judged: &[Judged]) -> String {
+    let lead = "A letter for each setting, in the order of the tables: `r` right, `R` right but warned of, `w` wrong and warned of, `x` refused, `S` silently wrong, \
+                `e` without an end, `p` panic, `?` no reference, `-` no such setting.";
+    let lines: String = judged.iter().map(letters).collect();
+    format!("## Every verdict\n\n{lead}\n\n```\n{lines}```")
+}
+
+/// The letters of a machine, with its name.
+pub fn letters(machine: &Judged) -> String {
+    let letter = |verdict: &Verdict| match verdict {
+        Verdict::Right { is_warned: false } => 'r',
+        Verdict::Right { is_warned: true } => 'R',
+        Verdict::Warned(..) => 'w',
+        Verdict::Refused(_) => 'x',
+        Verdict::SilentlyWrong(_) => 'S',
+        Verdict::Endless => 'e',
+        Verdict::Panicked(_) => 'p',
+        Verdict::NoReference => '?',
+        Verdict::NotApplicable => '-',
+    };
+    format!("{} {}\n", machine.verdicts.iter().map(letter).collect::<String>(), machine.name)
 }

@@ -8,7 +8,7 @@ use super::warning;
 /// Levels of refinement, the first two of which are always run: where two levels do not agree to the end, the next one is tried.
 const LEVELS: [u32; 3] = [4, 8, 16];
 /// How near the two finest levels must be, of the family's scale: a fifth of what is called right, so that the reference is no part of the judgement.
-const AGREEMENT: f64 = 2e-3;
+pub const AGREEMENT: f64 = 2e-3;
 /// The fewest rows behind the start that are worth a comparison.
 const FEWEST_ROWS: usize = 4;
 /// Internal steps times elements of a level, above which it is too dear for a campaign.

@@ -7,9 +7,9 @@ use super::run::{End, Record};
 use super::warning;
 
 /// Largest error that is right, of the family's scale.
-const RIGHT: f64 = 0.01;
+pub const RIGHT: f64 = 0.01;
 /// The same with a coarser mesh: whoever takes a quarter of the elements wants an impression.
-const RIGHT_WITH_COARSE_MESH: f64 = 0.05;
+pub const RIGHT_WITH_COARSE_MESH: f64 = 0.05;
 /// An error beyond which nobody would call the results rough.
 pub const GROSS: f64 = 0.1;
 
@@ -21,8 +21,8 @@ pub enum Verdict {
         /// Whether a warning doubted the numbers.
         is_warned: bool,
     },
-    /// Wrong, and a warning doubted the numbers.
-    Warned(Error),
+    /// Wrong, and a warning doubted the numbers: this one.
+    Warned(Error, String),
     /// Wrong without a word.
     SilentlyWrong(Error),
     /// It ended with an error.
@@ -46,6 +46,17 @@ pub struct Error {
     pub size: f64,
 }
 
+/// Whose fault an error is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// With the same steps a finer mesh is right.
+    Mesh,
+    /// With the same steps a finer mesh has more than half of the error, or there is no mesh.
+    Step,
+    /// Some of both.
+    Both,
+}
+
 /// What is known of a machine when all its settings have run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
@@ -55,6 +66,8 @@ pub struct Judged {
     pub group: &'static str,
     /// A verdict for each of [`SETTINGS`].
     pub verdicts: Vec<Verdict>,
+    /// Whose fault it is, where its author's own settings are silently wrong.
+    pub fault: Option<Fault>,
     /// Share of its results that the reference knows; none: no reference.
     pub known: Option<f64>,
     /// The first warning of it that the campaign does not know.
@@ -80,8 +93,25 @@ pub fn judged(machine: &Machine) -> Judged {
             }
         });
     }
+    let own = SETTINGS.iter().position(|setting| *setting == Setting::Own).map(|place| &verdicts[place]);
+    let fault = match own {
+        Some(Verdict::SilentlyWrong(error)) => Some(fault(machine, error, reference.as_ref())),
+        _ => None,
+    };
     let known = reference.map(|reference| reference.share());
-    Judged { name: machine.name.clone(), group: machine.group, verdicts, known, unknown_warning }
+    Judged { name: machine.name.clone(), group: machine.group, verdicts, fault, known, unknown_warning }
+}
+
+/// Whose fault an error of the machine's own settings is.
+fn fault(machine: &Machine, own: &Error, reference: Option<&Reference>) -> Fault {
+    let setting = Setting::FinerMesh;
+    let finer = machine.text(setting).filter(|text| *text != machine.text);
+    let verdict = finer.map(|text| verdict(setting, &Record::new(machine, setting, &text), reference));
+    match verdict {
+        Some(Verdict::Right { .. }) => Fault::Mesh,
+        Some(Verdict::SilentlyWrong(error) | Verdict::Warned(error, _)) if error.size < 0.5 * own.size => Fault::Both,
+        _ => Fault::Step,
+    }
 }
 
 /// What a run is worth beside the reference.
@@ -98,12 +128,12 @@ pub fn verdict(setting: Setting, record: &Record, reference: Option<&Reference>)
     let Some(worst) = errors.reduce(|worst, other| if other.size > worst.size { other } else { worst }) else {
         return Verdict::NoReference;
     };
-    let is_warned = warning::doubts_numbers(&record.warnings);
+    let doubt = warning::doubt_of_numbers(&record.warnings);
     let bound = if matches!(setting, Setting::Mesh(_)) { RIGHT_WITH_COARSE_MESH } else { RIGHT };
-    match (worst.size <= bound, is_warned) {
-        (true, is_warned) => Verdict::Right { is_warned },
-        (false, true) => Verdict::Warned(worst),
-        (false, false) => Verdict::SilentlyWrong(worst),
+    match (worst.size <= bound, doubt) {
+        (true, doubt) => Verdict::Right { is_warned: doubt.is_some() },
+        (false, Some(warning)) => Verdict::Warned(worst, warning.clone()),
+        (false, None) => Verdict::SilentlyWrong(worst),
     }
 }
 

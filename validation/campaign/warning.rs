@@ -39,9 +39,9 @@ fn doubt(warning: &str) -> Option<Doubt> {
     KNOWN.iter().find(|(words, _)| warning.contains(words)).map(|(_, doubt)| *doubt)
 }
 
-/// Whether one of the warnings tells that numbers are not to be trusted.
-pub fn doubts_numbers(warnings: &[String]) -> bool {
-    warnings.iter().any(|warning| doubt(warning) != Some(Doubt::Nothing))
+/// The first warning that tells that numbers are not to be trusted.
+pub fn doubt_of_numbers(warnings: &[String]) -> Option<&String> {
+    warnings.iter().find(|warning| doubt(warning) != Some(Doubt::Nothing))
 }
 
 /// Whether one of the warnings tells that the steps do not resolve the motion.
