@@ -106,6 +106,7 @@ fn usual(record: &Record, unit: &str, rows: usize) -> f64 {
         let columns = (0..record.columns.len()).filter(|column| record.columns[*column].unit == unit);
         columns.map(|column| extent(record, column, rows)).fold(0.0, f64::max)
     };
+    // A moment over the size of the machine is a force across its beams.
     match unit {
         "m" => size,
         "m/s" => size / time,
@@ -113,7 +114,7 @@ fn usual(record: &Record, unit: &str, rows: usize) -> f64 {
         "rad" | "" => 1.0,
         "rad/s" => 1.0 / time,
         "1/m" | "rad/m" => 1.0 / size,
-        "N" => (largest("N") * SMALL_FORCE / ZERO).max(largest("N.m") / size),
+        "N" => largest("N").max(largest("N.m") / size) * SMALL_FORCE / ZERO,
         "N.m" => (largest("N.m") * SMALL_FORCE / ZERO).max(largest("N") * size),
         other => largest(other),
     }

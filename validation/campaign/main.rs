@@ -75,9 +75,12 @@ fn judge_all(machines: &[Machine], jobs: usize) -> Vec<Judged> {
 fn report(judged: &[Judged], is_whole: bool) -> io::Result<()> {
     for machine in judged {
         for (setting, verdict) in SETTINGS.iter().zip(&machine.verdicts) {
-            if let Verdict::Refused(reason) | Verdict::Panicked(reason) | Verdict::Warned(_, reason) = verdict {
-                println!("{}, {}: {}", machine.name, setting.title(), reason.lines().next().unwrap_or(reason));
-            }
+            let reason = match verdict {
+                Verdict::Refused(reason) | Verdict::Panicked(reason) => reason,
+                Verdict::Warned(_, reason) | Verdict::NoReference(reason) => reason,
+                _ => continue,
+            };
+            println!("{}, {}: {}", machine.name, setting.title(), reason.lines().next().unwrap_or(reason));
         }
     }
     let text = page::page(judged);

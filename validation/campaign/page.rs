@@ -22,7 +22,7 @@ const COUNTS: [Count; 10] = [
     ("of these by more than 10 %", |verdict| matches!(verdict, Verdict::SilentlyWrong(error) if error.size > GROSS)),
     ("without an end", |verdict| matches!(verdict, Verdict::Endless)),
     ("panic", |verdict| matches!(verdict, Verdict::Panicked(_))),
-    ("no reference", |verdict| matches!(verdict, Verdict::NoReference)),
+    ("no reference", |verdict| matches!(verdict, Verdict::NoReference(_))),
     ("no such setting", |verdict| matches!(verdict, Verdict::NotApplicable)),
 ];
 
@@ -158,7 +158,7 @@ fn cell(verdict: &Verdict) -> String {
         Verdict::Refused(_) => String::from("refused"),
         Verdict::Endless => String::from("endless"),
         Verdict::Panicked(_) => String::from("panic"),
-        Verdict::NoReference => String::from("no reference"),
+        Verdict::NoReference(_) => String::from("no reference"),
         Verdict::NotApplicable => String::from("-"),
     }
 }
@@ -201,7 +201,7 @@ pub fn letters(machine: &Judged) -> String {
         Verdict::SilentlyWrong(_) => 'S',
         Verdict::Endless => 'e',
         Verdict::Panicked(_) => 'p',
-        Verdict::NoReference => '?',
+        Verdict::NoReference(_) => '?',
         Verdict::NotApplicable => '-',
     };
     format!("{} {}\n", machine.verdicts.iter().map(letter).collect::<String>(), machine.name)

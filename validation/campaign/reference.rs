@@ -2,7 +2,7 @@
 
 use super::family::Family;
 use super::machine::{Machine, Setting};
-use super::run::Record;
+use super::run::{End, Record};
 use super::warning;
 
 /// Levels of refinement, the first two of which are always run: where two levels do not agree to the end, the next one is tried.
@@ -26,13 +26,16 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// Runs levels until two agree. None: the machine cannot be run finer, or not rightly.
-    pub fn new(machine: &Machine) -> Option<Self> {
+    /// Runs levels until two agree.
+    ///
+    /// # Errors
+    /// Nothing is known: the sentence says why.
+    pub fn new(machine: &Machine) -> Result<Self, String> {
         let mut coarser: Option<Record> = None;
         let mut best: Option<Self> = None;
         for (place, level) in LEVELS.into_iter().enumerate() {
             let setting = Setting::Finer(level);
-            let text = machine.text(setting)?;
+            let text = machine.text(setting).ok_or("a joint names a node that a finer mesh does not have")?;
             if place > 1 && price(machine, setting, &text) > DEAREST {
                 break;
             }
@@ -47,7 +50,22 @@ impl Reference {
                 }
             }
         }
-        best.filter(|best| best.known() > 0)
+        match best {
+            Some(best) if best.known() > 0 => Ok(best),
+            Some(best) => Err(best.objection()),
+            None => Err(String::from("there are not two levels")),
+        }
+    }
+
+    /// Why nothing is known.
+    fn objection(&self) -> String {
+        let Record { end, warnings, .. } = &self.record;
+        match (end, warnings.iter().find(|warning| warning::doubts_the_steps(std::slice::from_ref(warning)))) {
+            (End::Refused(reason) | End::Panicked(reason), _) => format!("the finest level ended: {reason}"),
+            (End::Endless, _) => String::from("the finest level has no end"),
+            (End::Complete, Some(warning)) => format!("the finest level warns: {warning}"),
+            (End::Complete, None) => String::from("the two finest levels differ from the start"),
+        }
     }
 
     /// The reference of two levels.

@@ -31,8 +31,8 @@ pub enum Verdict {
     Endless,
     /// It ended with a panic.
     Panicked(String),
-    /// Nobody knows what is right.
-    NoReference,
+    /// Nobody knows what is right, for this reason.
+    NoReference(String),
     /// There is no such setting of this machine.
     NotApplicable,
 }
@@ -89,21 +89,21 @@ pub fn judged(machine: &Machine) -> Judged {
             (None, Some(text)) => {
                 let record = Record::new(machine, setting, &text);
                 unknown_warning = unknown_warning.or_else(|| warning::unknown(&record.warnings).cloned());
-                verdict(setting, &record, reference.as_ref())
+                verdict(setting, &record, &reference)
             }
         });
     }
     let own = SETTINGS.iter().position(|setting| *setting == Setting::Own).map(|place| &verdicts[place]);
     let fault = match own {
-        Some(Verdict::SilentlyWrong(error)) => Some(fault(machine, error, reference.as_ref())),
+        Some(Verdict::SilentlyWrong(error)) => Some(fault(machine, error, &reference)),
         _ => None,
     };
-    let known = reference.map(|reference| reference.share());
+    let known = reference.ok().map(|reference| reference.share());
     Judged { name: machine.name.clone(), group: machine.group, verdicts, fault, known, unknown_warning }
 }
 
 /// Whose fault an error of the machine's own settings is.
-fn fault(machine: &Machine, own: &Error, reference: Option<&Reference>) -> Fault {
+fn fault(machine: &Machine, own: &Error, reference: &Result<Reference, String>) -> Fault {
     let setting = Setting::FinerMesh;
     let finer = machine.text(setting).filter(|text| *text != machine.text);
     let verdict = finer.map(|text| verdict(setting, &Record::new(machine, setting, &text), reference));
@@ -115,18 +115,21 @@ fn fault(machine: &Machine, own: &Error, reference: Option<&Reference>) -> Fault
 }
 
 /// What a run is worth beside the reference.
-pub fn verdict(setting: Setting, record: &Record, reference: Option<&Reference>) -> Verdict {
+pub fn verdict(setting: Setting, record: &Record, reference: &Result<Reference, String>) -> Verdict {
     match &record.end {
         End::Refused(reason) => return Verdict::Refused(reason.clone()),
         End::Endless => return Verdict::Endless,
         End::Panicked(words) => return Verdict::Panicked(words.clone()),
         End::Complete => (),
     }
-    let Some(reference) = reference else { return Verdict::NoReference };
+    let reference = match reference {
+        Ok(reference) => reference,
+        Err(reason) => return Verdict::NoReference(reason.clone()),
+    };
     let known = reference.families.iter().filter(|(_, rows)| *rows > 0);
     let errors = known.filter_map(|(family, rows)| error(family, *rows, record, &reference.record));
     let Some(worst) = errors.reduce(|worst, other| if other.size > worst.size { other } else { worst }) else {
-        return Verdict::NoReference;
+        return Verdict::NoReference(String::from("its rows are further apart than the reference is known"));
     };
     let doubt = warning::doubt_of_numbers(&record.warnings);
     let bound = if matches!(setting, Setting::Mesh(_)) { RIGHT_WITH_COARSE_MESH } else { RIGHT };

@@ -57,9 +57,9 @@ fn pulse(choice: &mut Choice) -> String {
     let step = round(TAU / first / choice.scale(50.0, 300.0));
     let (begin, width) = (round(7.3 * step), round(choice.scale(0.3, 20.0) * step));
     let own = 7850.0 * 3.0 * height * height * length;
-    let force = round(choice.between(0.1, 0.5) * own * length * first / width);
+    let force = round(choice.between(0.005, 0.05) * own * length * first / width);
     let mut text = Text::new(0.0);
-    text.matter(2.1e11, 7850.0, choice.pick(&[1e-6, 1e-5, 1e-4]));
+    text.matter(2.1e11, 7850.0, choice.pick(&[1e-4, 1e-3]));
     text.rectangle("flat", 3.0 * height, height);
     text.beam("bar", "flat", [[0.0; 3], [length, 0.0, 0.0]], 2 * choice.whole(2, 5), "");
     if choice.pick(&[true, false]) {

@@ -62,7 +62,7 @@ fn parallel(choice: &mut Choice) -> String {
         text.joint(&format!("foot{number}"), "revolute", ["ground", &format!("{own}.start")], HINGE);
         text.joint(&format!("top{number}"), "revolute", [&format!("{own}.end"), point], HINGE);
     }
-    text.drive("motor", "foot0", "angle", &format!("value = \"0.8*sin({}*t)\"", number(speed)));
+    text.drive("motor", "foot0", "angle", &format!("value = \"0.4*(1 - cos({}*t))\"", number(speed)));
     text.watch_motion("end_place", "coupler.end");
     text.watch("torque", "motor", &["effort"]);
     text.watch("middle_load", "top1", &["reaction_force"]);

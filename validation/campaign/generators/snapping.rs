@@ -49,9 +49,10 @@ fn strip(choice: &mut Choice) -> String {
     text.joint("clamp", "weld", ["ground", "strip.start"], "");
     text.joint("press", "prismatic", ["ground", "strip.end"], "axis = [-1, 0, 0]");
     let way = choice.between(0.002, 0.01);
-    text.drive("ram", "press", "distance", &format!("value = \"{}*min(1, t/{})\"", number(way), number(0.4 * span)));
+    let law = format!("value = \"{}*0.5*(1 - cos(pi*min(1, t/{})))\"", number(way), number(0.4 * span));
+    text.drive("ram", "press", "distance", &law);
     let stiffness = 192.0 * 2.1e11 * 0.02 * height.powi(3) / 12.0;
-    let (small, large) = (number(stiffness * 1e-4), number(choice.between(0.01, 0.06) * stiffness));
+    let (small, large) = (number(stiffness * 1e-3), number(choice.between(0.01, 0.06) * stiffness));
     let half = number(0.5 * span);
     let law = format!("[{{ until = {half}, is = {small} }}, {{ is = \"-{large}*(t - {half})/{half}\" }}]");
     text.load("finger", "strip@0.5", &format!("force = [0, 0, {law}]"));

@@ -26,6 +26,11 @@ fn pace(choice: &mut Choice, slowest: f64, fastest: f64) -> (f64, f64) {
     (speed, round(TAU / (speed * turn)))
 }
 
+/// The law of a motor that runs up in the first quarter of the run.
+fn run_up(speed: f64, step: f64) -> String {
+    format!("rate = \"{}*min(1, t/{})\"", number(speed), number(0.25 * STEPS as f64 * step))
+}
+
 /// A free strip spins about its axis and tumbles slowly.
 fn strip(choice: &mut Choice) -> String {
     let (speed, step) = pace(choice, 20.0, 300.0);
@@ -40,7 +45,7 @@ fn strip(choice: &mut Choice) -> String {
     text.end(step, STEPS, "")
 }
 
-/// A shaft between two bearings turns at constant speed under its weight, below its first critical speed.
+/// A shaft between two bearings runs up under its weight and goes on at a speed below its first critical speed.
 fn shaft(choice: &mut Choice) -> String {
     let (length, height) = (choice.between(0.5, 2.0), choice.between(0.01, 0.03));
     let critical = (std::f64::consts::PI / length).powi(2) * (2.1e11 / 7850.0_f64 / 12.0).sqrt() * height;
@@ -48,15 +53,14 @@ fn shaft(choice: &mut Choice) -> String {
     let mut text = Text::new(9.81);
     text.matter(2.1e11, 7850.0, choice.damping());
     text.rectangle("flat", choice.pick(&[1.0, 2.0, 3.0]) * height, height);
-    let spin = format!("angular_velocity = {}", list([speed, 0.0, 0.0]));
-    text.beam("shaft", "flat", [[0.0; 3], [length, 0.0, 0.0]], 2 * choice.whole(2, 5), &spin);
+    text.beam("shaft", "flat", [[0.0; 3], [length, 0.0, 0.0]], 2 * choice.whole(2, 5), "");
     text.joint("motor", "revolute", ["ground", "shaft.start"], "axis = [1, 0, 0]");
     text.joint("bearing", "cylindrical", ["ground", "shaft.end"], "axis = [1, 0, 0]");
-    text.drive("run", "motor", "angle", &format!("rate = {}", number(speed)));
+    text.drive("run", "motor", "angle", &run_up(speed, step));
     text.watch("middle", "shaft@0.5", &["displacement", "velocity", "section_moment"]);
     text.watch("effort", "run", &["effort"]);
     text.watch("bearing_load", "bearing", &["reaction_force"]);
-    text.end(step, STEPS, "")
+    text.end(step, STEPS, "initial = \"equilibrium\"")
 }
 
 /// A blade turns about a mast at constant speed; a gust along the mast bends it.
@@ -90,18 +94,16 @@ fn rotor(choice: &mut Choice) -> String {
     let mut text = Text::new(9.81);
     text.matter(2.1e11, 7850.0, choice.damping());
     text.circle("round", radius);
-    let spin = format!("angular_velocity = {}", list([speed, 0.0, 0.0]));
-    text.beam("shaft", "round", [[0.0; 3], [1.0, 0.0, 0.0]], 2 * choice.whole(2, 4), &spin);
-    let motion = format!("{spin}\nvelocity = {}", list([0.0, -off * speed, 0.0]));
-    text.body("disk", mass, [0.5, 0.0, off], [0.02 * mass, 0.01 * mass, 0.01 * mass], &motion);
+    text.beam("shaft", "round", [[0.0; 3], [1.0, 0.0, 0.0]], 2 * choice.whole(2, 4), "");
+    text.body("disk", mass, [0.5, 0.0, off], [0.02 * mass, 0.01 * mass, 0.01 * mass], "");
     text.joint("bearing", "revolute", ["ground", "shaft.start"], "axis = [1, 0, 0]");
     text.joint("slide", "cylindrical", ["ground", "shaft.end"], "axis = [1, 0, 0]");
     text.joint("hub", "weld", ["shaft@0.5", "disk"], "at = [0.5, 0, 0]");
-    text.drive("motor", "bearing", "angle", &format!("rate = {}", number(speed)));
+    text.drive("motor", "bearing", "angle", &run_up(speed, step));
     text.watch("wheel", "disk", &["position", "velocity", "angular_velocity"]);
     text.watch("torque", "motor", &["effort"]);
     text.watch("slide_load", "slide", &["reaction_force"]);
-    text.end(step, STEPS, "")
+    text.end(step, STEPS, "initial = \"equilibrium\"")
 }
 
 /// A free rigid body tumbles, or a top precesses.

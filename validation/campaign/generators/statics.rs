@@ -71,7 +71,7 @@ fn arch(choice: &mut Choice) -> String {
     text.steel();
     text.rectangle("flat", 0.02, height);
     let line = format!("curve = {{ x = \"s\", y = 0, z = \"{}*sin(pi*s)\", s = [0, 1] }}", number(rise));
-    text.line("arch", "flat", 2 * choice.whole(2, 6), &line);
+    text.line("arch", "flat", 4 * choice.whole(1, 3), &line);
     text.joint("left", "revolute", ["ground", "arch.start"], "axis = [0, 1, 0]");
     text.joint("right", "revolute", ["ground", "arch.end"], "axis = [0, 1, 0]");
     if choice.pick(&[true, false]) {

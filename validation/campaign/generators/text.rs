@@ -25,7 +25,7 @@ pub fn list<const N: usize>(values: [f64; N]) -> String {
 impl Text {
     /// A machine under gravity along -z, m/s².
     pub fn new(gravity: f64) -> Self {
-        Self(format!("format = 1\n\n[model]\nname = \"Campaign\"\ngravity = {}\n", list([0.0, 0.0, -gravity])))
+        Self(format!("format = 1\n\n[model]\nname = \"Campaign\"\ngravity = {}\n", list([0.0, 0.0, 0.0 - gravity])))
     }
 
     /// A section of the file.
