@@ -84,7 +84,7 @@ fn renumbered(line: &str, meshes: &[(&str, u32)], resize: impl Fn(u32) -> u32) -
     let beam = before.rsplit(['"', ' ']).next()?;
     let (_, elements) = meshes.iter().find(|(own, _)| *own == beam)?;
     let moved = number * resize(*elements);
-    (moved % elements == 0).then(|| format!("{before}{NODE}{}]{after}", moved / elements))
+    moved.is_multiple_of(*elements).then(|| format!("{before}{NODE}{}]{after}", moved / elements))
 }
 
 #[cfg(test)]

@@ -74,9 +74,10 @@ impl Family {
         extent.max(ZERO * usual(reference, &self.unit, rows))
     }
 
-    /// Largest difference between two rows of the same number.
+    /// Largest difference between two rows of the same number; not-a-number where one is in them.
     pub fn difference(&self, own: &[f64], other: &[f64]) -> f64 {
-        self.columns.iter().map(|column| (own[*column] - other[*column]).abs()).fold(0.0, f64::max)
+        let sizes = self.columns.iter().map(|column| (own[*column] - other[*column]).abs());
+        sizes.fold(0.0, |largest, size| if size > largest || size.is_nan() { size } else { largest })
     }
 }
 
@@ -122,20 +123,7 @@ fn usual(record: &Record, unit: &str, rows: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::run::End;
     use super::*;
-
-    fn record(columns: &[(&str, &str)], rows: &[&[f64]]) -> Record {
-        let column = |(name, unit): &(&str, &str)| Column { name: (*name).to_owned(), unit: (*unit).to_owned() };
-        Record {
-            columns: columns.iter().map(column).collect(),
-            rows: rows.iter().enumerate().map(|(number, row)| (number, row.to_vec())).collect(),
-            warnings: Vec::new(),
-            end: End::Complete,
-            size: 2.0,
-            duration: 1.0,
-        }
-    }
 
     /// A component that is zero by symmetry is compared with the others; one that nobody moves, with what is usual.
     #[test]
@@ -146,7 +134,7 @@ mod tests {
             ("root.reaction_force[1]", "N"),
             ("idle.velocity[1]", "m/s"),
         ];
-        let own = record(&columns, &[&[5.0, 1e-12, 3.0, 1e-15], &[6.0, -1e-12, -4.0, 0.0]]);
+        let own = Record::sample(&columns, [vec![5.0, 1e-12, 3.0, 1e-15], vec![6.0, -1e-12, -4.0, 0.0]]);
         let families = Family::all(&own.columns);
         let scales: Vec<f64> = families.iter().map(|family| family.scale(&own, 2)).collect();
         assert_eq!(scales, [1.0, 4.0, 2e-6]);

@@ -155,3 +155,37 @@ impl Machine {
         number.unwrap_or_else(|| panic!("{}: simulation.{key} is not a number on a line of its own", self.name))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn machine(step: f64, output_step: f64) -> Machine {
+        let text = format!("[simulation]\nstop = 1\nstep = {step}\noutput_step = {output_step}\n");
+        Machine { name: String::from("machine"), group: "tests", text, start: 0.0, judge: None }
+    }
+
+    /// What alternates from step to step looks different in the rows of two levels.
+    #[test]
+    fn levels_of_a_reference_have_even_and_odd_steps_in_a_row() {
+        for (step, output_step) in [(1e-3, 1e-3), (1e-3, 1e-2), (1e-3, 5e-3), (3e-3, 4e-3)] {
+            let machine = machine(step, output_step);
+            let steps = [4, 8, 16].map(|divisor| output_step / Setting::Finer(divisor).step(&machine));
+            let parity = steps.map(|steps| (steps.round() as u32) % 2);
+            assert_eq!(parity, [0, 1, 0], "{steps:?}");
+            assert!(steps.iter().all(|steps| (steps - steps.round()).abs() < 1e-9), "{steps:?}");
+        }
+    }
+
+    /// Rows of a coarse step are at its ends: a row between them would make it smaller.
+    #[test]
+    fn rows_of_coarse_steps_are_at_their_ends() {
+        for (rows_a_step, factor, apart) in [(1.0, 3, 3), (5.0, 3, 3), (10.0, 10, 1), (5.0, 30, 6), (4.0, 30, 15)] {
+            assert_eq!(
+                Setting::Step(factor).rows_apart(&machine(1e-3, 1e-3 * rows_a_step)),
+                apart,
+                "{rows_a_step} {factor}"
+            );
+        }
+    }
+}

@@ -4,6 +4,7 @@
 #[path = "campaign.rs"]
 mod campaign;
 #[path = "../../tests/suite/random.rs"]
+#[allow(dead_code, reason = "the tests ask for more of it")]
 mod random;
 
 use campaign::machine::{Machine, SETTINGS, Setting};

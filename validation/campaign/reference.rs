@@ -104,7 +104,8 @@ fn agreeing(family: &Family, coarse: &Record, fine: &Record, most: usize) -> usi
         let (mut off, mut agreeing) = (0, 0);
         for (count, ((_, own), (_, other))) in (1..).zip(coarse.rows.iter().zip(&fine.rows).take(rows)) {
             // A difference that is no number is off, too.
-            off += usize::from(!(family.difference(own, other) <= bound));
+            let difference = family.difference(own, other);
+            off += usize::from(difference > bound || difference.is_nan());
             if off as f64 <= family.share() * f64::from(count) {
                 agreeing = count as usize;
             }
@@ -120,4 +121,26 @@ fn agreeing(family: &Family, coarse: &Record, fine: &Record, most: usize) -> usi
 fn price(machine: &Machine, setting: Setting, text: &str) -> f64 {
     let elements: u32 = super::edit::meshes(text).into_iter().map(|(_, elements)| elements).sum();
     (machine.stop() - machine.start) / setting.step(machine) * f64::from(elements + 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn agreeing_rows(coarse: &[f64], fine: &[f64]) -> usize {
+        let record =
+            |values: &[f64]| Record::sample(&[("tip.velocity[1]", "m/s")], values.iter().map(|value| vec![*value]));
+        let (coarse, fine) = (record(coarse), record(fine));
+        let family = Family::all(&fine.columns).remove(0);
+        agreeing(&family, &coarse, &fine, fine.rows.len())
+    }
+
+    /// Two levels agree until they part, and what is large behind that hides no difference before it.
+    #[test]
+    fn levels_agree_until_they_part() {
+        assert_eq!(agreeing_rows(&[0.0, 1.0, 2.0, 3.0], &[0.0, 1.001, 2.001, 3.001]), 4);
+        assert_eq!(agreeing_rows(&[0.0, 1.0, 2.0, 3.0, 4.0], &[0.0, 1.0, 2.0, 3.1, 4.0]), 3);
+        assert_eq!(agreeing_rows(&[0.0, 1.0, 1.1, 0.0], &[0.0, 1.0, 1.0, 1e6]), 2);
+        assert_eq!(agreeing_rows(&[0.0, 1.0, f64::NAN], &[0.0, 1.0, 1.0]), 2);
+    }
 }

@@ -133,3 +133,19 @@ fn outputs(simulation: &Simulation) -> impl Iterator<Item = usize> {
     let rows = simulation.variables().iter().enumerate();
     rows.filter(|(_, row)| row.causality == Causality::Output && row.type_name() == "Real").map(|(place, _)| place)
 }
+
+#[cfg(test)]
+impl Record {
+    /// A complete run of a machine of 2 m and 1 s, for tests: names and units of its columns, and its rows.
+    pub fn sample(columns: &[(&str, &str)], rows: impl IntoIterator<Item = Vec<f64>>) -> Self {
+        let column = |(name, unit): &(&str, &str)| Column { name: (*name).to_owned(), unit: (*unit).to_owned() };
+        Self {
+            columns: columns.iter().map(column).collect(),
+            rows: rows.into_iter().enumerate().collect(),
+            warnings: Vec::new(),
+            end: End::Complete,
+            size: 2.0,
+            duration: 1.0,
+        }
+    }
+}

@@ -154,3 +154,54 @@ fn error(family: &Family, known: usize, record: &Record, reference: &Record) -> 
     let size = if worst == 0.0 { 0.0 } else { worst / scale };
     Some(Error { family: family.name.clone(), size })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A reference of 101 rows of a velocity and a reaction, both of size 1, of which the first `rows` are known.
+    fn reference(rows: usize) -> Result<Reference, String> {
+        let record = swing(|_| 0.0, |_| 0.0);
+        let families = Family::all(&record.columns).into_iter().map(|family| (family, rows)).collect();
+        Ok(Reference { record, families, rows: 101 })
+    }
+
+    /// Swings, with an error of the velocity and one of the reaction in each row.
+    fn swing(velocity: impl Fn(usize) -> f64, reaction: impl Fn(usize) -> f64) -> Record {
+        let row = |number: usize| {
+            let swing = (0.25 * std::f64::consts::PI * number as f64).cos();
+            vec![swing + velocity(number), swing + reaction(number)]
+        };
+        Record::sample(&[("tip.velocity[1]", "m/s"), ("root.reaction_force[1]", "N")], (0..101).map(row))
+    }
+
+    fn judge(record: &Record) -> Verdict {
+        verdict(Setting::Own, record, &reference(101))
+    }
+
+    /// An error is right up to its bound, and beyond it silently wrong, unless a warning doubts the numbers.
+    #[test]
+    fn errors_are_found_and_warnings_count() {
+        assert_eq!(judge(&swing(|_| 0.009, |_| 0.0)), Verdict::Right { is_warned: false });
+        let mut wrong = swing(|number| if number == 77 { 0.02 } else { 0.0 }, |_| 0.0);
+        let Verdict::SilentlyWrong(error) = judge(&wrong) else { panic!("{:?}", judge(&wrong)) };
+        assert!(error.family == "tip.velocity" && (error.size - 0.02).abs() < 1e-12, "{error:?}");
+        assert_eq!(verdict(Setting::Mesh(2), &wrong, &reference(101)), Verdict::Right { is_warned: false });
+        wrong.warnings.push(String::from("dampers are not used: the analysis is static"));
+        assert_eq!(judge(&wrong), Verdict::SilentlyWrong(error.clone()));
+        let warning = String::from("by t = 1 s the integrator has gained 3 J");
+        wrong.warnings.push(warning.clone());
+        assert_eq!(judge(&wrong), Verdict::Warned(error, warning));
+    }
+
+    /// Some rows of a force may be off, of a velocity none; rows that the reference does not know are not judged.
+    #[test]
+    fn forces_are_rough_and_unknown_rows_are_left_out() {
+        let off = |rows: usize| swing(|_| 0.0, move |number| if number > 100 - rows { 0.5 } else { 0.0 });
+        assert_eq!(judge(&off(5)), Verdict::Right { is_warned: false });
+        assert!(matches!(judge(&off(6)), Verdict::SilentlyWrong(error) if error.family == "root.reaction_force"));
+        let late = swing(|number| if number >= 60 { 0.5 } else { 0.0 }, |_| 0.0);
+        assert_eq!(verdict(Setting::Own, &late, &reference(60)), Verdict::Right { is_warned: false });
+        assert!(matches!(verdict(Setting::Own, &late, &reference(61)), Verdict::SilentlyWrong(_)));
+    }
+}
