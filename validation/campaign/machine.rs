@@ -106,7 +106,10 @@ impl Machine {
         match setting {
             Setting::Own => Some(self.text.clone()),
             Setting::Defaults => Some(self.with_defaults()),
-            Setting::Step(_) => Some(resized()),
+            Setting::Step(_) => {
+                let rows = self.output_step() * setting.rows_apart(self) as f64;
+                Some(edit::with(&resized(), "simulation", "output_step", &format!("{rows:e}")))
+            }
             Setting::Mesh(divisor) => {
                 let coarser = |elements: u32| elements.div_ceil(divisor);
                 let largest = edit::meshes(&self.text).into_iter().map(|(_, elements)| elements).max();

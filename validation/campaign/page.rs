@@ -52,27 +52,33 @@ fn definitions() -> String {
     let words: Vec<String> = warning::counted().map(|words| format!("\"{words}\"")).collect();
     format!(
         "- **own**: as the file of the machine says. **defaults**: without its `integrator`, and without its `step` where a file may leave it out. \
-           **step x N**: a fixed step N times as large. **mesh / N**: one element instead of N.\n\
-         - The **reference** has a mesh twice as fine, a fourth and an eighth of the step, and a sixteenth where those two do not agree. It is taken as far as the \
-           two finest levels agree to {} of the scale, for each family of columns by itself; later rows are not compared. Where its finest level \
-           warns of the steps there is none. Between two rows one level has an even number of steps and the next an odd one, so that what alternates \
-           from step to step does not pass for agreement. Where refinement is known to make an integrator worse the reference has another one.\n\
-         - A **family** is the components of an output, or all energies. Its **scale** is how far positions and angles change, and the largest size \
-           of velocities, forces and energies, of the component that has most of it; a force or moment counts for {} of the largest one of its \
-           machine at least. The **error** is the largest difference in any row, over the scale. Of forces, strains, stresses and accelerations {} \
-           of the rows may be off by more.\n\
-         - **right**: within {} of the scale; with a coarser mesh within {}.\n\
-         - **refused**: it ended with an error. **wrong and warned of**: a warning tells that numbers are not to be trusted. **silently \
-           wrong**: neither. A warning counts where it holds one of these words: {}.\n\
-         - **without an end**: given up after far more steps than the step asks for.\n\
-         - **(step)**, **(mesh)**: whose fault it is. With the same steps, a mesh twice as fine is right (mesh), or has more than half of the error left (step).",
-        percent(AGREEMENT),
-        percent(SMALL_FORCE),
-        percent(ROUGH_SHARE),
-        percent(RIGHT),
-        percent(RIGHT_WITH_COARSE_MESH),
+           **step x N**: with a fixed step N times as large. **mesh / N**: with one element instead of N.\n\
+         - The **reference** has a mesh twice as fine, and a fourth and an eighth of the step; a sixteenth follows where these two disagree. For each family of \
+           columns it is known as far as the two finest levels agree to {} of the scale; later rows are not compared. There is no reference where the \
+           finest level warns that its steps are too large. Between two rows one level takes an even number of steps and the next an odd one: what \
+           alternates from step to step would pass for agreement otherwise. Where refinement is known to make the machine's own integrator worse, the \
+           reference uses another one.\n\
+         - A **family** is all components of an output, or all energies. Its **scale** is that of its largest component: how far positions and angles \
+           change, how large velocities, forces and energies get. The scale of a force or moment is at least {} of the largest one in the machine. The \
+           **error** is the largest difference in any row over the scale; forces, strains, stresses and accelerations may be off by more in {} of the rows.\n\
+         - **right**: the error is at most {}; with a coarser mesh at most {}.\n\
+         - **refused**: the run ended with an error message. **wrong and warned of**: a warning said that the numbers are not to be trusted. **silently \
+           wrong**: neither. These warnings count, found by words in them: {}.\n\
+         - **without an end**: the campaign gave the run up after many times the steps that it should take.\n\
+         - **(mesh)**, **(step)**: what causes the error of the own settings. With the same steps and a mesh twice as fine the machine is right (mesh), or more than half \
+           of the error is left (step).",
+        bound(AGREEMENT),
+        bound(SMALL_FORCE),
+        bound(ROUGH_SHARE),
+        bound(RIGHT),
+        bound(RIGHT_WITH_COARSE_MESH),
         words.join(", ")
     )
+}
+
+/// A bound as it was set: `0.2 %`.
+fn bound(share: f64) -> String {
+    format!("{} %", (1e5 * share).round() / 1e3)
 }
 
 fn totals(judged: &[Judged]) -> String {
