@@ -10,7 +10,7 @@ use super::verify::{self, Wish};
 use super::{Stop, complain, failed, say, start};
 use ancf14::error::decimal;
 use ancf14::fmi::{About, Model};
-use ancf14::model::entries::simulation::Analysis;
+use ancf14::model::effort;
 use ancf14::model::simulation::Simulation;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
@@ -25,11 +25,6 @@ const PARTIAL: &str = "results.part.csv";
 const ROUNDING: f64 = 1e-9;
 /// More rows than this would fill a disk: some 30 GB.
 const MOST_ROWS: f64 = 1e8;
-/// A run is warned of when so many steps were rejected that they are a tenth of the steps that simulation.step asks for, or when halving has doubled the
-/// number of steps.
-const REJECTED: f64 = 10.0;
-const REJECTED_SHARE: f64 = 0.1;
-const STEPS_SHARE: f64 = 2.0;
 
 /// Simulates and writes everything into the folder `directory`; with a `wish` the errors of the results too.
 pub fn run(
@@ -56,7 +51,8 @@ pub fn run(
     drop(keeper);
     let is_complete = outcome.is_ok();
     let finished = finish(&results, &plots, &folder, is_complete);
-    if let Some(warning) = rejections(&simulation, &results) {
+    let (statistics, reached) = (&simulation.state().statistics, results.reached().unwrap_or(0.0));
+    if let Some(warning) = effort::rejections(simulation.document(), statistics, reached, results.count) {
         complain(&format!("warning: {warning}"));
     }
     let told = match (&finished, results.reached()) {
@@ -184,26 +180,6 @@ fn pace(simulated: f64, wall: f64) -> String {
 /// A number with two digits at least: 1.3, 17, 2450.
 fn two_digits(value: f64) -> String {
     if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
-}
-
-/// The warning about a run of which many steps were rejected.
-fn rejections(simulation: &Simulation, results: &Results) -> Option<String> {
-    let count = |name: &str| results.last(name).unwrap_or(0.0);
-    let (steps, rejected) = (count("statistics.steps"), count("statistics.rejected"));
-    let document = simulation.document();
-    // An equilibrium has no motion; what it takes to find it is its own affair.
-    if document.simulation.analysis == Analysis::Static {
-        return None;
-    }
-    let asked = results.reached()? / document.value(document.simulation.step);
-    let asked = asked.round().max(results.count as f64 - 1.0);
-    let are_many = rejected >= REJECTED && rejected > REJECTED_SHARE * asked;
-    (are_many || steps > STEPS_SHARE * asked + REJECTED).then(|| {
-        format!(
-            "{rejected} steps were rejected, and {steps} steps were needed instead of {asked}: the motion is too fast for \
-             simulation.step, or a load, drive or frame jumps or grows without bound; compare with a smaller simulation.step"
-        )
-    })
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ mod dependencies;
 pub mod diagnostic;
 pub mod document;
 pub mod drawing;
+pub mod effort;
 pub mod entries;
 pub mod expression;
 pub mod function;

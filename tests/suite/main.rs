@@ -13,6 +13,7 @@ mod architecture;
 mod bend_45;
 mod bodies_on_springs;
 mod breaks;
+mod campaign;
 mod closed_loops;
 mod command_line;
 mod curve_keys;
