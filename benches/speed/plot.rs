@@ -7,8 +7,7 @@ use std::path::Path;
 
 /// As the charts of the validation page.
 const SIZE: (u32, u32) = (960, 540);
-const COLOURS: [RGBColor; SETTINGS.len() + 1] =
-    [RGBColor(0, 114, 178), RGBColor(0, 158, 115), RGBColor(204, 121, 167), RGBColor(213, 94, 0)];
+const COLOURS: [RGBColor; SETTINGS.len() + 1] = [RGBColor(0, 114, 178), RGBColor(204, 121, 167), RGBColor(213, 94, 0)];
 const INK: RGBColor = RGBColor(50, 50, 50);
 const GRID: RGBColor = RGBColor(225, 225, 225);
 

@@ -73,7 +73,7 @@ pub struct Dissipation {
 }
 
 impl Dissipation {
-    /// Such that the amplitude of a strain that is infinitely fast for the step is multiplied by `spectral_radius` (1/3 to 1) a step.
+    /// Such that the amplitude of a strain that is infinitely fast for the step is multiplied by `spectral_radius` (0.6 to 1) a step.
     pub fn new(spectral_radius: f64) -> Self {
         let (lost, square) = (1.0 - spectral_radius, (1.0 + spectral_radius).powi(2));
         Self { by_last_step: spectral_radius * lost / square, by_start: 0.5 * lost * lost / square }

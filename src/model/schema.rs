@@ -161,6 +161,6 @@ pub const STEP: Rule = rule("step", "largest internal step", "s").above(0.0);
 pub const OUTPUT_STEP: Rule = rule("output_step", "time between two rows of results", "s").above(0.0);
 pub const TOLERANCE: Rule = rule("tolerance", "bound of the last Newton increment", "").from(1e-14).to(1e-3);
 pub const CONSERVED_RADIUS: Rule =
-    rule("spectral_radius", "share of the fastest oscillations that a step keeps", "").from(1.0 / 3.0).to(1.0);
+    rule("spectral_radius", "share of the fastest oscillations that a step keeps", "").from(0.6).to(1.0);
 pub const SPECTRAL_RADIUS: Rule =
     rule("spectral_radius", "share of the fastest oscillations that a step keeps", "").from(0.0).to(1.0);

@@ -1,9 +1,9 @@
 //! Forces over a step (MECHANICS 7.6): the resultants of the mean strains of both ends, along the derivatives of the strains in the middle.
 //!
 //! With the strains `e0`, `e1` of the step's ends, `ē` their mean, `B = ∂e/∂q` in the middle and the constant rigidities `D` the force is
-//! `Bᵀ [U_e(ē) + (viscosity/h) D (e1 − e0) + chi D (e1 − e0 − h ė)]`, `ė` the rates over the last step. `B` annihilates rigid motions, so that momenta are
-//! kept, and a rigid motion changes no strain. The last term, the numerical dissipation, is of second order in the step: it takes what the step
-//! does not resolve, and nothing else (7.6).
+//! `Bᵀ [U_e(ē) + (c/h) D (e1 − e0) + chi D (e1 − e0 − h ė) + psi D (e1 − e0 − h ė0)]`, with the damping `c` of the material, the rates `ė` over the last step
+//! and `ė0` at the start. `B` annihilates rigid motions, so that momenta are kept, and a rigid motion changes no strain. The last two terms, the
+//! numerical dissipation, are of second order in the step: they take what the step does not resolve.
 
 use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, NODE, P, THETA, slope as slope_at};
 use super::element::{Element, Evaluation};
