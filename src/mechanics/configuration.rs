@@ -79,6 +79,13 @@ impl Dissipation {
         Self { by_last_step: spectral_radius * lost / square, by_start: 0.5 * lost * lost / square }
     }
 
+    /// Over a step of `step` s, where `largest` s is the largest one: as much for every step as for that one, so that both terms work as constant inertias. Steps of
+    /// different lengths would pump energy otherwise.
+    pub fn over(self, step: f64, largest: f64) -> Self {
+        let weight = (largest / step).powi(2).max(1.0);
+        Self { by_last_step: weight * self.by_last_step, by_start: weight * self.by_start }
+    }
+
     /// Both together: how the weighted change depends on the change over the step.
     pub fn sum(self) -> f64 {
         self.by_last_step + self.by_start

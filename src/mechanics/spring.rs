@@ -85,9 +85,9 @@ impl Spring {
         }
     }
 
-    /// Mean rate of the reading over a step, m/s or rad/s; 0 without stiffness, where nobody asks.
+    /// Mean rate of the reading over a step, m/s or rad/s; 0 where it does nothing.
     pub fn step_rate(&self, gauge: &Gauge, step: &TimeStep) -> f64 {
-        if self.stiffness == 0.0 {
+        if self.is_idle() {
             return 0.0;
         }
         (self.reading(gauge, step.end) - self.reading(gauge, step.start)) / step.duration

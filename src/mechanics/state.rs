@@ -71,9 +71,7 @@ impl State {
         let Accelerations { of_coordinates, algorithmic } = &self.accelerations;
         lengths(self) == lengths(other)
             && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
-            && [&self.prediction.acceleration, &self.prediction.acceleration_before]
-                .iter()
-                .all(|list| optional(list.len(), other.q.len()))
+            && self.prediction.is_possible(other.q.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
     }
 }
@@ -175,6 +173,17 @@ impl Default for Shrinking {
 }
 
 impl Prediction {
+    /// Whether it may be one of a system with `coordinates` coordinates.
+    fn is_possible(&self, coordinates: usize) -> bool {
+        let Self { acceleration, acceleration_before, known, order, shrinking: Shrinking { first, ratio } } = self;
+        let is_there = |list: &[f64], number: u8| list.len() == coordinates || (list.is_empty() && *known < number);
+        let is_size = |value: f64| value.is_finite() && value >= 0.0;
+        is_there(acceleration, 1)
+            && is_there(acceleration_before, 2)
+            && (*known <= 2 && order <= known)
+            && (is_size(*first) && is_size(*ratio))
+    }
+
     /// Takes the values of another one, keeping its own memory.
     pub fn copy_from(&mut self, other: &Self) {
         self.acceleration.clone_from(&other.acceleration);

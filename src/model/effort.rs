@@ -4,11 +4,11 @@ use super::document::Document;
 use super::entries::simulation::Analysis;
 use crate::mechanics::state::Statistics;
 
-/// A run is warned of when so many steps were rejected that they are a tenth of the steps that simulation.step asks for, or when halving has doubled the
-/// number of steps.
+/// A run is warned of when so many steps were rejected that they are a tenth of the steps that simulation.step asks for, or when halving has added half as
+/// many steps again.
 const REJECTED: f64 = 10.0;
 const REJECTED_SHARE: f64 = 0.1;
-const STEPS_SHARE: f64 = 2.0;
+const STEPS_SHARE: f64 = 1.5;
 
 /// The warning about a run of which many steps were rejected: it took `statistics` to get `reached` s far, with `rows` rows of results.
 pub fn rejections(document: &Document, statistics: &Statistics, reached: f64, rows: u64) -> Option<String> {

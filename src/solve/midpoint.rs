@@ -12,7 +12,7 @@ use super::gyroscopic;
 use super::kkt::Kkt;
 use super::limits;
 use super::linear::Singular;
-use super::newton::{self, Goal, Problem};
+use super::newton::{self, Convergence, Goal, Problem};
 use super::prediction;
 use super::projection::Projection;
 use super::sensitivity::{Linearized, Span};
@@ -25,7 +25,7 @@ use crate::mechanics::energy_balance::{Energies, Losses};
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
-use crate::mechanics::state::{Prediction, State};
+use crate::mechanics::state::{Prediction, Shrinking, State};
 use crate::mechanics::system::System;
 
 /// What Newton may leave of a step before it is refined, as a share of the tolerance.
@@ -33,8 +33,8 @@ const REMAINDER: f64 = 0.3;
 /// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with the default tolerance a
 /// hundred-thousandth of that.
 const REMAINDER_OF_FIRST: f64 = 1e3;
-/// Largest refinement: of a converged step it is of the size of the tolerance, a larger one is no refinement.
-const LARGEST_REFINEMENT: f64 = 1e-4;
+/// How many times larger than what Newton may leave the refinement may be: beyond, what was expected of the corrections was wrong, and the iteration goes on.
+const LARGEST_REFINEMENT: f64 = 10.0;
 
 /// Smallest spectral radius: below it the other two factors by which a strain far too fast for the step may change, 0.58 and more, are larger.
 pub const SMALLEST_RADIUS: f64 = 0.6;
@@ -42,7 +42,9 @@ pub const SMALLEST_RADIUS: f64 = 0.6;
 /// Integrator and its scratch memory; nothing in it outlives a step.
 #[derive(Debug)]
 pub struct Midpoint {
+    /// Of the largest step, and the length of that, s.
     dissipation: Dissipation,
+    largest_step: f64,
     tolerance: f64,
     kkt: Kkt,
     right: Vec<f64>,
@@ -75,8 +77,8 @@ struct Scratch {
 
 impl Midpoint {
     /// For `system`; the amplitude of a strain far too fast for the step is multiplied by `spectral_radius` (0.6 to 1) a step, by 1 none is ever lost.
-    /// Newton ends when its correction is below `tolerance`.
-    pub fn new(system: &System, spectral_radius: f64, tolerance: f64) -> Self {
+    /// `largest_step` is the length of the steps but for those that end earlier, s; Newton may leave `tolerance` of a step.
+    pub fn new(system: &System, spectral_radius: f64, largest_step: f64, tolerance: f64) -> Self {
         assert!((SMALLEST_RADIUS..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
         let scratch = Scratch {
@@ -91,6 +93,7 @@ impl Midpoint {
         };
         Self {
             dissipation: Dissipation::new(spectral_radius),
+            largest_step,
             tolerance,
             kkt: Kkt::for_steps(system),
             right: vec![0.0; coordinates + conditions],
@@ -106,8 +109,7 @@ impl Dynamics for Midpoint {
         &mut self.kkt
     }
 
-    /// The first step knows no step before it: the dissipation counts all of its change as unpredicted, so that a motion that begins with a jump loses energy by it, and
-    /// gains none.
+    /// The first step knows no step before it: the dissipation counts all of its change as unpredicted.
     fn begin(&mut self, _system: &System, state: &mut State) -> Result<(), Error> {
         state.strain_rates.fill(0.0);
         state.prediction = Prediction::default();
@@ -120,32 +122,21 @@ impl Integrator for Midpoint {
         self.scratch.prepare(system, state, step, end);
         self.scratch.predict(state, step);
         limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
-        let mut problem = Step { system, state, dissipation: self.dissipation, step, scratch: &mut self.scratch };
-        let mut iterations = state.statistics.iterations;
-        let goal = Goal::Remainder {
-            size: [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance),
-            expected: state.prediction.shrinking,
-        };
-        let solved = newton::solve(
-            system,
-            &mut problem,
-            &mut self.kkt,
-            &mut self.right,
-            (goal, limits::ITERATIONS),
-            end,
-            &mut iterations,
-        );
-        state.statistics.iterations = iterations;
-        let convergence = solved?;
-        self.scratch.place(system, state);
-        self.scratch.check(system, state, end)?;
-        // All that is left may still fail at the velocities: the state changes at the very end.
+        let dissipation = self.dissipation.over(step, self.largest_step);
+        // All that is left may fail: the state changes at the very end.
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
-        let energy_before = self.scratch.energies(system, state);
         let span = Span { step, end };
-        let [elastic, outside] = self.scratch.evaluate(system, state, self.dissipation, span, &mut next);
-        self.refine(system, state, step);
+        let solved = self.solve(system, state, dissipation, span, &mut next);
+        state.statistics.iterations = next.statistics.iterations;
+        let (convergence, [elastic, outside]) = match solved {
+            Ok(solved) => solved,
+            Err(reason) => {
+                self.next = Some(next);
+                return Err(reason);
+            }
+        };
+        let energy_before = self.scratch.energies(system, state);
         let work = outside + self.scratch.finish(system, &mut next, span);
         let outcome = self.projection.set_velocity(system, &mut self.kkt, &mut next);
         if outcome.is_ok() {
@@ -165,15 +156,54 @@ impl Integrator for Midpoint {
 }
 
 impl Midpoint {
+    /// Solves for the step over `span` from `state`, and refines the solution. Counts iterations, and sets the rates of strains, in `next`. Returns how the iteration went, the
+    /// elastic energy at the end, and the work of what acts from outside but for constraints, J.
+    ///
+    /// # Errors
+    /// Newton does not converge, or the elements cannot bear the end.
+    fn solve(
+        &mut self,
+        system: &System,
+        state: &State,
+        dissipation: Dissipation,
+        span: Span,
+        next: &mut State,
+    ) -> Result<(Convergence, [f64; 2]), Error> {
+        let mut expected = state.prediction.shrinking;
+        loop {
+            let size = [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance);
+            let mut problem = Step { system, state, dissipation, step: span.step, scratch: &mut self.scratch };
+            let control = (Goal::Remainder { size, expected }, limits::ITERATIONS);
+            let counted = &mut next.statistics.iterations;
+            let convergence =
+                newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, span.end, counted)?;
+            self.scratch.place(system, state);
+            self.scratch.check(system, state, span.end)?;
+            let found = self.scratch.evaluate(system, state, dissipation, span, next);
+            let remainder = self.refine(system, state, dissipation, span.step);
+            let likely = LARGEST_REFINEMENT * (size[0] + size[1] * convergence.corrections[0]);
+            if remainder <= likely || expected == Shrinking::default() {
+                return Ok((convergence, found));
+            }
+            // The corrections of earlier steps were no measure: now two of this one decide.
+            expected = Shrinking::default();
+        }
+    }
+
     /// Corrects the converged step once more, with the tangent of the last iteration and the residual that its forces leave: what remains is smaller by another ratio of
-    /// corrections, and joints hold to round-off. Far less work than an iteration; left out where it does not help.
-    fn refine(&mut self, system: &System, state: &State, step: f64) {
-        let mut problem = Step { system, state, dissipation: self.dissipation, step, scratch: &mut self.scratch };
+    /// corrections, and joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
+    fn refine(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
+        let mut problem = Step { system, state, dissipation, step, scratch: &mut self.scratch };
         problem.balance(&mut self.right);
-        if self.kkt.solve_again(&mut self.right).is_ok() && system.correction_size(&self.right).0 < LARGEST_REFINEMENT {
+        if self.kkt.solve_again(&mut self.right).is_err() {
+            return f64::INFINITY;
+        }
+        let (size, _) = system.correction_size(&self.right);
+        if size.is_finite() {
             problem.correct(&self.right);
             self.scratch.place(system, state);
         }
+        size
     }
 
     /// Takes out of the momentum at the end of a step what would alternate for ever. The midpoint rule turns the part that the
@@ -430,8 +460,9 @@ impl Linearized for Midpoint {
     }
 
     fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error> {
-        let Self { scratch, dissipation, kkt, right, .. } = self;
-        let mut problem = scratch.at(system, state, *dissipation, span, unknowns);
+        let dissipation = self.dissipation.over(span.step, self.largest_step);
+        let Self { scratch, kkt, right, .. } = self;
+        let mut problem = scratch.at(system, state, dissipation, span, unknowns);
         problem.linearize(kkt, right);
         kkt.factorize(system, span.end)
     }
@@ -441,9 +472,10 @@ impl Linearized for Midpoint {
     }
 
     fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
-        let mut problem = self.scratch.at(system, state, self.dissipation, span, unknowns);
+        let dissipation = self.dissipation.over(span.step, self.largest_step);
+        let mut problem = self.scratch.at(system, state, dissipation, span, unknowns);
         problem.scratch.place(system, state);
-        problem.scratch.act(system, state, self.dissipation, span.step);
+        problem.scratch.act(system, state, dissipation, span.step);
         problem.scratch.differentiate(system, state);
         problem.balance(right);
     }
@@ -457,7 +489,8 @@ impl Linearized for Midpoint {
             let Scratch { gradients_middle, impulses, forces, .. } = scratch;
             system.add_constraint_forces(gradients_middle, impulses, 2.0 / span.step, forces);
         };
-        self.scratch.evaluate(system, state, self.dissipation, span, next);
+        let dissipation = self.dissipation.over(span.step, self.largest_step);
+        self.scratch.evaluate(system, state, dissipation, span, next);
         constraint_forces(&mut self.scratch);
         self.scratch.finish(system, next, span);
     }

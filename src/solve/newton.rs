@@ -62,7 +62,9 @@ impl Goal {
                 let ratio = match before.last() {
                     Some(before) => last / before.max(f64::MIN_POSITIVE),
                     // Quadratic convergence: the ratio grows with the correction.
-                    None => expected.ratio * f64::max(1.0, last / expected.first.max(f64::MIN_POSITIVE)),
+                    None => {
+                        expected.ratio.max(LEAST_RATIO) * f64::max(1.0, last / expected.first.max(f64::MIN_POSITIVE))
+                    }
                 };
                 // Corrections that hardly shrink say nothing about what remains.
                 ratio < SLOWEST && last * ratio / (1.0 - ratio) < size
@@ -71,6 +73,8 @@ impl Goal {
     }
 }
 
+/// Corrections are not expected to shrink faster than this: a motion that was linear so far says nothing about one that is not.
+const LEAST_RATIO: f64 = 1e-5;
 /// Slowest shrinking of corrections from which what remains is estimated.
 const SLOWEST: f64 = 0.5;
 

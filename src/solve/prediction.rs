@@ -46,7 +46,7 @@ pub fn learn(
     prediction.order = if known < MOST_KNOWN { prediction.known } else { best.1 };
     prediction.shrinking = match convergence.corrections[..convergence.iterations] {
         [first, second, ..] => Shrinking { first, ratio: second / first.max(f64::MIN_POSITIVE) },
-        _ => Shrinking { ratio: AGING * state.prediction.shrinking.ratio, ..state.prediction.shrinking },
+        _ => Shrinking { ratio: f64::min(1.0, AGING * state.prediction.shrinking.ratio), ..state.prediction.shrinking },
     };
 }
 

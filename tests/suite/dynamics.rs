@@ -13,6 +13,9 @@ use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::solve::midpoint::Midpoint;
+use ancf14::solve::start;
+use ancf14::solve::stepping::Integrator;
 
 /// Without numerical dissipation, and with that of the default.
 const RADII: [f64; 2] = [1.0, 0.9];
@@ -178,5 +181,28 @@ fn order_two_in_the_step() {
         // Against a reference of 8 times the finer step the ratio is (256 - 1)/(64 - 1) = 4.05, and the next order, of which the numerical
         // dissipation is, counts a little.
         assert!((order - 2.0).abs() < 0.15);
+    }
+}
+
+/// Long steps and short ones in turn, down to a hundredth, as hosts and pieces of loads make them: what is far too fast for the long ones must not be fed by the jump of
+/// the step's length. Dissipation that takes the changes of the last step in proportion to the step's length multiplies it with every pair of steps.
+#[test]
+fn steps_of_different_lengths_feed_nothing() {
+    let (system, drawn) = spinning();
+    let long = 2e-3;
+    for short in [0.3 * long, 0.1 * long, 0.01 * long] {
+        let mut state = drawn.clone();
+        let mut integrator = Midpoint::new(&system, 0.9, long, 1e-12);
+        start::set_motion(&system, &mut integrator, &mut state).unwrap();
+        let begin: f64 = energies(&system, &state).iter().sum();
+        let mut largest = begin;
+        for number in 1..=1000 {
+            let step = if number % 2 == 0 { long } else { short };
+            let end = state.time + step;
+            integrator.step(&system, &mut state, step, end).unwrap();
+            largest = largest.max(energies(&system, &state).iter().sum());
+        }
+        println!("{short}: energy up by {:.1e}", largest / begin - 1.0);
+        assert!(largest < begin * (1.0 + 1e-6), "{short}: {largest} of {begin}");
     }
 }

@@ -154,7 +154,7 @@ fn allowed_velocities_are_kept_at_the_start() {
         for parts in SIDES {
             let Pair { system, mut state, .. } = Pair::new(&mut random, parts, kind);
             let given = state.velocity.clone();
-            let mut midpoint = Midpoint::new(&system, 1.0, 1e-8);
+            let mut midpoint = Midpoint::new(&system, 1.0, 1.0, 1e-8);
             let lost = start::set_motion(&system, &mut midpoint, &mut state).unwrap();
             let change = state.velocity.iter().zip(&given).fold(0.0_f64, |sum, (a, b)| sum.max((a - b).abs()));
             // Velocities of some m/s; round-off through a matrix of condition 1e4: the inertia of slopes against that of bodies.

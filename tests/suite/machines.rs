@@ -113,7 +113,7 @@ pub fn integrate(
     steps: (f64, u32),
     watch: impl FnMut(&State),
 ) -> Result<(), Error> {
-    march(system, state, &mut Midpoint::new(system, spectral_radius, TOLERANCE), steps, watch)
+    march(system, state, &mut Midpoint::new(system, spectral_radius, steps.0, TOLERANCE), steps, watch)
 }
 
 /// Integrates from the state as drawn: projects the velocities, takes `count` steps of `step` and shows each state to `watch`.

@@ -216,3 +216,30 @@ fn tangent_follows_turns() {
         }
     }
 }
+
+/// The rates of an instant are those over a step along the velocity, to the square of the step's length: also of the quadratic twist, whose internal coordinate moves along.
+#[test]
+fn rates_of_an_instant_are_those_of_a_short_step() {
+    let mut random = Random(48);
+    for case in cases(49) {
+        let velocity = Coordinates::from_fn(|_, _| random.signed());
+        let [there, back] =
+            [1e-4, -1e-4].map(|time| case.over(&(case.start + velocity * time), Dissipation::default()).rates);
+        let (mesh, prescribed, holonomy) = (Mesh::default(), Prescribed::default(), [case.previous]);
+        let frames = case.frames(&case.start);
+        let c = Configuration {
+            q: case.start.as_slice(),
+            frames: &frames,
+            holonomy: &holonomy,
+            readings: &[],
+            prescribed: &prescribed,
+            mesh: &mesh,
+        };
+        let found = case.element.strain_rates(&c, velocity.as_slice());
+        // Central differences over the time of both steps.
+        let expected: Vec<f64> = there.iter().zip(&back).map(|(a, b)| 0.5 * (a - b) * STEP / 1e-4).collect();
+        let size = expected.iter().fold(0.0, |size: f64, rate| size.max(rate.abs()));
+        let error = found.iter().zip(&expected).fold(0.0, |error: f64, (a, b)| error.max((a - b).abs()));
+        assert!(error < 1e-5 * size, "{error:e} of {size:e} in {:?}", case.element.stiffness);
+    }
+}

@@ -287,7 +287,7 @@ fn every_kind_of_joint_acts_and_reacts() {
 /// order, the multipliers of the next step no longer have to.
 fn multiplier_error(system: &System, start: &State, step: f64, count: u32) -> f64 {
     let mut state = start.clone();
-    let mut midpoint = Midpoint::new(system, 1.0, 1e-10);
+    let mut midpoint = Midpoint::new(system, 1.0, 1.0, 1e-10);
     start::set_motion(system, &mut midpoint, &mut state).unwrap();
     let (mut error, mut size) = (0.0_f64, 0.0_f64);
     let mut before = respond(system, &state).multipliers;

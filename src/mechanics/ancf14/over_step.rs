@@ -8,7 +8,7 @@
 use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, NODE, P, THETA, slope as slope_at};
 use super::element::{Element, Evaluation};
 use super::frame::NodeFrame;
-use super::quadratic_twist::Twist;
+use super::quadratic_twist::{self, Twist};
 use super::strain::{Resultants, Strain, Strains};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::configuration::{Configuration, TimeStep};
@@ -136,6 +136,11 @@ impl Element {
     /// Rates of the strains at the instant `c` with the velocities `velocity` of all coordinates.
     pub fn strain_rates(&self, c: &Configuration, velocity: &[f64]) -> [f64; STRAINS] {
         let (evaluation, velocity) = (self.evaluation(c), self.own(velocity));
+        // The internal coordinate of the quadratic twist follows the others.
+        let bubble = match self.stiffness.twist {
+            Twist::Linear => 0.0,
+            Twist::Quadratic => evaluation.bubble_q().iter().zip(velocity).map(|(by_q, own)| by_q * own).sum(),
+        };
         let Evaluation { kinematics, turn, gammahat, slopes, .. } = &evaluation;
         let shape = kinematics.shape.along(velocity);
         let (mut curvatures, mut twist_rates) = ([[0.0; 2]; 3], [0.0; 3]);
@@ -155,10 +160,11 @@ impl Element {
         }
         for (g, rule) in self.bending.iter().enumerate() {
             let ([cos, sin], [gamma1, gamma2], [by_1, by_2]) = (turn[g], gammahat[g], curvatures[g]);
-            let alpha = shape.angle + rule.xi * twist - weighted(&rule.collocation);
+            let alpha =
+                shape.angle + rule.xi * twist - weighted(&rule.collocation) + bubble * quadratic_twist::shape(rule.xi);
             all[3 + 3 * g] = cos * by_1 + sin * by_2 + gamma2 * alpha;
             all[4 + 3 * g] = cos * by_2 - sin * by_1 - gamma1 * alpha;
-            all[5 + 3 * g] = twist * rule.torsion_by_twist;
+            all[5 + 3 * g] = (twist + bubble * quadratic_twist::shape_xi(rule.xi)) * rule.torsion_by_twist;
         }
         all
     }

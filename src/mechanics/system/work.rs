@@ -60,7 +60,7 @@ impl System {
     /// Sets `strain_rates` to the rates of all strains, and of the readings of springs, at the instant `c` with the velocities `velocity`.
     pub fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
         self.mesh.elements.iter().for_each(|element| element.set_strain_rates(c, velocity, strain_rates));
-        for spring in self.springs.iter().filter(|spring| spring.stiffness != 0.0) {
+        for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let rate = reading_rate(&self.gauges[spring.gauge], c, velocity);
             strain_rates[self.mesh.gauge_rate(spring.gauge)] = rate;
         }

@@ -370,7 +370,12 @@ impl Solver {
             (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance))),
             (Analysis::Dynamic, Choice::Conserving { spectral_radius }) => {
                 let spectral_radius = spectral_radius.map_or(1.0, |number| document.value(number));
-                Self::Midpoint(Box::new(Midpoint::new(system, spectral_radius, tolerance)))
+                Self::Midpoint(Box::new(Midpoint::new(
+                    system,
+                    spectral_radius,
+                    document.value(simulation.step),
+                    tolerance,
+                )))
             }
             (Analysis::Dynamic, Choice::GeneralizedAlpha { spectral_radius }) => {
                 let spectral_radius = document.value(spectral_radius);
