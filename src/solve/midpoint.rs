@@ -8,6 +8,9 @@
 //! stiffness that multipliers give a joint as an explicit method would: it is stable only for `h² λ·g_qq/M < 4`. A hinge that transmits
 //! 10 N m to a node of 1e-7 kg m² (a four-bar linkage with a tilted hinge) breaks that: seen at 1, 2 and 4 ms, not at 0.2 ms.
 
+mod scratch;
+
+use self::scratch::{Scratch, configurations, time_step};
 use super::gyroscopic;
 use super::kkt::Kkt;
 use super::limits;
@@ -19,12 +22,8 @@ use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
 use super::stepping::Integrator;
 use crate::error::Error;
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::{Configuration, Dissipation, Passage, TimeStep};
+use crate::mechanics::configuration::{Dissipation, Passage};
 use crate::mechanics::energy_balance::{Energies, Losses};
-use crate::mechanics::joint::JointGradient;
-use crate::mechanics::load::Excitation;
-use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::{Prediction, Shrinking, State};
 use crate::mechanics::system::System;
 
@@ -54,43 +53,12 @@ pub struct Midpoint {
     next: Option<State>,
 }
 
-/// What a step computes on the way.
-#[derive(Debug, Default)]
-struct Scratch {
-    increment: Vec<f64>,
-    impulses: Vec<f64>,
-    q_middle: Vec<f64>,
-    q_end: Vec<f64>,
-    forces: Vec<f64>,
-    start_rates: Vec<f64>,
-    mass_increment: Vec<f64>,
-    conditions: Vec<f64>,
-    excitation: Excitation,
-    prescribed_middle: Prescribed,
-    prescribed_end: Prescribed,
-    frames_start: Vec<NodeFrame>,
-    frames_middle: Vec<NodeFrame>,
-    frames_end: Vec<NodeFrame>,
-    gradients_middle: Vec<JointGradient>,
-    gradients_end: Vec<JointGradient>,
-}
-
 impl Midpoint {
     /// For `system`; the amplitude of a strain far too fast for the step is multiplied by `spectral_radius` (0.6 to 1) a step, by 1 none is ever lost.
     /// `largest_step` is the length of the steps but for those that end earlier, s; Newton may leave `tolerance` of a step.
     pub fn new(system: &System, spectral_radius: f64, largest_step: f64, tolerance: f64) -> Self {
         assert!((SMALLEST_RADIUS..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
-        let scratch = Scratch {
-            increment: vec![0.0; coordinates],
-            impulses: vec![0.0; conditions],
-            q_middle: vec![0.0; coordinates],
-            q_end: vec![0.0; coordinates],
-            forces: vec![0.0; coordinates],
-            mass_increment: vec![0.0; coordinates],
-            conditions: vec![0.0; conditions],
-            ..Scratch::default()
-        };
         Self {
             dissipation: Dissipation::new(spectral_radius),
             largest_step,
@@ -98,7 +66,7 @@ impl Midpoint {
             kkt: Kkt::for_steps(system),
             right: vec![0.0; coordinates + conditions],
             projection: Projection::new(system),
-            scratch,
+            scratch: Scratch::new(system),
             next: None,
         }
     }
@@ -222,160 +190,6 @@ impl Midpoint {
     }
 }
 
-impl Scratch {
-    /// What does not change in the iteration.
-    fn prepare(&mut self, system: &System, state: &State, step: f64, end: f64) {
-        let middle = state.time + 0.5 * step;
-        system.excite(middle, &state.targets, &mut self.excitation);
-        system.prescribe(state, middle, &mut self.prescribed_middle);
-        system.prescribe(state, end, &mut self.prescribed_end);
-        system.frames(&state.q, &state.triads, &mut self.frames_start);
-        self.start_rates.resize(state.strain_rates.len(), 0.0);
-        let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
-        system.set_strain_rates(&start, &state.velocity, &mut self.start_rates);
-    }
-
-    /// Start of the iteration: the predicted increment, and the impulses of the last step.
-    fn predict(&mut self, state: &State, step: f64) {
-        prediction::predict(state, step, &mut self.increment);
-        for (impulse, multiplier) in self.impulses.iter_mut().zip(&state.multipliers) {
-            *impulse = 0.5 * step * multiplier;
-        }
-    }
-
-    /// Positions and frames in the middle and at the end, for the current increment.
-    fn place(&mut self, system: &System, state: &State) {
-        for (index, (q, increment)) in state.q.iter().zip(&self.increment).enumerate() {
-            self.q_middle[index] = q + 0.5 * increment;
-            self.q_end[index] = q + increment;
-        }
-        system.frames(&self.q_middle, &state.triads, &mut self.frames_middle);
-        system.frames(&self.q_end, &state.triads, &mut self.frames_end);
-        system.mass_times(&self.increment, &mut self.mass_increment);
-    }
-
-    /// Sets the forces without those of the joints, at the current positions.
-    fn act(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) {
-        let [start, middle, end] = configurations(
-            system,
-            state,
-            [&self.q_middle, &self.q_end],
-            [&self.frames_start, &self.frames_middle, &self.frames_end],
-            [&self.prescribed_middle, &self.prescribed_end],
-        );
-        let passage =
-            Passage::Step(time_step(state, [&start, &end], &self.increment, &self.start_rates, step, dissipation));
-        system.forces(&middle, &passage, &self.excitation, &mut self.forces);
-    }
-
-    /// The energies of `state`, J.
-    fn energies(&self, system: &System, state: &State) -> Energies {
-        let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
-        state.balance.last.unwrap_or_else(|| system.energies(&start, &state.velocity))
-    }
-
-    /// Gradients of the conditions in the middle, at the current positions.
-    fn differentiate(&mut self, system: &System, state: &State) {
-        let middle = system.configuration(&self.q_middle, &self.frames_middle, state, &self.prescribed_middle);
-        system.constraint_gradients(&middle, &mut self.gradients_middle);
-    }
-
-    /// The step over `span` at given unknowns.
-    fn at<'a>(
-        &'a mut self,
-        system: &'a System,
-        state: &'a State,
-        dissipation: Dissipation,
-        span: Span,
-        unknowns: &[f64],
-    ) -> Step<'a> {
-        self.prepare(system, state, span.step, span.end);
-        let (increment, impulses) = unknowns.split_at(self.increment.len());
-        self.increment.copy_from_slice(increment);
-        self.impulses.copy_from_slice(impulses);
-        Step { system, state, dissipation, step: span.step, scratch: self }
-    }
-
-    /// Refuses what the elements cannot bear (MECHANICS 7.4).
-    fn check(&self, system: &System, state: &State, end: f64) -> Result<(), Error> {
-        let configuration = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
-        system.check(&configuration, state, limits::LARGEST_TURN, end)
-    }
-
-    /// Sets the forces of the step from `state` at the current positions, without those of the joints, their gradients, and the rates of strains over the step in
-    /// `next`. Returns the elastic energy at the end, and the work over the step of what acts from outside but for constraints, J.
-    fn evaluate(
-        &mut self,
-        system: &System,
-        state: &State,
-        dissipation: Dissipation,
-        span: Span,
-        next: &mut State,
-    ) -> [f64; 2] {
-        let [start, middle, end] = configurations(
-            system,
-            state,
-            [&self.q_middle, &self.q_end],
-            [&self.frames_start, &self.frames_middle, &self.frames_end],
-            [&self.prescribed_middle, &self.prescribed_end],
-        );
-        let over = time_step(state, [&start, &end], &self.increment, &self.start_rates, span.step, dissipation);
-        let found = system.finish_step(&middle, &over, &self.excitation, &mut self.forces, &mut next.strain_rates);
-        self.differentiate(system, state);
-        found
-    }
-
-    /// Writes the end of the converged step, whose forces are known, into `state`, a copy of the state at its start: momentum (7.4), change of charts (7.5), references
-    /// (2.6). Returns the work of drives and moving frames over the step, J.
-    fn finish(&mut self, system: &System, state: &mut State, Span { step, end }: Span) -> f64 {
-        // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it, and so does h²K/M times what
-        // Newton leaves.
-        for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
-            *momentum = 2.0 * mass_increment / step - *momentum;
-        }
-        let frames = [&self.frames_start[..], &self.frames_middle, &self.frames_end];
-        gyroscopic::add_forces(system, frames, &self.mass_increment, &self.forces, step, -1.0, &mut state.momentum);
-        gyroscopic::change_charts(system, &self.frames_end, &mut state.momentum);
-        for (multiplier, impulse) in state.multipliers.iter_mut().zip(&self.impulses) {
-            *multiplier = 2.0 * impulse / step;
-        }
-        state.q.copy_from_slice(&self.q_end);
-        state.prescribed.copy_from(&self.prescribed_end);
-        system.carry_references(state, &self.frames_end);
-        state.time = end;
-        state.statistics.steps += 1;
-        system.driven_work(&self.gradients_middle, &state.multipliers, &self.increment)
-    }
-}
-
-/// The start, the middle and the end of a step from `state`.
-fn configurations<'a>(
-    system: &'a System,
-    state: &'a State,
-    [q_middle, q_end]: [&'a [f64]; 2],
-    [frames_start, frames_middle, frames_end]: [&'a [NodeFrame]; 3],
-    [prescribed_middle, prescribed_end]: [&'a Prescribed; 2],
-) -> [Configuration<'a>; 3] {
-    [
-        system.configuration(&state.q, frames_start, state, &state.prescribed),
-        system.configuration(q_middle, frames_middle, state, prescribed_middle),
-        system.configuration(q_end, frames_end, state, prescribed_end),
-    ]
-}
-
-/// The step between the two `ends` from `state`, of `duration` s.
-fn time_step<'a>(
-    state: &'a State,
-    [start, end]: [&'a Configuration<'a>; 2],
-    increment: &'a [f64],
-    start_rates: &'a [f64],
-    duration: f64,
-    dissipation: Dissipation,
-) -> TimeStep<'a> {
-    let State { velocity, strain_rates, .. } = state;
-    TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates }
-}
-
 /// One step as Newton sees it.
 struct Step<'a> {
     system: &'a System,
@@ -385,7 +199,23 @@ struct Step<'a> {
     scratch: &'a mut Scratch,
 }
 
-impl Step<'_> {
+impl<'a> Step<'a> {
+    /// The step over `span` at given unknowns.
+    fn at(
+        scratch: &'a mut Scratch,
+        system: &'a System,
+        state: &'a State,
+        dissipation: Dissipation,
+        span: Span,
+        unknowns: &[f64],
+    ) -> Self {
+        scratch.prepare(system, state, span.step, span.end);
+        let (increment, impulses) = unknowns.split_at(scratch.increment.len());
+        scratch.increment.copy_from_slice(increment);
+        scratch.impulses.copy_from_slice(impulses);
+        Step { system, state, dissipation, step: span.step, scratch }
+    }
+
     /// Minus the residual at the current unknowns, whose forces, positions and gradients are known, into `right`; conditions at the end.
     fn balance(&mut self, right: &mut [f64]) {
         let (system, state, h) = (self.system, self.state, self.step);
@@ -462,7 +292,7 @@ impl Linearized for Midpoint {
     fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error> {
         let dissipation = self.dissipation.over(span.step, self.largest_step);
         let Self { scratch, kkt, right, .. } = self;
-        let mut problem = scratch.at(system, state, dissipation, span, unknowns);
+        let mut problem = Step::at(scratch, system, state, dissipation, span, unknowns);
         problem.linearize(kkt, right);
         kkt.factorize(system, span.end)
     }
@@ -473,7 +303,7 @@ impl Linearized for Midpoint {
 
     fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
         let dissipation = self.dissipation.over(span.step, self.largest_step);
-        let mut problem = self.scratch.at(system, state, dissipation, span, unknowns);
+        let mut problem = Step::at(&mut self.scratch, system, state, dissipation, span, unknowns);
         problem.scratch.place(system, state);
         problem.scratch.act(system, state, dissipation, span.step);
         problem.scratch.differentiate(system, state);
