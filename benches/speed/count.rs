@@ -1,16 +1,18 @@
 //! A kernel, so many times and nothing else: for counters of instructions (scripts/instructions.sh, scripts/profile.sh).
 
+use crate::chain;
 use crate::curves::load;
 use crate::element::Bent;
 use crate::linear::Step;
 use crate::shaft;
 use ancf14::fmi::Model;
+use ancf14::model::simulation::Simulation;
 
-/// Elements of the chain whose matrix is factorized.
+/// Elements of the chain whose matrix is factorized, and of the one that falls.
 const CHAIN: usize = 100;
 
 /// The names of the kernels.
-pub const KERNELS: [&str; 4] = ["gradient", "hessian", "factorization", "shaft"];
+pub const KERNELS: [&str; 5] = ["gradient", "hessian", "factorization", "shaft", "chain"];
 
 /// Runs `kernel` as often as `text` says, and returns how many results a run has.
 pub fn run(kernel: &str, text: &str) -> usize {
@@ -25,15 +27,11 @@ pub fn run(kernel: &str, text: &str) -> usize {
         }
         "shaft" => {
             simulation = load(&shaft::model(), &shaft::OWN);
-            let output_step = simulation.about().output_step;
-            let mut number = 0;
-            let work = move || {
-                number += 1;
-                simulation
-                    .advance(f64::from(number) * output_step)
-                    .unwrap_or_else(|failure| panic!("{}", failure.message));
-            };
-            (shaft::STEPS_AN_OUTPUT, Box::new(work))
+            (shaft::STEPS_AN_OUTPUT, Box::new(outputs(&mut simulation)))
+        }
+        "chain" => {
+            simulation = load(&chain::model(CHAIN), &[]);
+            (CHAIN, Box::new(outputs(&mut simulation)))
         }
         _ => {
             bent = Bent::new("ancf14");
@@ -47,4 +45,14 @@ pub fn run(kernel: &str, text: &str) -> usize {
     };
     (0..times).for_each(|_| work());
     parts
+}
+
+/// Brings `simulation` to its next output.
+fn outputs(simulation: &mut Simulation) -> impl FnMut() {
+    let output_step = simulation.about().output_step;
+    let mut number = 0;
+    move || {
+        number += 1;
+        simulation.advance(f64::from(number) * output_step).unwrap_or_else(|failure| panic!("{}", failure.message));
+    }
 }
