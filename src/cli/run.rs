@@ -10,6 +10,7 @@ use super::verify::{self, Wish};
 use super::{Stop, complain, failed, say, start};
 use ancf14::error::decimal;
 use ancf14::fmi::{About, Model};
+use ancf14::model::accuracy::{self, Inexact};
 use ancf14::model::effort;
 use ancf14::model::simulation::Simulation;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -51,12 +52,18 @@ pub fn run(
     drop(keeper);
     let is_complete = outcome.is_ok();
     let finished = finish(&results, &plots, &folder, is_complete);
+    if is_complete {
+        simulation.conclude();
+        simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
+    }
     let (statistics, reached) = (&simulation.state().statistics, results.reached().unwrap_or(0.0));
     if let Some(warning) = effort::rejections(simulation.document(), statistics, reached, results.count) {
         complain(&format!("warning: {warning}"));
     }
     let told = match (&finished, results.reached()) {
-        (Ok(Some(what)), Some(reached)) => say(&summary(&results, reached, wall)).and_then(|()| say(what)),
+        (Ok(Some(what)), Some(reached)) => {
+            say(&summary(&results, reached, wall)).and_then(|()| exactness(&simulation)).and_then(|()| say(what))
+        }
         _ => Ok(()),
     };
     // The first reason to fail is the one to tell.
@@ -165,6 +172,13 @@ fn summary(results: &Results, reached: f64, wall: f64) -> String {
         decimal(reached),
         pace(reached, wall)
     )
+}
+
+/// How exact the results are, where that is followed.
+fn exactness(simulation: &Simulation) -> Result<(), Stop> {
+    let Some(Inexact { name, error }) = simulation.least_accurate() else { return Ok(()) };
+    let error = accuracy::percent(error);
+    say(&format!("error because of the time steps: about {error} % of its range at most ({name})"))
 }
 
 /// How fast a run was beside the real machine.

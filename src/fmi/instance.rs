@@ -205,6 +205,8 @@ impl<M: Model> Instance<M> {
     pub fn terminate(&mut self) -> Result<(), Error> {
         self.check(Call::Terminate)?;
         self.control.mode = Mode::Terminated;
+        self.model.conclude();
+        self.pass_on_warnings();
         self.event(|| "terminated".to_owned());
         Ok(())
     }

@@ -190,6 +190,9 @@ pub trait Model: Sized {
     /// There is no initial state with another value of `known`.
     fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure>;
 
+    /// The run has ended: [`Self::take_warnings`] then has what should be known of it as a whole.
+    fn conclude(&mut self);
+
     /// Warnings since the last call of this function, oldest first.
     fn take_warnings(&mut self) -> Vec<String>;
 

@@ -21,6 +21,7 @@ use super::sensor::Sensor;
 use super::spring::Spring;
 use super::state::{Accelerations, Prediction, State, Statistics};
 use super::system::{Beam, System};
+use super::time_error::TimeError;
 use super::transmission::Transmission;
 use super::triad::Triad;
 use super::{ancf14, ancf24};
@@ -392,6 +393,7 @@ impl Assembly {
             strays: vec![0.0; system.constraints()],
             strain_rates: vec![0.0; system.mesh.strains() + system.gauges.len()],
             prediction: Prediction::default(),
+            time_error: TimeError::default(),
             accelerations: Accelerations::default(),
             holonomy: vec![0.0; system.mesh.branches],
             readings: vec![0.0; system.gauges.len()],

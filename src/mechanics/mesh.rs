@@ -26,6 +26,11 @@ impl Mesh {
         self.nodes.last().map_or(0, |node| node.coordinates().end)
     }
 
+    /// Whether the rates of all strains are known: elements of ANCF24 tell none.
+    pub fn tells_strain_rates(&self) -> bool {
+        self.elements.iter().all(|element| matches!(element, Element::Ancf14(_)))
+    }
+
     /// Number of strains of all elements that have a numerical dissipation: ANCF14's.
     pub fn strains(&self) -> usize {
         STRAINS * self.branches

@@ -43,6 +43,7 @@ pub mod sensor;
 pub mod spring;
 pub mod state;
 pub mod system;
+pub mod time_error;
 pub mod transmission;
 pub mod triad;
 pub mod variation;

@@ -4,6 +4,7 @@ use super::energy_balance::EnergyBalance;
 use super::host_path::Targets;
 use super::load::Excitation;
 use super::prescribed::Prescribed;
+use super::time_error::TimeError;
 use super::triad::Triad;
 use crate::math::Vec3;
 use serde::{Deserialize, Serialize};
@@ -23,6 +24,8 @@ pub struct State {
     pub multipliers: Vec<f64>,
     /// What a midpoint step starts its iteration from.
     pub prediction: Prediction,
+    /// What the lengths of the steps have done to it.
+    pub time_error: TimeError,
     /// What generalized-alpha goes on from.
     pub accelerations: Accelerations,
     /// What the momentum has beside that of velocities which the constraints allow, by their conditions: `P = M v + Gᵀ stray`, N s or N m s.
@@ -72,6 +75,7 @@ impl State {
         lengths(self) == lengths(other)
             && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
             && self.prediction.is_possible(other.q.len())
+            && self.time_error.is_possible(other.q.len(), other.multipliers.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
     }
 }
@@ -84,6 +88,7 @@ impl Clone for State {
             momentum: self.momentum.clone(),
             multipliers: self.multipliers.clone(),
             prediction: self.prediction.clone(),
+            time_error: self.time_error.clone(),
             accelerations: self.accelerations.clone(),
             strays: self.strays.clone(),
             strain_rates: self.strain_rates.clone(),
@@ -113,6 +118,7 @@ impl Clone for State {
         readings.clone_from(&source.readings);
         rotations.clone_from(&source.rotations);
         self.prediction.copy_from(&source.prediction);
+        self.time_error.copy_from(&source.time_error);
         self.accelerations.copy_from(&source.accelerations);
         self.prescribed.copy_from(&source.prescribed);
         self.targets.copy_from(&source.targets);

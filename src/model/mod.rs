@@ -3,6 +3,7 @@
 //! [`document::Document::parse`] reads a file into typed data, [`expression`] gives every number of it a value and exact
 //! derivatives, [`diagnostic`] says what is wrong and where.
 
+pub mod accuracy;
 pub mod build;
 mod dependencies;
 pub mod diagnostic;

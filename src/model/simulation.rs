@@ -9,6 +9,7 @@ pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
 use self::machine::{Machine, Solver};
+use super::accuracy::{Accuracy, Columns, Inexact, Looker};
 use super::build;
 use super::document::Document;
 use super::entries::frame::Frame;
@@ -35,6 +36,9 @@ pub struct Simulation {
     frames: Frames,
     warnings: Vec<String>,
     watch: Watch,
+    columns: Arc<Columns>,
+    accuracy: Accuracy,
+    looker: Looker,
     inputs: Inputs,
     last: LastStep,
     derived: Derived,
@@ -63,6 +67,9 @@ impl Simulation {
         let document = Arc::new(document);
         let mut simulation = Self {
             about,
+            columns: Arc::new(Columns::new(&table)),
+            accuracy: Accuracy::default(),
+            looker: Looker::default(),
             table: Arc::new(table),
             machine: Machine::new(built, &document, 0.0),
             inputs: Inputs::new(&document),
@@ -92,6 +99,20 @@ impl Simulation {
     /// The state it has reached.
     pub fn state(&self) -> &State {
         &self.machine.state
+    }
+
+    /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion; empty where that is not known.
+    pub fn estimated_errors(&self) -> Vec<Inexact> {
+        let Machine { system, state, start, .. } = &self.machine;
+        if !state.time_error.is_known() {
+            return Vec::new();
+        }
+        self.accuracy.errors(&self.columns, system, state.time - start)
+    }
+
+    /// The one that is off most.
+    pub fn least_accurate(&self) -> Option<Inexact> {
+        self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
     }
 
     /// Sets parameter `index` of the file, and what follows from it; one that is tunable at once in a machine that runs.
@@ -161,6 +182,9 @@ impl Simulation {
         let machine = &self.machine;
         let odd = self.watch.look(&machine.system, &machine.state, &self.table, &mut self.frames);
         self.warnings.extend(odd);
+        let moment =
+            Moment { system: &machine.system, state: &machine.state, response: &machine.response, fibres: &[] };
+        self.accuracy.look((&self.columns, &self.table), moment, &self.results, &mut self.looker);
         Ok(())
     }
 
@@ -260,6 +284,7 @@ impl Model for Simulation {
         let before = std::mem::replace(&mut self.machine, machine);
         self.forget_step();
         self.watch = Watch::new(&self.document);
+        self.accuracy = Accuracy::default();
         let outcome = self.measure();
         if outcome.is_err() {
             self.machine = before;
@@ -312,6 +337,11 @@ impl Model for Simulation {
         }
         self.inputs.end_step();
         outcome
+    }
+
+    fn conclude(&mut self) {
+        let worst = self.least_accurate();
+        self.warnings.extend(worst.and_then(|worst| worst.warning(self.machine.step)));
     }
 
     fn take_warnings(&mut self) -> Vec<String> {

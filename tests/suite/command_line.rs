@@ -34,7 +34,9 @@ fn results_are_written_as_agreed() {
     arguments.extend(SHORT);
     let output = ancf14(directory.path(), &arguments);
     assert!(output.status.success(), "{}", text(&output.stderr));
-    assert!(text(&output.stderr).is_empty(), "a pipe gets no progress bar");
+    let complaints = text(&output.stderr);
+    let mut others = complaints.lines().filter(|line| !line.contains("because of the length of the steps"));
+    assert_eq!(others.next(), None, "a pipe gets no progress bar");
     let csv = std::fs::read_to_string(directory.path().join("cantilever-results/results.csv")).expect("results");
     let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(lines[0][..3], ["time", "tip.displacement[1]", "tip.displacement[2]"]);

@@ -85,6 +85,7 @@ mod statics;
 mod step_derivatives;
 mod strain_outputs;
 mod stress_derivatives;
+mod time_error;
 mod turned_models;
 mod validation;
 mod verification;

@@ -92,6 +92,8 @@ impl Record {
         }
         self.size = simulation.system().size;
         let end = self.march(machine, setting, &mut simulation, &outputs);
+        simulation.conclude();
+        self.warnings.extend(simulation.take_warnings());
         let reached = simulation.time() - machine.start;
         let rows = self.rows.len() as u64;
         self.warnings.extend(effort::rejections(simulation.document(), &simulation.state().statistics, reached, rows));

@@ -12,10 +12,11 @@ enum Doubt {
 }
 
 /// Words of every warning that is known, with what is doubted by it.
-const KNOWN: [(&str, Doubt); 19] = [
+const KNOWN: [(&str, Doubt); 20] = [
     ("the integrator has gained", Doubt::Steps),
     ("the integrator has lost", Doubt::Steps),
     ("numerical damping has taken", Doubt::Steps),
+    ("because of the length of the steps", Doubt::Results),
     ("the forces of joints, which grow without end", Doubt::Steps),
     ("steps were rejected", Doubt::Results),
     ("stops what it holds within", Doubt::Results),

@@ -7,6 +7,7 @@ use super::derivatives::{Derived, LastStep};
 use super::machine::Solver;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::model::accuracy::Accuracy;
 use crate::model::build;
 use crate::model::document::Document;
 use crate::model::inputs::Inputs;
@@ -29,6 +30,7 @@ pub struct Snapshot {
     initialization: Arc<()>,
     initialized: bool,
     watch: Watch,
+    accuracy: Accuracy,
     inputs: Inputs,
     results: Vec<f64>,
     /// The last step and the state at its start, where there is one.
@@ -49,6 +51,7 @@ struct Saved<'a> {
     grid: [f64; 2],
     initialized: bool,
     watch: Watch,
+    accuracy: Cow<'a, Accuracy>,
     results: Cow<'a, [f64]>,
     last: Option<SavedStep<'a>>,
 }
@@ -74,6 +77,7 @@ impl Snapshot {
             grid: [self.start, self.step],
             initialized: self.initialized,
             watch: self.watch,
+            accuracy: Cow::Borrowed(&self.accuracy),
             results: Cow::Borrowed(&self.results),
             last: self.last.as_ref().map(|(last, start)| SavedStep {
                 start: Cow::Borrowed(start),
@@ -135,6 +139,7 @@ impl Snapshot {
             initialization: Arc::new(()),
             initialized: saved.initialized,
             watch: saved.watch,
+            accuracy: saved.accuracy.into_owned(),
             inputs,
             results: saved.results.into_owned(),
             last,
@@ -157,6 +162,7 @@ impl Simulation {
             initialization: Arc::clone(&machine.initialization),
             initialized: machine.is_initialized(),
             watch: self.watch,
+            accuracy: self.accuracy.clone(),
             inputs: self.inputs.clone(),
             results: self.results.clone(),
             last: self.last.known.then(|| (self.last.clone(), machine.backup.clone())),
@@ -174,6 +180,7 @@ impl Simulation {
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
         self.results.clone_from(&snapshot.results);
         self.watch = snapshot.watch;
+        self.accuracy.clone_from(&snapshot.accuracy);
         self.inputs.copy_from(&snapshot.inputs);
         self.derived = Derived::default();
         self.last.known = snapshot.last.is_some();

@@ -28,7 +28,7 @@ pub struct Measures {
 
 impl Measures {
     /// One of a unit, in the unit; 0: not known.
-    fn natural(&self, unit: &str) -> f64 {
+    pub fn natural(&self, unit: &str) -> f64 {
         let Self { size, duration, energy, gravity } = *self;
         match unit {
             "m" => size,
@@ -47,9 +47,12 @@ impl Measures {
     }
 }
 
+/// The family of all energies.
+pub const ENERGY: &str = "energy";
+
 /// The quantity that a column is a component of: `tip.velocity` of `tip.velocity[2]`; all energies are one.
 pub fn family(name: &str) -> &str {
-    if name.starts_with("energy.") { "energy" } else { name.split('[').next().unwrap_or(name) }
+    if name.starts_with("energy.") { ENERGY } else { name.split('[').next().unwrap_or(name) }
 }
 
 /// The scales of columns, each given with its unit: those of the quantities that they belong to; 0: the quantity is zero.
@@ -57,22 +60,28 @@ pub fn scales(columns: &[(&str, &str, &Tally)], measures: &Measures) -> Vec<f64>
     let mut spans: BTreeMap<&str, Span> = BTreeMap::new();
     for (name, _, tally) in columns {
         let span = spans.entry(family(name)).or_default();
-        span.range = span.range.max(range(name, tally));
-        span.size = span.size.max(tally.size());
+        span.include(range(name, tally), tally.size());
     }
     columns.iter().map(|(name, unit, _)| spans[family(name)].scale(measures.natural(unit))).collect()
 }
 
 /// How far the components of a quantity range, and how large they are.
-#[derive(Clone, Copy, Debug, Default)]
-struct Span {
-    range: f64,
-    size: f64,
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Span {
+    /// The largest range.
+    pub range: f64,
+    /// The largest size.
+    pub size: f64,
 }
 
 impl Span {
-    /// The scale of a quantity whose unit amounts to `natural`.
-    fn scale(self, natural: f64) -> f64 {
+    /// Includes a component with this range and size.
+    pub fn include(&mut self, range: f64, size: f64) {
+        (self.range, self.size) = (self.range.max(range), self.size.max(size));
+    }
+
+    /// The scale of a quantity whose unit amounts to `natural`; 0: it is zero.
+    pub fn scale(self, natural: f64) -> f64 {
         let scale = if self.range > CONSTANT * self.size { self.range } else { self.size };
         if scale > ZERO * natural { scale } else { 0.0 }
     }
@@ -84,9 +93,14 @@ pub fn energy(columns: &[(&str, &str, &Tally)]) -> f64 {
     energies.map(|(name, _, tally)| range(name, tally)).fold(0.0, f64::max)
 }
 
-/// How far a column ranges. Kinetic and elastic energy are zero at rest and as drawn; that of gravity may have any constant.
+/// How far a column ranges.
 fn range(name: &str, tally: &Tally) -> f64 {
-    if matches!(name, "energy.kinetic" | "energy.elastic") { tally.size() } else { tally.range() }
+    if counts_from_zero(name) { tally.size() } else { tally.range() }
+}
+
+/// Whether a column ranges from zero on: kinetic and elastic energy are zero at rest and as drawn; that of gravity may have any constant.
+pub fn counts_from_zero(name: &str) -> bool {
+    matches!(name, "energy.kinetic" | "energy.elastic")
 }
 
 #[cfg(test)]

@@ -79,10 +79,12 @@ impl Example {
     }
 }
 
-/// What a program printed that succeeded and did not complain.
+/// What a program printed that succeeded and did not complain, but for the accuracy of a short run.
 fn printed(ran: &Output) -> String {
     assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
-    assert_eq!(String::from_utf8_lossy(&ran.stderr), "");
+    let complaints = String::from_utf8_lossy(&ran.stderr);
+    let mut others = complaints.lines().filter(|line| !line.contains("because of the length of the steps"));
+    assert_eq!(others.next(), None);
     String::from_utf8(ran.stdout.clone()).unwrap()
 }
 

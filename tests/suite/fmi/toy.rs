@@ -252,6 +252,8 @@ impl Model for Toy {
         }
     }
 
+    fn conclude(&mut self) {}
+
     fn take_warnings(&mut self) -> Vec<String> {
         std::mem::take(&mut self.warnings)
     }

@@ -1,0 +1,57 @@
+//! The error of a motion that the lengths of its steps have caused, carried along as plain data (MECHANICS 7.8).
+
+use serde::{Deserialize, Serialize};
+
+/// The exact motion minus the computed one, to first order; lists are empty before the first step. Coordinates are those of the charts of the state that this is part of.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct TimeError {
+    /// Of the coordinates: m, 1, rad.
+    pub position: Vec<f64>,
+    /// Of their velocities, 1/s each.
+    pub velocity: Vec<f64>,
+    /// Mean of the error's own acceleration over the last step, 1/s² each: what the next step starts from.
+    pub acceleration: Vec<f64>,
+    /// Of the multipliers, N or N m.
+    pub multipliers: Vec<f64>,
+    /// Third derivatives of the coordinates of the motion between the middles of its last two steps, 1/s³ each.
+    pub jerk: Vec<f64>,
+    /// Length of the last step, s.
+    pub step: f64,
+    /// How many steps lie behind since the start or the last jump, up to 2: as many derivatives of the acceleration are known.
+    pub known: u8,
+}
+
+impl TimeError {
+    /// No error yet, of a machine with `coordinates` coordinates and `conditions` conditions.
+    pub fn resize(&mut self, coordinates: usize, conditions: usize) {
+        let Self { position, velocity, acceleration, multipliers, jerk, .. } = self;
+        for list in [position, velocity, acceleration, jerk] {
+            list.resize(coordinates, 0.0);
+        }
+        multipliers.resize(conditions, 0.0);
+    }
+
+    /// Whether there is an estimate: of integrators that carry one, after the first step.
+    pub fn is_known(&self) -> bool {
+        !self.position.is_empty()
+    }
+
+    /// Whether it may be one of a machine with `coordinates` coordinates and `conditions` conditions.
+    pub fn is_possible(&self, coordinates: usize, conditions: usize) -> bool {
+        let Self { position, velocity, acceleration, multipliers, jerk, step, known } = self;
+        let lists = [position, velocity, acceleration, jerk].map(Vec::len);
+        let is_there = lists == [coordinates; 4] && multipliers.len() == conditions;
+        let is_empty = lists == [0; 4] && multipliers.is_empty() && *known == 0;
+        (is_there || is_empty) && step.is_finite() && *step >= 0.0 && *known <= 2
+    }
+
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.position.clone_from(&other.position);
+        self.velocity.clone_from(&other.velocity);
+        self.acceleration.clone_from(&other.acceleration);
+        self.multipliers.clone_from(&other.multipliers);
+        self.jerk.clone_from(&other.jerk);
+        (self.step, self.known) = (other.step, other.known);
+    }
+}

@@ -1,0 +1,189 @@
+//! How far the results are off because of the lengths of the steps: the error that the state carries along, as each result shows it.
+//!
+//! Results of positions and velocities only: accelerations and reactions are not followed.
+
+use super::variables::{Moment, Source, Table};
+use super::verification::scale::{self, Measures, Span};
+use crate::mechanics::ancf14::frame::NodeFrame;
+use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::mechanics::time_error::TimeError;
+use crate::mechanics::variation::Variation;
+use serde::{Deserialize, Serialize};
+
+/// Results are looked at again after this many steps: what a look costs is little beside them.
+const STEPS: u64 = 8;
+/// The first looks come after each step, so that short runs are looked at too.
+const FIRST_STEPS: u64 = 8;
+/// How far a state is moved along its error, as a share of the machine's size or rad: so little that results follow linearly.
+const REACH: f64 = 1e-6;
+/// Most that a state is moved, in errors.
+const LARGEST_MULTIPLE: f64 = 1e3;
+/// Share of its range that a reader expects a result to be right to.
+const EXPECTED: f64 = 0.005;
+/// The share that a proposed step is chosen for.
+const PROPOSED: f64 = 0.002;
+
+/// The results that are followed; they never change.
+#[derive(Debug)]
+pub struct Columns {
+    columns: Vec<Column>,
+    /// In the order of first mention.
+    families: Vec<Family>,
+}
+
+/// A result that is followed.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    /// Its number among the results.
+    result: usize,
+    family: usize,
+    /// Counts from zero, not from its lowest value: kinetic and elastic energy.
+    from_zero: bool,
+}
+
+/// All components of an output, or all energies.
+#[derive(Debug)]
+struct Family {
+    name: String,
+    unit: String,
+}
+
+/// What has been seen of the results so far.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Accuracy {
+    /// Lowest and highest value of each column, and its largest error.
+    seen: Vec<[f64; 3]>,
+    /// Steps at the last look.
+    looked: u64,
+}
+
+/// Scratch memory of a look.
+#[derive(Debug, Default)]
+pub struct Looker {
+    moved: Option<State>,
+    variation: Variation,
+    frames: Vec<NodeFrame>,
+    snapshot: Snapshot,
+    values: Vec<f64>,
+}
+
+/// A family of results and its estimated error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inexact {
+    /// Name of the family, for instance `tip.velocity`.
+    pub name: String,
+    /// Its largest error so far, as a share of its range.
+    pub error: f64,
+}
+
+impl Columns {
+    /// Those of `table`.
+    pub fn new(table: &Table) -> Self {
+        let (mut columns, mut families) = (Vec::new(), Vec::<Family>::new());
+        for (variable, source) in table.variables.iter().zip(&table.sources) {
+            let Source::Result(result) = *source else { continue };
+            if !table.follows_from_motion(result) {
+                continue;
+            }
+            let name = scale::family(&variable.name);
+            let family = families.iter().position(|own| own.name == name).unwrap_or_else(|| {
+                families.push(Family { name: name.to_owned(), unit: variable.quantity.unit.clone() });
+                families.len() - 1
+            });
+            columns.push(Column { result, family, from_zero: scale::counts_from_zero(&variable.name) });
+        }
+        Self { columns, families }
+    }
+}
+
+impl Accuracy {
+    /// Looks at a moment and its `results`.
+    pub fn look(
+        &mut self,
+        (columns, table): (&Columns, &Table),
+        Moment { system, state, response, .. }: Moment<'_>,
+        results: &[f64],
+        looker: &mut Looker,
+    ) {
+        self.seen.resize(columns.columns.len(), [f64::INFINITY, f64::NEG_INFINITY, 0.0]);
+        for (column, [low, high, _]) in columns.columns.iter().zip(&mut self.seen) {
+            (*low, *high) = (low.min(results[column.result]), high.max(results[column.result]));
+        }
+        let steps = state.statistics.steps;
+        if !state.time_error.is_known() || (steps < self.looked + STEPS && steps > FIRST_STEPS) {
+            return;
+        }
+        self.looked = steps;
+        let Some(multiple) = looker.move_along(system, state) else { return };
+        let Looker { moved: Some(moved), snapshot, values, .. } = looker else { return };
+        table.measure(&Moment { system, state: moved, response, fibres: &[] }, snapshot, values);
+        for (column, [_, _, error]) in columns.columns.iter().zip(&mut self.seen) {
+            *error = error.max((values[column.result] - results[column.result]).abs() / multiple);
+        }
+    }
+
+    /// All families of results with their errors, after `duration` s; none of quantities that are zero.
+    pub fn errors(&self, columns: &Columns, system: &System, duration: f64) -> Vec<Inexact> {
+        let mut spans = vec![<(Span, f64)>::default(); columns.families.len()];
+        let mut energy = 0.0_f64;
+        for (column, [low, high, error]) in columns.columns.iter().zip(&self.seen) {
+            let (span, largest) = &mut spans[column.family];
+            let size = low.abs().max(high.abs());
+            span.include(if column.from_zero { size } else { high - low }, size);
+            *largest = largest.max(*error);
+            if columns.families[column.family].name == scale::ENERGY {
+                energy = energy.max(span.range);
+            }
+        }
+        let measures = Measures { size: system.size, duration, energy, gravity: system.gravity.norm() };
+        let found = columns.families.iter().zip(spans).filter_map(|(Family { name, unit }, (span, error))| {
+            let scale = span.scale(measures.natural(unit));
+            (scale > 0.0).then(|| Inexact { name: name.clone(), error: error / scale })
+        });
+        found.collect()
+    }
+}
+
+impl Looker {
+    /// Moves a copy of `state` along its error; returns by how many errors, none where it cannot be said.
+    fn move_along(&mut self, system: &System, state: &State) -> Option<f64> {
+        let Self { moved, variation, frames, .. } = self;
+        let TimeError { position, velocity, .. } = &state.time_error;
+        let (size, _) = system.correction_size(position);
+        if !size.is_finite() || velocity.iter().any(|value| !value.is_finite()) {
+            return None;
+        }
+        let multiple = (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE);
+        let moved = moved.get_or_insert_with(|| state.clone());
+        moved.clone_from(state);
+        variation.q.clone_from(position);
+        variation.velocity.clone_from(velocity);
+        variation.apply(system, multiple, moved, frames);
+        Some(multiple)
+    }
+}
+
+impl Inexact {
+    /// What to tell of a run with steps of `step` s whose results are off by more than a reader expects.
+    pub fn warning(&self, step: f64) -> Option<String> {
+        let Self { name, error } = self;
+        let proposed = step * (PROPOSED / error).sqrt();
+        (*error > EXPECTED).then(|| {
+            format!(
+                "{name} is off by about {} % of its range because of the length of the steps, by the estimate that the run carries along; take a \
+                 smaller simulation.step: {proposed:.1e} s for about {} % where the motion is smooth",
+                percent(*error),
+                percent(PROPOSED),
+            )
+        })
+    }
+}
+
+/// A share in percent, with two digits.
+pub fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    let digits = (1 - percent.log10().floor() as i32).clamp(0, 6) as usize;
+    format!("{percent:.digits$}")
+}

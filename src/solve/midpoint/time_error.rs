@@ -1,0 +1,228 @@
+//! How the error that the lengths of steps cause grows over a step (MECHANICS 7.8).
+//!
+//! The exact motion solves the equations of a step but for a remainder of third order in its length. So does the computed one, without that remainder:
+//! their difference `ε` follows from it by the tangent of the step, which has been factorized for the step itself. The residual of a motion that is moved by
+//! a small multiple of `ε` has all that this takes: one evaluation of the forces and one back-substitution.
+
+use super::scratch::Scratch;
+use super::{Span, Step};
+use crate::math::vectors::vec3;
+use crate::mechanics::ancf14::coordinates::{P, THETA};
+use crate::mechanics::configuration::Dissipation;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::mechanics::time_error::TimeError;
+use crate::solve::kkt::Kkt;
+use crate::solve::linear::Singular;
+
+/// How far the neighboring motion is moved, as [`System::correction_size`] measures: so little that it is linear (what its square adds is round-off of axial strains), so
+/// much that what Newton has left of the step does not matter.
+const REACH: f64 = 1e-5;
+/// Largest multiple of the error that the neighboring motion is moved by: an error this far below [`REACH`] is round-off.
+const LARGEST_MULTIPLE: f64 = 1e3;
+/// An error of this many times the machine's size is not carried on: it says all that it can.
+const LARGEST_ERROR: f64 = 1e3;
+/// Share of the trapezoidal rule's error: the integral over a step minus it is `-h³/12` of the second derivative.
+const TRAPEZOIDAL: f64 = 1.0 / 12.0;
+/// Share of the midpoint rule's error, likewise.
+const MIDPOINT: f64 = 1.0 / 24.0;
+/// How far the mean of two ends is from the middle, of `h²` times the second derivative.
+const MEAN: f64 = 1.0 / 8.0;
+/// Velocities are cleared of what no step resolves every so many steps: of it every solution with the tangent, which is that of a neighboring point, leaves some.
+const CLEARING: u64 = 4;
+/// Least weight of the strain rates that damps what the step does not resolve.
+const LEAST_DAMPING: f64 = 0.01;
+
+/// Scratch memory of the estimate; nothing in it outlives a step.
+#[derive(Debug)]
+pub struct Estimator {
+    right: Vec<f64>,
+    filtered: Vec<f64>,
+    jerk: Vec<f64>,
+    source: Vec<f64>,
+    mass: Vec<f64>,
+    /// The start of the neighboring motion.
+    start: Option<State>,
+    scratch: Scratch,
+}
+
+/// The step that an error is carried over.
+#[derive(Clone, Copy, Debug)]
+pub struct Taken<'a> {
+    /// The state at its start.
+    pub state: &'a State,
+    pub dissipation: Dissipation,
+    pub span: Span,
+    /// Positions, frames and forces of its solution.
+    pub solution: &'a Scratch,
+    /// Rates of strains over it.
+    pub strain_rates: &'a [f64],
+}
+
+impl Estimator {
+    /// For `system`.
+    pub fn new(system: &System) -> Self {
+        let (coordinates, conditions) = (system.coordinates(), system.constraints());
+        Self {
+            right: vec![0.0; coordinates + conditions],
+            filtered: vec![0.0; coordinates + conditions],
+            jerk: vec![0.0; coordinates],
+            source: vec![0.0; coordinates],
+            mass: vec![0.0; coordinates],
+            start: None,
+            scratch: Scratch::new(system),
+        }
+    }
+
+    /// Carries `error`, that of the start of the step `taken`, to its end; `kkt` has the tangent of the step.
+    ///
+    /// # Errors
+    /// The tangent gives no accurate solution.
+    pub fn carry(
+        &mut self,
+        system: &System,
+        kkt: &mut Kkt,
+        taken: &Taken,
+        error: &mut TimeError,
+    ) -> Result<(), Singular> {
+        let h = taken.span.step;
+        error.resize(system.coordinates(), system.constraints());
+        let mean = 0.5 * (h + error.step);
+        self.find_source(taken, error, mean);
+        let Some(multiple) = self.multiple(system, error, h) else { return Ok(()) };
+        self.depart(system, taken, error, multiple, mean);
+        let Self { right, scratch, start: Some(start), .. } = self else { return Ok(()) };
+        // All that the step adds to its dissipation is in the strain rates of the neighboring motion, which `depart` sets.
+        let dissipation =
+            Dissipation { by_last_step: taken.dissipation.by_last_step.max(LEAST_DAMPING), ..taken.dissipation };
+        scratch.place(system, start);
+        scratch.act(system, start, dissipation, h);
+        scratch.differentiate(system, start);
+        Step { system, state: start, dissipation, step: h, scratch }.balance(right);
+        system.mass_times(&self.source, &mut self.mass);
+        for (right, source) in right.iter_mut().zip(&self.mass) {
+            *right += multiple * source;
+        }
+        kkt.solve_again(right)?;
+        self.arrive(taken, error, multiple);
+        if (taken.state.statistics.steps + 1).is_multiple_of(CLEARING) {
+            self.clear(system, kkt, &mut error.velocity)?;
+        }
+        change_charts(system, taken.solution, error);
+        Ok(())
+    }
+
+    /// Sets the third derivatives of the motion, and the source: what the exact motion leaves of the equation of the step, but for the part in strains, over the mass.
+    fn find_source(&mut self, taken: &Taken, error: &TimeError, mean: f64) {
+        let (h, state) = (taken.span.step, taken.state);
+        let before = &state.prediction.acceleration;
+        self.jerk.fill(0.0);
+        self.source.fill(0.0);
+        if error.known < 1 || before.len() != self.jerk.len() {
+            return;
+        }
+        let motion = taken.solution.increment.iter().zip(&state.velocity).zip(before);
+        for (jerk, ((increment, velocity), before)) in self.jerk.iter_mut().zip(motion) {
+            *jerk = (2.0 * (increment / h - velocity) / h - before) / mean;
+        }
+        let cube = h * h * h;
+        for ((source, jerk), last) in self.source.iter_mut().zip(&self.jerk).zip(&error.jerk) {
+            let snap = if error.known < 2 { 0.0 } else { (jerk - last) / mean };
+            *source = -TRAPEZOIDAL * cube * jerk + 0.5 * h * MIDPOINT * cube * snap;
+        }
+    }
+
+    /// By which multiple of the error the neighboring motion is moved; none where the error has no bound any more.
+    fn multiple(&self, system: &System, error: &TimeError, h: f64) -> Option<f64> {
+        let [position, velocity, source] =
+            [&error.position, &error.velocity, &self.source].map(|list| system.correction_size(list).0);
+        let size = position.max(h * velocity).max(source);
+        (size < LARGEST_ERROR).then(|| (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE))
+    }
+
+    /// Sets the start of the neighboring motion, and its increment as predicted.
+    fn depart(&mut self, system: &System, taken: &Taken, error: &TimeError, multiple: f64, mean: f64) {
+        let Taken { state, dissipation, span: Span { step: h, .. }, solution, strain_rates } = *taken;
+        let start = self.start.get_or_insert_with(|| state.clone());
+        start.clone_from(state);
+        system.mass_times(&error.velocity, &mut self.mass);
+        for (list, change) in
+            [(&mut start.q, &error.position), (&mut start.velocity, &error.velocity), (&mut start.momentum, &self.mass)]
+        {
+            list.iter_mut().zip(change).for_each(|(value, change)| *value += multiple * change);
+        }
+        // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion: both show in the changes of the strain rates.
+        if error.known > 0 {
+            let Dissipation { by_last_step, by_start } = dissipation;
+            let by_change = by_last_step + MEAN * h / mean;
+            let scale = multiple / by_last_step.max(LEAST_DAMPING);
+            let rates = strain_rates.iter().zip(&state.strain_rates).zip(&solution.start_rates);
+            for (memory, ((now, last), first)) in start.strain_rates.iter_mut().zip(rates) {
+                *memory += scale * (by_change * (now - last) + by_start * (now - first));
+            }
+        }
+        let scratch = &mut self.scratch;
+        scratch.excitation.clone_from(&solution.excitation);
+        scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
+        scratch.prescribed_end.copy_from(&solution.prescribed_end);
+        scratch.start_rates.clone_from(&solution.start_rates);
+        system.frames(&start.q, &start.triads, &mut scratch.frames_start);
+        let known = error.velocity.iter().zip(&error.acceleration).zip(&solution.increment);
+        for (increment, ((velocity, acceleration), own)) in scratch.increment.iter_mut().zip(known) {
+            *increment = own + multiple * (h * velocity + 0.5 * h * h * acceleration);
+        }
+        let known = error.multipliers.iter().zip(&solution.impulses);
+        for (impulse, (multiplier, own)) in scratch.impulses.iter_mut().zip(known) {
+            *impulse = own + multiple * 0.5 * h * multiplier;
+        }
+    }
+
+    /// Sets the error at the end of the step, in the charts of its start, by the correction of the neighboring motion.
+    fn arrive(&self, taken: &Taken, error: &mut TimeError, multiple: f64) {
+        let h = taken.span.step;
+        let (correction, impulses) = self.right.split_at(self.jerk.len());
+        for (index, correction) in correction.iter().enumerate() {
+            let own = taken.solution.increment[index];
+            let change = (self.scratch.increment[index] + correction - own) / multiple;
+            let before = error.velocity[index];
+            let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * self.jerk[index]) / h - before;
+            error.position[index] += change;
+            error.velocity[index] = after;
+            error.acceleration[index] = (after - before) / h;
+        }
+        for (index, correction) in impulses.iter().enumerate() {
+            let own = taken.solution.impulses[index];
+            error.multipliers[index] = 2.0 / h * (self.scratch.impulses[index] + correction - own) / multiple;
+        }
+        error.jerk.clone_from(&self.jerk);
+        error.known = (error.known + 1).min(2);
+        error.step = h;
+    }
+
+    /// Takes out of `velocity` what the step does not resolve, and what the constraints do not allow: `F = S⁻¹ M` is 1 where the motion is slow for the step, 0 where it is far too
+    /// fast, and `2 F - F²` leaves of the slow one all but the fourth order.
+    fn clear(&mut self, system: &System, kkt: &mut Kkt, velocity: &mut [f64]) -> Result<(), Singular> {
+        let Self { right, filtered, .. } = self;
+        let coordinates = velocity.len();
+        system.mass_times(velocity, &mut right[..coordinates]);
+        right[coordinates..].fill(0.0);
+        kkt.solve_again(right)?;
+        system.mass_times(&right[..coordinates], &mut filtered[..coordinates]);
+        filtered[coordinates..].fill(0.0);
+        kkt.solve_again(filtered)?;
+        for (velocity, (once, twice)) in velocity.iter_mut().zip(right.iter().zip(&*filtered)) {
+            *velocity = 2.0 * once - twice;
+        }
+        Ok(())
+    }
+}
+
+/// Takes `error` from the charts of the start of a step to those of its end, where a turn of a tangent alone turns no section.
+fn change_charts(system: &System, solution: &Scratch, error: &mut TimeError) {
+    let TimeError { position, velocity, acceleration, .. } = error;
+    for list in [position, velocity, acceleration] {
+        for (own, frame) in system.mesh.framed.iter().zip(&solution.frames_end) {
+            list[own + THETA] -= frame.k.dot(&vec3(list, own + P)) / frame.stretch;
+        }
+    }
+}
