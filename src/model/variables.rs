@@ -168,17 +168,12 @@ impl Table {
         self.measures.push(measure);
     }
 
-    /// The sensors that an axial force, or what follows from it, is read from, with the name of the quantity.
-    pub fn axial_sensors(&self) -> impl Iterator<Item = (&'static str, usize)> + '_ {
-        let quantities = [Quantity::SectionForce, Quantity::Stress, Quantity::AxialStrain];
-        let measures = self.measures.iter().filter_map(move |measure| match measure {
-            Measure::Sensors(sensors, quantity) if quantities.contains(quantity) => {
-                let word = quantity.row().word;
-                Some(sensors.clone().map(move |sensor| (word, sensor)))
-            }
+    /// The quantities that are read from sensors, with the sensors.
+    pub fn points(&self) -> impl Iterator<Item = (Quantity, Range<usize>)> + '_ {
+        self.measures.iter().filter_map(|measure| match measure {
+            Measure::Sensors(sensors, quantity) => Some((*quantity, sensors.clone())),
             _ => None,
-        });
-        measures.flatten()
+        })
     }
 
     /// Whether accelerations or multipliers are among what results are read from.

@@ -15,6 +15,7 @@ mod bodies_on_springs;
 mod breaks;
 mod campaign;
 mod closed_loops;
+mod coarse_meshes;
 mod command_line;
 mod curve_keys;
 mod curved_beams;

@@ -12,7 +12,7 @@ enum Doubt {
 }
 
 /// Words of every warning that is known, with what is doubted by it.
-const KNOWN: [(&str, Doubt); 19] = [
+const KNOWN: [(&str, Doubt); 20] = [
     ("the integrator has gained", Doubt::Steps),
     ("the integrator has lost", Doubt::Steps),
     ("numerical damping has taken", Doubt::Steps),
@@ -21,6 +21,7 @@ const KNOWN: [(&str, Doubt); 19] = [
     ("stops what it holds within", Doubt::Results),
     ("which no finite force can do", Doubt::Results),
     ("elements spread a jump", Doubt::Results),
+    ("the mesh is too coarse", Doubt::Results),
     ("its torsion softens and fails", Doubt::Results),
     ("finer than beam theory", Doubt::Results),
     ("jumps to another branch", Doubt::Results),

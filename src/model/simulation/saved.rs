@@ -48,7 +48,7 @@ struct Saved<'a> {
     /// Start of the grid and internal step, s.
     grid: [f64; 2],
     initialized: bool,
-    watch: Watch,
+    watch: Cow<'a, Watch>,
     results: Cow<'a, [f64]>,
     last: Option<SavedStep<'a>>,
 }
@@ -73,7 +73,7 @@ impl Snapshot {
             state: Cow::Borrowed(&self.state),
             grid: [self.start, self.step],
             initialized: self.initialized,
-            watch: self.watch,
+            watch: Cow::Borrowed(&self.watch),
             results: Cow::Borrowed(&self.results),
             last: self.last.as_ref().map(|(last, start)| SavedStep {
                 start: Cow::Borrowed(start),
@@ -134,7 +134,7 @@ impl Snapshot {
             step,
             initialization: Arc::new(()),
             initialized: saved.initialized,
-            watch: saved.watch,
+            watch: saved.watch.into_owned(),
             inputs,
             results: saved.results.into_owned(),
             last,
@@ -156,7 +156,7 @@ impl Simulation {
             step: machine.step,
             initialization: Arc::clone(&machine.initialization),
             initialized: machine.is_initialized(),
-            watch: self.watch,
+            watch: self.watch.clone(),
             inputs: self.inputs.clone(),
             results: self.results.clone(),
             last: self.last.known.then(|| (self.last.clone(), machine.backup.clone())),
@@ -173,7 +173,7 @@ impl Simulation {
         machine.state.clone_from(&snapshot.state);
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
         self.results.clone_from(&snapshot.results);
-        self.watch = snapshot.watch;
+        self.watch.clone_from(&snapshot.watch);
         self.inputs.copy_from(&snapshot.inputs);
         self.derived = Derived::default();
         self.last.known = snapshot.last.is_some();
