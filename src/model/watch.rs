@@ -1,7 +1,9 @@
 //! What a run is watched for: signs that its numbers should not be trusted. Each is warned of once.
 
+mod alternation;
 mod mesh;
 
+use self::alternation::AlternationWatch;
 use self::mesh::MeshWatch;
 use super::document::Document;
 use super::entries::simulation::Integrator;
@@ -26,6 +28,7 @@ pub struct Watch {
     /// The integrator damps by itself: the energy may fall.
     damps: bool,
     mesh: MeshWatch,
+    alternation: AlternationWatch,
 }
 
 impl Watch {
@@ -35,15 +38,25 @@ impl Watch {
             Integrator::Conserving { spectral_radius } => spectral_radius.is_some_and(|own| document.value(own) < 1.0),
             Integrator::GeneralizedAlpha { .. } => true,
         };
-        Self { damps, mesh: MeshWatch::new(document.simulation.analysis), ..Self::default() }
+        let analysis = document.simulation.analysis;
+        let (mesh, alternation) = (MeshWatch::new(analysis), AlternationWatch::new(analysis));
+        Self { damps, mesh, alternation, ..Self::default() }
     }
 
-    /// Looks at a new state and returns what the user should know of it; `table` has what is read off it.
-    pub fn look(&mut self, system: &System, state: &State, table: &Table, frames: &mut Snapshot) -> Vec<String> {
+    /// Looks at a new state and returns what the user should know of it; `table` has what is read off it, and `results` what was.
+    pub fn look(
+        &mut self,
+        system: &System,
+        state: &State,
+        table: &Table,
+        results: &[f64],
+        frames: &mut Snapshot,
+    ) -> Vec<String> {
         let twist = self.twist(system, state, frames);
         let axial = self.axial(system, state, table, frames);
         let mesh = self.mesh.look(system, state, table, frames);
-        twist.into_iter().chain(axial).chain(mesh).chain(self.energy(state)).collect()
+        let alternation = self.alternation.look(system, state, table, results);
+        twist.into_iter().chain(axial).chain(mesh).chain(alternation).chain(self.energy(state)).collect()
     }
 
     /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.

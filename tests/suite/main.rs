@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod allocations;
+mod alternating_forces;
 mod ancf24_derivatives;
 mod ancf24_machines;
 mod ancf24_motion;
