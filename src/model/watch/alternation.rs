@@ -15,7 +15,7 @@ const SHARE: f64 = 0.05;
 const STEPS: u32 = 10;
 /// A result is compared with this share of the largest of its unit at least: what is far smaller does not matter.
 const SMALL: f64 = 0.1;
-/// The same of what forces, lengths and masses of the machine make of another unit, below which it is their round-off.
+/// The same of what other forces, the energy, the size and the mass of the machine make of that unit: below it is their round-off.
 const ROUND_OFF: f64 = 1e-6;
 
 /// What has been seen of forces and accelerations.
@@ -28,6 +28,8 @@ pub struct AlternationWatch {
     points: u32,
     /// Largest force, moment and acceleration so far.
     largest: [f64; 3],
+    /// Largest energy so far, J.
+    energy: f64,
     /// Of each component, in the order of the table.
     tracks: Vec<Track>,
     warned: bool,
@@ -75,6 +77,8 @@ impl AlternationWatch {
             let values = results[numbers].iter();
             self.largest[kind] = values.fold(self.largest[kind], |largest, value| largest.max(value.abs()));
         }
+        let energy = state.balance.last.map_or(0.0, |last| last.kinetic + last.elastic);
+        self.energy = self.energy.max(energy);
         let least = self.least(system);
         let (mut first, mut found) = (0, None);
         for (kind, numbers) in forces(table) {
@@ -111,8 +115,8 @@ impl AlternationWatch {
     fn least(&self, system: &System) -> [f64; 3] {
         let [force, moment, acceleration] = self.largest;
         let of_others = [
-            (moment / system.size).max(system.mass * acceleration),
-            force * system.size,
+            (moment.max(self.energy) / system.size).max(system.mass * acceleration),
+            (force * system.size).max(self.energy),
             (force / system.mass).max(system.gravity.norm()),
         ];
         // Without mass or size there is nothing to be compared with.
