@@ -72,15 +72,23 @@ impl System {
                 next = if goes_on { StrainFit::of(self, beam, number + 1, c) } else { None };
                 let is_open = self.is_open(beam, number + 1);
                 let neighborhood = Neighborhood { before, own, after: next.filter(|_| is_open) };
-                self.account(beam.first_element + number, &neighborhood, c, &mut error);
+                self.account(beam, number, &neighborhood, c, &mut error);
                 before = is_open.then_some(own);
             }
         }
         error
     }
 
-    /// Adds what `neighborhood` tells of element `element`.
-    fn account(&self, element: usize, neighborhood: &Neighborhood, c: &Configuration, error: &mut MeshError) {
+    /// Adds what `neighborhood` tells of element `number` of `beam`.
+    fn account(
+        &self,
+        beam: &Beam,
+        number: usize,
+        neighborhood: &Neighborhood,
+        c: &Configuration,
+        error: &mut MeshError,
+    ) {
+        let element = beam.first_element + number;
         let own = &neighborhood.own;
         let length = own.length();
         error.energy += own.energy;
@@ -94,10 +102,14 @@ impl System {
             true => self.bent_by_load(own, c),
             false => left_out(neighborhood, 0) + left_out(neighborhood, 1),
         };
+        let stretching = match self.is_beside_jump(beam, number) {
+            true => 0.0,
+            false => left_out_of_stretching(neighborhood),
+        };
         let parts = [
             (Deformation::Bending, bending),
             (Deformation::Torsion, left_out(neighborhood, 2)),
-            (Deformation::Stretching, left_out_of_stretching(neighborhood)),
+            (Deformation::Stretching, stretching),
         ];
         for (deformation, energy) in parts {
             error.left_out += energy;

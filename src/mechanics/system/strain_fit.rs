@@ -154,4 +154,11 @@ impl System {
     pub fn is_open(&self, beam: &Beam, end: usize) -> bool {
         0 < end && end < beam.elements() && beam.corners.binary_search(&end).is_err() && !self.is_held(beam.node(end))
     }
+
+    /// Whether something acts at an inner end of element `number` of `beam`, or of a neighbor: the axial force may jump there, and these elements show both
+    /// sides of the jump, however short they are (axial_jump.rs).
+    pub fn is_beside_jump(&self, beam: &Beam, number: usize) -> bool {
+        let mut ends = number.saturating_sub(1)..=number + 2;
+        ends.any(|end| 0 < end && end < beam.elements() && !self.is_open(beam, end))
+    }
 }

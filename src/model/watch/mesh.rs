@@ -94,6 +94,11 @@ impl Section {
         };
         let (read, smooth) = (sensor.section_forces(c), system.smooth_forces(c, sensor)?);
         if components.is_empty() {
+            // Beside a jump of the axial force there is a warning of its own.
+            let beam = &system.beams[sensor.on_beam?.0];
+            if sensor.places().any(|(element, _)| system.is_beside_jump(beam, element - beam.first_element)) {
+                return None;
+            }
             return Some(Self { size: read.axial.hypot(smooth.shear), off: (read.axial - smooth.axial).abs() });
         }
         let largest = |sizes: &[f64]| sizes.iter().fold(0.0, |largest, size| size.abs().max(largest));
@@ -181,7 +186,7 @@ impl MeshWatch {
             let Reading { largest, off } = &mut self.readings[place];
             let mut worst = (0.0, None);
             for sensor in sensors.map(|sensor| &system.sensors[sensor]) {
-                let Some(section) = Section::new(quantity, system, c, sensor) else { break };
+                let Some(section) = Section::new(quantity, system, c, sensor) else { continue };
                 *largest = largest.max(section.size);
                 if section.off > worst.0 {
                     worst = (section.off, Some(sensor));
