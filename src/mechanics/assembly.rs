@@ -382,6 +382,7 @@ impl Assembly {
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);
         system.collect_breaks();
+        system.find_held_nodes();
         system.mass = system.whole_mass();
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];

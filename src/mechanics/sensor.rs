@@ -84,6 +84,11 @@ impl Sensor {
         self.sections.iter().map(|section| section.element)
     }
 
+    /// The same, each with the place in it, 0 to 1.
+    pub fn places(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.sections.iter().map(|section| (section.element, section.xi))
+    }
+
     /// Material twist from the beam's start to here (off the beams 0), undeformed value taken off, rad: the sum of `l tau` (MECHANICS, trap 16).
     pub fn twist(&self, system: &System, c: &Configuration) -> f64 {
         let (Some((beam, _)), Some(section)) = (self.on_beam, self.sections.first()) else { return 0.0 };

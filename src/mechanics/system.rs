@@ -6,14 +6,19 @@ mod dampers;
 mod energy;
 mod equations;
 mod limits;
+mod mesh_error;
 mod motion;
 mod proportions;
+mod smooth_forces;
+mod strain_fit;
 mod words;
 mod work;
 
 pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};
+pub use mesh_error::{Deformation, MeshError};
 pub use motion::{Extreme, PlaceMotion};
+pub use smooth_forces::SmoothForces;
 
 use super::ancf14::frame::NodeFrame;
 use super::ancf14::kinematics::Holonomy;
@@ -138,6 +143,8 @@ pub struct System {
     pub gravity: Vec3,
     /// The times at which pieces of loads, drives and frames meet, ascending, s: steps end there.
     pub breaks: Vec<f64>,
+    /// Whether a load, a joint or a spring acts on each node.
+    pub held: Vec<bool>,
 }
 
 impl System {

@@ -180,7 +180,7 @@ impl Simulation {
             return Err(wrong(self.not_finite(number)));
         }
         let machine = &self.machine;
-        let odd = self.watch.look(&machine.system, &machine.state, &self.table, &mut self.frames);
+        let odd = self.watch.look(&machine.system, &machine.state, &self.table, &self.results, &mut self.frames);
         self.warnings.extend(odd);
         let moment =
             Moment { system: &machine.system, state: &machine.state, response: &machine.response, fibres: &[] };
@@ -190,8 +190,7 @@ impl Simulation {
 
     /// What is wrong with result `number`.
     fn not_finite(&self, number: usize) -> String {
-        let row = self.table.sources.iter().position(|source| *source == Source::Result(number));
-        let name = row.map_or("a result", |row| &self.table.variables[row].name);
+        let name = self.table.result_name(number);
         let (value, time) = (self.results[number], self.machine.state.time);
         format!(
             "{name} is {value} at t = {time} s: a parameter or an input is far too large or too small for this machine; set \

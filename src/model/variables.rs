@@ -50,6 +50,19 @@ pub enum Measure {
     Statistics,
 }
 
+impl Measure {
+    /// Number of its results.
+    fn results(&self) -> usize {
+        match self {
+            Self::Sensors(sensors, quantity) => sensors.len() * quantity.row().components,
+            Self::Frame(_, quantity) | Self::Joint(_, quantity) | Self::Drive(_, quantity) => quantity.row().components,
+            Self::Energy => 4,
+            Self::Momentum => 6,
+            Self::Statistics => 3,
+        }
+    }
+}
+
 /// A state with all that results are read from.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
@@ -168,17 +181,12 @@ impl Table {
         self.measures.push(measure);
     }
 
-    /// The sensors that an axial force, or what follows from it, is read from, with the name of the quantity.
-    pub fn axial_sensors(&self) -> impl Iterator<Item = (&'static str, usize)> + '_ {
-        let quantities = [Quantity::SectionForce, Quantity::Stress, Quantity::AxialStrain];
-        let measures = self.measures.iter().filter_map(move |measure| match measure {
-            Measure::Sensors(sensors, quantity) if quantities.contains(quantity) => {
-                let word = quantity.row().word;
-                Some(sensors.clone().map(move |sensor| (word, sensor)))
-            }
+    /// The quantities that are read from sensors, with the sensors.
+    pub fn points(&self) -> impl Iterator<Item = (Quantity, Range<usize>)> + '_ {
+        self.measures.iter().filter_map(|measure| match measure {
+            Measure::Sensors(sensors, quantity) => Some((*quantity, sensors.clone())),
             _ => None,
-        });
-        measures.flatten()
+        })
     }
 
     /// Whether accelerations or multipliers are among what results are read from.
@@ -220,17 +228,32 @@ impl Table {
     fn measure_of(&self, result: usize) -> Option<&Measure> {
         let mut end = 0;
         self.measures.iter().find(|measure| {
-            end += match measure {
-                Measure::Sensors(sensors, quantity) => sensors.len() * quantity.row().components,
-                Measure::Frame(_, quantity) | Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
-                    quantity.row().components
-                }
-                Measure::Energy => 4,
-                Measure::Momentum => 6,
-                Measure::Statistics => 3,
-            };
+            end += measure.results();
             result < end
         })
+    }
+
+    /// The quantities of outputs, each with its unit and the numbers of its results.
+    pub fn quantities(&self) -> impl Iterator<Item = (&str, Range<usize>)> + '_ {
+        let first = self.first_result();
+        let mut end = 0;
+        self.measures.iter().filter_map(move |measure| {
+            let numbers = end..end + measure.results();
+            end = numbers.end;
+            let is_of_output = !matches!(measure, Measure::Energy | Measure::Momentum | Measure::Statistics);
+            is_of_output.then(|| (self.variables[first + numbers.start].quantity.unit.as_str(), numbers))
+        })
+    }
+
+    /// The name of a result.
+    pub fn result_name(&self, result: usize) -> &str {
+        &self.variables[self.first_result() + result].name
+    }
+
+    /// The row of the first result: all rows behind it are results, in their order.
+    fn first_result(&self) -> usize {
+        let is_result = |source: &Source| matches!(source, Source::Result(_));
+        self.sources.iter().position(is_result).unwrap_or(self.sources.len())
     }
 
     /// Number of results so far.

@@ -1,7 +1,13 @@
 //! What a run is watched for: signs that its numbers should not be trusted. Each is warned of once.
 
+mod alternation;
+mod mesh;
+
+use self::alternation::AlternationWatch;
+use self::mesh::MeshWatch;
 use super::document::Document;
 use super::entries::simulation::Integrator;
+use super::quantity::Quantity;
 use super::variables::Table;
 use crate::error::decimal;
 use crate::mechanics::energy_balance::Alarm;
@@ -10,14 +16,19 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use serde::{Deserialize, Serialize};
 
+/// Quantities that an axial force is read from.
+const BY_AXIAL_FORCE: [Quantity; 3] = [Quantity::SectionForce, Quantity::Stress, Quantity::AxialStrain];
+
 /// What has been seen and warned of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
     twist_warned: bool,
     axial_warned: bool,
     energy_warned: bool,
     /// The integrator damps by itself: the energy may fall.
     damps: bool,
+    mesh: MeshWatch,
+    alternation: AlternationWatch,
 }
 
 impl Watch {
@@ -27,14 +38,25 @@ impl Watch {
             Integrator::Conserving { spectral_radius } => spectral_radius.is_some_and(|own| document.value(own) < 1.0),
             Integrator::GeneralizedAlpha { .. } => true,
         };
-        Self { damps, ..Self::default() }
+        let analysis = document.simulation.analysis;
+        let (mesh, alternation) = (MeshWatch::new(analysis), AlternationWatch::new(analysis));
+        Self { damps, mesh, alternation, ..Self::default() }
     }
 
-    /// Looks at a new state and returns what the user should know of it; `table` has what is read off it.
-    pub fn look(&mut self, system: &System, state: &State, table: &Table, frames: &mut Snapshot) -> Vec<String> {
+    /// Looks at a new state and returns what the user should know of it; `table` has what is read off it, and `results` what was.
+    pub fn look(
+        &mut self,
+        system: &System,
+        state: &State,
+        table: &Table,
+        results: &[f64],
+        frames: &mut Snapshot,
+    ) -> Vec<String> {
         let twist = self.twist(system, state, frames);
         let axial = self.axial(system, state, table, frames);
-        twist.into_iter().chain(axial).chain(self.energy(state)).collect()
+        let mesh = self.mesh.look(system, state, table, frames);
+        let alternation = self.alternation.look(system, state, table, results);
+        twist.into_iter().chain(axial).chain(mesh).chain(alternation).chain(self.energy(state)).collect()
     }
 
     /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.
@@ -42,11 +64,12 @@ impl Watch {
         if self.axial_warned {
             return None;
         }
-        let mut sensors = table.axial_sensors().peekable();
-        sensors.peek()?;
+        let mut points = table.points().filter(|(quantity, _)| BY_AXIAL_FORCE.contains(quantity)).peekable();
+        points.peek()?;
         let configuration = frames.of(system, state);
-        let (word, (node, jump)) = sensors.find_map(|(word, sensor)| {
-            Some((word, system.axial_jump_near(&configuration, &system.sensors[sensor])?))
+        let (word, (node, jump)) = points.find_map(|(quantity, mut sensors)| {
+            let jump = sensors.find_map(|sensor| system.axial_jump_near(&configuration, &system.sensors[sensor]))?;
+            Some((quantity.row().word, jump))
         })?;
         self.axial_warned = true;
         Some(format!(

@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod allocations;
+mod alternating_forces;
 mod ancf24_derivatives;
 mod ancf24_machines;
 mod ancf24_motion;
@@ -15,6 +16,7 @@ mod bodies_on_springs;
 mod breaks;
 mod campaign;
 mod closed_loops;
+mod coarse_meshes;
 mod command_line;
 mod curve_keys;
 mod curved_beams;

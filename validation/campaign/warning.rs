@@ -12,7 +12,7 @@ enum Doubt {
 }
 
 /// Words of every warning that is known, with what is doubted by it.
-const KNOWN: [(&str, Doubt); 20] = [
+const KNOWN: [(&str, Doubt); 22] = [
     ("the integrator has gained", Doubt::Steps),
     ("the integrator has lost", Doubt::Steps),
     ("numerical damping has taken", Doubt::Steps),
@@ -22,6 +22,8 @@ const KNOWN: [(&str, Doubt); 20] = [
     ("stops what it holds within", Doubt::Results),
     ("which no finite force can do", Doubt::Results),
     ("elements spread a jump", Doubt::Results),
+    ("the mesh is too coarse", Doubt::Results),
+    ("alternates from step to step", Doubt::Results),
     ("its torsion softens and fails", Doubt::Results),
     ("finer than beam theory", Doubt::Results),
     ("jumps to another branch", Doubt::Results),

@@ -45,10 +45,21 @@ impl System {
     }
 
     /// Whether a load, a joint or a spring acts on a node.
-    fn is_held(&self, node: usize) -> bool {
-        let is_own = |marker: &Marker| matches!(marker, Marker::Node { node: own, .. } if *own == node);
-        self.loads.iter().any(|load| load.points.iter().any(|(marker, _)| is_own(marker)))
-            || self.joints.iter().any(|joint| is_own(&joint.a) || is_own(&joint.b))
-            || self.springs.iter().any(|spring| self.sides(spring.gauge).into_iter().any(is_own))
+    pub(super) fn is_held(&self, node: usize) -> bool {
+        self.held.get(node).copied().unwrap_or(false)
+    }
+
+    /// Finds the nodes on which something acts.
+    pub fn find_held_nodes(&mut self) {
+        let loads = self.loads.iter().flat_map(|load| load.points.iter().map(|(marker, _)| marker));
+        let joints = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
+        let springs = self.springs.iter().flat_map(|spring| self.sides(spring.gauge));
+        let mut held = vec![false; self.mesh.nodes.len()];
+        for marker in loads.chain(joints).chain(springs) {
+            if let Marker::Node { node, .. } = marker {
+                held[*node] = true;
+            }
+        }
+        self.held = held;
     }
 }

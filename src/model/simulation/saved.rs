@@ -50,7 +50,7 @@ struct Saved<'a> {
     /// Start of the grid and internal step, s.
     grid: [f64; 2],
     initialized: bool,
-    watch: Watch,
+    watch: Cow<'a, Watch>,
     accuracy: Cow<'a, Accuracy>,
     results: Cow<'a, [f64]>,
     last: Option<SavedStep<'a>>,
@@ -76,7 +76,7 @@ impl Snapshot {
             state: Cow::Borrowed(&self.state),
             grid: [self.start, self.step],
             initialized: self.initialized,
-            watch: self.watch,
+            watch: Cow::Borrowed(&self.watch),
             accuracy: Cow::Borrowed(&self.accuracy),
             results: Cow::Borrowed(&self.results),
             last: self.last.as_ref().map(|(last, start)| SavedStep {
@@ -138,7 +138,7 @@ impl Snapshot {
             step,
             initialization: Arc::new(()),
             initialized: saved.initialized,
-            watch: saved.watch,
+            watch: saved.watch.into_owned(),
             accuracy: saved.accuracy.into_owned(),
             inputs,
             results: saved.results.into_owned(),
@@ -161,7 +161,7 @@ impl Simulation {
             step: machine.step,
             initialization: Arc::clone(&machine.initialization),
             initialized: machine.is_initialized(),
-            watch: self.watch,
+            watch: self.watch.clone(),
             accuracy: self.accuracy.clone(),
             inputs: self.inputs.clone(),
             results: self.results.clone(),
@@ -179,7 +179,7 @@ impl Simulation {
         machine.state.clone_from(&snapshot.state);
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
         self.results.clone_from(&snapshot.results);
-        self.watch = snapshot.watch;
+        self.watch.clone_from(&snapshot.watch);
         self.accuracy.clone_from(&snapshot.accuracy);
         self.inputs.copy_from(&snapshot.inputs);
         self.derived = Derived::default();
