@@ -59,13 +59,14 @@ impl Midpoint {
     pub fn new(system: &System, spectral_radius: f64, largest_step: f64, tolerance: f64) -> Self {
         assert!((SMALLEST_RADIUS..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
+        let mut kkt = Kkt::for_steps(system);
         Self {
             dissipation: Dissipation::new(spectral_radius),
             largest_step,
             tolerance,
-            kkt: Kkt::for_steps(system),
             right: vec![0.0; coordinates + conditions],
-            projection: Projection::new(system),
+            projection: Projection::new(system, &mut kkt),
+            kkt,
             scratch: Scratch::new(system),
             next: None,
         }

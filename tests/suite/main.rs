@@ -16,6 +16,7 @@ mod breaks;
 mod campaign;
 mod closed_loops;
 mod command_line;
+mod constrained_mass;
 mod curve_keys;
 mod curved_beams;
 mod curves;
