@@ -164,7 +164,7 @@ impl Midpoint {
     fn refine(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
         let mut problem = Step { system, state, dissipation, step, scratch: &mut self.scratch };
         problem.balance(&mut self.right);
-        if self.kkt.solve_again(&mut self.right).is_err() {
+        if self.kkt.solve_roughly(&mut self.right).is_err() {
             return f64::INFINITY;
         }
         let (size, _) = system.correction_size(&self.right);

@@ -165,6 +165,13 @@ impl Multifrontal {
         Err(Singular)
     }
 
+    /// Solves for the right side `vector`, in place, with the factors as they are.
+    pub fn substitute_in(&mut self, vector: &mut [f64]) {
+        self.remainder.copy_from_slice(vector);
+        self.apply_inverse();
+        vector.copy_from_slice(&self.remainder);
+    }
+
     /// Whether the factorized matrix, `blocks`, is beyond doubt regular to working precision.
     ///
     /// A null vector `l` of the transpose would leave `lᵀ(b − A x) = lᵀ b` whatever `x` is. So where `b` has no pattern, an accurate and moderate `x`
