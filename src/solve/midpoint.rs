@@ -242,7 +242,6 @@ impl Problem for Step<'_> {
         let (system, state, h) = (self.system, self.state, self.step);
         let scratch = &mut *self.scratch;
         scratch.place(system, state);
-        kkt.blocks.clear();
 
         let [start, middle, end] = configurations(
             system,
