@@ -250,7 +250,14 @@ impl Problem for Step<'_> {
             [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
             [&scratch.prescribed_middle, &scratch.prescribed_end],
         );
-        let step = time_step(state, [&start, &end], &scratch.increment, &scratch.start_rates, h, self.dissipation);
+        let step = time_step(
+            state,
+            [&start, &end],
+            &scratch.increment,
+            (&scratch.start_rates, &scratch.starts),
+            h,
+            self.dissipation,
+        );
         system.forces_and_tangent(
             &middle,
             &Passage::Step(step),
