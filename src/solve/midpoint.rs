@@ -107,7 +107,9 @@ impl Integrator for Midpoint {
         };
         let energy_before = self.scratch.energies(system, state);
         let work = outside + self.scratch.finish(system, &mut next, span);
-        let outcome = self.projection.set_velocity(system, &mut self.kkt, &mut next);
+        // Those of the middle are no longer needed.
+        let frames = &mut self.scratch.frames_middle;
+        let outcome = self.projection.set_velocity(system, &mut self.kkt, frames, &mut next);
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
             prediction::learn(system, state, &self.scratch.increment, step, &convergence, &mut next);

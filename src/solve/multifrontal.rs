@@ -7,7 +7,8 @@
 use super::front_matrix::{Shape, eliminate, solve_lower, solve_upper};
 use super::fronts::{Front, Fronts, Run, Unknowns};
 use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
-use crate::math::blocks::Blocks;
+use crate::math::blocks::{Block, Blocks};
+use std::ops::Range;
 
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
 const NODE: usize = 7;
@@ -28,11 +29,8 @@ const DOUBT: f64 = 100.0;
 pub struct Multifrontal {
     fronts: Fronts,
     coordinates: usize,
-    /// Natural size of each unknown: diagonals in these units can be compared.
-    units: Vec<f64>,
-    /// Where the diagonal is among the values of the blocks: unknown, place.
-    diagonal: Vec<(usize, usize)>,
-    /// Numbers of the blocks whose rows are conditions.
+    /// Numbers of the blocks that lie on the diagonal, and of those whose rows are conditions.
+    diagonal: Vec<usize>,
     conditions: Vec<usize>,
     /// `L` and `U` of all fronts, column by column.
     factors: Vec<f64>,
@@ -53,27 +51,17 @@ pub struct Multifrontal {
 
 impl Multifrontal {
     /// For the pattern of `blocks`. None where the order does not exist.
-    pub fn new(unknowns: Unknowns, units: &[f64], blocks: &Blocks) -> Option<Self> {
+    pub fn new(unknowns: Unknowns, blocks: &Blocks) -> Option<Self> {
         let fronts = Fronts::new(unknowns, blocks)?;
         let (size, coordinates) = (unknowns.count(), unknowns.coordinates());
-        let (mut diagonal, mut conditions, mut first) = (Vec::new(), Vec::new(), 0);
-        for (number, block) in blocks.layout().iter().enumerate() {
-            if block.row >= coordinates {
-                conditions.push(number);
-            }
-            for column in 0..block.columns {
-                let unknown = block.column + column;
-                if (block.row..block.row + block.rows).contains(&unknown) {
-                    diagonal.push((unknown, first + column * block.rows + unknown - block.row));
-                }
-            }
-            first += block.rows * block.columns;
-        }
+        let select = |is_meant: &dyn Fn(&Block) -> bool| {
+            let numbered = blocks.layout().iter().enumerate().filter(|(_, block)| is_meant(block));
+            numbered.map(|(number, _)| number).collect()
+        };
         Some(Self {
             coordinates,
-            units: units.to_vec(),
-            diagonal,
-            conditions,
+            diagonal: select(&|block| !diagonal(block).is_empty()),
+            conditions: select(&|block| block.row >= coordinates),
             factors: vec![0.0; fronts.storage],
             right: vec![0.0; fronts.right],
             rests: vec![0.0; fronts.rests],
@@ -88,12 +76,12 @@ impl Multifrontal {
         })
     }
 
-    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes.
+    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes; diagonals in the natural `units` of all unknowns can be compared.
     ///
     /// # Errors
     /// A pivot vanishes, or a value is not finite.
-    pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
-        self.set_scale(blocks);
+    pub fn factorize(&mut self, units: &[f64], blocks: &Blocks) -> Result<(), Singular> {
+        self.set_scale(units, blocks);
         let Self { fronts, coordinates, factors, right, rests, rows, scale, column, .. } = self;
         for front in &fronts.fronts {
             let shape = front.shape;
@@ -122,19 +110,22 @@ impl Multifrontal {
     }
 
     /// Sets the scale of all unknowns.
-    fn set_scale(&mut self, blocks: &Blocks) {
-        let Self { scale, units, .. } = self;
+    fn set_scale(&mut self, units: &[f64], blocks: &Blocks) {
+        let Self { scale, .. } = self;
         scale.fill(0.0);
-        for (unknown, place) in &self.diagonal {
-            scale[*unknown] += blocks.values()[*place];
+        for number in &self.diagonal {
+            let (block, values) = (blocks.layout()[*number], blocks.block(*number));
+            for unknown in diagonal(&block) {
+                scale[unknown] += values[(unknown - block.column) * block.rows + unknown - block.row];
+            }
         }
         let (coordinates, multipliers) = scale.split_at_mut(self.coordinates);
         // A diagonal that is round-off of the others, or zero, is replaced by the largest one. Kilograms and kilogram square meters compare in
         // the natural units only: in SI units the ones would be the round-off of the others in a mechanism of some micrometers.
-        let sizes = coordinates.iter().zip(&*units).map(|(value, unit)| value.abs() * unit * unit);
+        let sizes = coordinates.iter().zip(units).map(|(value, unit)| value.abs() * unit * unit);
         let largest = sizes.fold(0.0_f64, f64::max);
         let largest = if largest > 0.0 { largest } else { 1.0 };
-        for (value, unit) in coordinates.iter_mut().zip(&*units) {
+        for (value, unit) in coordinates.iter_mut().zip(units) {
             let size = value.abs() * unit * unit;
             let size = if size > VANISHING * largest { value.abs() } else { largest / (unit * unit) };
             *value = 1.0 / size.sqrt();
@@ -300,6 +291,11 @@ impl Multifrontal {
         }
         error
     }
+}
+
+/// The unknowns whose diagonal entries are in a block.
+fn diagonal(block: &Block) -> Range<usize> {
+    block.row.max(block.column)..(block.row + block.rows).min(block.column + block.columns)
 }
 
 /// Takes the products of some rows of a block, whose columns are `stride` apart, with the solution out of `remainder`, and adds their sizes to `magnitude`; `factors`

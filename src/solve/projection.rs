@@ -14,7 +14,6 @@ pub struct Projection {
     /// The way that takes less work, where there is one.
     fast: Option<ConstrainedMass>,
     right: Vec<f64>,
-    frames: Vec<NodeFrame>,
     gradients: Vec<JointGradient>,
 }
 
@@ -22,7 +21,7 @@ impl Projection {
     /// For one state of `system`.
     pub fn once(system: &System) -> Self {
         let size = system.coordinates() + system.constraints();
-        Self { fast: None, right: vec![0.0; size], frames: Vec::new(), gradients: Vec::new() }
+        Self { fast: None, right: vec![0.0; size], gradients: Vec::new() }
     }
 
     /// For many states of `system`; the matrix of `kkt` is scratch memory.
@@ -39,13 +38,19 @@ impl Projection {
         (&self.gradients, &self.right[system.coordinates()..])
     }
 
-    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow.
+    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow, and `frames` to those of its nodes.
     ///
     /// # Errors
     /// The constraints are redundant.
-    pub fn set_velocity(&mut self, system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Error> {
-        system.frames(&state.q, &state.triads, &mut self.frames);
-        let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
+    pub fn set_velocity(
+        &mut self,
+        system: &System,
+        kkt: &mut Kkt,
+        frames: &mut Vec<NodeFrame>,
+        state: &mut State,
+    ) -> Result<(), Error> {
+        system.frames(&state.q, &state.triads, frames);
+        let configuration = system.configuration(&state.q, frames, state, &state.prescribed);
         system.constraint_gradients(&configuration, &mut self.gradients);
         let (momentum, rates) = self.right.split_at_mut(state.q.len());
         momentum.copy_from_slice(&state.momentum);
