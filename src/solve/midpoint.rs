@@ -186,7 +186,8 @@ impl Midpoint {
         for (own, stray) in state.strays.iter_mut().zip(strays) {
             *own = 0.5 * (*own + stray);
         }
-        system.mass_times(&state.velocity, &mut state.momentum);
+        // `M v` as what is left of the momentum: round-off of `M⁻¹` would add up over the steps.
+        system.add_constraint_forces(gradients, strays, -1.0, &mut state.momentum);
         let kinetic = 0.5 * state.velocity.iter().zip(&state.momentum).map(|(v, p)| v * p).sum::<f64>();
         system.add_constraint_forces(gradients, &state.strays, 1.0, &mut state.momentum);
         kinetic
