@@ -34,15 +34,17 @@ echo "| part of a step | instructions | share |"
 echo "|---|---|---|"
 row() {
     own=$(difference "$2")
-    echo "| $1 | $((own / 300)) | $((own * 100 / whole)) % |"
+    echo "| $1 | $((own / 200)) | $((own * 100 / whole)) % |"
 }
 row 'step, all of it' 'model::simulation::Simulation as ancf14::fmi::Model>::advance'
+row 'start' 'midpoint::scratch::Scratch::prepare'
 row 'matrix and right side of an iteration' 'Problem>::linearize'
 row '- elements, loads, springs' 'System>::forces_and_tangent'
 row '- derivatives of joints' 'Kkt::set_curvatures'
-row '- right side' 'generalized_alpha::Step::balance'
-row '- positions, frames, momenta' 'generalized_alpha::Scratch::place'
 row 'factorization' 'Multifrontal::factorize'
 row '- elimination of fronts' 'front_matrix::eliminate'
 row 'solution, refined' 'Multifrontal::solve'
+row 'forces at the end' 'midpoint::scratch::Scratch::evaluate'
+row 'refinement of the end' 'DirectSolver::solve_roughly'
+row 'velocities' 'Projection::set_velocity'
 row 'results and watch' 'simulation::Simulation::measure'

@@ -1,6 +1,7 @@
 //! The machine at one instant, and how it passes through it: what every part computes from.
 
 use super::ancf14::frame::NodeFrame;
+use super::ancf14::over_step::StepStart;
 use super::mesh::Mesh;
 use super::prescribed::Prescribed;
 
@@ -51,6 +52,8 @@ pub struct TimeStep<'a> {
     pub strain_rates: &'a [f64],
     /// The same at the start, with its velocities.
     pub start_rates: &'a [f64],
+    /// What elements with holonomy angles have at the start.
+    pub starts: &'a [StepStart],
 }
 
 impl TimeStep<'_> {

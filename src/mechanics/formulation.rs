@@ -1,5 +1,6 @@
 //! What the machine asks of an element, whatever its formulation: ANCF14 and ANCF24 answer alike, each in its own folder.
 
+use super::ancf14::over_step::StepStart;
 use super::configuration::{Configuration, Passage, TimeStep};
 use super::marker::{MarkerMatrix, Motion};
 use super::pose::Pose;
@@ -80,8 +81,8 @@ pub trait Formulation {
     fn finish_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64], strain_rates: &mut [f64])
     -> [f64; 2];
 
-    /// Sets `strain_rates`, those of the whole machine, to the rates at an instant with the velocities `velocity`.
-    fn set_strain_rates(&self, _c: &Configuration, _velocity: &[f64], _strain_rates: &mut [f64]) {}
+    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole machine, the rates there.
+    fn begin_step(&self, _c: &Configuration, _velocity: &[f64], _starts: &mut [StepStart], _strain_rates: &mut [f64]) {}
 
     /// Adds the viscous forces of the material at an instant, with the velocities `velocity`.
     fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]);

@@ -286,11 +286,11 @@ impl System {
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
         let mut largest = (0.0, 0);
         for part in self.parts() {
-            for (local, index) in part.enumerate() {
-                let size = correction[index].abs() / if local < PLACE { self.size } else { 1.0 };
+            for (local, value) in correction[part.clone()].iter().enumerate() {
+                let size = value.abs() / if local < PLACE { self.size } else { 1.0 };
                 // Not-a-number must win: `>` alone would let it pass.
                 if size > largest.0 || size.is_nan() {
-                    largest = (size, index);
+                    largest = (size, part.start + local);
                 }
             }
         }

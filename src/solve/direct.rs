@@ -24,7 +24,7 @@ pub struct DirectSolver {
 impl DirectSolver {
     /// For the pattern of `blocks`; `units` is the natural size of each unknown, as [`super::kkt::units`] has it.
     pub fn new(unknowns: Unknowns, units: Vec<f64>, blocks: &Blocks) -> Self {
-        let fronts = Multifrontal::new(unknowns, &units, blocks);
+        let fronts = Multifrontal::new(unknowns, blocks);
         Self { units, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
     }
 
@@ -34,7 +34,8 @@ impl DirectSolver {
     /// The matrix is singular, or a value not finite.
     pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
         self.is_general = false;
-        self.is_frontal = self.fronts.as_mut().is_some_and(|fronts| fronts.factorize(blocks).is_ok());
+        let Self { units, fronts, .. } = self;
+        self.is_frontal = fronts.as_mut().is_some_and(|fronts| fronts.factorize(units, blocks).is_ok());
         if self.is_frontal { Ok(()) } else { self.fall_back(blocks) }
     }
 
@@ -53,6 +54,20 @@ impl DirectSolver {
             self.fall_back(blocks)?;
         }
         self.general.as_mut().ok_or(Singular)?.solve(vector)
+    }
+
+    /// As [`Self::solve`], for a correction that is far smaller than what it corrects: with the factors as they are, which a solution to round-off has shown to do.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    pub fn solve_roughly(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
+        match &mut self.fronts {
+            Some(fronts) if self.is_frontal && !self.is_general => {
+                fronts.substitute_in(vector);
+                Ok(())
+            }
+            _ => self.solve(blocks, vector),
+        }
     }
 
     /// Factorizes with the general solver, as the other one did not do.

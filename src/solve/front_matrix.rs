@@ -2,7 +2,7 @@
 //!
 //! Columns lie one after the other: first the rows of the pivots, then those of the border, filled up with zeros to whole lanes. Eliminated, a
 //! column of a pivot holds `L` below its diagonal, the inverse of the pivot on it, `U` above; a column of the border `U`, and what is left for the
-//! parent.
+//! parent. Columns of pivots stay; of those of the border, `U` is kept in columns of its own.
 
 use super::linear::Singular;
 
@@ -27,41 +27,63 @@ impl Shape {
         self.pivots + self.border.next_multiple_of(LANES)
     }
 
-    /// Number of values.
-    pub fn size(self) -> usize {
-        self.stride() * (self.pivots + self.border)
+    /// Number of values in the columns of the pivots.
+    pub fn own(self) -> usize {
+        self.stride() * self.pivots
+    }
+
+    /// Number of values in the columns of the border.
+    pub fn right(self) -> usize {
+        self.stride() * self.border
+    }
+
+    /// Number of values of the factors: the columns of the pivots, then `U` in those of the border.
+    pub fn factors(self) -> usize {
+        self.own() + self.pivots * self.border
+    }
+
+    /// Number of values that are left for the parent.
+    pub fn rest(self) -> usize {
+        self.border * self.border
     }
 }
 
-/// Eliminates the pivots of `matrix`, with partial pivoting among them: the row whose entry, times its weight in `weights`, is largest.
-/// `rows` get the row of each pivot at the time of its choice.
+/// Eliminates the pivots of a front, whose columns are `own`, those of the border `right`, with partial pivoting among them: the row whose entry, times its
+/// weight in `weights`, is largest. `rows` get the row of each pivot at the time of its choice.
 ///
 /// # Errors
 /// A pivot is zero or not finite.
-pub fn eliminate(shape: Shape, matrix: &mut [f64], weights: &mut [f64], rows: &mut [usize]) -> Result<(), Singular> {
+pub fn eliminate(
+    shape: Shape,
+    own: &mut [f64],
+    right: &mut [f64],
+    weights: &mut [f64],
+    rows: &mut [usize],
+) -> Result<(), Singular> {
     match shape.pivots {
-        6 => eliminate_sized::<6>(shape, matrix, weights, rows),
-        7 => eliminate_sized::<7>(shape, matrix, weights, rows),
-        8 => eliminate_sized::<8>(shape, matrix, weights, rows),
-        9 => eliminate_sized::<9>(shape, matrix, weights, rows),
-        10 => eliminate_sized::<10>(shape, matrix, weights, rows),
-        11 => eliminate_sized::<11>(shape, matrix, weights, rows),
-        12 => eliminate_sized::<12>(shape, matrix, weights, rows),
-        13 => eliminate_sized::<13>(shape, matrix, weights, rows),
-        _ => eliminate_panels(shape, matrix, weights, rows),
+        6 => eliminate_sized::<6>(shape, own, right, weights, rows),
+        7 => eliminate_sized::<7>(shape, own, right, weights, rows),
+        8 => eliminate_sized::<8>(shape, own, right, weights, rows),
+        9 => eliminate_sized::<9>(shape, own, right, weights, rows),
+        10 => eliminate_sized::<10>(shape, own, right, weights, rows),
+        11 => eliminate_sized::<11>(shape, own, right, weights, rows),
+        12 => eliminate_sized::<12>(shape, own, right, weights, rows),
+        13 => eliminate_sized::<13>(shape, own, right, weights, rows),
+        _ => eliminate_panels(shape, own, right, weights, rows),
     }
 }
 
 /// With a number of pivots that the compiler knows and may unroll: column by column, each with all pivots before it.
 fn eliminate_sized<const PIVOTS: usize>(
     shape: Shape,
-    matrix: &mut [f64],
+    own: &mut [f64],
+    right: &mut [f64],
     weights: &mut [f64],
     rows: &mut [usize],
 ) -> Result<(), Singular> {
     let stride = shape.stride();
     for number in 0..PIVOTS {
-        let (before, rest) = matrix.split_at_mut(number * stride);
+        let (before, rest) = own.split_at_mut(number * stride);
         let (column, later) = rest.split_at_mut(stride);
         reduce::<PIVOTS>(PIVOTS, before, column);
         let best = number + best_row(&column[number..PIVOTS], &weights[number..])?;
@@ -70,7 +92,7 @@ fn eliminate_sized<const PIVOTS: usize>(
             weights.swap(number, best);
             column.swap(number, best);
             // In later columns too, at once: whole lanes of what has just been written would have to wait when they are read.
-            for columns in [before, later] {
+            for columns in [before, later, &mut *right] {
                 columns.chunks_exact_mut(stride).for_each(|column| column.swap(number, best));
             }
         }
@@ -78,23 +100,28 @@ fn eliminate_sized<const PIVOTS: usize>(
         column[number] = inverse;
         column[number + 1..].iter_mut().for_each(|value| *value *= inverse);
     }
-    let (before, rest) = matrix.split_at_mut(PIVOTS * stride);
-    for column in rest.chunks_exact_mut(stride) {
-        reduce::<PIVOTS>(PIVOTS, before, column);
+    for column in right.chunks_exact_mut(stride) {
+        reduce::<PIVOTS>(PIVOTS, own, column);
     }
     Ok(())
 }
 
 /// With any number of pivots: some of them at a time, each lot taken out of all columns to its right.
-fn eliminate_panels(shape: Shape, matrix: &mut [f64], weights: &mut [f64], rows: &mut [usize]) -> Result<(), Singular> {
+fn eliminate_panels(
+    shape: Shape,
+    own: &mut [f64],
+    right: &mut [f64],
+    weights: &mut [f64],
+    rows: &mut [usize],
+) -> Result<(), Singular> {
     let mut done = 0;
     while done < shape.pivots {
         let width = PANEL.min(shape.pivots - done);
         match width {
-            1 => eliminate_panel::<1>(shape, done, matrix, weights, rows)?,
-            2 => eliminate_panel::<2>(shape, done, matrix, weights, rows)?,
-            3 => eliminate_panel::<3>(shape, done, matrix, weights, rows)?,
-            _ => eliminate_panel::<PANEL>(shape, done, matrix, weights, rows)?,
+            1 => eliminate_panel::<1>(shape, done, [&mut *own, &mut *right], weights, rows)?,
+            2 => eliminate_panel::<2>(shape, done, [&mut *own, &mut *right], weights, rows)?,
+            3 => eliminate_panel::<3>(shape, done, [&mut *own, &mut *right], weights, rows)?,
+            _ => eliminate_panel::<PANEL>(shape, done, [&mut *own, &mut *right], weights, rows)?,
         }
         done += width;
     }
@@ -105,13 +132,13 @@ fn eliminate_panels(shape: Shape, matrix: &mut [f64], weights: &mut [f64], rows:
 fn eliminate_panel<const WIDTH: usize>(
     shape: Shape,
     done: usize,
-    matrix: &mut [f64],
+    [own, right]: [&mut [f64]; 2],
     weights: &mut [f64],
     rows: &mut [usize],
 ) -> Result<(), Singular> {
     let (stride, end) = (shape.stride(), done + WIDTH);
-    let (before, rest) = matrix.split_at_mut(done * stride);
-    let (panel, right) = rest.split_at_mut(WIDTH * stride);
+    let (before, rest) = own.split_at_mut(done * stride);
+    let (panel, ahead) = rest.split_at_mut(WIDTH * stride);
     let rows = &mut rows[done..end];
     let mut exchanged = false;
     for (own, row) in rows.iter_mut().enumerate() {
@@ -144,7 +171,7 @@ fn eliminate_panel<const WIDTH: usize>(
         corner[own].copy_from_slice(&column[done..end]);
         lower[own] = &column[end..];
     }
-    for column in right.chunks_exact_mut(stride) {
+    for column in ahead.chunks_exact_mut(stride).chain(right.chunks_exact_mut(stride)) {
         if exchanged {
             rows.iter().enumerate().for_each(|(own, row)| column.swap(done + own, *row));
         }
@@ -211,33 +238,33 @@ fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64]
 }
 
 /// Solves with `L`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they leave on the border.
-pub fn solve_lower(shape: Shape, matrix: &[f64], rows: &[usize], column: &mut [f64]) {
+pub fn solve_lower(shape: Shape, factors: &[f64], rows: &[usize], column: &mut [f64]) {
     for (number, row) in rows.iter().enumerate() {
         if *row != number {
             column.swap(number, *row);
         }
     }
     match shape.pivots {
-        7 => reduce::<7>(7, &matrix[..7 * shape.stride()], column),
-        pivots => reduce::<0>(pivots, &matrix[..pivots * shape.stride()], column),
+        7 => reduce::<7>(7, &factors[..shape.own()], column),
+        pivots => reduce::<0>(pivots, &factors[..shape.own()], column),
     }
 }
 
 /// Solves with `U`: `column` has the right sides of the pivots, then the solution on the border; afterwards the whole solution.
-pub fn solve_upper(shape: Shape, matrix: &[f64], column: &mut [f64]) {
+pub fn solve_upper(shape: Shape, factors: &[f64], column: &mut [f64]) {
     match shape.pivots {
-        7 => solve_upper_sized::<7>(shape, matrix, column),
-        _ => solve_upper_sized::<0>(shape, matrix, column),
+        7 => solve_upper_sized::<7>(shape, factors, column),
+        _ => solve_upper_sized::<0>(shape, factors, column),
     }
 }
 
-fn solve_upper_sized<const PIVOTS: usize>(shape: Shape, matrix: &[f64], column: &mut [f64]) {
+fn solve_upper_sized<const PIVOTS: usize>(shape: Shape, factors: &[f64], column: &mut [f64]) {
     let pivots = if PIVOTS > 0 { PIVOTS } else { shape.pivots };
     let stride = shape.stride();
     let (column, border) = column.split_at_mut(pivots);
-    let (own, right) = matrix.split_at(pivots * stride);
-    for (value, upper) in border.iter().zip(right.chunks_exact(stride)) {
-        for (sum, entry) in column.iter_mut().zip(&upper[..pivots]) {
+    let (own, right) = factors.split_at(pivots * stride);
+    for (value, upper) in border.iter().zip(right.chunks_exact(pivots)) {
+        for (sum, entry) in column.iter_mut().zip(upper) {
             *sum -= value * entry;
         }
     }

@@ -53,8 +53,10 @@ pub struct Front {
     pub shape: Shape,
     /// Runs of the border among the unknowns: [`Fronts::borders`].
     pub border: Range<usize>,
-    /// Where its dense matrix begins.
+    /// Where its factors begin.
     pub start: usize,
+    /// Where what it leaves begins, until its parent has taken it.
+    pub rest: usize,
     /// What is added into it: [`Fronts::pieces`].
     pub pieces: Range<usize>,
     /// Fronts whose rest is added into it: [`Fronts::children`].
@@ -70,7 +72,7 @@ pub struct Piece {
     pub source: usize,
     /// Distance of its columns there.
     pub stride: usize,
-    /// Place of its first value in the matrix of the front.
+    /// Place of its first value in the columns of the front.
     pub target: usize,
     /// Number of rows.
     pub rows: usize,
@@ -104,8 +106,12 @@ pub struct Fronts {
     pub runs: Vec<Run>,
     /// Of each renumbered unknown, its number in the system.
     pub unknowns: Vec<usize>,
-    /// Length of all dense matrices together.
+    /// Length of all factors together.
     pub storage: usize,
+    /// Length of what fronts leave at the same time.
+    pub rests: usize,
+    /// Longest columns of a border.
+    pub right: usize,
     /// Longest column of a front.
     pub longest: usize,
 }
@@ -211,7 +217,8 @@ impl Fronts {
 
     fn with_order(order: &Order<'_>, blocks: &Blocks) -> Self {
         let (mut borders, mut runs, mut children, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (mut storage, mut longest) = (0, 0);
+        let (mut storage, mut longest, mut right) = (0, 0, 0);
+        let mut places = Places::default();
         let mut fronts: Vec<Front> = Vec::with_capacity(order.members.len());
         for (front, border) in order.borders.iter().enumerate() {
             let begin = [unknowns.len(), borders.len(), runs.len(), children.len()];
@@ -230,19 +237,28 @@ impl Fronts {
             }
             children.extend(&order.children[front]);
             let shape = Shape { pivots: pivots.len(), border: row - pivots.len() };
+            // Its own is written when those of its children have been read.
+            for child in &order.children[front] {
+                places.give_back(fronts[*child].rest, fronts[*child].shape.rest());
+            }
+            let rest = places.take(shape.rest());
             fronts.push(Front {
                 pivots,
                 shape,
                 border: begin[1]..borders.len(),
                 start: storage,
+                rest,
                 pieces: 0..0,
                 children: begin[3]..children.len(),
                 runs: begin[2]..runs.len(),
             });
-            storage += shape.size();
+            storage += shape.factors();
             longest = longest.max(shape.stride());
+            right = right.max(shape.right());
         }
-        let mut all = Self { fronts, borders, pieces: Vec::new(), children, runs, unknowns, storage, longest };
+        let rests = places.end;
+        let mut all =
+            Self { fronts, borders, pieces: Vec::new(), children, runs, unknowns, storage, rests, right, longest };
         all.cut(order, blocks);
         all
     }
@@ -256,8 +272,8 @@ impl Fronts {
             for row in groups.within(block.row..block.row + block.rows) {
                 for column in groups.within(block.column..block.column + block.columns) {
                     let front = order.front_of[row].min(order.front_of[column]);
-                    let Front { start, shape, .. } = self.fronts[front];
-                    let target = start + order.row_in(front, row) + shape.stride() * order.row_in(front, column);
+                    let stride = self.fronts[front].shape.stride();
+                    let target = order.row_in(front, row) + stride * order.row_in(front, column);
                     let [rows, columns] = [row, column].map(|group| groups.unknowns(group));
                     let piece = Piece {
                         source: source + rows.start - block.row + (columns.start - block.column) * block.rows,
@@ -279,6 +295,39 @@ impl Fronts {
             first += count;
         }
         self.pieces = pieces.into_iter().map(|(_, piece)| piece).collect();
+    }
+}
+
+/// Memory that is taken and given back in a known order.
+#[derive(Debug, Default)]
+struct Places {
+    /// Gaps: where each begins, and how long it is.
+    gaps: Vec<(usize, usize)>,
+    end: usize,
+}
+
+impl Places {
+    /// The first gap that is long enough, or new memory.
+    fn take(&mut self, length: usize) -> usize {
+        if let Some(gap) = self.gaps.iter_mut().find(|(_, room)| *room >= length) {
+            let begin = gap.0;
+            *gap = (begin + length, gap.1 - length);
+            return begin;
+        }
+        self.end += length;
+        self.end - length
+    }
+
+    /// Makes a gap, one with its neighbours.
+    fn give_back(&mut self, begin: usize, length: usize) {
+        let place = self.gaps.partition_point(|(other, _)| *other < begin);
+        self.gaps.insert(place, (begin, length));
+        self.gaps.dedup_by(|next, before| {
+            let touches = before.0 + before.1 == next.0;
+            before.1 += if touches { next.1 } else { 0 };
+            touches
+        });
+        self.gaps.retain(|(_, room)| *room > 0);
     }
 }
 

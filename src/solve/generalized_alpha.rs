@@ -345,7 +345,6 @@ impl Problem for Step<'_> {
         scratch.place(system, state, self.weights, self.step);
         let by_q = self.weights.by_q(self.step);
         let scale = 1.0 / by_q[1];
-        kkt.blocks.clear();
 
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
         let passage = Passage::Instant(&scratch.velocity);

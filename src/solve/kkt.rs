@@ -164,6 +164,14 @@ impl Kkt {
         self.solver.solve(&self.blocks, vector)
     }
 
+    /// Solves in place with the last factorization, after it has been solved with, for a correction that is far smaller than what it corrects: not refined.
+    ///
+    /// # Errors
+    /// The solution is not accurate.
+    pub fn solve_roughly(&mut self, vector: &mut [f64]) -> Result<(), Singular> {
+        self.solver.solve_roughly(&self.blocks, vector)
+    }
+
     /// How many independent motions that the constraints allow release energy, by the symmetric part of the matrix that is set and has
     /// been factorized: Sylvester's law of inertia counts them all, however many softer ones there are. None where a pivot vanishes.
     ///

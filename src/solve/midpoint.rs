@@ -64,13 +64,14 @@ impl Midpoint {
     pub fn new(system: &System, spectral_radius: f64, largest_step: f64, tolerance: f64) -> Self {
         assert!((SMALLEST_RADIUS..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
+        let mut kkt = Kkt::for_steps(system);
         Self {
             dissipation: Dissipation::new(spectral_radius),
             largest_step,
             tolerance,
-            kkt: Kkt::for_steps(system),
             right: vec![0.0; coordinates + conditions],
-            projection: Projection::new(system),
+            projection: Projection::new(system, &mut kkt),
+            kkt,
             scratch: Scratch::new(system),
             estimator: system.mesh.tells_strain_rates().then(|| Estimator::new(system)),
             next: None,
@@ -114,7 +115,9 @@ impl Integrator for Midpoint {
         let energy_before = self.scratch.energies(system, state);
         let work = outside + self.scratch.finish(system, &mut next, span);
         self.carry_error(system, state, dissipation, span, &mut next);
-        let outcome = self.projection.set_velocity(system, &mut self.kkt, &mut next);
+        // Those of the middle are no longer needed.
+        let frames = &mut self.scratch.frames_middle;
+        let outcome = self.projection.set_velocity(system, &mut self.kkt, frames, &mut next);
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
             prediction::learn(system, state, &self.scratch.increment, step, &convergence, &mut next);
@@ -172,7 +175,7 @@ impl Midpoint {
     fn refine(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
         let mut problem = Step { system, state, dissipation, step, scratch: &mut self.scratch };
         problem.balance(&mut self.right);
-        if self.kkt.solve_again(&mut self.right).is_err() {
+        if self.kkt.solve_roughly(&mut self.right).is_err() {
             return f64::INFINITY;
         }
         let (size, _) = system.correction_size(&self.right);
@@ -203,7 +206,8 @@ impl Midpoint {
         for (own, stray) in state.strays.iter_mut().zip(strays) {
             *own = 0.5 * (*own + stray);
         }
-        system.mass_times(&state.velocity, &mut state.momentum);
+        // `M v` as what is left of the momentum: round-off of `M⁻¹` would add up over the steps.
+        system.add_constraint_forces(gradients, strays, -1.0, &mut state.momentum);
         let kinetic = 0.5 * state.velocity.iter().zip(&state.momentum).map(|(v, p)| v * p).sum::<f64>();
         system.add_constraint_forces(gradients, &state.strays, 1.0, &mut state.momentum);
         kinetic
@@ -261,7 +265,6 @@ impl Problem for Step<'_> {
         let (system, state, h) = (self.system, self.state, self.step);
         let scratch = &mut *self.scratch;
         scratch.place(system, state);
-        kkt.blocks.clear();
 
         let [start, middle, end] = configurations(
             system,
@@ -270,7 +273,14 @@ impl Problem for Step<'_> {
             [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
             [&scratch.prescribed_middle, &scratch.prescribed_end],
         );
-        let step = time_step(state, [&start, &end], &scratch.increment, &scratch.start_rates, h, self.dissipation);
+        let step = time_step(
+            state,
+            [&start, &end],
+            &scratch.increment,
+            (&scratch.start_rates, &scratch.starts),
+            h,
+            self.dissipation,
+        );
         system.forces_and_tangent(
             &middle,
             &Passage::Step(step),

@@ -1,5 +1,7 @@
 //! Linear systems, Newton, equilibria, natural modes, steps in time and their derivatives.
 
+pub mod cholesky;
+pub mod constrained_mass;
 pub mod direct;
 pub mod front_matrix;
 pub mod fronts;
@@ -8,6 +10,7 @@ pub mod gyroscopic;
 pub mod kkt;
 pub mod limits;
 pub mod linear;
+pub mod mass;
 pub mod midpoint;
 pub mod mobility;
 pub mod modes;

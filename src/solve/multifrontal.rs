@@ -4,10 +4,11 @@
 //! condition is 1, which then counts for more. What the restricted pivoting and stiff beams cost, refinement restores; a solution counts only with a componentwise backward
 //! error at round-off. Where there is none, a general solver has to help (`direct`).
 
-use super::front_matrix::{eliminate, solve_lower, solve_upper};
+use super::front_matrix::{Shape, eliminate, solve_lower, solve_upper};
 use super::fronts::{Front, Fronts, Run, Unknowns};
 use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
-use crate::math::blocks::Blocks;
+use crate::math::blocks::{Block, Blocks};
+use std::ops::Range;
 
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
 const NODE: usize = 7;
@@ -28,14 +29,15 @@ const DOUBT: f64 = 100.0;
 pub struct Multifrontal {
     fronts: Fronts,
     coordinates: usize,
-    /// Natural size of each unknown: diagonals in these units can be compared.
-    units: Vec<f64>,
-    /// Where the diagonal is among the values of the blocks: unknown, place.
-    diagonal: Vec<(usize, usize)>,
-    /// Numbers of the blocks whose rows are conditions.
+    /// Numbers of the blocks that lie on the diagonal, and of those whose rows are conditions.
+    diagonal: Vec<usize>,
     conditions: Vec<usize>,
-    /// The dense matrices of all fronts, column by column; factorized `L` and `U` of the pivots, and the rest that went to the parent.
-    matrices: Vec<f64>,
+    /// `L` and `U` of all fronts, column by column.
+    factors: Vec<f64>,
+    /// The columns of the border of the front in the making.
+    right: Vec<f64>,
+    /// What fronts leave for their parents.
+    rests: Vec<f64>,
     /// Of each renumbered unknown, the row (within its front) that its pivot came from.
     rows: Vec<usize>,
     scale: Vec<f64>,
@@ -49,28 +51,20 @@ pub struct Multifrontal {
 
 impl Multifrontal {
     /// For the pattern of `blocks`. None where the order does not exist.
-    pub fn new(unknowns: Unknowns, units: &[f64], blocks: &Blocks) -> Option<Self> {
+    pub fn new(unknowns: Unknowns, blocks: &Blocks) -> Option<Self> {
         let fronts = Fronts::new(unknowns, blocks)?;
         let (size, coordinates) = (unknowns.count(), unknowns.coordinates());
-        let (mut diagonal, mut conditions, mut first) = (Vec::new(), Vec::new(), 0);
-        for (number, block) in blocks.layout().iter().enumerate() {
-            if block.row >= coordinates {
-                conditions.push(number);
-            }
-            for column in 0..block.columns {
-                let unknown = block.column + column;
-                if (block.row..block.row + block.rows).contains(&unknown) {
-                    diagonal.push((unknown, first + column * block.rows + unknown - block.row));
-                }
-            }
-            first += block.rows * block.columns;
-        }
+        let select = |is_meant: &dyn Fn(&Block) -> bool| {
+            let numbered = blocks.layout().iter().enumerate().filter(|(_, block)| is_meant(block));
+            numbered.map(|(number, _)| number).collect()
+        };
         Some(Self {
             coordinates,
-            units: units.to_vec(),
-            diagonal,
-            conditions,
-            matrices: vec![0.0; fronts.storage],
+            diagonal: select(&|block| !diagonal(block).is_empty()),
+            conditions: select(&|block| block.row >= coordinates),
+            factors: vec![0.0; fronts.storage],
+            right: vec![0.0; fronts.right],
+            rests: vec![0.0; fronts.rests],
             rows: vec![0; size],
             scale: vec![1.0; size],
             work: vec![0.0; size],
@@ -82,45 +76,56 @@ impl Multifrontal {
         })
     }
 
-    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes.
+    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes; diagonals in the natural `units` of all unknowns can be compared.
     ///
     /// # Errors
     /// A pivot vanishes, or a value is not finite.
-    pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
-        self.set_scale(blocks);
-        let Self { fronts, coordinates, matrices, rows, scale, column, .. } = self;
+    pub fn factorize(&mut self, units: &[f64], blocks: &Blocks) -> Result<(), Singular> {
+        self.set_scale(units, blocks);
+        let Self { fronts, coordinates, factors, right, rests, rows, scale, column, .. } = self;
         for front in &fronts.fronts {
-            let (done, rest) = matrices.split_at_mut(front.start);
-            let matrix = &mut rest[..front.shape.size()];
-            matrix.fill(0.0);
-            add_pieces(fronts, front, blocks.values(), matrix);
+            let shape = front.shape;
+            let (own, upper) = factors[front.start..front.start + shape.factors()].split_at_mut(shape.own());
+            let right = &mut right[..shape.right()];
+            own.fill(0.0);
+            right.fill(0.0);
+            add_pieces(fronts, front, blocks.values(), own, right);
             for child in &fronts.children[front.children.clone()] {
                 let child = &fronts.fronts[*child];
-                add_rest(done, child, &fronts.runs[child.runs.clone()], matrix, front.shape.stride());
+                add_rest(rests, child, &fronts.runs[child.runs.clone()], shape, [&mut *own, &mut *right]);
             }
             let weights = &mut column[..front.pivots.len()];
             for (weight, unknown) in weights.iter_mut().zip(&fronts.unknowns[front.pivots.clone()]) {
                 *weight = if unknown < coordinates { scale[*unknown] } else { PREFERENCE * scale[*unknown] };
             }
-            eliminate(front.shape, matrix, weights, &mut rows[front.pivots.clone()])?;
+            eliminate(shape, own, right, weights, &mut rows[front.pivots.clone()])?;
+            let left = rests[front.rest..front.rest + shape.rest()].chunks_exact_mut(shape.border.max(1));
+            let kept = upper.chunks_exact_mut(shape.pivots);
+            for ((column, kept), left) in right.chunks_exact(shape.stride()).zip(kept).zip(left) {
+                copy(&column[..shape.pivots], kept);
+                copy(&column[shape.pivots..shape.pivots + shape.border], left);
+            }
         }
         Ok(())
     }
 
     /// Sets the scale of all unknowns.
-    fn set_scale(&mut self, blocks: &Blocks) {
-        let Self { scale, units, .. } = self;
+    fn set_scale(&mut self, units: &[f64], blocks: &Blocks) {
+        let Self { scale, .. } = self;
         scale.fill(0.0);
-        for (unknown, place) in &self.diagonal {
-            scale[*unknown] += blocks.values()[*place];
+        for number in &self.diagonal {
+            let (block, values) = (blocks.layout()[*number], blocks.block(*number));
+            for unknown in diagonal(&block) {
+                scale[unknown] += values[(unknown - block.column) * block.rows + unknown - block.row];
+            }
         }
         let (coordinates, multipliers) = scale.split_at_mut(self.coordinates);
         // A diagonal that is round-off of the others, or zero, is replaced by the largest one. Kilograms and kilogram square meters compare in
         // the natural units only: in SI units the ones would be the round-off of the others in a mechanism of some micrometers.
-        let sizes = coordinates.iter().zip(&*units).map(|(value, unit)| value.abs() * unit * unit);
+        let sizes = coordinates.iter().zip(units).map(|(value, unit)| value.abs() * unit * unit);
         let largest = sizes.fold(0.0_f64, f64::max);
         let largest = if largest > 0.0 { largest } else { 1.0 };
-        for (value, unit) in coordinates.iter_mut().zip(&*units) {
+        for (value, unit) in coordinates.iter_mut().zip(units) {
             let size = value.abs() * unit * unit;
             let size = if size > VANISHING * largest { value.abs() } else { largest / (unit * unit) };
             *value = 1.0 / size.sqrt();
@@ -163,6 +168,13 @@ impl Multifrontal {
             }
         }
         Err(Singular)
+    }
+
+    /// Solves for the right side `vector`, in place, with the factors as they are.
+    pub fn substitute_in(&mut self, vector: &mut [f64]) {
+        self.remainder.copy_from_slice(vector);
+        self.apply_inverse();
+        vector.copy_from_slice(&self.remainder);
     }
 
     /// Whether the factorized matrix, `blocks`, is beyond doubt regular to working precision.
@@ -208,27 +220,27 @@ impl Multifrontal {
 
     /// Solves the renumbered system for `work`, in place.
     fn substitute(&mut self) {
-        let Self { fronts, matrices, rows, work, column, .. } = self;
+        let Self { fronts, factors, rows, work, column, .. } = self;
         for front in &fronts.fronts {
-            let matrix = &matrices[front.start..front.start + front.shape.size()];
+            let factors = &factors[front.start..front.start + front.shape.factors()];
             let column = &mut column[..front.shape.stride()];
             let (pivots, border) = column.split_at_mut(front.pivots.len());
             pivots.copy_from_slice(&work[front.pivots.clone()]);
             border.fill(0.0);
-            solve_lower(front.shape, matrix, &rows[front.pivots.clone()], column);
+            solve_lower(front.shape, factors, &rows[front.pivots.clone()], column);
             work[front.pivots.clone()].copy_from_slice(&column[..front.pivots.len()]);
             for Run { from, to, length } in &fronts.borders[front.border.clone()] {
                 add(&mut work[*to..to + length], &column[*from..from + length]);
             }
         }
         for front in fronts.fronts.iter().rev() {
-            let matrix = &matrices[front.start..front.start + front.shape.size()];
+            let factors = &factors[front.start..front.start + front.shape.factors()];
             let column = &mut column[..front.pivots.len() + front.shape.border];
             column[..front.pivots.len()].copy_from_slice(&work[front.pivots.clone()]);
             for Run { from, to, length } in &fronts.borders[front.border.clone()] {
                 column[*from..from + length].copy_from_slice(&work[*to..to + length]);
             }
-            solve_upper(front.shape, matrix, column);
+            solve_upper(front.shape, factors, column);
             work[front.pivots.clone()].copy_from_slice(&column[..front.pivots.len()]);
         }
     }
@@ -281,6 +293,11 @@ impl Multifrontal {
     }
 }
 
+/// The unknowns whose diagonal entries are in a block.
+fn diagonal(block: &Block) -> Range<usize> {
+    block.row.max(block.column)..(block.row + block.rows).min(block.column + block.columns)
+}
+
 /// Takes the products of some rows of a block, whose columns are `stride` apart, with the solution out of `remainder`, and adds their sizes to `magnitude`; `factors`
 /// are the solution and what sizes are multiplied with. Returns how many rows.
 fn subtract_rows<const ROWS: usize>(
@@ -317,29 +334,46 @@ fn add(target: &mut [f64], column: &[f64]) {
     }
 }
 
-/// Adds the pieces of the matrix that belong to a front.
-fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], matrix: &mut [f64]) {
+/// `target = column`.
+fn copy(column: &[f64], target: &mut [f64]) {
+    if let (Ok(target), Ok(column)) = (<&mut [f64; NODE]>::try_from(&mut *target), <&[f64; NODE]>::try_from(column)) {
+        *target = *column;
+        return;
+    }
+    target.copy_from_slice(column);
+}
+
+/// Adds the pieces of the matrix that belong to a front, whose columns of pivots are `own`, those of the border `right`.
+fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], own: &mut [f64], right: &mut [f64]) {
     let stride = front.shape.stride();
     for piece in &fronts.pieces[front.pieces.clone()] {
-        let (mut from, mut to) = (piece.source, piece.target - front.start);
+        let mut from = piece.source;
+        // A piece has columns of one group.
+        let (mut to, columns) =
+            if piece.target < own.len() { (piece.target, &mut *own) } else { (piece.target - own.len(), &mut *right) };
         for _ in 0..piece.columns {
-            add(&mut matrix[to..to + piece.rows], &values[from..from + piece.rows]);
+            add(&mut columns[to..to + piece.rows], &values[from..from + piece.rows]);
             from += piece.stride;
             to += stride;
         }
     }
 }
 
-/// Adds what is left of a child to the `matrix` of its parent, whose columns are `stride` apart.
-fn add_rest(done: &[f64], child: &Front, runs: &[Run], matrix: &mut [f64], stride: usize) {
-    let own_stride = child.shape.stride();
-    let rest = &done[child.start..child.start + child.shape.size()];
+/// Adds what is left of a child, among `rests`, to the columns of its parent of the shape `shape`: of pivots, of the border.
+fn add_rest(rests: &[f64], child: &Front, runs: &[Run], shape: Shape, [own, right]: [&mut [f64]; 2]) {
+    let (stride, Shape { pivots, border }) = (shape.stride(), child.shape);
+    let rest = &rests[child.rest..child.rest + child.shape.rest()];
     for columns in runs {
         for column in 0..columns.length {
-            let from = (columns.from + column) * own_stride;
-            let to = (columns.to + column) * stride;
-            for Run { from: own, to: place, length } in runs {
-                add(&mut matrix[to + place..to + place + length], &rest[from + own..from + own + length]);
+            let left = &rest[(columns.from + column - pivots) * border..][..border];
+            let to = columns.to + column;
+            let target = if to < shape.pivots {
+                &mut own[to * stride..(to + 1) * stride]
+            } else {
+                &mut right[(to - shape.pivots) * stride..(to - shape.pivots + 1) * stride]
+            };
+            for Run { from, to, length } in runs {
+                add(&mut target[*to..to + length], &left[from - pivots..from - pivots + length]);
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Velocities that the constraints allow (MECHANICS 7.1): `[M Gᵀ; G 0][v; ν] = [P; −∂g/∂t]`.
 
+use super::constrained_mass::ConstrainedMass;
 use super::kkt::Kkt;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
@@ -7,19 +8,29 @@ use crate::mechanics::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
-/// Scratch memory of the projection; the linear system is whose it is.
+/// Scratch memory of the projection; the general linear system is whose it is.
 #[derive(Debug)]
 pub struct Projection {
+    /// The way that takes less work, where there is one.
+    fast: Option<ConstrainedMass>,
     right: Vec<f64>,
-    frames: Vec<NodeFrame>,
     gradients: Vec<JointGradient>,
 }
 
 impl Projection {
-    /// For `system`.
-    pub fn new(system: &System) -> Self {
+    /// For one state of `system`.
+    pub fn once(system: &System) -> Self {
         let size = system.coordinates() + system.constraints();
-        Self { right: vec![0.0; size], frames: Vec::new(), gradients: Vec::new() }
+        Self { fast: None, right: vec![0.0; size], gradients: Vec::new() }
+    }
+
+    /// For many states of `system`; the matrix of `kkt` is scratch memory.
+    pub fn new(system: &System, kkt: &mut Kkt) -> Self {
+        kkt.blocks.clear();
+        system.add_mass(1.0, &mut kkt.blocks);
+        let fast = ConstrainedMass::new(system, &kkt.blocks);
+        kkt.blocks.clear();
+        Self { fast, ..Self::once(system) }
     }
 
     /// Of the last call: the momentum beside that of the velocities, `Gᵀ ν` with the gradients and `ν`.
@@ -27,13 +38,19 @@ impl Projection {
         (&self.gradients, &self.right[system.coordinates()..])
     }
 
-    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow.
+    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow, and `frames` to those of its nodes.
     ///
     /// # Errors
     /// The constraints are redundant.
-    pub fn set_velocity(&mut self, system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Error> {
-        system.frames(&state.q, &state.triads, &mut self.frames);
-        let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
+    pub fn set_velocity(
+        &mut self,
+        system: &System,
+        kkt: &mut Kkt,
+        frames: &mut Vec<NodeFrame>,
+        state: &mut State,
+    ) -> Result<(), Error> {
+        system.frames(&state.q, &state.triads, frames);
+        let configuration = system.configuration(&state.q, frames, state, &state.prescribed);
         system.constraint_gradients(&configuration, &mut self.gradients);
         let (momentum, rates) = self.right.split_at_mut(state.q.len());
         momentum.copy_from_slice(&state.momentum);
@@ -42,10 +59,15 @@ impl Projection {
         if rates.iter().any(|rate| !rate.is_finite()) {
             return Err(Error::NotFinite { time: state.time, what: system.describe_not_finite(state.time) });
         }
-        kkt.blocks.clear();
-        system.add_mass(1.0, &mut kkt.blocks);
-        kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
-        kkt.solve(system, &mut self.right, state.time)?;
+        let Self { fast, right, gradients, .. } = self;
+        let solved =
+            fast.as_mut().is_some_and(|fast| fast.solve(system, gradients, right, &mut state.velocity).is_ok());
+        if !solved {
+            kkt.blocks.clear();
+            system.add_mass(1.0, &mut kkt.blocks);
+            kkt.set_constraints(system, gradients, gradients, 1.0);
+            kkt.solve(system, right, state.time)?;
+        }
         state.velocity.copy_from_slice(&self.right[..state.q.len()]);
         Ok(())
     }

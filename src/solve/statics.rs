@@ -380,7 +380,6 @@ impl Problem for Equilibrium<'_> {
         let scratch = &mut *self.scratch;
         system.frames(&scratch.q, &state.triads, &mut scratch.frames);
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, self.motion);
-        kkt.blocks.clear();
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &Passage::Rest, self.excitation, 1.0, forces, tangent);
         kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);

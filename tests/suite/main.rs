@@ -18,6 +18,7 @@ mod campaign;
 mod closed_loops;
 mod coarse_meshes;
 mod command_line;
+mod constrained_mass;
 mod curve_keys;
 mod curved_beams;
 mod curves;

@@ -117,6 +117,7 @@ fn check_spring_derivatives() {
                 dissipation: Dissipation::default(),
                 strain_rates: &rates,
                 start_rates: &rates,
+                starts: &[],
             });
             let reading_end =
                 |q: All<Dual>| measure(kind, &other.pose(&a, q.as_slice()), &other.pose(&b, q.as_slice()));

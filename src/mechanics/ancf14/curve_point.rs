@@ -45,6 +45,22 @@ impl CurvePoint {
         Self { stretch, curvatures, twist_rate, p, w, h }
     }
 
+    /// Changes of `κ1`, `κ2` and of `ω` with small changes of `P` and `W`, 1/m and rad/m.
+    #[inline]
+    pub fn along(&self, by_p: &Vec3, by_w: &Vec3) -> ([f64; 2], f64) {
+        let &Self { stretch, curvatures, twist_rate, p, w, h } = self;
+        let (per_stretch, per_depth) = (1.0 / stretch, 1.0 / (stretch + p[0]));
+        let by_stretch = p.dot(by_p) * per_stretch;
+        let by_depth = by_stretch + by_p[0];
+        // Of `P·W/|P|`, which is `h D − W1`.
+        let by_slope = (by_p.dot(&w) + p.dot(by_w) - (h * (stretch + p[0]) - w[0]) * by_stretch) * per_stretch;
+        let by_h = (by_w[0] + by_slope - h * by_depth) * per_depth;
+        let kappa = |q: usize| (by_w[q] - by_p[q] * h - p[q] * by_h - curvatures[q - 1] * by_stretch) * per_stretch;
+        let area = by_p[2] * w[1] + p[2] * by_w[1] - by_p[1] * w[2] - p[1] * by_w[2];
+        let rate = area * per_stretch * per_depth - twist_rate * (by_stretch * per_stretch + by_depth * per_depth);
+        ([kappa(1), kappa(2)], rate)
+    }
+
     /// What its first derivatives are made of (MECHANICS 8).
     #[inline]
     pub fn gradients(&self) -> CurveGradients<'_> {
@@ -62,18 +78,6 @@ impl CurvePoint {
 }
 
 impl CurveGradients<'_> {
-    /// Changes of `κ1`, `κ2` and of `ω` with small changes of `P` and `W`, 1/m and rad/m.
-    #[inline]
-    pub fn along(&self, by_p: &Vec3, by_w: &Vec3) -> ([f64; 2], f64) {
-        let &Self { point, per_stretch, per_area, n, h_p, h_w, omega_p, .. } = self;
-        let (by_h, by_stretch) = (h_p.dot(by_p) + h_w.dot(by_w), n.dot(by_p));
-        let kappa = |q: usize| {
-            (by_w[q] - point.h * by_p[q] - point.p[q] * by_h - point.curvatures[q - 1] * by_stretch) * per_stretch
-        };
-        let rate = omega_p.dot(by_p) + (point.p[2] * by_w[1] - point.p[1] * by_w[2]) * per_area;
-        ([kappa(1), kappa(2)], rate)
-    }
-
     /// `(∂F/∂P, ∂F/∂W)` of `F = c·(κ1, κ2, ω)`.
     #[inline]
     pub fn gradient(&self, c: &[f64; 3]) -> (Vec3, Vec3) {

@@ -197,11 +197,15 @@ impl<'a> Evaluation<'a> {
     /// accepted state, rad.
     #[inline]
     pub fn new(element: &'a Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
-        let mut evaluation = Self::with_linear_twist(element, q, None, frames, previous);
-        if element.stiffness.twist == Twist::Quadratic {
-            quadratic_twist::relax(&mut evaluation);
+        // As two ways out: what one of them returns is not copied.
+        match element.stiffness.twist {
+            Twist::Linear => Self::with_linear_twist(element, q, None, frames, previous),
+            Twist::Quadratic => {
+                let mut evaluation = Self::with_linear_twist(element, q, None, frames, previous);
+                quadratic_twist::relax(&mut evaluation);
+                evaluation
+            }
         }
-        evaluation
     }
 
     /// As [`Self::new`], but with linear twist whatever the element's is; `increment` is what the coordinates change by over a step whose middle is

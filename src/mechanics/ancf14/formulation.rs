@@ -3,6 +3,7 @@
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, interpolate};
 use super::element::{Element, Evaluation};
 use super::kinematics::Holonomy;
+use super::over_step::StepStart;
 use super::quadratic_twist::{self, Twist};
 use super::section_point::SectionPoint;
 use super::{damping, section};
@@ -118,14 +119,14 @@ impl Formulation for Element {
         strain_rates: &mut [f64],
     ) -> [f64; 2] {
         let end = self.evaluation(step.end);
-        let middle = self.between([&self.evaluation(step.start), &end], c, step);
+        let middle = self.with_end(&end, c, step);
         self.add(&middle.gradient(), forces);
         *self.own_rates_mut(strain_rates) = middle.added.rates;
         [end.energy(), middle.added.taken]
     }
 
-    fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
-        *self.own_rates_mut(strain_rates) = self.strain_rates(c, velocity);
+    fn begin_step(&self, c: &Configuration, velocity: &[f64], starts: &mut [StepStart], strain_rates: &mut [f64]) {
+        (starts[self.place.branch], *self.own_rates_mut(strain_rates)) = self.step_start(c, velocity);
     }
 
     fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {

@@ -9,12 +9,38 @@ use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, N
 use super::element::{Element, Evaluation};
 use super::frame::NodeFrame;
 use super::quadratic_twist::{self, Twist};
-use super::strain::{Resultants, Strain, Strains};
+use super::strain::{Resultants, Strain};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::configuration::{Configuration, TimeStep};
 
 /// Strains of an element: three axial points, then `g1`, `g2`, `tau` of each bending point.
 pub const STRAINS: usize = 12;
+
+/// What a step takes from its start, whose strains stay what they are while its end is sought.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepStart {
+    /// In the order of the rates: 1, 1/m, rad/m.
+    strains: [f64; STRAINS],
+    /// Total twist, rad.
+    twist: f64,
+    /// Internal coordinate of the quadratic twist, rad.
+    bubble: f64,
+}
+
+impl StepStart {
+    /// Of an element at the start.
+    #[inline]
+    fn new(evaluation: &Evaluation) -> Self {
+        let mut strains = [0.0; STRAINS];
+        for m in 0..3 {
+            strains[m] = evaluation.axial_strain(m);
+            for i in 0..3 {
+                strains[3 + 3 * m + i] = evaluation.strains[m][i];
+            }
+        }
+        Self { strains, twist: evaluation.kinematics.twist, bubble: evaluation.bubble }
+    }
+}
 
 /// What a step adds to the elastic resultants of the mean strains, quadrature weights included; nothing at an instant.
 #[derive(Clone, Copy, Debug, Default)]
@@ -133,20 +159,25 @@ impl Element {
         &mut own[self.place.branch]
     }
 
-    /// Rates of the strains at the instant `c` with the velocities `velocity` of all coordinates.
-    pub fn strain_rates(&self, c: &Configuration, velocity: &[f64]) -> [f64; STRAINS] {
-        let (evaluation, velocity) = (self.evaluation(c), self.own(velocity));
+    /// What a step from `c` with the velocities `velocity` of all coordinates starts with, and the rates of the strains there.
+    pub fn step_start(&self, c: &Configuration, velocity: &[f64]) -> (StepStart, [f64; STRAINS]) {
+        let evaluation = self.evaluation(c);
+        (StepStart::new(&evaluation), self.strain_rates(&evaluation, self.own(velocity)))
+    }
+
+    /// Rates of the strains with the velocities `velocity` (14) of its own coordinates.
+    fn strain_rates(&self, evaluation: &Evaluation, velocity: &[f64]) -> [f64; STRAINS] {
         // The internal coordinate of the quadratic twist follows the others.
         let bubble = match self.stiffness.twist {
             Twist::Linear => 0.0,
             Twist::Quadratic => evaluation.bubble_q().iter().zip(velocity).map(|(by_q, own)| by_q * own).sum(),
         };
-        let Evaluation { kinematics, turn, gammahat, slopes, .. } = &evaluation;
+        let Evaluation { kinematics, turn, gammahat, slopes, .. } = evaluation;
         let shape = kinematics.shape.along(velocity);
         let (mut curvatures, mut twist_rates) = ([[0.0; 2]; 3], [0.0; 3]);
         for (g, rule) in self.bending.iter().enumerate() {
             let (by_p, by_w) = (shape.interpolate(&rule.shape_x), shape.interpolate(&rule.shape_xx));
-            (curvatures[g], twist_rates[g]) = kinematics.points[g].gradients().along(&by_p, &by_w);
+            (curvatures[g], twist_rates[g]) = kinematics.points[g].along(&by_p, &by_w);
         }
         let weighted = |weights: &[f64; 3]| weights.iter().zip(&twist_rates).map(|(w, rate)| w * rate).sum::<f64>();
         let twist = shape.twist + weighted(&self.rate_weights);
@@ -171,35 +202,30 @@ impl Element {
 
     /// Over a step whose middle is `c`.
     pub fn over_step<'a>(&'a self, c: &Configuration<'a>, step: &TimeStep) -> Evaluation<'a> {
-        self.between([&self.evaluation(step.start), &self.evaluation(step.end)], c, step)
+        self.with_end(&self.evaluation(step.end), c, step)
     }
 
-    /// [`Self::over_step`], from evaluations at its ends.
+    /// [`Self::over_step`], from the evaluation at its end.
     #[inline]
-    pub fn between<'a>(
-        &'a self,
-        [start, end]: [&Evaluation; 2],
-        c: &Configuration<'a>,
-        step: &TimeStep,
-    ) -> Evaluation<'a> {
+    pub fn with_end<'a>(&'a self, end: &Evaluation, c: &Configuration<'a>, step: &TimeStep) -> Evaluation<'a> {
+        let start = &step.starts[self.place.branch];
         let mut middle = self.with_increment(c, step.increment);
         if self.stiffness.twist == Twist::Quadratic {
             middle.set_bubble(0.5 * (start.bubble + end.bubble));
         }
         let per_duration = 1.0 / step.duration;
         let mut rates = [0.0; STRAINS];
-        for (m, rate) in rates[..3].iter_mut().enumerate() {
-            middle.mean_torsion[m] = 0.5 * (start.mean_torsion[m] + end.mean_torsion[m]);
-            *rate = (end.axial_strain(m) - start.axial_strain(m)) * per_duration;
+        for (m, point) in self.axial.iter().enumerate() {
+            let torsion = start.twist * point.torsion_by_twist - point.reference_torsion;
+            middle.mean_torsion[m] = 0.5 * (torsion + end.mean_torsion[m]);
+            rates[m] = (end.axial_strain(m) - start.strains[m]) * per_duration;
         }
         for g in 0..3 {
             // Green's strain, the last one, is the mean of both ends' already.
-            let axial = middle.strains[g][3];
-            let change: Strains = end.strains[g] - start.strains[g];
-            middle.strains[g] = (start.strains[g] + end.strains[g]) * 0.5;
-            middle.strains[g][3] = axial;
             for i in 0..3 {
-                rates[3 + 3 * g + i] = change[i] * per_duration;
+                let (before, after) = (start.strains[3 + 3 * g + i], end.strains[g][i]);
+                middle.strains[g][i] = (before + after) * 0.5;
+                rates[3 + 3 * g + i] = (after - before) * per_duration;
             }
         }
         middle.turn_from_end = Some(Turn::new(self.frames(c), self.frames(step.end)));

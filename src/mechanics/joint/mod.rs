@@ -158,6 +158,10 @@ impl Joint {
 
     /// `∂phi/∂t` at fixed coordinates, row after row.
     pub fn phi_t(&self, c: &Configuration, phi_t: &mut [f64]) {
+        if ![self.a, self.b].iter().any(|side| matches!(side, Marker::Frame { .. })) {
+            phi_t.fill(0.0 - self.prescribed(c).first);
+            return;
+        }
         let moving = [&self.a, &self.b].map(|marker| marker.pose_t(c)[0].vectors());
         let (gradients, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
         for (phi_t, gradient) in phi_t.iter_mut().zip(&gradients[..rows]) {

@@ -51,7 +51,7 @@ impl System {
         self.add_springs(c, passage, forces);
     }
 
-    /// [`Self::forces`], and `scale` times their derivative by `q` into the first blocks of `tangent`, which are zero
+    /// [`Self::forces`], and sets the first blocks of `tangent` to `scale` times their derivative by `q`
     /// (over a step: twice the derivative by the coordinates at its end).
     pub fn forces_and_tangent(
         &self,
@@ -69,7 +69,11 @@ impl System {
         if let Passage::Instant(velocity) = passage {
             self.add_material_damping_and_tangent(c, velocity, scale, forces, tangent);
         }
-        let mut block = self.mesh.elements.len() + self.bodies.len();
+        let mut block = self.mesh.elements.len();
+        for _ in &self.bodies {
+            tangent.block_mut(block).fill(0.0);
+            block += 1;
+        }
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for (number, (marker, _)) in load.points.iter().enumerate() {
                 let count = marker.coordinates(&self.mesh).len();
@@ -82,6 +86,7 @@ impl System {
         for spring in &self.springs {
             // Every coordinate of a joint has a spring, most of them do nothing.
             if spring.is_idle() {
+                (block..block + 4).for_each(|number| tangent.block_mut(number).fill(0.0));
                 block += 4;
                 continue;
             }

@@ -1,6 +1,7 @@
 //! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the system may change by.
 
 use crate::math::Vec3;
+use crate::mechanics::ancf14::over_step::StepStart;
 use crate::mechanics::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::energy_balance::{Energies, LIFT_ROUND_OFF};
 use crate::mechanics::joint::{Joint, JointGradient, MOST_CONDITIONS};
@@ -57,9 +58,17 @@ impl System {
         [elastic, work]
     }
 
-    /// Sets `strain_rates` to the rates of all strains, and of the readings of springs, at the instant `c` with the velocities `velocity`.
-    pub fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
-        self.mesh.elements.iter().for_each(|element| element.set_strain_rates(c, velocity, strain_rates));
+    /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates` to the rates there of all strains, and of the
+    /// readings of springs.
+    pub fn begin_step(
+        &self,
+        c: &Configuration,
+        velocity: &[f64],
+        starts: &mut Vec<StepStart>,
+        strain_rates: &mut [f64],
+    ) {
+        starts.resize(self.mesh.branches, StepStart::default());
+        self.mesh.elements.iter().for_each(|element| element.begin_step(c, velocity, starts, strain_rates));
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let rate = reading_rate(&self.gauges[spring.gauge], c, velocity);
             strain_rates[self.mesh.gauge_rate(spring.gauge)] = rate;

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
+use crate::mechanics::ancf14::over_step::StepStart;
 use crate::mechanics::configuration::{Configuration, Dissipation, Passage, TimeStep};
 use crate::mechanics::energy_balance::Energies;
 use crate::mechanics::joint::JointGradient;
@@ -21,6 +22,7 @@ pub struct Scratch {
     pub q_end: Vec<f64>,
     pub forces: Vec<f64>,
     pub start_rates: Vec<f64>,
+    pub starts: Vec<StepStart>,
     pub mass_increment: Vec<f64>,
     pub conditions: Vec<f64>,
     pub excitation: Excitation,
@@ -58,7 +60,7 @@ impl Scratch {
         system.frames(&state.q, &state.triads, &mut self.frames_start);
         self.start_rates.resize(state.strain_rates.len(), 0.0);
         let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
-        system.set_strain_rates(&start, &state.velocity, &mut self.start_rates);
+        system.begin_step(&start, &state.velocity, &mut self.starts, &mut self.start_rates);
     }
 
     /// Start of the iteration: the predicted increment, and the impulses of the last step.
@@ -89,8 +91,14 @@ impl Scratch {
             [&self.frames_start, &self.frames_middle, &self.frames_end],
             [&self.prescribed_middle, &self.prescribed_end],
         );
-        let passage =
-            Passage::Step(time_step(state, [&start, &end], &self.increment, &self.start_rates, step, dissipation));
+        let passage = Passage::Step(time_step(
+            state,
+            [&start, &end],
+            &self.increment,
+            (&self.start_rates, &self.starts),
+            step,
+            dissipation,
+        ));
         system.forces(&middle, &passage, &self.excitation, &mut self.forces);
     }
 
@@ -129,7 +137,14 @@ impl Scratch {
             [&self.frames_start, &self.frames_middle, &self.frames_end],
             [&self.prescribed_middle, &self.prescribed_end],
         );
-        let over = time_step(state, [&start, &end], &self.increment, &self.start_rates, span.step, dissipation);
+        let over = time_step(
+            state,
+            [&start, &end],
+            &self.increment,
+            (&self.start_rates, &self.starts),
+            span.step,
+            dissipation,
+        );
         let found = system.finish_step(&middle, &over, &self.excitation, &mut self.forces, &mut next.strain_rates);
         self.differentiate(system, state);
         found
@@ -178,10 +193,10 @@ pub fn time_step<'a>(
     state: &'a State,
     [start, end]: [&'a Configuration<'a>; 2],
     increment: &'a [f64],
-    start_rates: &'a [f64],
+    (start_rates, starts): (&'a [f64], &'a [StepStart]),
     duration: f64,
     dissipation: Dissipation,
 ) -> TimeStep<'a> {
     let State { velocity, strain_rates, .. } = state;
-    TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates }
+    TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates, starts }
 }

@@ -103,7 +103,7 @@ impl Estimator {
         for (right, source) in right.iter_mut().zip(&self.mass) {
             *right += multiple * source;
         }
-        kkt.solve_again(right)?;
+        kkt.solve_roughly(right)?;
         self.arrive(taken, error, multiple);
         if (taken.state.statistics.steps + 1).is_multiple_of(CLEARING) {
             self.clear(system, kkt, &mut error.velocity)?;
@@ -165,8 +165,12 @@ impl Estimator {
         scratch.excitation.clone_from(&solution.excitation);
         scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
         scratch.prescribed_end.copy_from(&solution.prescribed_end);
-        scratch.start_rates.clone_from(&solution.start_rates);
         system.frames(&start.q, &start.triads, &mut scratch.frames_start);
+        scratch.start_rates.resize(solution.start_rates.len(), 0.0);
+        let first = system.configuration(&start.q, &scratch.frames_start, start, &start.prescribed);
+        system.begin_step(&first, &start.velocity, &mut scratch.starts, &mut scratch.start_rates);
+        // The dissipation is that of the step, as far as it knows the start.
+        scratch.start_rates.clone_from(&solution.start_rates);
         let known = error.velocity.iter().zip(&error.acceleration).zip(&solution.increment);
         for (increment, ((velocity, acceleration), own)) in scratch.increment.iter_mut().zip(known) {
             *increment = own + multiple * (h * velocity + 0.5 * h * h * acceleration);
@@ -206,10 +210,10 @@ impl Estimator {
         let coordinates = velocity.len();
         system.mass_times(velocity, &mut right[..coordinates]);
         right[coordinates..].fill(0.0);
-        kkt.solve_again(right)?;
+        kkt.solve_roughly(right)?;
         system.mass_times(&right[..coordinates], &mut filtered[..coordinates]);
         filtered[coordinates..].fill(0.0);
-        kkt.solve_again(filtered)?;
+        kkt.solve_roughly(filtered)?;
         for (velocity, (once, twice)) in velocity.iter_mut().zip(right.iter().zip(&*filtered)) {
             *velocity = 2.0 * once - twice;
         }
