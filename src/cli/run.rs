@@ -178,7 +178,7 @@ fn summary(results: &Results, reached: f64, wall: f64) -> String {
 fn exactness(simulation: &Simulation) -> Result<(), Stop> {
     let Some(Inexact { name, error }) = simulation.least_accurate() else { return Ok(()) };
     let error = accuracy::percent(error);
-    say(&format!("error because of the time steps: about {error} % of its range at most ({name})"))
+    say(&format!("time-step error: about {error} % of the range of {name}, the least accurate result"))
 }
 
 /// How fast a run was beside the real machine.

@@ -15,17 +15,19 @@ pub struct TimeError {
     pub multipliers: Vec<f64>,
     /// Third derivatives of the coordinates of the motion between the middles of its last two steps, 1/s³ each.
     pub jerk: Vec<f64>,
+    /// Fourth derivatives, likewise a step earlier than the last third ones, 1/s⁴ each.
+    pub snap: Vec<f64>,
     /// Length of the last step, s.
     pub step: f64,
-    /// How many steps lie behind since the start or the last jump, up to 2: as many derivatives of the acceleration are known.
+    /// How many steps lie behind since the start or the last jump, up to 3: as many derivatives of the acceleration are known.
     pub known: u8,
 }
 
 impl TimeError {
     /// No error yet, of a machine with `coordinates` coordinates and `conditions` conditions.
     pub fn resize(&mut self, coordinates: usize, conditions: usize) {
-        let Self { position, velocity, acceleration, multipliers, jerk, .. } = self;
-        for list in [position, velocity, acceleration, jerk] {
+        let Self { position, velocity, acceleration, multipliers, jerk, snap, .. } = self;
+        for list in [position, velocity, acceleration, jerk, snap] {
             list.resize(coordinates, 0.0);
         }
         multipliers.resize(conditions, 0.0);
@@ -38,11 +40,11 @@ impl TimeError {
 
     /// Whether it may be one of a machine with `coordinates` coordinates and `conditions` conditions.
     pub fn is_possible(&self, coordinates: usize, conditions: usize) -> bool {
-        let Self { position, velocity, acceleration, multipliers, jerk, step, known } = self;
-        let lists = [position, velocity, acceleration, jerk].map(Vec::len);
-        let is_there = lists == [coordinates; 4] && multipliers.len() == conditions;
-        let is_empty = lists == [0; 4] && multipliers.is_empty() && *known == 0;
-        (is_there || is_empty) && step.is_finite() && *step >= 0.0 && *known <= 2
+        let Self { position, velocity, acceleration, multipliers, jerk, snap, step, known } = self;
+        let lists = [position, velocity, acceleration, jerk, snap].map(Vec::len);
+        let is_there = lists == [coordinates; 5] && multipliers.len() == conditions;
+        let is_empty = lists == [0; 5] && multipliers.is_empty() && *known == 0;
+        (is_there || is_empty) && step.is_finite() && *step >= 0.0 && *known <= 3
     }
 
     /// Takes the values of another one, keeping its own memory.
@@ -52,6 +54,7 @@ impl TimeError {
         self.acceleration.clone_from(&other.acceleration);
         self.multipliers.clone_from(&other.multipliers);
         self.jerk.clone_from(&other.jerk);
+        self.snap.clone_from(&other.snap);
         (self.step, self.known) = (other.step, other.known);
     }
 }

@@ -112,7 +112,7 @@ impl Accuracy {
             (*low, *high) = (low.min(results[column.result]), high.max(results[column.result]));
         }
         let steps = state.statistics.steps;
-        if !state.time_error.is_known() || (steps < self.looked + STEPS && steps > FIRST_STEPS) {
+        if !state.time_error.is_known() || (self.looked > 0 && steps < self.looked + STEPS && steps > FIRST_STEPS) {
             return;
         }
         self.looked = steps;
@@ -122,6 +122,11 @@ impl Accuracy {
         for (column, [_, _, error]) in columns.columns.iter().zip(&mut self.seen) {
             *error = error.max((values[column.result] - results[column.result]).abs() / multiple);
         }
+    }
+
+    /// The next look is at the errors, however few steps have been taken since the last one.
+    pub fn hurry(&mut self) {
+        self.looked = 0;
     }
 
     /// All families of results with their errors, after `duration` s; none of quantities that are zero.
@@ -172,7 +177,7 @@ impl Inexact {
         let proposed = step * (PROPOSED / error).sqrt();
         (*error > EXPECTED).then(|| {
             format!(
-                "{name} is off by about {} % of its range because of the length of the steps, by the estimate that the run carries along; take a \
+                "{name} is off by about {} % of its range because of the length of the steps, as estimated during the run; take a \
                  smaller simulation.step: {proposed:.1e} s for about {} % where the motion is smooth",
                 percent(*error),
                 percent(PROPOSED),
@@ -181,9 +186,15 @@ impl Inexact {
     }
 }
 
-/// A share in percent, with two digits.
+/// A share in percent, with two digits; an error beyond the whole range says no more than that.
 pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
+    if percent > 100.0 {
+        return String::from("more than 100");
+    }
+    if percent == 0.0 {
+        return String::from("0");
+    }
     let digits = (1 - percent.log10().floor() as i32).clamp(0, 6) as usize;
     format!("{percent:.digits$}")
 }

@@ -110,7 +110,7 @@ impl Simulation {
         self.accuracy.errors(&self.columns, system, state.time - start)
     }
 
-    /// The one that is off most.
+    /// The family of results with the largest estimated error.
     pub fn least_accurate(&self) -> Option<Inexact> {
         self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
     }
@@ -182,10 +182,15 @@ impl Simulation {
         let machine = &self.machine;
         let odd = self.watch.look(&machine.system, &machine.state, &self.table, &self.results, &mut self.frames);
         self.warnings.extend(odd);
-        let moment =
-            Moment { system: &machine.system, state: &machine.state, response: &machine.response, fibres: &[] };
-        self.accuracy.look((&self.columns, &self.table), moment, &self.results, &mut self.looker);
+        self.look();
         Ok(())
+    }
+
+    /// Looks how far the results of the state that is reached are off.
+    fn look(&mut self) {
+        let Machine { system, state, response, .. } = &self.machine;
+        let moment = Moment { system, state, response, fibres: &[] };
+        self.accuracy.look((&self.columns, &self.table), moment, &self.results, &mut self.looker);
     }
 
     /// What is wrong with result `number`.
@@ -339,8 +344,10 @@ impl Model for Simulation {
     }
 
     fn conclude(&mut self) {
-        let worst = self.least_accurate();
-        self.warnings.extend(worst.and_then(|worst| worst.warning(self.machine.step)));
+        self.accuracy.hurry();
+        self.look();
+        let step = self.machine.state.time_error.step;
+        self.warnings.extend(self.least_accurate().and_then(|worst| worst.warning(step)));
     }
 
     fn take_warnings(&mut self) -> Vec<String> {

@@ -73,7 +73,7 @@ impl Midpoint {
             projection: Projection::new(system, &mut kkt),
             kkt,
             scratch: Scratch::new(system),
-            estimator: system.mesh.tells_strain_rates().then(|| Estimator::new(system)),
+            estimator: Estimator::new(system, spectral_radius),
             next: None,
         }
     }
@@ -120,6 +120,7 @@ impl Integrator for Midpoint {
         let outcome = self.projection.set_velocity(system, &mut self.kkt, frames, &mut next);
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
+            self.settle_error(system, &mut next);
             prediction::learn(system, state, &self.scratch.increment, step, &convergence, &mut next);
             next.balance.last = Some(energy_before);
             if system.is_sudden(end, step) {
@@ -194,6 +195,14 @@ impl Midpoint {
         // Without an accurate solution the error is that of before, and its growth begins anew.
         if estimator.carry(system, &mut self.kkt, &taken, time_error).is_err() {
             time_error.known = 0;
+        }
+    }
+
+    /// Brings the error at the end of a step to what the constraints allow.
+    fn settle_error(&mut self, system: &System, next: &mut State) {
+        let Self { estimator: Some(estimator), projection, kkt, scratch, .. } = self else { return };
+        if estimator.settle(system, kkt, projection, &mut scratch.frames_middle, next).is_err() {
+            next.time_error.known = 0;
         }
     }
 
@@ -300,13 +309,7 @@ impl Problem for Step<'_> {
     }
 
     fn correct(&mut self, correction: &[f64]) {
-        let (coordinates, impulses) = correction.split_at(self.scratch.increment.len());
-        for (value, correction) in self.scratch.increment.iter_mut().zip(coordinates) {
-            *value += correction;
-        }
-        for (value, correction) in self.scratch.impulses.iter_mut().zip(impulses) {
-            *value += correction;
-        }
+        self.scratch.correct(correction);
     }
 }
 

@@ -71,6 +71,13 @@ impl Scratch {
         }
     }
 
+    /// Adds a correction to the unknowns.
+    pub fn correct(&mut self, correction: &[f64]) {
+        let (coordinates, impulses) = correction.split_at(self.increment.len());
+        self.increment.iter_mut().zip(coordinates).for_each(|(value, correction)| *value += correction);
+        self.impulses.iter_mut().zip(impulses).for_each(|(value, correction)| *value += correction);
+    }
+
     /// Positions and frames in the middle and at the end, for the current increment.
     pub fn place(&mut self, system: &System, state: &State) {
         for (index, (q, increment)) in state.q.iter().zip(&self.increment).enumerate() {

@@ -8,12 +8,14 @@ use super::scratch::Scratch;
 use super::{Span, Step};
 use crate::math::vectors::vec3;
 use crate::mechanics::ancf14::coordinates::{P, THETA};
+use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::Dissipation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::time_error::TimeError;
 use crate::solve::kkt::Kkt;
 use crate::solve::linear::Singular;
+use crate::solve::projection::Projection;
 
 /// How far the neighboring motion is moved, as [`System::correction_size`] measures: so little that it is linear (what its square adds is round-off of axial strains), so
 /// much that what Newton has left of the step does not matter.
@@ -30,7 +32,7 @@ const MIDPOINT: f64 = 1.0 / 24.0;
 const MEAN: f64 = 1.0 / 8.0;
 /// Velocities are cleared of what no step resolves every so many steps: of it every solution with the tangent, which is that of a neighboring point, leaves some.
 const CLEARING: u64 = 4;
-/// Least weight of the strain rates that damps what the step does not resolve.
+/// Least weight of the strain rates in the dissipation with which the error of what the step does not resolve stays bounded: that of a spectral radius of 0.95 is more.
 const LEAST_DAMPING: f64 = 0.01;
 
 /// Scratch memory of the estimate; nothing in it outlives a step.
@@ -39,8 +41,13 @@ pub struct Estimator {
     right: Vec<f64>,
     filtered: Vec<f64>,
     jerk: Vec<f64>,
+    /// The third derivatives in the middle of the step, 1/s³ each.
+    middle: Vec<f64>,
+    snap: Vec<f64>,
     source: Vec<f64>,
     mass: Vec<f64>,
+    /// What the conditions ask of the error of the velocities.
+    targets: Vec<f64>,
     /// The start of the neighboring motion.
     start: Option<State>,
     scratch: Scratch,
@@ -60,15 +67,23 @@ pub struct Taken<'a> {
 }
 
 impl Estimator {
-    /// For `system`.
-    pub fn new(system: &System) -> Self {
+    /// For `system`; none where its elements tell no rates of their strains, or where the numerical dissipation is too small to hold the error of what no step resolves.
+    pub fn new(system: &System, spectral_radius: f64) -> Option<Self> {
+        let damping = Dissipation::new(spectral_radius).by_last_step;
+        (system.mesh.tells_strain_rates() && damping >= LEAST_DAMPING).then(|| Self::of(system))
+    }
+
+    fn of(system: &System) -> Self {
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
         Self {
             right: vec![0.0; coordinates + conditions],
             filtered: vec![0.0; coordinates + conditions],
             jerk: vec![0.0; coordinates],
+            middle: vec![0.0; coordinates],
+            snap: vec![0.0; coordinates],
             source: vec![0.0; coordinates],
             mass: vec![0.0; coordinates],
+            targets: vec![0.0; conditions],
             start: None,
             scratch: Scratch::new(system),
         }
@@ -93,8 +108,7 @@ impl Estimator {
         self.depart(system, taken, error, multiple, mean);
         let Self { right, scratch, start: Some(start), .. } = self else { return Ok(()) };
         // All that the step adds to its dissipation is in the strain rates of the neighboring motion, which `depart` sets.
-        let dissipation =
-            Dissipation { by_last_step: taken.dissipation.by_last_step.max(LEAST_DAMPING), ..taken.dissipation };
+        let dissipation = taken.dissipation;
         scratch.place(system, start);
         scratch.act(system, start, dissipation, h);
         scratch.differentiate(system, start);
@@ -105,9 +119,6 @@ impl Estimator {
         }
         kkt.solve_roughly(right)?;
         self.arrive(taken, error, multiple);
-        if (taken.state.statistics.steps + 1).is_multiple_of(CLEARING) {
-            self.clear(system, kkt, &mut error.velocity)?;
-        }
         change_charts(system, taken.solution, error);
         Ok(())
     }
@@ -118,6 +129,8 @@ impl Estimator {
         let before = &state.prediction.acceleration;
         self.jerk.fill(0.0);
         self.source.fill(0.0);
+        self.middle.fill(0.0);
+        self.snap.fill(0.0);
         if error.known < 1 || before.len() != self.jerk.len() {
             return;
         }
@@ -126,9 +139,13 @@ impl Estimator {
             *jerk = (2.0 * (increment / h - velocity) / h - before) / mean;
         }
         let cube = h * h * h;
-        for ((source, jerk), last) in self.source.iter_mut().zip(&self.jerk).zip(&error.jerk) {
-            let snap = if error.known < 2 { 0.0 } else { (jerk - last) / mean };
-            *source = -TRAPEZOIDAL * cube * jerk + 0.5 * h * MIDPOINT * cube * snap;
+        for (index, jerk) in self.jerk.iter().enumerate() {
+            let snap = if error.known < 2 { 0.0 } else { (jerk - error.jerk[index]) / mean };
+            // Differences lie half a step and a whole one behind the middle of this step. What turns would be accelerated by derivatives that lag.
+            let ahead = if error.known < 3 { snap } else { 2.0 * snap - error.snap[index] };
+            self.snap[index] = snap;
+            self.middle[index] = jerk + 0.5 * h * snap;
+            self.source[index] = cube * (0.5 * h * MIDPOINT * ahead - TRAPEZOIDAL * self.middle[index]);
         }
     }
 
@@ -155,7 +172,7 @@ impl Estimator {
         if error.known > 0 {
             let Dissipation { by_last_step, by_start } = dissipation;
             let by_change = by_last_step + MEAN * h / mean;
-            let scale = multiple / by_last_step.max(LEAST_DAMPING);
+            let scale = multiple / by_last_step;
             let rates = strain_rates.iter().zip(&state.strain_rates).zip(&solution.start_rates);
             for (memory, ((now, last), first)) in start.strain_rates.iter_mut().zip(rates) {
                 *memory += scale * (by_change * (now - last) + by_start * (now - first));
@@ -189,7 +206,7 @@ impl Estimator {
             let own = taken.solution.increment[index];
             let change = (self.scratch.increment[index] + correction - own) / multiple;
             let before = error.velocity[index];
-            let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * self.jerk[index]) / h - before;
+            let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * self.middle[index]) / h - before;
             error.position[index] += change;
             error.velocity[index] = after;
             error.acceleration[index] = (after - before) / h;
@@ -199,20 +216,57 @@ impl Estimator {
             error.multipliers[index] = 2.0 / h * (self.scratch.impulses[index] + correction - own) / multiple;
         }
         error.jerk.clone_from(&self.jerk);
-        error.known = (error.known + 1).min(2);
+        error.snap.clone_from(&self.snap);
+        error.known = (error.known + 1).min(3);
         error.step = h;
+    }
+
+    /// Brings the velocities of the error at the end of a step, `next`, to those that the constraints allow the neighboring motion, as `projection` has brought those of the
+    /// motion; and takes out of them what the step does not resolve. `kkt` still has the tangent of the step; `frames` is scratch memory.
+    ///
+    /// # Errors
+    /// There is no accurate solution.
+    pub fn settle(
+        &mut self,
+        system: &System,
+        kkt: &mut Kkt,
+        projection: &mut Projection,
+        frames: &mut Vec<NodeFrame>,
+        next: &mut State,
+    ) -> Result<(), Singular> {
+        let Some(multiple) = self.multiple(system, &next.time_error, next.time_error.step) else { return Ok(()) };
+        if system.constraints() > 0 {
+            let moved = self.start.get_or_insert_with(|| next.clone());
+            moved.clone_from(next);
+            let TimeError { position, velocity, .. } = &next.time_error;
+            moved.q.iter_mut().zip(position).for_each(|(value, change)| *value += multiple * change);
+            moved.velocity.iter_mut().zip(velocity).for_each(|(value, change)| *value += multiple * change);
+            system.mass_times(&moved.velocity, &mut moved.momentum);
+            projection.set_velocity(system, kkt, frames, moved).map_err(|_| Singular)?;
+            let velocities = moved.velocity.iter().zip(&next.velocity);
+            for (error, (moved, own)) in next.time_error.velocity.iter_mut().zip(velocities) {
+                *error = (moved - own) / multiple;
+            }
+        }
+        if next.statistics.steps.is_multiple_of(CLEARING) {
+            self.targets.fill(0.0);
+            let (gradients, _) = projection.stray(system);
+            system.add_constraint_rates(gradients, &next.time_error.velocity, &mut self.targets);
+            self.clear(system, kkt, &mut next.time_error.velocity)?;
+        }
+        Ok(())
     }
 
     /// Takes out of `velocity` what the step does not resolve, and what the constraints do not allow: `F = S⁻¹ M` is 1 where the motion is slow for the step, 0 where it is far too
     /// fast, and `2 F - F²` leaves of the slow one all but the fourth order.
     fn clear(&mut self, system: &System, kkt: &mut Kkt, velocity: &mut [f64]) -> Result<(), Singular> {
-        let Self { right, filtered, .. } = self;
+        let Self { right, filtered, targets, .. } = self;
         let coordinates = velocity.len();
         system.mass_times(velocity, &mut right[..coordinates]);
-        right[coordinates..].fill(0.0);
+        right[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(right)?;
         system.mass_times(&right[..coordinates], &mut filtered[..coordinates]);
-        filtered[coordinates..].fill(0.0);
+        filtered[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(filtered)?;
         for (velocity, (once, twice)) in velocity.iter_mut().zip(right.iter().zip(&*filtered)) {
             *velocity = 2.0 * once - twice;
