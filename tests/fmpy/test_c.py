@@ -48,6 +48,11 @@ def test_example(fmu, results, warnings, headers, tmp_path):
     assert np.array_equal(got[:, 1:], expected[:, 1:])
 
 
+def but_for_accuracy(text):
+    """What is said besides that a short run is not accurate."""
+    return "".join(line for line in text.splitlines(keepends=True) if "because of the length of the steps" not in line)
+
+
 @HEADERS
 @pytest.mark.parametrize(
     "example, runs", [("save_and_restore", [["state.bin"], ["state.bin", "go-on"]]), ("two_instances", [[]]), ("jacobian", [[]])]
@@ -63,4 +68,4 @@ def test_example_with_the_arm(example, runs, headers, tmp_path):
         done = subprocess.run(
             [program, tmp_path / "unit/resources", *words], cwd=tmp_path, capture_output=True, text=True, check=True
         )
-        assert done.stdout and not done.stderr
+        assert done.stdout and not but_for_accuracy(done.stderr)

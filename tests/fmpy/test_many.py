@@ -57,7 +57,8 @@ for _ in range(count):
 
 def test_1100_simulations_in_one_process(packed):
     """A library that takes a thread key at each load aborts the process after some 1,020 of them."""
-    assert quiet(sys.executable, "-c", RUNS, packed / "unit", "1100") == ""
+    said = quiet(sys.executable, "-c", RUNS, packed / "unit", "1100").splitlines()
+    assert [line for line in said if "because of the length of the steps" not in line] == []
 
 
 def test_10000_loads_leave_no_memory_behind(packed):

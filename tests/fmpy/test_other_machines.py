@@ -72,4 +72,5 @@ def test_regression_packed_here_run_there(units, packed, runs):
     program = "import sys; from fmpy import simulate_fmu; print(len(simulate_fmu(sys.argv[1], stop_time=3e-3, output_interval=1e-3)))"
     words = [sys.executable, "-c", program, units / f"{packed}.fmu"]
     done = subprocess.run(words, capture_output=True, text=True, env=os.environ | PROCESSORS[runs])
-    assert (done.returncode, done.stdout) == (0, "4\n"), done.stdout + done.stderr
+    said = [line for line in done.stdout.splitlines() if "because of the length of the steps" not in line]
+    assert (done.returncode, said) == (0, ["4"]), done.stdout + done.stderr
