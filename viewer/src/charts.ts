@@ -1,0 +1,142 @@
+// Charts of all outputs, linked to the timeline: a click goes to that instant, the pointer reads values.
+
+import uPlot from "uplot";
+import { plainText } from "./color";
+import type { Data } from "./data";
+import { h } from "./dom";
+import type { Timeline } from "./timeline";
+
+const STROKES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a7a00", "#56a0d3", "#7a4fc0", "#444c58"];
+/** A chart of the stations of a beam has so many curves at most. */
+const MOST_CURVES = 8;
+const HEIGHT = 168;
+
+interface Chart {
+  host: HTMLElement;
+  plot?: uPlot;
+  now: HTMLElement;
+}
+
+export class Charts {
+  readonly element = h("div", { class: "charts" });
+  private readonly charts: Chart[] = [];
+  private readonly sync = uPlot.sync("time");
+
+  constructor(private readonly data: Data, private readonly timeline: Timeline) {
+    const seen = new IntersectionObserver((entries) => {
+      for (const entry of entries) {
+        if (entry.isIntersecting) this.open(this.charts.find((chart) => chart.host === entry.target)!);
+      }
+    }, { rootMargin: "300px" });
+    for (const group of data.charts.groups) {
+      const host = h("section", { class: "chart", "data-chart": group.name, style: `min-height: ${HEIGHT + 56}px` });
+      this.charts.push({ host, now: h("div", { class: "now" }) });
+      this.element.append(host);
+      seen.observe(host);
+    }
+    new ResizeObserver(() => this.resize()).observe(this.element);
+    timeline.onchange(() => this.mark());
+  }
+
+  /** Draws all charts anew, in the colors of the page. */
+  restyle(): void {
+    for (const chart of this.charts) {
+      if (!chart.plot) continue;
+      chart.plot.destroy();
+      chart.plot = undefined;
+      this.open(chart);
+    }
+  }
+
+  private width(): number {
+    return Math.max(200, this.element.clientWidth - 12);
+  }
+
+  private open(chart: Chart): void {
+    if (chart.plot || this.element.clientWidth === 0) return;
+    const { groups, columns, times } = this.data.charts;
+    const group = groups[this.charts.indexOf(chart)];
+    const every = Math.ceil(group.columns.length / MOST_CURVES);
+    const shown = group.columns.filter((_, k) => k % every === 0 || k === group.columns.length - 1);
+    const style = getComputedStyle(document.documentElement);
+    const ink = style.getPropertyValue("--ink-soft").trim();
+    const line = style.getPropertyValue("--line").trim();
+    const axis = { stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, font: "11px system-ui, sans-serif" };
+    const title = `${group.name.replaceAll("_", " ")}${group.unit ? ` (${group.unit})` : ""}`;
+    // `along.position.2` has the columns `along.position[1,2]`, ...: what differs is enough.
+    const common = group.name.replace(/\.\d+$/, "");
+    const label = (name: string) => (name.startsWith(common) ? name.slice(common.length).replace(/^\./, "") : name) || "value";
+    const text = (value: number | null) => (value === null ? "–" : plainText(value));
+    chart.plot = new uPlot(
+      {
+        width: this.width(),
+        height: HEIGHT,
+        title,
+        cursor: { sync: { key: this.sync.key, setSeries: false }, drag: { x: true, y: false }, points: { size: 6 } },
+        scales: { x: { time: false } },
+        axes: [
+          { ...axis, size: 26 },
+          { ...axis, size: 58, values: (_, splits) => splits.map((value) => axisText(value, splits)) },
+        ],
+        series: [
+          { label: "t", value: (_, value) => text(value) },
+          ...shown.map((column, k) => ({
+            label: label(columns[column].name),
+            stroke: STROKES[k % STROKES.length],
+            width: 1.6,
+            points: { show: times.length < 3 },
+            value: (_: uPlot, value: number | null) => text(value),
+          })),
+        ],
+        // uPlot empties the legend as the pointer leaves; `setCursor` comes after that.
+        hooks: { ready: [() => queueMicrotask(() => this.markOne(chart))], setScale: [() => this.markOne(chart)], setCursor: [() => this.markOne(chart)] },
+      },
+      [times, ...shown.map((column) => columns[column].values)] as unknown as uPlot.AlignedData,
+      chart.host,
+    );
+    chart.plot.over.append(chart.now);
+    this.listen(chart.plot);
+  }
+
+  /** A click goes to the instant; a drag, which zooms, does not. */
+  private listen(plot: uPlot): void {
+    let pressed = 0;
+    plot.over.addEventListener("pointerdown", (event) => (pressed = event.clientX));
+    plot.over.addEventListener("click", (event) => {
+      if (Math.abs(event.clientX - pressed) > 4) return;
+      const left = event.clientX - plot.over.getBoundingClientRect().left;
+      this.timeline.playing = false;
+      this.timeline.seek(plot.posToVal(left, "x"));
+    });
+  }
+
+  private resize(): void {
+    for (const chart of this.charts) chart.plot?.setSize({ width: this.width(), height: HEIGHT });
+    this.mark();
+  }
+
+  /** Moves the line of the present instant in all charts. */
+  private mark(): void {
+    for (const chart of this.charts) this.markOne(chart);
+  }
+
+  private markOne({ plot, now }: Chart): void {
+    if (!plot) return;
+    const left = plot.valToPos(this.timeline.time, "x");
+    now.style.transform = `translateX(${left}px)`;
+    // The legend tells the values of the pointer, or else of the present instant.
+    if ((plot.cursor.left ?? -1) < 0) plot.setLegend({ idx: plot.posToIdx(left) }, false);
+    now.hidden = !(left >= 0 && left <= plot.over.clientWidth);
+  }
+}
+
+/** A number of an axis: as many digits as tell neighbours apart. */
+function axisText(value: number, splits: number[]): string {
+  const step = Math.abs(splits[1] - splits[0]) || 1;
+  const most = Math.max(...splits.map(Math.abs));
+  if (value === 0) return "0";
+  if (most >= 1e5 || most < 1e-3) return value.toExponential(Math.max(0, Math.min(3, Math.floor(Math.log10(most)) - Math.floor(Math.log10(step)))));
+  let digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  if (Math.abs(step * 10 ** digits - Math.round(step * 10 ** digits)) > 1e-6) digits++;
+  return value.toFixed(digits);
+}

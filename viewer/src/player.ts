@@ -1,0 +1,217 @@
+// What is shown: an instant of the run or of a natural mode, colored, with what was clicked on. The page's controls change its settings.
+
+import * as THREE from "three";
+import { Beams } from "./beams";
+import { QUANTITIES, range, values, type Quantity } from "./color";
+import type { Data } from "./data";
+import { between, Moment, type Between } from "./moment";
+import { nearest, placeAt, under, type Spot } from "./pick";
+import { Signs } from "./signs";
+import { Stage } from "./stage";
+import { Timeline } from "./timeline";
+import { Trails } from "./trails";
+
+/** A mode swings once in so many seconds of the clock. */
+const PERIOD = 2;
+
+export class Player {
+  readonly stage: Stage;
+  readonly beams: Beams;
+  readonly signs: Signs;
+  readonly trails: Trails;
+  readonly moment: Moment;
+  /** The timeline of the run, and that of a mode. */
+  readonly run: Timeline;
+  readonly swing = new Timeline([0, PERIOD], PERIOD);
+  quantity?: Quantity;
+  /** What the colors span: the whole run, each instant, or up to a value. */
+  ranging: "run" | "instant" | "fixed" = "run";
+  private limit = 0;
+  /** Number of the natural mode that is shown; none: the run. */
+  mode?: number;
+  amplitude = 1;
+  magnification = 1;
+  scale = 1;
+  spot?: Spot;
+  following = false;
+  /** The range of the colors now. */
+  range: [number, number] = [0, 0];
+  private readonly ranges = new Map<string, [number, number]>();
+  private readonly marker: THREE.Mesh;
+  private listeners: (() => void)[] = [];
+  private dirty = true;
+  private last = 0;
+
+  constructor(readonly data: Data, parent: HTMLElement) {
+    this.run = new Timeline(data.times, 8);
+    this.stage = new Stage(data, parent);
+    this.beams = new Beams(data, this.scale);
+    this.signs = new Signs(data, this.stage.extent * 0.75, this.stage.up);
+    this.trails = new Trails(data);
+    this.moment = new Moment(data);
+    this.marker = new THREE.Mesh(
+      new THREE.SphereGeometry(1, 16, 12),
+      new THREE.MeshBasicMaterial({ color: 0xff2d78, depthTest: false, transparent: true, opacity: 0.9 }),
+    );
+    this.marker.renderOrder = 2;
+    this.marker.visible = false;
+    this.stage.scene.add(this.beams.group, this.beams.ghosts, this.trails.group, this.marker);
+    this.stage.scene.add(this.signs.bodies, this.signs.joints, this.signs.loads, this.signs.reactions, this.signs.points);
+    for (const timeline of [this.run, this.swing]) timeline.onchange(() => this.refresh());
+    this.stage.controls.addEventListener("change", () => this.redraw());
+    new ResizeObserver(() => this.redraw()).observe(parent);
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** The timeline of what is shown. */
+  get timeline(): Timeline {
+    return this.mode === undefined ? this.run : this.swing;
+  }
+
+  /** The instant that is shown, as a place between two recorded ones. */
+  at(): Between {
+    return this.mode === undefined ? between(this.data.times, this.run.time) : { first: 0, second: 0, share: 0 };
+  }
+
+  onupdate(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** Something has changed: everything is placed and colored anew with the next picture. */
+  refresh(): void {
+    this.dirty = true;
+  }
+
+  private redraw(): void {
+    this.needsPicture = true;
+  }
+
+  private needsPicture = true;
+
+  private tick(now: number): void {
+    const passed = Math.min(0.1, (now - this.last) / 1000);
+    this.last = now;
+    this.timeline.advance(passed);
+    if (this.dirty) this.update();
+    if (this.needsPicture) {
+      this.beams.thin(this.stage.metersPerPixel());
+      this.stage.render();
+      this.needsPicture = false;
+      for (const listener of this.listeners) listener();
+    }
+    requestAnimationFrame((next) => this.tick(next));
+  }
+
+  private update(): void {
+    this.dirty = false;
+    this.needsPicture = true;
+    const at = this.at();
+    const mode = this.mode === undefined ? undefined : this.data.modes[this.mode];
+    if (mode) {
+      // What is unstable or free moves there and back as well: to be seen, not to be timed.
+      this.moment.setMode(mode, this.amplitude * this.unit() * Math.sin((2 * Math.PI * this.swing.time) / PERIOD));
+    } else this.moment.set(at, this.magnification);
+    this.beams.update(this.moment.parts["station.place"], this.moment.parts["station.turn"]);
+    this.signs.update(this.moment);
+    this.trails.update(mode ? -1 : at.second);
+    this.paint(at, mode !== undefined);
+    this.place();
+  }
+
+  /** The amount of a mode at which it is drawn with the amplitude 1. */
+  private unit(): number {
+    const mode = this.data.modes[this.mode!];
+    const largest = (list: Float32Array) => {
+      let most = 0;
+      for (let at = 0; at < list.length; at += 3) most = Math.max(most, Math.hypot(list[at], list[at + 1], list[at + 2]));
+      return most;
+    };
+    const moved = Math.max(largest(mode.stations.place.values), largest(mode.bodies.place.values));
+    const turned = Math.max(largest(mode.stations.turn.values), largest(mode.bodies.turn.values));
+    return Math.min((0.1 * this.stage.extent) / (moved || 1e-30), 0.8 / (turned || 1e-30));
+  }
+
+  private paint(at: Between, plain: boolean): void {
+    if (!this.quantity || plain) {
+      this.beams.paint();
+      return;
+    }
+    const { quantity, limit } = this;
+    if (this.ranging === "fixed") this.range = [quantity.signed ? -limit : 0, limit];
+    else this.range = this.ranging === "instant" ? range(this.data, quantity, at) : this.wholeRange(quantity);
+    this.beams.paint(values(this.data, quantity, at), this.range, quantity);
+  }
+
+  private wholeRange(quantity: Quantity): [number, number] {
+    let known = this.ranges.get(quantity.word);
+    if (!known) this.ranges.set(quantity.word, (known = range(this.data, quantity)));
+    return known;
+  }
+
+  private place(): void {
+    this.marker.visible = this.spot !== undefined;
+    if (!this.spot) return;
+    const place = placeAt(this.moment.parts["station.place"], this.spot);
+    this.marker.position.copy(place);
+    this.marker.scale.setScalar(0.008 * this.stage.extent);
+    this.stage.follow(this.following ? place : undefined);
+  }
+
+  /** Colors by a quantity; without a word plainly. */
+  colorBy(word: string): void {
+    this.quantity = QUANTITIES.find((quantity) => quantity.word === word);
+    this.refresh();
+  }
+
+  /** The largest value of the colors, where it is given. */
+  limitRange(most: number): void {
+    this.limit = Number.isFinite(most) ? Math.abs(most) : this.limit;
+    this.refresh();
+  }
+
+  /** How many times as thick as they are sections are drawn. */
+  thicken(scale: number): void {
+    this.scale = scale;
+    this.beams.setScale(scale);
+    this.refresh();
+  }
+
+  /** Shows a natural mode, which swings at once; without a number the run, where it was left. */
+  show(mode: number | undefined): void {
+    this.run.playing = false;
+    this.swing.playing = mode !== undefined;
+    this.mode = mode;
+    this.refresh();
+  }
+
+  choose(spot: Spot | undefined): void {
+    this.spot = spot;
+    if (!spot) this.following = false;
+    this.stage.follow(undefined);
+    this.refresh();
+  }
+
+  /** Chooses what is under a point of the canvas, pixels; a thin beam also from a few pixels beside it. */
+  pick(x: number, y: number): void {
+    const { clientWidth: width, clientHeight: height } = this.stage.canvas;
+    for (const [dx, dy] of [[0, 0], [3, 0], [-3, 0], [0, 3], [0, -3], [6, 6], [-6, 6], [6, -6], [-6, -6]]) {
+      const hit = under((2 * (x + dx)) / width - 1, 1 - (2 * (y + dy)) / height, this.stage.camera, this.beams.meshes);
+      if (!hit) continue;
+      const beam = this.data.scene.beams[hit.beam];
+      this.choose(nearest(beam, hit.beam, this.moment.parts["station.place"], hit.point.toArray()));
+      return;
+    }
+    this.choose(undefined);
+  }
+
+  setParallel(parallel: boolean): void {
+    this.stage.setParallel(parallel);
+    this.stage.controls.addEventListener("change", () => this.redraw());
+    this.redraw();
+  }
+
+  /** Draws once more, because the camera or the size has changed. */
+  look(): void {
+    this.redraw();
+  }
+}

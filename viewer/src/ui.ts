@@ -1,0 +1,273 @@
+// The page around the picture: header, controls, timeline, charts, what was clicked on.
+
+import { Along } from "./along";
+import { Charts } from "./charts";
+import { gradient, QUANTITIES, quantityText } from "./color";
+import type { Data } from "./data";
+import { button, choice, h, slider, tick } from "./dom";
+import { Labels } from "./labels";
+import { PickPanel } from "./panel";
+import { Player } from "./player";
+import { niceLength, type View } from "./stage";
+import { listenToKeys } from "./keys";
+
+/** Below this width charts go under the picture, and controls lie over it. */
+const NARROW = 820;
+/** From this width on controls are open from the start. */
+const WIDE = 1100;
+
+export class Page {
+  readonly player: Player;
+  private readonly charts: Charts;
+  private readonly along: Along;
+  private readonly panel: PickPanel;
+  private readonly labels: Labels;
+  private readonly viewport = h("div", { class: "viewport" });
+  private readonly side = h("aside", { class: "side", "aria-label": "Charts" });
+  private readonly scrub: HTMLInputElement;
+  private readonly clock = h("output", { class: "clock", "aria-live": "off" });
+  private readonly play: HTMLButtonElement;
+  private readonly speed = h("output", { class: "speed", title: "Seconds of the run in a second" });
+  private readonly legend = h("div", { class: "legend", hidden: true });
+  private readonly scaleBar = h("div", { class: "scale-bar" });
+  private readonly scaleNote = h("div", { class: "scale-note" });
+
+  constructor(readonly data: Data, app: HTMLElement) {
+    const charts = this.side;
+    const stage = h("main", { class: "stage" }, this.viewport);
+    const body = h("div", { class: "body" }, stage, charts);
+    app.append(this.header(), body);
+    this.player = new Player(data, this.viewport);
+    const { player } = this;
+    this.charts = new Charts(data, player.run);
+    this.along = new Along(data);
+    this.panel = new PickPanel(player);
+    this.labels = new Labels(player, this.viewport);
+    this.charts.element.hidden = data.times.length < 2;
+    charts.append(this.panel.element, this.along.element, this.charts.element);
+    stage.append(this.legend, this.controls(), this.scaleBar, this.scaleNote);
+    this.scrub = h("input", {
+      type: "range", class: "scrub", min: 0, max: 1000, step: "any", "aria-label": "Time",
+      oninput: () => {
+        const { timeline } = player;
+        timeline.playing = false;
+        timeline.seek(timeline.start + (this.scrub.valueAsNumber / 1000) * timeline.duration);
+      },
+    });
+    this.play = button("▶", "Play", () => player.timeline.toggle(), "Space");
+    this.play.classList.add("play");
+    app.append(this.timeline());
+    this.pointer();
+    listenToKeys(this);
+    player.onupdate(() => this.update());
+    player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
+    if (data.times.length < 2 && data.modes.length > 0) player.show(0);
+    this.describe();
+  }
+
+  private header(): HTMLElement {
+    const { scene, notes } = this.data;
+    const notice = notes.map((note) => h("p", { class: "note" }, note));
+    const title = h("div", { class: "title" }, h("h1", {}, scene.name), h("p", { class: "description" }, scene.description));
+    const tools = h(
+      "div", { class: "tools" },
+      button("PNG", "Save the picture as PNG", () => this.savePng()),
+      button("◐", "Light or dark", () => this.switchTheme()),
+      button("?", "Keys", () => this.help.showModal()),
+    );
+    return h("header", {}, title, tools, ...notice, this.help);
+  }
+
+  private readonly help = h(
+    "dialog", { class: "help", "aria-label": "Keys" },
+    h("h2", {}, "Keys"),
+    h("dl", {}, ...[
+      ["Space", "play, pause"], ["← →", "one instant back, on"], ["Home End", "to the start, to the end"], ["− +", "slower, faster"], ["L", "loop"],
+      ["1 2 3 4", "views: oblique, front, side, top"], ["F", "fit into the picture"], ["P", "perspective or parallel"], ["C", "next quantity to color by"],
+      ["G", "as drawn, faintly"], ["N", "names"], ["T", "trails"], ["Esc", "forget the point"],
+    ].flatMap(([key, words]) => [h("dt", {}, key), h("dd", {}, words)])),
+    h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant."),
+    h("form", { method: "dialog" }, h("button", {}, "Close")),
+  );
+
+  private controls(): HTMLElement {
+    const { player, data } = this;
+    const { signs, beams, trails, stage } = player;
+    const options: [string, string][] = [["", "nothing"], ...QUANTITIES.filter(({ from }) => from.every((name) => data.tracks.has(name))).map(({ word, label }): [string, string] => [word, label])];
+    const color = choice("Color by", options, "stress", (word) => {
+      player.colorBy(word);
+      this.describe();
+      if (player.ranging === "fixed") {
+        const list = ranges.querySelector("select")!;
+        list.value = "run";
+        list.dispatchEvent(new Event("change"));
+      }
+    });
+    color.dataset.control = "color";
+    const modes: [string, string][] = [["", "simulation"], ...data.modes.map((mode, k): [string, string] => [String(k), `mode ${k + 1}: ${pace(mode)}`])];
+    const show = (group: { visible: boolean }) => (on: boolean) => {
+      group.visible = on;
+      player.refresh();
+    };
+    const views = (["iso", "front", "side", "top"] as View[]).map((view, k) => button({ iso: "3D", front: "F", side: "S", top: "T" }[view], `View: ${view === "iso" ? "oblique" : view}`, () => this.view(view), String(k + 1)));
+    const mode = choice("Show", modes, "", (value) => {
+      player.show(value === "" ? undefined : Number(value));
+      amplitude.hidden = value === "";
+      this.describe();
+    });
+    mode.dataset.control = "mode";
+    // A peak of a moment would leave everything else in one color: the range can be set by hand.
+    const most = h("input", { type: "number", step: "any", min: 0, "aria-label": "Largest value of the colors", onchange: () => player.limitRange(most.valueAsNumber) });
+    const largest = h("label", { class: "choice", hidden: true }, h("span", {}, "up to"), most);
+    const ranges = choice("Range", [["run", "of the whole run"], ["instant", "of each instant"], ["fixed", "up to a value"]], "run", (kind) => {
+      largest.hidden = kind !== "fixed";
+      most.value = String(Number(player.range[1].toPrecision(3)));
+      player.ranging = kind as typeof player.ranging;
+      player.limitRange(most.valueAsNumber);
+    });
+    ranges.dataset.control = "range";
+    const amplitude = slider("Amplitude", [0, 4, 0.1], 1, (value) => `× ${value}`, (value) => {
+      player.amplitude = value;
+      player.refresh();
+    });
+    amplitude.hidden = true;
+    const rows: (Node | undefined)[] = [
+      data.modes.length > 0 ? mode : undefined,
+      data.modes.length > 0 ? amplitude : undefined,
+      data.scene.beams.length > 0 ? color : undefined,
+      data.scene.beams.length > 0 ? ranges : undefined,
+      data.scene.beams.length > 0 ? largest : undefined,
+      h("div", { class: "ticks" },
+        tick("As drawn", false, show(beams.ghosts)), tick("Names", false, (on) => this.labels.show(on)),
+        data.scene.points.length > 0 ? tick("Trails", false, show(trails.group)) : undefined,
+        tick("Joints", true, show(signs.joints)),
+        data.scene.loads.length > 0 ? tick("Loads", true, show(signs.loads)) : undefined,
+        data.tracks.has("joint.force") ? tick("Reactions", false, show(signs.reactions)) : undefined,
+        data.scene.points.length > 0 ? tick("Outputs", true, show(signs.points)) : undefined,
+        tick("Grid", true, show(stage.grid)),
+        tick("Parallel", false, (on) => player.setParallel(on))),
+      data.scene.beams.length > 0 ? slider("Thickness", [0, 8, 1], thicknessPlace(player.scale), (place) => `× ${THICKNESS[place]}`, (place) => {
+        player.thicken(THICKNESS[place]);
+        this.describe();
+      }) : undefined,
+      data.scene.beams.length > 0 ? slider("Displacement", [0, 8, 1], 0, (place) => `× ${THICKNESS[place]}`, (place) => {
+        player.magnification = THICKNESS[place];
+        player.refresh();
+      }) : undefined,
+      h("div", { class: "views" }, ...views, button("Fit", "Fit into the picture", () => this.view(), "F")),
+    ];
+    const details = h("details", { class: "controls" }, h("summary", {}, "Display"), ...rows.filter((row) => row !== undefined));
+    details.open = innerWidth >= WIDE;
+    const leave = () => {
+      stage.leave(details.open && innerWidth >= NARROW ? 272 : 0);
+      player.look();
+    };
+    details.addEventListener("toggle", leave);
+    return details;
+  }
+
+  private timeline(): HTMLElement {
+    const { player } = this;
+    const now = () => player.timeline;
+    const loop = button("⟳", "Loop", () => {
+      now().looping = !now().looping;
+      loop.setAttribute("aria-pressed", String(now().looping));
+    }, "L");
+    loop.dataset.control = "loop";
+    loop.setAttribute("aria-pressed", "true");
+    return h(
+      "footer", { class: "timeline" },
+      h("div", { class: "buttons" },
+        button("|‹", "To the start", () => now().seek(now().start), "Home"), button("‹", "One instant back", () => now().step(-1), "←"), this.play,
+        button("›", "One instant on", () => now().step(1), "→"), loop),
+      this.scrub,
+      this.clock,
+      h("div", { class: "buttons" }, button("−", "Slower", () => now().slower(), "−"), this.speed, button("+", "Faster", () => now().faster(), "+")),
+    );
+  }
+
+  view(view?: View): void {
+    if (view) this.player.stage.view(view);
+    else this.player.stage.fit();
+    this.player.look();
+  }
+
+  /** A click that is no drag picks. */
+  private pointer(): void {
+    const { canvas } = this.player.stage;
+    let pressed = { x: 0, y: 0 };
+    canvas.addEventListener("pointerdown", ({ clientX: x, clientY: y }) => (pressed = { x, y }));
+    canvas.addEventListener("click", (event) => {
+      if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > 4) return;
+      const box = canvas.getBoundingClientRect();
+      this.player.pick(event.clientX - box.left, event.clientY - box.top);
+    });
+  }
+
+  /** Brings everything around the picture to the instant that is shown. */
+  private update(): void {
+    const { player } = this;
+    const { timeline } = player;
+    if (timeline.duration > 0) this.scrub.value = String((1000 * (timeline.time - timeline.start)) / timeline.duration);
+    const isMode = player.mode !== undefined;
+    const digits = Math.max(0, 2 - Math.floor(Math.log10(timeline.duration || 1)));
+    this.clock.textContent = isMode ? pace(this.data.modes[player.mode!]) : `t = ${timeline.time.toFixed(digits)} s`;
+    this.scrub.setAttribute("aria-valuetext", this.clock.textContent);
+    this.play.textContent = timeline.playing ? "⏸" : "▶";
+    this.play.setAttribute("aria-label", timeline.playing ? "Pause" : "Play");
+    this.speed.textContent = isMode ? "" : `${timeline.speed} ×`;
+    if (player.quantity && !isMode) {
+      const [low, high] = player.range;
+      const middle = (low + high) / 2;
+      this.legend.querySelectorAll("span").forEach((label, k) => (label.textContent = quantityText([high, middle, low][k], player.quantity!.unit, 3)));
+    }
+    this.legend.hidden = !player.quantity || isMode;
+    const meters = niceLength(110 * player.stage.metersPerPixel());
+    this.scaleBar.style.width = `${meters / player.stage.metersPerPixel()}px`;
+    this.scaleBar.textContent = quantityText(meters, "m");
+    // Of a single instant there is nothing to chart.
+    this.side.hidden = this.data.times.length < 2 && !player.spot;
+    this.panel.update();
+    this.along.update(player.spot?.beam, isMode ? undefined : player.quantity, player.at());
+    this.labels.update();
+  }
+
+  /** Legend and remarks, which do not change from instant to instant. */
+  private describe(): void {
+    const { quantity, scale, stage } = this.player;
+    if (quantity) {
+      const bar = h("div", { class: "bar" });
+      bar.style.background = gradient(quantity.signed);
+      this.legend.replaceChildren(h("div", { class: "name" }, quantity.label), h("div", { class: "scale" }, bar, h("div", { class: "ends" }, h("span"), h("span"), h("span"))));
+    }
+    const thick = this.data.scene.beams.length > 0 && scale !== 1 ? `sections drawn ${scale} times as thick · ` : "";
+    this.scaleNote.textContent = `${thick}grid ${quantityText(stage.cell, "m")}`;
+    this.player.refresh();
+  }
+
+  switchTheme(): void {
+    const root = document.documentElement;
+    const dark = root.dataset.theme ? root.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+    root.dataset.theme = dark ? "light" : "dark";
+    this.charts.restyle();
+    this.player.look();
+  }
+
+  private savePng(): void {
+    const background = getComputedStyle(document.documentElement).getPropertyValue("--stage").trim();
+    const name = this.data.scene.name.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "model";
+    h("a", { href: this.player.stage.png(background), download: `${name}.png` }).click();
+  }
+}
+
+/** How a mode goes on, in a few words. */
+export function pace(mode: { kind: string; frequency: number; growth: number }): string {
+  if (mode.kind === "vibration") return `${Number(mode.frequency.toPrecision(5))} Hz`;
+  return mode.kind === "free" ? "free" : `unstable, grows with rate ${Number(mode.growth.toPrecision(4))} 1/s`;
+}
+
+const THICKNESS = [1, 2, 5, 10, 20, 50, 100, 200, 500];
+
+function thicknessPlace(scale: number): number {
+  return Math.max(0, THICKNESS.indexOf(scale));
+}

@@ -1,0 +1,264 @@
+// The page in a real browser, from the disk: does it load without a complaint and without asking for anything, play, seek, pick, color, swing; does it show the
+// numbers of the solver? Needs the program in the variable ANCF14.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { launch } from "./chromium.mjs";
+
+const root = fileURLToPath(new URL("../../..", import.meta.url));
+const program = resolve(root, process.env.ANCF14 ?? "target/fmu/ancf14");
+const folder = mkdtempSync(join(tmpdir(), "ancf14-view-"));
+const ancf14 = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "pipe", "ignore"], encoding: "utf8" });
+const model = (name) => join(root, "models", `${name}.toml`);
+
+/** The columns of results.csv. */
+function table(path) {
+  const [head, ...rows] = readFileSync(join(folder, path), "utf8").trim().split("\n");
+  const names = head.split(",");
+  const numbers = rows.map((row) => row.split(",").map(Number));
+  return (name) => numbers.map((row) => row[names.indexOf(name)]);
+}
+
+let browser;
+
+/** Opens a page and keeps what it complains of and asks for. */
+async function open(name, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  const complaints = [];
+  const requests = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("request", (request) => requests.push(request.url()));
+  const address = pathToFileURL(join(folder, name)).href;
+  await page.goto(address);
+  await page.waitForFunction(() => window.ancf14, null, { timeout: 30000 });
+  await settle(page);
+  const close = async () => {
+    // A software renderer tells how slowly it reads pixels back; the blob is the page's own, made to unpack its data.
+    assert.deepEqual(complaints.filter((text) => !text.includes("GPU stall")), [], "the page complains");
+    assert.deepEqual(requests.filter((url) => url !== address && !url.startsWith("data:") && !url.startsWith("blob:")), [], "the page asks for something");
+    await context.close();
+  };
+  return { page, close };
+}
+
+/** Waits until what has changed is drawn. */
+const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
+const time = (page) => page.evaluate(() => window.ancf14.player.timeline.time);
+const seek = async (page, to) => {
+  await page.evaluate((to) => window.ancf14.player.timeline.seek(to), to);
+  await settle(page);
+};
+
+before(async () => {
+  browser = await launch();
+  ancf14("view", model("cantilever"), "--modes=4", "--set", "simulation.stop=0.5");
+  ancf14("run", model("cantilever"), "-o", "out", "--set", "simulation.stop=0.5");
+  ancf14("modes", model("cantilever"), "-o", "out", "--count", "4");
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true });
+});
+
+test("plays, pauses, steps and scrubs, by button and by key", async () => {
+  const { page, close } = await open("cantilever.html");
+  assert.equal(await time(page), 0);
+  await page.click("button.play");
+  await page.waitForFunction(() => window.ancf14.player.timeline.time > 0.01);
+  await page.keyboard.press("Space");
+  // The play button has the focus: Space is its own.
+  assert.equal(await page.evaluate(() => window.ancf14.player.timeline.playing), false);
+  const stopped = await time(page);
+  await page.waitForTimeout(150);
+  assert.equal(await time(page), stopped);
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Home");
+  await page.keyboard.press("ArrowRight");
+  assert.ok(Math.abs((await time(page)) - 0.005) < 1e-12);
+  await page.keyboard.press("End");
+  assert.ok(Math.abs((await time(page)) - 0.5) < 1e-12);
+  await page.locator("input.scrub").fill("400");
+  assert.ok(Math.abs((await time(page)) - 0.2) < 1e-9);
+  await settle(page);
+  assert.match(await page.textContent(".clock"), /t = 0\.200 s/);
+  await close();
+});
+
+test("a click into a chart goes to that instant, and the legend reads values", async () => {
+  const { page, close } = await open("cantilever.html");
+  await page.waitForSelector("[data-chart] .u-over");
+  const over = page.locator("[data-chart] .u-over").first();
+  const { width, height } = await over.boundingBox();
+  await over.click({ position: { x: 0.6 * width, y: height / 2 } });
+  assert.ok(Math.abs((await time(page)) - 0.3) < 0.005, String(await time(page)));
+  await page.mouse.move(5, 795);
+  await settle(page);
+  const read = Number((await page.locator("[data-chart]").first().locator(".u-series .u-value").nth(3).textContent()).replace("−", "-"));
+  const columns = table("out/results.csv");
+  const row = columns("time").reduce((best, at, k, all) => (Math.abs(at - 0.3) < Math.abs(all[best] - 0.3) ? k : best), 0);
+  const near = columns("tip.displacement[3]").slice(row - 1, row + 2);
+  assert.ok(near.some((value) => Math.abs(Number(value.toPrecision(4)) - read) < 1e-9), `${read}, ${near}`);
+  // The pointer comes back and leaves while the time stands still: the legend tells the present instant again, at once.
+  const legend = page.locator("[data-chart]").first().locator(".u-series .u-value").nth(3);
+  const present = await legend.textContent();
+  await over.hover({ position: { x: 0.2 * width, y: height / 2 } });
+  await settle(page);
+  assert.notEqual(await legend.textContent(), present);
+  const left = await page.evaluate(() => {
+    document.querySelector("[data-chart] .u-over").dispatchEvent(new MouseEvent("mouseleave"));
+    return document.querySelectorAll("[data-chart] .u-series .u-value")[3].textContent;
+  });
+  assert.equal(left, present);
+  await close();
+});
+
+test("a click on a beam tells what its section bears there", async () => {
+  const { page, close } = await open("cantilever.html");
+  await seek(page, 0.125);
+  const at = await page.evaluate(() => {
+    const { player } = window.ancf14;
+    const places = player.moment.parts["station.place"];
+    const station = 16; // of 65: a quarter of the beam
+    const point = player.stage.controls.target.clone().fromArray(places, 3 * station);
+    const { x, y } = player.stage.project(point);
+    const box = player.stage.canvas.getBoundingClientRect();
+    return { x: box.left + x, y: box.top + y };
+  });
+  await page.mouse.click(at.x, at.y);
+  await settle(page);
+  assert.equal(await page.textContent(".panel strong"), "arm");
+  const fraction = Number(await page.inputValue(".panel input[type=number]"));
+  assert.ok(Math.abs(fraction - 0.25) < 0.02, String(fraction));
+  // At the very fraction of an output the panel must tell its value: the curvature at the root.
+  await page.fill(".panel input[type=number]", "0");
+  await page.press(".panel input[type=number]", "Enter");
+  await settle(page);
+  const columns = table("out/results.csv");
+  const row = columns("time").indexOf(0.125);
+  const told = await page.locator(".panel tr", { hasText: "curvature y" }).locator("td").textContent();
+  const expected = columns("root_section.curvature[1]");
+  // Four digits are shown.
+  const size = Math.max(...expected.map(Math.abs));
+  assert.ok(Math.abs(parseFloat(told.replace("−", "-")) - expected[row]) < 4e-4 * size, `${told}, ${expected[row]}`);
+  assert.ok(await page.isVisible(".along"), "the range along the beam is not shown");
+  await page.keyboard.press("Escape");
+  await close();
+});
+
+test("stations are where the solver's outputs are, to 1e-4 of the model's size", async () => {
+  const { page, close } = await open("cantilever.html");
+  const { times, tips, size } = await page.evaluate(() => {
+    const { data } = window.ancf14;
+    const { values, things } = data.tracks.get("station.place");
+    const tip = (instant) => [0, 1, 2].map((axis) => values[3 * (instant * things + things - 1) + axis]);
+    return { times: [...data.times], tips: [...data.times].map((_, instant) => tip(instant)), size: data.scene.size };
+  });
+  const columns = table("out/results.csv");
+  const drawn = [1, 0, 0];
+  assert.equal(times.length, columns("time").length);
+  let largest = 0;
+  for (const axis of [0, 1, 2]) {
+    columns(`tip.displacement[${axis + 1}]`).forEach((value, row) => {
+      largest = Math.max(largest, Math.abs(tips[row][axis] - drawn[axis] - value));
+    });
+  }
+  assert.ok(largest < 1e-4 * size, `${largest} m`);
+  // Charts have the very doubles of the table.
+  const charted = await page.evaluate(() => [...window.ancf14.data.charts.columns.find(({ name }) => name === "tip.velocity[3]").values]);
+  assert.deepEqual(charted, columns("tip.velocity[3]"));
+  await close();
+});
+
+test("colors follow the quantity and the instant", async () => {
+  const { page, close } = await open("cantilever.html");
+  const colors = () => page.evaluate(() => [...window.ancf14.player.beams.meshes[0].geometry.attributes.color.array.slice(0, 3)]);
+  await seek(page, 0);
+  const resting = await colors();
+  await seek(page, 0.125);
+  const bent = await colors();
+  assert.notDeepEqual(bent, resting);
+  assert.match(await page.textContent(".legend"), /Stress.*MPa/s);
+  await page.selectOption("[data-control=color] select", "speed");
+  await settle(page);
+  assert.notDeepEqual(await colors(), bent);
+  assert.match(await page.textContent(".legend"), /Speed.*m\/s/s);
+  const whole = await page.textContent(".legend");
+  await seek(page, 0.06);
+  await page.selectOption("[data-control=range] select", "instant");
+  await settle(page);
+  assert.notEqual(await page.textContent(".legend"), whole);
+  await page.selectOption("[data-control=color] select", "");
+  await settle(page);
+  assert.equal(await page.isVisible(".legend"), false);
+  await close();
+});
+
+test("a mode swings, with its frequency", async () => {
+  const { page, close } = await open("cantilever.html");
+  await page.selectOption("[data-control=mode] select", "0");
+  const tip = () => page.evaluate(() => window.ancf14.player.moment.parts["station.place"].at(-1));
+  await page.waitForTimeout(50);
+  const first = await tip();
+  await page.waitForFunction((first) => Math.abs(window.ancf14.player.moment.parts["station.place"].at(-1) - first) > 0.005, first);
+  const frequency = table("out/modes.csv")("frequency")[0];
+  assert.ok(Math.abs(parseFloat(await page.textContent(".clock")) / frequency - 1) < 1e-4);
+  await page.selectOption("[data-control=mode] select", "");
+  await settle(page);
+  assert.ok(Math.abs(await tip()) < 1e-6, "the run goes on from its own place");
+  await close();
+});
+
+test("light and dark, wide and narrow: a picture is there, and nothing sticks out", async () => {
+  for (const [width, colorScheme] of [[1280, "dark"], [390, "light"]]) {
+    const { page, close } = await open("cantilever.html", { viewport: { width, height: 800 }, colorScheme });
+    const found = await page.evaluate(async () => {
+      const picture = new Image();
+      picture.src = window.ancf14.player.stage.png("#808080");
+      await picture.decode();
+      const canvas = Object.assign(document.createElement("canvas"), { width: picture.width, height: picture.height });
+      const paper = canvas.getContext("2d", { willReadFrequently: true });
+      paper.drawImage(picture, 0, 0);
+      const pixels = new Uint32Array(paper.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+      return { colors: new Set(pixels).size, overflow: document.documentElement.scrollWidth - innerWidth, back: getComputedStyle(document.body).backgroundColor };
+    });
+    assert.ok(found.colors > 100, `${found.colors} colors`);
+    assert.ok(found.overflow <= 0, `${found.overflow} pixels`);
+    assert.equal(found.back === "rgb(17, 21, 27)", colorScheme === "dark");
+    await close();
+  }
+});
+
+test("names with HTML in them are shown as they are", async () => {
+  const name = "</script><script>document.title='harm'</script><b>bold</b>";
+  const text = readFileSync(model("cantilever"), "utf8").replace('name = "Cantilever"', `name = "${name}"`);
+  writeFileSync(join(folder, "named.toml"), text);
+  ancf14("view", "named.toml", "--set", "simulation.stop=0.02");
+  const { page, close } = await open("named.html");
+  assert.equal(await page.textContent("h1"), name);
+  assert.equal(await page.title(), name);
+  await close();
+});
+
+test("every sign of every kind is drawn: the model with everything, and large ones", async () => {
+  ancf14("view", model("crane"), "-o", "crane.html", "--set", "simulation.stop=0.2");
+  ancf14("view", model("lateral_buckling"), "-o", "strip.html", "--set", "simulation.stop=0.01");
+  // 10,002 rows, and a beam of 5,000 elements.
+  ancf14("view", model("cantilever"), "-o", "long.html", "--set", "arm.elements=2", "--set", "simulation.stop=3.0003", "--set", "simulation.output_step=3e-4", "--set", "simulation.step=3e-4");
+  ancf14("view", model("cantilever"), "-o", "fine.html", "--set", "arm.elements=5000", "--set", "simulation.stop=0.02");
+  for (const [name, note] of [["crane.html"], ["strip.html"], ["long.html", /one row of results in 6/], ["fine.html"]]) {
+    const { page, close } = await open(name);
+    if (note) assert.match(await page.textContent(".note"), note);
+    // Software draws large scenes slowly: one of them is enough for all keys.
+    for (const key of name !== "crane.html" ? ["f"] : ["2", "3", "4", "1", "p", "p", "g", "n", "t", "f"]) await page.keyboard.press(key);
+    await settle(page);
+    await close();
+  }
+});
