@@ -1,15 +1,97 @@
-/* ancf14: flexible beams behind the functions of FMI 2.0 for co-simulation.
+/* ancf14: flexible beams for programs in C and C++.
  *
- * Generated from src/ffi by cbindgen; do not edit. The names and types are those of the standard's fmi2Functions.h:
- * include either this header or that one.
+ * Generated from src/ffi by cbindgen; do not edit. docs/programming.md shows how to use it.
  *
- * A live instance, in what follows, comes from fmi2Instantiate, was not freed, and is not in use on another thread. NULL
- * is answered with an error. */
+ * The functions ancf14_... run a model file: load, set parameters and inputs, initialize, advance, read. The functions fmi2... are those of
+ * FMI 2.0 for co-simulation, for a packed model; their names and types are those of the standard's fmi2Functions.h: include either this
+ * header or that one.
+ *
+ * Units: SI everywhere (m, kg, s, N, rad). Texts: UTF-8 that ends with a zero byte.
+ *
+ * Errors: every call checks its arguments and its order, and answers with an error where they are wrong; NULL and handles that were freed
+ * are found too. No call ends the program, and none prints.
+ *
+ * Threads: different simulations, or instances, may run in different threads at the same time. One of them is used by one thread at a
+ * time, and so is a saved state; any thread will do. There is no global state.
+ *
+ * Lifetimes: a simulation lives until ancf14_free, an instance until fmi2FreeInstance, a saved state until it is freed, whatever becomes of
+ * the others. Texts that a simulation returns are its own; do not free them. What a call is given can go away when it returns.
+ *
+ * A live instance, in what is said of the functions fmi2..., comes from fmi2Instantiate, was not freed, and is not in use on another
+ * thread. */
 
 #ifndef ANCF14_H
 #define ANCF14_H
 
 #include <stddef.h>
+
+/*
+ What a variable is, and so when it can be set.
+ */
+typedef enum {
+  /*
+   There is no such variable.
+   */
+  ANCF14_NO_VARIABLE,
+  /*
+   A number of the model file; it can be set before ancf14_initialize.
+   */
+  ANCF14_PARAMETER,
+  /*
+   A number of the model file that can be set between two steps too.
+   */
+  ANCF14_TUNABLE,
+  /*
+   A number of the model file that follows from others; it cannot be set.
+   */
+  ANCF14_CALCULATED,
+  /*
+   A number that the program gives; it can be set at any time, and acts from the next step on.
+   */
+  ANCF14_INPUT,
+  /*
+   A result; it can be read after ancf14_initialize.
+   */
+  ANCF14_OUTPUT,
+} ancf14_kind;
+
+/*
+ What a call reports. ancf14_last_error has the sentence that belongs to it.
+ */
+typedef enum {
+  /*
+   The call succeeded.
+   */
+  ANCF14_OK,
+  /*
+   The simulation, or the state, is NULL, was freed, or is another pointer; or the state belongs to another model. Nothing was touched.
+   */
+  ANCF14_BAD_HANDLE,
+  /*
+   Another argument is NULL where an address is needed, or is not UTF-8 text.
+   */
+  ANCF14_BAD_ARGUMENT,
+  /*
+   The model has no variable with this number or name.
+   */
+  ANCF14_UNKNOWN_VARIABLE,
+  /*
+   The value is out of range, the variable cannot be set now, or the time lies in the past. Nothing was changed.
+   */
+  ANCF14_REFUSED,
+  /*
+   The call comes too early, too late, or after a failed step.
+   */
+  ANCF14_WRONG_ORDER,
+  /*
+   The mechanism has no initial state, or a step cannot be computed: ancf14_restore or ancf14_reset goes on.
+   */
+  ANCF14_FAILED,
+  /*
+   A defect of the library. The simulation is unusable, and can only be freed.
+   */
+  ANCF14_FAULT,
+} ancf14_status;
 
 /*
  What a call reports.
@@ -40,6 +122,16 @@ typedef enum {
    */
   fmi2Pending,
 } fmi2Status;
+
+/*
+ A model that is loaded and runs, made by ancf14_load_file or ancf14_load_text.
+ */
+typedef struct ancf14_simulation ancf14_simulation;
+
+/*
+ A copy of a simulation to go back to, made by ancf14_save.
+ */
+typedef struct ancf14_state ancf14_state;
 
 /*
  An instance, made by `fmi2Instantiate`.
@@ -195,6 +287,152 @@ typedef unsigned int fmi2ValueReference;
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
+
+/*
+ The version of the library: "0.1.0".
+ */
+const char *ancf14_version(void);
+
+/*
+ Loads the model file at `path`. `overrides` is NULL, or changes numbers and words of the file as --set of the command line does,
+ one KEY=VALUE a line: "arm.elements=16\narm.strain=small".
+
+ Returns NULL where the file cannot be read or is wrong; `error` then has the reason, all mistakes of the file with their lines, cut to
+ `size` bytes, a zero byte included. `error` may be NULL; 4096 bytes are enough for most files. Free the simulation with ancf14_free.
+ */
+ancf14_simulation *ancf14_load_file(const char *path,
+                                    const char *overrides,
+                                    char *error,
+                                    size_t size);
+
+/*
+ Loads a model from memory: `model` is the text of a model file, `name` what messages call it. All else is as in ancf14_load_file.
+ */
+ancf14_simulation *ancf14_load_text(const char *name,
+                                    const char *model,
+                                    const char *overrides,
+                                    char *error,
+                                    size_t size);
+
+/*
+ Frees a simulation; NULL is fine. The texts that belong to it are gone, its saved states are not.
+ */
+void ancf14_free(ancf14_simulation *simulation);
+
+/*
+ The reason why the last failed call with this simulation failed: a sentence with numbers that says what to do. It is empty if no call
+ has failed, and never NULL. It is valid until the next call that fails.
+ */
+const char *ancf14_last_error(ancf14_simulation *simulation);
+
+/*
+ The oldest warning that was not fetched yet, or NULL if there is none. A warning is a sentence about results that should not be
+ trusted, or about a model that is legal but probably not what was meant. It is valid until the next call of this function.
+ */
+const char *ancf14_next_warning(ancf14_simulation *simulation);
+
+/*
+ The number of variables, which are numbered from 0; -1 if the handle is not a live simulation.
+ */
+int ancf14_variable_count(ancf14_simulation *simulation);
+
+/*
+ The number of the variable called `name`, for instance `tip.displacement[3]`; -1: there is none, and ancf14_last_error suggests the
+ nearest name. The numbers of a model file do not change.
+ */
+int ancf14_find(ancf14_simulation *simulation,
+                const char *name);
+
+/*
+ The name of a variable; NULL: there is none with this number. It is valid as long as the simulation.
+ */
+const char *ancf14_variable_name(ancf14_simulation *simulation,
+                                 int variable);
+
+/*
+ The SI unit of a variable, "N.m" or "rad/s"; empty: it has none; NULL: there is no such variable. It is valid as long as the simulation.
+ */
+const char *ancf14_variable_unit(ancf14_simulation *simulation,
+                                 int variable);
+
+/*
+ What a variable means, with axes and sign; NULL: there is no such variable. It is valid as long as the simulation.
+ */
+const char *ancf14_variable_description(ancf14_simulation *simulation,
+                                        int variable);
+
+/*
+ What a variable is; ANCF14_NO_VARIABLE: there is none with this number.
+ */
+ancf14_kind ancf14_variable_kind(ancf14_simulation *simulation, int variable);
+
+/*
+ Reads a variable: the number of a parameter at any time, a result after ancf14_initialize.
+ */
+ancf14_status ancf14_get(ancf14_simulation *simulation, int variable, double *value);
+
+/*
+ Sets a variable: a parameter before ancf14_initialize, a tunable parameter or an input at any time. An input keeps its value until it
+ is set again. A value that is refused leaves the old one.
+ */
+ancf14_status ancf14_set(ancf14_simulation *simulation,
+                         int variable,
+                         double value);
+
+/*
+ Builds the mechanism from the parameters as set, and finds its initial state at t = 0. After a failure other parameters can be tried.
+ */
+ancf14_status ancf14_initialize(ancf14_simulation *simulation);
+
+/*
+ Advances to `time`, s, in the internal steps of the model file. Times that are multiples of its simulation.step give the bits of
+ `ancf14 run`; compute them as k * step, not as a running sum.
+ */
+ancf14_status ancf14_advance(ancf14_simulation *simulation,
+                             double time);
+
+/*
+ Ends the run, so that ancf14_next_warning has those on the run as a whole: how far results are off because of the length of the steps.
+ Values can still be read.
+ */
+ancf14_status ancf14_finish(ancf14_simulation *simulation);
+
+/*
+ Goes back to the model as it was loaded, parameters and inputs included: for the next run of a study.
+ */
+ancf14_status ancf14_reset(ancf14_simulation *simulation);
+
+/*
+ The time reached, s; NaN if the handle is not a live simulation.
+ */
+double ancf14_time(ancf14_simulation *simulation);
+
+/*
+ The time at which a run ends by the model file, s; NaN if the handle is not a live simulation. Nothing keeps a program from advancing further.
+ */
+double ancf14_stop_time(ancf14_simulation *simulation);
+
+/*
+ The time between two rows of results by the model file, s; NaN if the handle is not a live simulation.
+ */
+double ancf14_output_step(ancf14_simulation *simulation);
+
+/*
+ Copies all that changes: parameters, inputs, time and motion; NULL where that is not possible. Free the copy with ancf14_free_state.
+ */
+ancf14_state *ancf14_save(ancf14_simulation *simulation);
+
+/*
+ Goes back to a copy, also after a failed step. The copy stays; it may come from another simulation of the same model with the same
+ overrides. What follows has the same bits each time.
+ */
+ancf14_status ancf14_restore(ancf14_simulation *simulation,
+                             ancf14_state *state);
+
+/*
+ Frees a copy; NULL is fine.
+ */
+void ancf14_free_state(ancf14_state *state);
 
 /*
  `"default"`: the types are those of the standard's header (section 2.1.4).

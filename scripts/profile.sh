@@ -5,7 +5,7 @@
 set -eu
 
 cd "$(dirname "$0")/.."
-scripts/valgrind.sh
+scripts/tools.sh
 program=$(cargo bench --locked --bench speed --no-run 2>&1 | sed -n 's/.*Executable.*(\(.*\))$/\1/p')
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

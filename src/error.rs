@@ -192,6 +192,29 @@ t = decimal(*.time)
         /// What failed at last.
         reason: Box<Error>,
     },
+    /// A step whose length the solver chose failed even when it was the shortest one.
+    #[error(
+        "the step from t = {t} s failed even at {step:.1e} s, the shortest that the solver takes: {reason}; check the loads and drives at this time, or give simulation.step",
+        t = decimal(*.time)
+    )]
+    NoShorterStep {
+        /// Time at which the step starts, s.
+        time: f64,
+        /// The smallest step tried, s.
+        step: f64,
+        /// What failed at last.
+        reason: Box<Error>,
+    },
+    /// The error of a step is larger than the asked accuracy allows: it is taken again, shorter.
+    #[error("a step of {step:.3e} s from t = {t} s has {ratio:.1} times the error that simulation.accuracy allows", t = decimal(*.time))]
+    Inexact {
+        /// Time at which the step starts, s.
+        time: f64,
+        /// Its length, s.
+        step: f64,
+        /// Its error over that allowed.
+        ratio: f64,
+    },
     /// The ramp to an equilibrium did not reach its end.
     #[error(
         "the way to the equilibrium of t = {t} s ends at {share:.4} of the change of loads: a limit point, beyond which no \
@@ -217,6 +240,12 @@ t = decimal(*.time)
         /// Largest change of a shape in the last sweep, as a share.
         error: f64,
     },
+    /// The solver would have to choose the steps of a machine whose errors it does not know.
+    #[error(
+        "the solver cannot choose the steps of this machine: it knows the error of a step only with integrator = \"conserving\", a spectral_radius of at most 0.95 and \
+         no beam of ANCF24; give simulation.step"
+    )]
+    StepNotGiven,
     /// A step before the start.
     #[error("there is no initial state to step from; initialize first")]
     NotInitialized,

@@ -1,13 +1,12 @@
 //! Flexible beams, cables and shafts as FMUs: the ANCF14 beam element, a constrained multibody solver, FMI 2.0 co-simulation.
 //!
 //! Two halves that do not know each other meet in [`model`]: `math <- mechanics <- solve <- model` and `fmi <- model`;
-//! [`ffi`] (the C ABI) stands on top. ARCHITECTURE.md tells where things live, docs/model-file.md what a model file holds.
+//! [`Simulation`] and [`ffi`] (the C ABI) stand on top. ARCHITECTURE.md tells where things live, docs/model-file.md what a model file holds.
 //!
-//! A model is a text; a simulation of it is driven as a host drives the FMU:
+//! [`Simulation`] is the front door: a model file, or its text, that runs.
 //!
 //! ```
-//! use ancf14::fmi::{Failure, Model};
-//! use ancf14::model::simulation::Simulation;
+//! use ancf14::{Error, Simulation};
 //!
 //! let text = r#"
 //! format = 1
@@ -19,13 +18,16 @@
 //! output.tip = { at = "arm.end", quantities = ["displacement"] }
 //! simulation = { analysis = "static", stop = 1, step = 1 }
 //! "#;
-//! let mut simulation = Simulation::load("cantilever.toml", text, &[])?;
-//! simulation.initialize(0.0)?;
-//! let sag = simulation.variables().iter().position(|variable| variable.name == "tip.displacement[3]").expect("it is there");
-//! let closed_form = -7850.0 * 9.81 / (2.0 * 2.1e11 * 0.01_f64.powi(2)); // ρ A g L⁴/(8 E I), I = A r²/4
-//! assert!((simulation.value(sag).number() / closed_form - 1.0).abs() < 1e-4);
-//! # Ok::<(), Failure>(())
+//! let mut simulation = Simulation::from_text("cantilever.toml", text)?;
+//! simulation.set("steel.density", 8000.0)?;
+//! simulation.initialize()?;
+//! let sag = simulation.value("tip.displacement[3]")?;
+//! let closed_form = -8000.0 * 9.81 / (2.0 * 2.1e11 * 0.01_f64.powi(2)); // ρ A g L⁴/(8 E I), I = A r²/4
+//! assert!((sag / closed_form - 1.0).abs() < 1e-4);
+//! # Ok::<(), Error>(())
 //! ```
+//!
+//! docs/programming.md has more, in C and C++ too; `examples/` has whole programs.
 
 pub mod error;
 pub mod ffi;
@@ -33,4 +35,7 @@ pub mod fmi;
 pub mod math;
 pub mod mechanics;
 pub mod model;
+mod simulation;
 pub mod solve;
+
+pub use simulation::{Error, Kind, Results, SavedState, Simulation, Variable, VariableId};

@@ -6,6 +6,7 @@ pub mod chart;
 
 mod bend;
 mod buckling;
+mod chosen_steps;
 mod comparison;
 mod critical;
 mod elastica;
@@ -52,7 +53,7 @@ pub enum Runs {
 }
 
 /// All sections in the order of the page.
-pub const CASES: [Case; 16] = [
+pub const CASES: [Case; 17] = [
     Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
     Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
     Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
@@ -67,6 +68,7 @@ pub const CASES: [Case; 16] = [
     Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
     Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
     Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
+    Case { title: "Steps chosen by an accuracy", runs: Runs::Long, write: chosen_steps::write },
     Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },
     Case { title: "Estimated errors: motion", runs: Runs::Long, write: estimates::motion },
 ];

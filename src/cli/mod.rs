@@ -19,15 +19,15 @@ mod run;
 mod shapes;
 mod trace;
 mod verify;
+mod view;
 
 use ancf14::fmi::package::Platform;
 use ancf14::fmi::{Failure, Model};
-use ancf14::model::notes;
 use ancf14::model::simulation::Simulation;
+use ancf14::model::{file, notes};
 use clap::{Args, Parser, Subcommand};
 use std::ffi::OsStr;
-use std::fs;
-use std::io::{self, ErrorKind, Read, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use verify::Wish;
@@ -53,6 +53,9 @@ enum Command {
         /// to be reached, of each column's range [default: 0.001]
         #[arg(long, value_name = "ACCURACY", num_args = 0..=1, require_equals = true, value_parser = verify::accuracy)]
         verify: Option<Option<f64>>,
+        /// Write a page that shows the mechanism move too: view.html
+        #[arg(long)]
+        view: bool,
         /// Folder of the results, relative to the current one [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
@@ -74,6 +77,19 @@ enum Command {
         /// Folder of the results, relative to the current one [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
+    },
+    /// Simulate a model and write a page that shows it move: one HTML file, in three dimensions, with charts
+    ///
+    /// The page opens from the disk in any browser and loads nothing: it can be mailed. A run that fails is shown as far as it came.
+    View {
+        #[command(flatten)]
+        model: ModelArguments,
+        /// Page to write [default: <file stem>.html, in the current folder]
+        #[arg(short, long, value_name = "PAGE.html")]
+        output: Option<PathBuf>,
+        /// Show the N lowest natural modes about the initial state too [default of N: 10]
+        #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = modes::count)]
+        modes: Option<Option<u16>>,
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0)
     Pack {
@@ -158,13 +174,15 @@ pub fn main() -> ExitCode {
 
 fn execute(command: Command) -> Result<(), Stop> {
     match command {
-        Command::Run { model, verify, out } => {
+        Command::Run { model, verify, view, out } => {
             let (simulation, text) = model.load()?;
             let file_name = model.file.display().to_string();
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
             let accuracy = verify.flatten().unwrap_or(verify::ACCURACY);
             let wish = Wish { file_name: &file_name, text: &text, overrides: &model.overrides, accuracy };
-            run::run(simulation, &model.directory(out), &[model.input()], is_wanted.then_some(wish))
+            let film = view.then(|| run::last_row(&simulation).map(|last| view::Film::new(&simulation, last)));
+            let (directory, wish) = (model.directory(out), is_wanted.then_some(wish));
+            run::run(simulation, &directory, &[model.input()], wish, film.transpose()?)
         }
         Command::Check { model, draw } => {
             let picture = draw.as_deref().map(picture::Target::of).transpose()?;
@@ -175,6 +193,11 @@ fn execute(command: Command) -> Result<(), Stop> {
         Command::Modes { model, wishes, out } => {
             let (simulation, _) = model.load()?;
             modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
+        }
+        Command::View { model, output, modes } => {
+            let (simulation, _) = model.load()?;
+            let file = output.unwrap_or_else(|| model.beside(".html"));
+            view::view(simulation, &file, &[model.input()], modes.map(|count| count.unwrap_or(modes::COUNT)))
         }
         Command::Pack { file, output, library, binaries } => export::pack(&file, &output, library.as_deref(), binaries),
         Command::Header { file, output, prefix } => export::header(&file, &output, prefix.as_deref()),
@@ -201,11 +224,14 @@ impl ModelArguments {
 
     /// The folder of the results: `m.toml` to `m-results` in the current folder, unless another one is given.
     fn directory(&self, given: Option<PathBuf>) -> PathBuf {
-        given.unwrap_or_else(|| {
-            let mut name = self.file.file_stem().unwrap_or(OsStr::new("model")).to_owned();
-            name.push("-results");
-            PathBuf::from(name)
-        })
+        given.unwrap_or_else(|| self.beside("-results"))
+    }
+
+    /// The name of the model file without its ending, and `ending`: in the current folder.
+    fn beside(&self, ending: &str) -> PathBuf {
+        let mut name = self.file.file_stem().unwrap_or(OsStr::new("model")).to_owned();
+        name.push(ending);
+        PathBuf::from(name)
     }
 }
 
@@ -213,34 +239,13 @@ impl ModelArguments {
 const MODEL_FILE: &str = "the model file";
 
 /// Reads a model file; gives its text too.
-fn load(file: &Path, overrides: &[(String, String)]) -> Result<(Simulation, String), Stop> {
-    let name = file.display();
-    let bytes = read(file).map_err(|reason| Stop::Bad(format!("error: cannot read {name}: {reason}")))?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let (good, _) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
-        let line = good.iter().filter(|byte| **byte == b'\n').count() + 1;
-        let wrong = good.len() + 1;
-        Stop::Bad(format!(
-            "error: {name} is not UTF-8 text: byte {wrong}, in line {line}, is wrong; save the file as UTF-8"
-        ))
-    })?;
+fn load(path: &Path, overrides: &[(String, String)]) -> Result<(Simulation, String), Stop> {
+    let name = path.display();
+    let text = file::text(path).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let simulation =
         Simulation::load(&name.to_string(), &text, overrides).map_err(|Failure { message, .. }| Stop::Bad(message))?;
     Ok((simulation, text))
 }
-
-/// The bytes of a file of a sensible size.
-fn read(file: &Path) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    fs::File::open(file)?.take(LARGEST + 1).read_to_end(&mut bytes)?;
-    match bytes.len() as u64 > LARGEST {
-        true => Err(io::Error::other(format!("it is larger than {} MB", LARGEST >> 20))),
-        false => Ok(bytes),
-    }
-}
-
-/// The largest model file, bytes: to read it takes up to fifty times as much memory.
-const LARGEST: u64 = 10 << 20;
 
 /// Finds the initial state, with the warnings about it and about the file.
 fn start(simulation: &mut Simulation) -> Result<(), Stop> {

@@ -3,6 +3,7 @@
 use super::folder::Folder;
 use super::output::Input;
 use super::results::shortest;
+use super::view::Film;
 use super::{Stop, complain, failed, say, shapes, start};
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::Analysis;
@@ -19,14 +20,20 @@ pub struct Wishes {
     /// Of a static analysis: the time whose equilibrium is meant, s [default: the start]
     #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     time: Option<f64>,
+    /// Write a page in which the shapes swing too: modes.html
+    #[arg(long)]
+    view: bool,
 }
 
 /// Modes that are found where no number is given.
-const COUNT: u16 = 10;
-/// What is written.
+pub const COUNT: u16 = 10;
+/// The page in which the shapes swing.
+const PAGE: &str = "modes.html";
+/// What is always written.
 const FILES: [&str; 3] = ["modes.csv", "shapes.csv", "modes.svg"];
 
-fn count(text: &str) -> Result<u16, String> {
+/// A number of modes as an argument.
+pub fn count(text: &str) -> Result<u16, String> {
     let count = text.parse().ok().filter(|count| *count >= 1);
     count.ok_or_else(|| format!("a whole number from 1 to {} was expected", u16::MAX))
 }
@@ -50,7 +57,9 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
         )));
     }
     let mut folder = Folder::open(directory)?;
-    folder.claim("modes", &simulation.about().guid, &FILES.map(str::to_owned), inputs)?;
+    let names = FILES.iter().chain(wishes.view.then_some(&PAGE)).map(|name| (*name).to_owned());
+    folder.claim("modes", &simulation.about().guid, &names.collect::<Vec<_>>(), inputs)?;
+    let film = wishes.view.then(|| Film::new(&simulation, 0));
     start(&mut simulation)?;
     if let Some(time) = wishes.time.filter(|time| *time > 0.0) {
         let advanced = simulation.advance(time);
@@ -67,7 +76,15 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
     for (name, text) in FILES.iter().zip(texts) {
         folder.write(name, &text)?;
     }
+    if let Some(mut film) = film {
+        film.look(0, &simulation);
+        film.add_modes(&simulation, &found);
+        folder.write(PAGE, &film.page()?)?;
+    }
     say(&table(&found))?;
+    if wishes.view {
+        say(&format!("open {} in a browser to see them swing", folder.file(PAGE).display()))?;
+    }
     say(&format!("modes.csv, shapes.csv and modes.svg in {}", directory.display()))
 }
 

@@ -46,7 +46,7 @@ pub struct Results {
     snapshots: Vec<Row>,
     last: Option<Row>,
     /// Number of the last row of a run that comes to its end.
-    last_row: u64,
+    pub last_row: u64,
     rows: Shared,
 }
 

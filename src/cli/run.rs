@@ -7,12 +7,13 @@ use super::plot::Plot;
 use super::results::Results;
 use super::rows::Rows;
 use super::verify::{self, Wish};
+use super::view::{Film, ended_early};
 use super::{Stop, complain, failed, say, start};
 use ancf14::error::decimal;
-use ancf14::fmi::{About, Model};
-use ancf14::model::accuracy::{self, Inexact};
-use ancf14::model::effort;
+use ancf14::fmi::Model;
+use ancf14::model::entries::simulation::{Simulation as Section, Steps};
 use ancf14::model::simulation::Simulation;
+use ancf14::model::{effort, rows};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io;
@@ -22,24 +23,26 @@ use std::time::Instant;
 /// The table of results, and its name until the run has come to its end.
 pub const COMPLETE: &str = "results.csv";
 const PARTIAL: &str = "results.part.csv";
-/// An output step may miss the end by its round-off without making a row of its own, in output steps.
-const ROUNDING: f64 = 1e-9;
-/// More rows than this would fill a disk: some 30 GB.
-const MOST_ROWS: f64 = 1e8;
+/// The page that shows it move.
+const PAGE: &str = "view.html";
 
-/// Simulates and writes everything into the folder `directory`; with a `wish` the errors of the results too.
+/// Simulates and writes everything into the folder `directory`; with a `wish` the errors of the results too, with a `film` a page that shows
+/// the mechanism move.
 pub fn run(
     mut simulation: Simulation,
     directory: &Path,
     inputs: &[Input<'_>],
     wish: Option<Wish<'_>>,
+    mut film: Option<Film>,
 ) -> Result<(), Stop> {
     let last_row = last_row(&simulation)?;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
     let mut results = Results::new(partial.clone(), simulation.variables(), last_row);
     let plots = Plot::all(&results.columns, simulation.document());
-    let own = [COMPLETE, PARTIAL].iter().chain(wish.iter().flat_map(|_| &verify::FILES)).map(|name| (*name).to_owned());
+    let of_wish = wish.iter().flat_map(|_| &verify::FILES);
+    let own =
+        [COMPLETE, PARTIAL].iter().chain(of_wish).chain(film.iter().map(|_| &PAGE)).map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
     folder.claim("run", &simulation.about().guid, &names, inputs)?;
     let keeper = Keeper::start(results.rows())
@@ -47,7 +50,7 @@ pub fn run(
     say(&format!("rows go to {}, which becomes {COMPLETE} at the end", partial.display()))?;
 
     let clock = Instant::now();
-    let outcome = simulate(&mut simulation, &mut results, last_row, &keeper);
+    let outcome = simulate(&mut simulation, &mut results, film.as_mut(), &keeper);
     let wall = clock.elapsed().as_secs_f64();
     drop(keeper);
     let is_complete = outcome.is_ok();
@@ -66,8 +69,10 @@ pub fn run(
         }
         _ => Ok(()),
     };
+    let outcome = outcome.map_err(|end| end.stop(&locked(&results.rows())));
+    let shown = film.map_or(Ok(()), |film| show(film, &folder, &outcome, reached));
     // The first reason to fail is the one to tell.
-    outcome.map_err(|end| end.stop(&locked(&results.rows()))).and(finished.map(drop)).and(told)?;
+    outcome.and(finished.map(drop)).and(told).and(shown)?;
     wish.map_or(Ok(()), |wish| verify::verify(&simulation, &results, last_row, &folder, wish))
 }
 
@@ -86,6 +91,18 @@ fn finish(results: &Results, plots: &[Plot], folder: &Folder, is_complete: bool)
     let drawn = if results.count > 1 { plots } else { &[] };
     drawn.iter().try_for_each(|plot| plot.draw(results, &remark, folder))?;
     Ok(Some(format!("{} rows in {}, {} plots beside it", results.count, table.display(), drawn.len())))
+}
+
+/// Writes the page, of a run that failed too.
+fn show(mut film: Film, folder: &Folder, outcome: &Result<(), Stop>, reached: f64) -> Result<(), Stop> {
+    if let Err(Stop::Failed(message) | Stop::Interrupted(message, _)) = outcome {
+        film.note(&ended_early(reached, message));
+    }
+    if film.instants() == 0 {
+        return Ok(());
+    }
+    folder.write(PAGE, &film.page()?)?;
+    say(&format!("open {} in a browser to see it move", folder.file(PAGE).display()))
 }
 
 /// What ends a run early.
@@ -110,20 +127,29 @@ impl End {
     }
 }
 
-fn simulate(simulation: &mut Simulation, results: &mut Results, last_row: u64, keeper: &Keeper) -> Result<(), End> {
+fn simulate(
+    simulation: &mut Simulation,
+    results: &mut Results,
+    mut film: Option<&mut Film>,
+    keeper: &Keeper,
+) -> Result<(), End> {
+    let last_row = results.last_row;
     let bar = bar(last_row);
+    let mut look = |row: u64, simulation: &Simulation| film.iter_mut().for_each(|film| film.look(row, simulation));
     // The bar appears with the first row.
     start(simulation).map_err(End::Model)?;
     results.record(0.0, simulation).map_err(End::Write)?;
+    look(0, simulation);
     let outcome = (1..=last_row).try_for_each(|row| {
         keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
-        let time = row_time(simulation.about(), row, last_row);
+        let time = rows::time(simulation.about(), row, last_row);
         let advanced = simulation.advance(time);
         for warning in simulation.take_warnings() {
             bar.suspend(|| complain(&format!("warning: {warning}")));
         }
         advanced.map_err(|failure| End::Model(failed(simulation, &failure)))?;
         results.record(time, simulation).map_err(End::Write)?;
+        look(row, simulation);
         bar.set_message(format!("t = {time:.4} s"));
         bar.inc(1);
         Ok(())
@@ -138,28 +164,22 @@ pub fn bar(last_row: u64) -> ProgressBar {
     ProgressBar::new(last_row).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
-/// The time of a row, s.
-pub fn row_time(about: &About, row: u64, last_row: u64) -> f64 {
-    if row == last_row { about.stop } else { row as f64 * about.output_step }
-}
-
 /// Number of the last row of results; row 0 is the start. Too many rows are a mistake of the file.
 pub fn last_row(simulation: &Simulation) -> Result<u64, Stop> {
-    let (stop, step) = (simulation.about().stop, simulation.about().output_step);
-    if stop / step <= MOST_ROWS {
-        return Ok(rows_until(stop, step));
+    let about = simulation.about();
+    if let Some(last) = rows::last(about) {
+        return Ok(last);
     }
+    let (stop, step) = (about.stop, about.output_step);
     let document = simulation.document();
     let message =
-        format!("the run would write {:.1e} rows of results, at most {MOST_ROWS:.0e} are possible", stop / step);
+        format!("the run would write {:.1e} rows of results, at most {:.0e} are possible", stop / step, rows::MOST);
     let label = format!("a row every {step:e} s, to {stop} s");
     let help = "give a larger simulation.output_step";
-    let mistake = document.diagnostic(document.place(document.simulation.output_step), &message, &label, help);
+    let Section { stop, steps, output_step, .. } = &document.simulation;
+    let place = document.place(output_step.unwrap_or(if let Steps::Fixed(step) = steps { *step } else { *stop }));
+    let mistake = document.diagnostic(place, &message, &label, help);
     Err(Stop::Bad(mistake.to_string()))
-}
-
-fn rows_until(stop: f64, step: f64) -> u64 {
-    ((stop / step - ROUNDING).ceil() as u64).max(1)
 }
 
 /// What it took.
@@ -176,9 +196,8 @@ fn summary(results: &Results, reached: f64, wall: f64) -> String {
 
 /// How exact the results are, where that is followed.
 fn exactness(simulation: &Simulation) -> Result<(), Stop> {
-    let Some(Inexact { name, error }) = simulation.least_accurate() else { return Ok(()) };
-    let error = accuracy::percent(error);
-    say(&format!("time-step error: about {error} % of the range of {name}, the least accurate result"))
+    let Some(worst) = simulation.least_accurate() else { return Ok(()) };
+    say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))
 }
 
 /// How fast a run was beside the real machine.
@@ -199,16 +218,6 @@ fn two_digits(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// The last row is at the end, no row twice, also where the division is not exact.
-    #[test]
-    fn rows_end_at_the_stop() {
-        assert_eq!(rows_until(0.5, 1e-3), 500);
-        assert_eq!(rows_until(0.3, 0.1), 3);
-        assert_eq!(rows_until(1.0, 0.3), 4);
-        assert_eq!(rows_until(0.1, 1.0), 1);
-        assert_eq!(rows_until(10.0, 1e-4), 100_000);
-    }
 
     /// A reader sees which of the two is the faster one.
     #[test]

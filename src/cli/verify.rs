@@ -5,10 +5,11 @@ use super::bars::Bars;
 use super::folder::Folder;
 use super::keeper::{Keeper, interrupted};
 use super::results::{Results, shortest};
-use super::run::{bar, row_time};
+use super::run::bar;
 use super::{Stop, complain, output, say};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
+use ancf14::model::rows;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::verification::estimate::{Limit, Order, Trust};
 use ancf14::model::verification::levels::{Level, Override};
@@ -76,7 +77,7 @@ pub fn verify(
         }
         let values = rows.next().unwrap_or_else(|| Err(io::ErrorKind::UnexpectedEof.into()));
         let values = values.map_err(|reason| unread(&reason))?;
-        verification.compare(row, row_time(simulation.about(), row, last_row), &values);
+        verification.compare(row, rows::time(simulation.about(), row, last_row), &values);
         bar.inc(1);
     }
     bar.finish_and_clear();

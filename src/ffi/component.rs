@@ -66,9 +66,7 @@ impl<M: Model> Component<M> {
 
     /// The handle for the host, to be given back by [`Self::from_handle`].
     pub fn into_handle(self) -> *mut c_void {
-        let handle = Box::into_raw(Box::new(self)).cast();
-        live::INSTANCES.add(handle);
-        handle
+        live::INSTANCES.hand_out(self)
     }
 
     /// The component behind a handle; none: it is not live.
@@ -76,8 +74,8 @@ impl<M: Model> Component<M> {
     /// # Safety
     /// A live `handle` has this model type, and is not in use elsewhere.
     pub(super) unsafe fn behind<'a>(handle: *mut c_void) -> Option<&'a mut Self> {
-        // SAFETY: the handle is live, and the caller's promise.
-        live::INSTANCES.has(handle).then(|| unsafe { &mut *handle.cast::<Self>() })
+        // SAFETY: the caller's promise.
+        unsafe { live::INSTANCES.behind(handle) }
     }
 
     /// Takes a component back from the host; none: the handle is not live.
@@ -85,8 +83,8 @@ impl<M: Model> Component<M> {
     /// # Safety
     /// A live `handle` has this model type, and is not in use elsewhere.
     pub unsafe fn from_handle(handle: *mut c_void) -> Option<Box<Self>> {
-        // SAFETY: the handle was live until now, and the caller's promise.
-        live::INSTANCES.remove(handle).then(|| unsafe { Box::from_raw(handle.cast()) })
+        // SAFETY: the caller's promise.
+        unsafe { live::INSTANCES.take_back(handle) }
     }
 }
 

@@ -6,7 +6,6 @@
 
 use std::{
     ffi::{CStr, c_char},
-    panic::{AssertUnwindSafe, catch_unwind},
     ptr::null_mut,
 };
 
@@ -95,17 +94,15 @@ pub unsafe extern "C" fn fmi2Instantiate(
     // SAFETY: the caller's promise.
     let name = if instanceName.is_null() { c"" } else { unsafe { CStr::from_ptr(instanceName) } };
     let host = Host::new(name, functions);
-    let made = catch_unwind(AssertUnwindSafe(|| {
+    let made = guard::caught(|| {
         // SAFETY: the caller's promise.
         let model = unsafe { instantiate(name, fmuType, fmuGUID, fmuResourceLocation) }?;
         Ok(Component::new(model, host.clone(), loggingOn != fmi2False).into_handle())
-    }));
-    made.unwrap_or_else(|payload| Err(Error::Fault { message: fault::message(payload.as_ref()) })).unwrap_or_else(
-        |error| {
-            host.log(error.status(), error.category(), &format!("fmi2Instantiate: {error}"));
-            null_mut()
-        },
-    )
+    });
+    made.unwrap_or_else(|message| Err(Error::Fault { message })).unwrap_or_else(|error| {
+        host.log(error.status(), error.category(), &format!("fmi2Instantiate: {error}"));
+        null_mut()
+    })
 }
 
 /// The model of a new instance.

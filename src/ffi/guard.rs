@@ -32,19 +32,24 @@ pub unsafe fn guard<M: Model>(
     let Some(component) = (unsafe { Component::<M>::behind(handle) }) else {
         return fmi2Status::fmi2Error;
     };
-    match catch_unwind(AssertUnwindSafe(|| answer(component, call, body))) {
+    match caught(|| answer(component, call, body)) {
         Ok(status) => status.into(),
-        Err(payload) => {
+        Err(message) => {
             component.instance.give_up();
             // A logger that panics, or a second fault, leaves nothing to say.
-            let _ = catch_unwind(AssertUnwindSafe(|| {
-                let error = Error::Fault { message: fault::message(payload.as_ref()) };
+            let _ = caught(|| {
+                let error = Error::Fault { message };
                 component.report();
                 component.host.log(error.status(), error.category(), &format!("{call}: {error}"));
-            }));
+            });
             fmi2Status::fmi2Fatal
         }
     }
+}
+
+/// What `body` gives; a panic in it becomes its words and its place. Whoever calls this sees to it that nothing half-done is used again.
+pub(super) fn caught<R>(body: impl FnOnce() -> R) -> Result<R, String> {
+    catch_unwind(AssertUnwindSafe(body)).map_err(|payload| fault::message(payload.as_ref()))
 }
 
 fn answer<M: Model>(
@@ -71,7 +76,7 @@ fn answer<M: Model>(
 /// As [`guard`].
 pub unsafe fn free<M: Model>(handle: *mut c_void) {
     // SAFETY: the caller's promise.
-    let _ = catch_unwind(AssertUnwindSafe(|| drop(unsafe { Component::<M>::from_handle(handle) })));
+    let _ = caught(|| drop(unsafe { Component::<M>::from_handle(handle) }));
 }
 
 /// A C array to read. NULL is fine where it has no elements.
@@ -136,12 +141,11 @@ pub unsafe fn text<'a>(text: fmi2String, argument: &'static str) -> Result<&'a s
 /// # Safety
 /// A live `handle` is a state with the same model type, and not in use elsewhere.
 unsafe fn state_behind<'a, M: Model>(handle: *mut c_void) -> Result<&'a mut FmuState<M>, Error> {
-    match handle.is_null() {
-        true => Err(Error::Null { argument: "FMUstate" }),
-        false if !live::STATES.has(handle) => Err(Error::UnknownState),
-        // SAFETY: the handle is live, and the caller's promise.
-        false => Ok(unsafe { &mut *handle.cast() }),
+    if handle.is_null() {
+        return Err(Error::Null { argument: "FMUstate" });
     }
+    // SAFETY: the caller's promise.
+    unsafe { live::STATES.behind(handle) }.ok_or(Error::UnknownState)
 }
 
 /// Puts a copy that `make` makes into `state`, over an earlier copy if there is one.
@@ -155,9 +159,7 @@ pub unsafe fn hand_out_state<M: Model>(
     // SAFETY: the caller's promise.
     let handle = unsafe { place(state, "FMUstate") }?;
     if handle.is_null() {
-        let fresh = Box::into_raw(Box::new(make()?)).cast();
-        live::STATES.add(fresh);
-        *handle = fresh;
+        *handle = live::STATES.hand_out(make()?);
     } else {
         // SAFETY: the caller's promise.
         *unsafe { state_behind(*handle) }? = make()?;
@@ -195,11 +197,8 @@ pub unsafe fn free_state<M: Model>(instance: &Instance<M>, state: *mut *mut c_vo
     if let Some(handle) = unsafe { state.as_mut() }
         && !handle.is_null()
     {
-        if !live::STATES.remove(*handle) {
-            return Err(Error::UnknownState);
-        }
-        // SAFETY: the copy was made by `hand_out_state` and was live until now.
-        drop(unsafe { Box::from_raw(handle.cast::<FmuState<M>>()) });
+        // SAFETY: the caller's promise.
+        drop(unsafe { live::STATES.take_back::<FmuState<M>>(*handle) }.ok_or(Error::UnknownState)?);
         *handle = std::ptr::null_mut();
     }
     Ok(())

@@ -1,8 +1,8 @@
-//! The C ABI of FMI 2.0 for co-simulation: the only unsafe code.
+//! The C ABI, that of FMI 2.0 for co-simulation and that of the library's own functions: the only unsafe code.
 //!
 //! [`types`] names C types as the standard does, [`fmi2`] and [`fmi2_values`] export its functions, three lines each:
-//! borrow, call safe code, translate. [`guard`] checks pointers, catches panics, logs and makes the status;
-//! [`component`] is what a host holds. Nothing here is kept outside a component, except which handles are live (`live`), and the words of
+//! borrow, call safe code, translate; [`front`] with [`front_types`] do the same for [`crate::Simulation`]. [`guard`] checks pointers, catches panics, logs and makes the status;
+//! [`component`] and `front_handle` are what a program holds. Nothing here is kept outside of these, except which handles are live (`live`), and the words of
 //! a panic on their way from where it happened to the guard (`fault`).
 #![allow(unsafe_code, reason = "C hands over pointers; every use of one states who keeps the promise")]
 
@@ -10,6 +10,9 @@ pub mod component;
 mod fault;
 pub mod fmi2;
 pub mod fmi2_values;
+pub mod front;
+mod front_handle;
+pub mod front_types;
 pub mod guard;
 mod live;
 pub mod types;

@@ -31,15 +31,16 @@ const GROUPS: [(Causality, &str, &str); 5] = [
 const BEHAVIOUR: [&str; 12] = [
     "FMI 2.0 for co-simulation. The model is in <code>resources/model.toml</code>, the solver in the library; nothing else has to be \
      installed.",
-    "Any communication step is possible; the unit divides it into internal steps of at most <code>simulation.step</code>. On multiples \
-     of that step the results do not depend on the communication step, as long as inputs do not change.",
+    "Any communication step is possible; the unit divides it into internal steps. With a parameter <code>simulation.step</code> they are at most that long, and on its \
+     multiples the results do not depend on the communication step, as long as inputs do not change. With <code>simulation.accuracy</code> the unit chooses them, and a host's relative tolerance \
+     (<code>fmi2SetupExperiment</code>) takes the place of that parameter.",
     "What a host moves goes through each communication step on a cubic: its velocity has no jumps, and constant accelerations are followed \
      exactly. The velocity at the end follows from the mean velocities of this step and the last one. It begins at rest, or with the derivatives \
      that the host sets for the first step. A jump of an input is reached at the end of the step too; within the next one the motion overshoots by a quarter of it.",
     "Parameters are set before the end of the initialization, tunable ones also between steps.",
     "The initial state is found at the end of the initialization, from what is set until then; outputs are valid from there on.",
     "FMU states can be taken and set at any time, also to go back after a failed step, and serialized, also for another process.",
-    "A communication step shorter than a millionth of <code>simulation.step</code> is done at once: the unit keeps its time and makes up for it in the \
+    "A communication step shorter than a millionth of <code>simulation.step</code>, or without it of the default communication step, is done at once: the unit keeps its time and makes up for it in the \
      next step that is long enough. So a host that adds up its time may end with a step of round-off, and no short step is lost.",
     "A call that succeeds returns <code>fmi2OK</code>. Warnings go to the logger with the status <code>fmi2Warning</code> and the category \
      <code>logStatusWarning</code>; <code>fmi2Warning</code> is returned only where the host asks for something odd: results before the \

@@ -163,8 +163,13 @@ impl<M: Model> Instance<M> {
             None => format!("experiment from t = {start} s, no stop time"),
         });
         if let Some(tolerance) = tolerance {
-            self.event(|| {
-                format!("the host's tolerance {tolerance} is not used; the parameter simulation.tolerance is")
+            let is_possible = tolerance > 0.0 && tolerance.is_finite();
+            let accuracy = if is_possible { self.model.set_tolerance(tolerance) } else { None };
+            self.event(|| match accuracy {
+                Some(accuracy) => {
+                    format!("the host's tolerance {tolerance} sets the accuracy of the motion to {accuracy}")
+                }
+                None => format!("the model does not use the host's tolerance {tolerance}"),
             });
         }
         Ok(())
@@ -232,7 +237,17 @@ impl<M: Model> Instance<M> {
     pub fn do_step(&mut self, time: f64, step: f64) -> Result<(), Error> {
         self.check(Call::DoStep)?;
         let end = self.end_of_step(time, step)?;
+        self.advance(end)
+    }
+
+    /// Advances to `end`, s, an instant that is not before the own time.
+    ///
+    /// # Errors
+    /// As [`Self::do_step`].
+    pub fn advance(&mut self, end: f64) -> Result<(), Error> {
+        self.check(Call::DoStep)?;
         self.model.accept_step(end)?;
+        let time = self.model.time();
         self.event(|| format!("step from t = {time} s to t = {end} s"));
         let outcome = self.model.advance(end);
         self.pass_on_warnings();

@@ -136,6 +136,9 @@ pub trait Model: Sized {
     /// The value is out of range, of the wrong type, or not finite; the model is as it was.
     fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure>;
 
+    /// Sets the relative accuracy that a host asks for (a positive number), before [`Self::initialize`]; returns the one that the model takes, the nearest that it knows. None: it has no use for one.
+    fn set_tolerance(&mut self, tolerance: f64) -> Option<f64>;
+
     /// Sets the derivative by time of input `reference` (a finite number) for the next `advance` only.
     fn set_input_derivative(&mut self, reference: usize, derivative: f64);
 

@@ -2,7 +2,7 @@
 //!
 //! Bishop's frame is carried by one minimal rotation (MECHANICS 2.2), which needs neither a branch nor an arccosine, and then turned by what
 //! that rotation twists on the way, `−∫ω ds` with `ω = −t_0·(r' × r'')/(|r'|² (1 + t_0·t))` (2.11): the solid angle between the path
-//! of the tangent and the great circle that the rotation takes. The integral is good to [`ROUND_OFF`], whatever the number of steps.
+//! of the tangent and the great circle that the rotation takes. The integral is good to `ROUND_OFF`, whatever the number of steps.
 
 use super::Vec3;
 use super::curve::Curve;

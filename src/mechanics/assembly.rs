@@ -14,6 +14,7 @@ use super::joint::weld;
 use super::load::{Excitation, HostWrench, Load};
 use super::marker::Marker;
 use super::node::Node;
+use super::pace::Pace;
 use super::pose::Pose;
 use super::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed};
 use super::rigid_body::{BodyDesign, RigidBody};
@@ -395,6 +396,7 @@ impl Assembly {
             strain_rates: vec![0.0; system.mesh.strains() + system.gauges.len()],
             prediction: Prediction::default(),
             time_error: TimeError::default(),
+            pace: Pace::default(),
             accelerations: Accelerations::default(),
             holonomy: vec![0.0; system.mesh.branches],
             readings: vec![0.0; system.gauges.len()],

@@ -32,6 +32,7 @@ pub mod marker;
 pub mod material;
 pub mod mesh;
 pub mod node;
+pub mod pace;
 pub mod pair;
 pub mod pose;
 pub mod pose_gradient;

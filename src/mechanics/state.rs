@@ -3,6 +3,7 @@
 use super::energy_balance::EnergyBalance;
 use super::host_path::Targets;
 use super::load::Excitation;
+use super::pace::Pace;
 use super::prescribed::Prescribed;
 use super::time_error::TimeError;
 use super::triad::Triad;
@@ -26,6 +27,8 @@ pub struct State {
     pub prediction: Prediction,
     /// What the lengths of the steps have done to it.
     pub time_error: TimeError,
+    /// How long its next step is, where the solver chooses it.
+    pub pace: Pace,
     /// What generalized-alpha goes on from.
     pub accelerations: Accelerations,
     /// What the momentum has beside that of velocities which the constraints allow, by their conditions: `P = M v + Gᵀ stray`, N s or N m s.
@@ -76,6 +79,7 @@ impl State {
             && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
             && self.prediction.is_possible(other.q.len())
             && self.time_error.is_possible(other.q.len(), other.multipliers.len())
+            && self.pace.is_possible(other.q.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
     }
 }
@@ -89,6 +93,7 @@ impl Clone for State {
             multipliers: self.multipliers.clone(),
             prediction: self.prediction.clone(),
             time_error: self.time_error.clone(),
+            pace: self.pace.clone(),
             accelerations: self.accelerations.clone(),
             strays: self.strays.clone(),
             strain_rates: self.strain_rates.clone(),
@@ -119,6 +124,7 @@ impl Clone for State {
         rotations.clone_from(&source.rotations);
         self.prediction.copy_from(&source.prediction);
         self.time_error.copy_from(&source.time_error);
+        self.pace.copy_from(&source.pace);
         self.accelerations.copy_from(&source.accelerations);
         self.prescribed.copy_from(&source.prescribed);
         self.targets.copy_from(&source.targets);

@@ -281,6 +281,20 @@ impl System {
         }
     }
 
+    /// The largest of changes of the coordinates: of places over the machine's size, and of slopes, angles and directors as they are.
+    pub fn motion_sizes(&self, changes: &[f64]) -> [f64; 2] {
+        let mut largest = [0.0_f64; 2];
+        for part in self.parts() {
+            let (places, others) = changes[part].split_at(PLACE);
+            for (largest, list) in largest.iter_mut().zip([places, others]) {
+                // Not-a-number must win: `max` would let it pass.
+                *largest =
+                    list.iter().fold(*largest, |most, value| if value.abs() <= most { most } else { value.abs() });
+            }
+        }
+        [largest[0] / self.size, largest[1]]
+    }
+
     /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the machine's size, slopes,
     /// angles and directors as they are.
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {

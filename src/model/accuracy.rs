@@ -2,6 +2,7 @@
 //!
 //! Results of positions and velocities only: accelerations and reactions are not followed.
 
+use super::schema::FINEST_ACCURACY;
 use super::variables::{Moment, Source, Table};
 use super::verification::scale::{self, Measures, Span};
 use crate::mechanics::ancf14::frame::NodeFrame;
@@ -99,7 +100,20 @@ impl Columns {
 }
 
 impl Accuracy {
-    /// Looks at a moment and its `results`.
+    /// Includes `results` in the ranges.
+    pub fn include(&mut self, columns: &Columns, results: &[f64]) {
+        self.seen.resize(columns.columns.len(), [f64::INFINITY, f64::NEG_INFINITY, 0.0]);
+        for (column, [low, high, _]) in columns.columns.iter().zip(&mut self.seen) {
+            (*low, *high) = (low.min(results[column.result]), high.max(results[column.result]));
+        }
+    }
+
+    /// Whether the errors are to be looked at after `steps` steps.
+    pub fn is_due(&self, steps: u64) -> bool {
+        steps <= FIRST_STEPS || steps >= self.looked + STEPS
+    }
+
+    /// Looks at the errors of the `results` of a moment, which have been included.
     pub fn look(
         &mut self,
         (columns, table): (&Columns, &Table),
@@ -107,26 +121,16 @@ impl Accuracy {
         results: &[f64],
         looker: &mut Looker,
     ) {
-        self.seen.resize(columns.columns.len(), [f64::INFINITY, f64::NEG_INFINITY, 0.0]);
-        for (column, [low, high, _]) in columns.columns.iter().zip(&mut self.seen) {
-            (*low, *high) = (low.min(results[column.result]), high.max(results[column.result]));
-        }
-        let steps = state.statistics.steps;
-        if !state.time_error.is_known() || (self.looked > 0 && steps < self.looked + STEPS && steps > FIRST_STEPS) {
+        if !state.time_error.is_known() {
             return;
         }
-        self.looked = steps;
+        self.looked = state.statistics.steps;
         let Some(multiple) = looker.move_along(system, state) else { return };
         let Looker { moved: Some(moved), snapshot, values, .. } = looker else { return };
         table.measure(&Moment { system, state: moved, response, fibres: &[] }, snapshot, values);
         for (column, [_, _, error]) in columns.columns.iter().zip(&mut self.seen) {
             *error = error.max((values[column.result] - results[column.result]).abs() / multiple);
         }
-    }
-
-    /// The next look is at the errors, however few steps have been taken since the last one.
-    pub fn hurry(&mut self) {
-        self.looked = 0;
     }
 
     /// All families of results with their errors, after `duration` s; none of quantities that are zero.
@@ -170,31 +174,51 @@ impl Looker {
     }
 }
 
+/// The setting that the lengths of the steps follow from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Setting {
+    /// Their length, s.
+    Step(f64),
+    /// The accuracy asked for.
+    Accuracy(f64),
+}
+
+impl Setting {
+    /// What it should be for an error that is `factor` times as large, in words. Errors grow as the square of the steps, and as the accuracy.
+    fn proposed(self, factor: f64) -> String {
+        match self {
+            Self::Step(step) => format!("simulation.step: {:.1e} s", step * factor.sqrt()),
+            Self::Accuracy(accuracy) => {
+                format!("simulation.accuracy: {:.1e}", (accuracy * factor).max(FINEST_ACCURACY))
+            }
+        }
+    }
+}
+
 impl Inexact {
-    /// What to tell of a run with steps of `step` s whose results are off by more than a reader expects.
-    pub fn warning(&self, step: f64) -> Option<String> {
+    /// The warning about a run whose results are off by more than a reader expects; `setting` is the one of its steps.
+    pub fn warning(&self, setting: Setting) -> Option<String> {
         let Self { name, error } = self;
-        let proposed = step * (PROPOSED / error).sqrt();
         (*error > EXPECTED).then(|| {
             format!(
-                "{name} is off by about {} % of its range because of the length of the steps, as estimated during the run; take a \
-                 smaller simulation.step: {proposed:.1e} s for about {} % where the motion is smooth",
-                percent(*error),
+                "{name} is off by {} of its range because of the length of the steps, as estimated during the run; take a smaller {} for about \
+                 {} where the motion is smooth",
+                self.size(),
+                setting.proposed(PROPOSED / error),
                 percent(PROPOSED),
             )
         })
     }
+
+    /// Its error in words: `about 0.17 %`; one beyond the whole range says no more than that.
+    pub fn size(&self) -> String {
+        if self.error > 1.0 { String::from("more than 100 %") } else { format!("about {}", percent(self.error)) }
+    }
 }
 
-/// A share in percent, with two digits; an error beyond the whole range says no more than that.
-pub fn percent(share: f64) -> String {
+/// A share in percent, with two digits.
+fn percent(share: f64) -> String {
     let percent = 100.0 * share;
-    if percent > 100.0 {
-        return String::from("more than 100");
-    }
-    if percent == 0.0 {
-        return String::from("0");
-    }
-    let digits = (1 - percent.log10().floor() as i32).clamp(0, 6) as usize;
-    format!("{percent:.digits$}")
+    let digits = if percent == 0.0 { 0 } else { (1 - percent.log10().floor() as i32).clamp(0, 6) as usize };
+    format!("{percent:.digits$} %")
 }

@@ -12,7 +12,7 @@ use super::entries::output::{Output, Things};
 use super::entries::overview::Model;
 use super::entries::parameters;
 use super::entries::section::Section;
-use super::entries::simulation::Simulation;
+use super::entries::simulation::{Analysis, Simulation, Steps};
 use super::entries::spring::Spring;
 use super::function::Function;
 use super::geometry;
@@ -22,6 +22,11 @@ use super::overrides;
 use super::parameter::Parameter;
 use super::reader::{Context, Reader};
 use super::tree::{self, Entry, Node};
+use crate::solve::pacing::Pacing;
+
+/// Rows of results of a file that says neither how far they are apart nor a step: of a motion, and of a row of equilibria.
+const ROWS_OF_MOTION: f64 = 500.0;
+const ROWS_OF_EQUILIBRIA: f64 = 50.0;
 
 /// A model file.
 #[derive(Clone, Debug)]
@@ -122,6 +127,45 @@ impl Document {
     /// The value of a number, parameters resolved; of one that changes in time the value at 0.
     pub fn value(&self, number: Number) -> f64 {
         self.numbers.values[number.0]
+    }
+
+    /// Time between two rows of results, s.
+    pub fn output_step(&self) -> f64 {
+        let Simulation { analysis, stop, steps, output_step, .. } = &self.simulation;
+        match (output_step, steps, analysis) {
+            (Some(number), ..) | (None, Steps::Fixed(number), _) => self.value(*number),
+            (None, Steps::ForAccuracy(_), Analysis::Dynamic) => self.value(*stop) / ROWS_OF_MOTION,
+            (None, Steps::ForAccuracy(_), Analysis::Static) => self.value(*stop) / ROWS_OF_EQUILIBRIA,
+        }
+    }
+
+    /// The largest internal step, s; where the solver chooses the steps of a motion, one that does not depend on the rows.
+    pub fn largest_step(&self) -> f64 {
+        let Simulation { analysis, stop, steps, .. } = &self.simulation;
+        match (steps, analysis) {
+            (Steps::Fixed(step), _) => self.value(*step),
+            (Steps::ForAccuracy(_), Analysis::Dynamic) => self.value(*stop) / ROWS_OF_MOTION,
+            (Steps::ForAccuracy(_), Analysis::Static) => self.output_step(),
+        }
+    }
+
+    /// What a host's relative tolerance stands for: the accuracy of a motion whose steps follow from it, else what Newton may leave of a step.
+    pub fn asked_accuracy(&self) -> f64 {
+        let Simulation { analysis, steps, tolerance, .. } = self.simulation;
+        match (analysis, steps) {
+            (Analysis::Dynamic, Steps::ForAccuracy(accuracy)) => self.value(accuracy),
+            _ => self.value(tolerance),
+        }
+    }
+
+    /// How the solver chooses the steps of a motion from `start`, s; none where they are given.
+    pub fn pacing(&self, start: f64) -> Option<Pacing> {
+        let Simulation { analysis: Analysis::Dynamic, steps: Steps::ForAccuracy(accuracy), stop, .. } = self.simulation
+        else {
+            return None;
+        };
+        let stop = self.value(stop);
+        Some(Pacing { accuracy: self.value(accuracy), duration: if stop > start { stop - start } else { stop } })
     }
 
     /// The values of three numbers.

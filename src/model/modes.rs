@@ -46,6 +46,8 @@ pub struct Mode {
     pub modal_mass: f64,
     /// What it moves most, in words.
     pub moves: String,
+    /// The coordinates of the machine, as they change.
+    pub shape: Vec<f64>,
     /// Its motion at each place.
     pub motions: Vec<Motion>,
     /// Displacements of the points of the lines, m.
@@ -116,6 +118,7 @@ impl Simulation {
                     .map(|motion| Motion { displacement: motion.displacement.into(), turn: motion.turn.into() })
                     .collect(),
                 lines: lines(system, &shape),
+                shape,
             }
         });
         let moving = state.velocity.iter().any(|value| *value != 0.0);

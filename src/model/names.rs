@@ -4,7 +4,7 @@ use super::diagnostic::Place;
 use super::expression::program::FUNCTIONS;
 use crate::fmi::header::is_identifier;
 
-/// What a name stands for: the sections that carry names, and the entries of [parameters].
+/// What a name stands for: the sections that carry names, and the entries of `[parameters]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the section of its name")]
 pub enum Kind {

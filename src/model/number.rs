@@ -137,14 +137,14 @@ pub struct Slot {
 /// Names of a cycle that a message shows.
 const SHOWN: usize = 10;
 
-/// The flat list. The entries of [parameters] come first, in file order: only they are used by expressions.
+/// The flat list. The entries of `[parameters]` come first, in file order: only they are used by expressions.
 #[derive(Clone, Debug, Default)]
 pub struct Numbers {
     /// The numbers.
     pub slots: Vec<Slot>,
     /// Their values; of a number that changes in time the value at 0.
     pub values: Vec<f64>,
-    /// How many of them are entries of [parameters].
+    /// How many of them are entries of `[parameters]`.
     pub named: usize,
     /// The entries of [parameters] in an order in which each uses only earlier ones.
     order: Vec<usize>,
@@ -158,7 +158,7 @@ impl Numbers {
         Number(self.slots.len() - 1)
     }
 
-    /// The number of [parameters] with this name.
+    /// The number of `[parameters]` with this name.
     pub fn parameter(&self, name: &str) -> Option<usize> {
         self.slots[..self.named].iter().position(|slot| slot.meta.name == name)
     }

@@ -15,8 +15,8 @@ const TABLE: &str = "axes";
 const SECTION: &str = "curve";
 
 /// The keys of the section [simulation] that are often set, and as often without its name.
-const SIMULATION: [&str; 8] =
-    ["analysis", "initial", "stop", "step", "output_step", "integrator", "tolerance", "verify"];
+const SIMULATION: [&str; 9] =
+    ["analysis", "initial", "stop", "step", "accuracy", "output_step", "integrator", "tolerance", "verify"];
 
 /// Puts the overrides into the tree, in their order.
 pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Report<'_>) {

@@ -116,7 +116,7 @@ impl Document {
         Ok(())
     }
 
-    /// Whether other numbers may follow from parameter `index`: an entry of [parameters].
+    /// Whether other numbers may follow from parameter `index`: an entry of `[parameters]`.
     pub fn feeds_others(&self, index: usize) -> bool {
         self.parameters[index].number.0 < self.numbers.named
     }

@@ -158,6 +158,12 @@ pub const STATIONS: Rule =
 
 pub const STOP: Rule = rule("stop", "end of the simulation", "s").above(0.0);
 pub const STEP: Rule = rule("step", "largest internal step", "s").above(0.0);
+pub const ACCURACY: Rule = rule("accuracy", "error of a motion because of its steps, as a share of its range", "")
+    .from(FINEST_ACCURACY)
+    .to(COARSEST_ACCURACY);
+/// What [`ACCURACY`] may be: below, round-off is more; above, the steps of a motion say nothing of it.
+pub const FINEST_ACCURACY: f64 = 1e-9;
+pub const COARSEST_ACCURACY: f64 = 0.1;
 pub const OUTPUT_STEP: Rule = rule("output_step", "time between two rows of results", "s").above(0.0);
 pub const TOLERANCE: Rule = rule("tolerance", "bound of the last Newton increment", "").from(1e-14).to(1e-3);
 pub const CONSERVED_RADIUS: Rule =

@@ -9,12 +9,14 @@ pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
 use self::machine::{Machine, Solver};
-use super::accuracy::{Accuracy, Columns, Inexact, Looker};
+use super::accuracy::{Accuracy, Columns, Inexact, Looker, Setting};
 use super::build;
 use super::document::Document;
 use super::entries::frame::Frame;
+use super::entries::simulation::{Analysis, Integrator};
 use super::inputs::Inputs;
 use super::number::Number;
+use super::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use super::variables::{Moment, Source, Table};
 use super::watch::Watch;
 use crate::error::Error;
@@ -24,6 +26,9 @@ use crate::mechanics::sensor::Snapshot as Frames;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use std::sync::Arc;
+
+/// The parameter that a host's tolerance stands for.
+const ACCURACY: &str = "simulation.accuracy";
 
 /// A model file, its machine and its state.
 #[derive(Debug)]
@@ -61,8 +66,8 @@ impl Simulation {
             guid: guid(text, overrides, &table),
             stop: document.value(document.simulation.stop),
             credits: document.model.credits.clone(),
-            output_step: document.value(document.simulation.output_step),
-            tolerance: document.value(document.simulation.tolerance),
+            output_step: document.output_step(),
+            tolerance: document.asked_accuracy(),
         };
         let document = Arc::new(document);
         let mut simulation = Self {
@@ -99,6 +104,16 @@ impl Simulation {
     /// The state it has reached.
     pub fn state(&self) -> &State {
         &self.machine.state
+    }
+
+    /// Multipliers of the joints' conditions, N or N m, where they are those of the very instant: always of equilibria and of generalized-alpha, otherwise
+    /// where an output asks for what follows from them.
+    pub fn multipliers(&self) -> Option<&[f64]> {
+        let simulation = &self.document.simulation;
+        let is_at_instant = simulation.analysis == Analysis::Static
+            || matches!(simulation.integrator, Integrator::GeneralizedAlpha { .. })
+            || self.table.needs_response();
+        is_at_instant.then_some(&self.machine.response.multipliers)
     }
 
     /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion; empty where that is not known.
@@ -182,7 +197,10 @@ impl Simulation {
         let machine = &self.machine;
         let odd = self.watch.look(&machine.system, &machine.state, &self.table, &self.results, &mut self.frames);
         self.warnings.extend(odd);
-        self.look();
+        self.accuracy.include(&self.columns, &self.results);
+        if self.accuracy.is_due(self.machine.state.statistics.steps) {
+            self.look();
+        }
         Ok(())
     }
 
@@ -252,6 +270,12 @@ impl Model for Simulation {
             }
             (Source::Parameter(index), _) => self.set_parameter(index, value, variable.variability),
         }
+    }
+
+    fn set_tolerance(&mut self, tolerance: f64) -> Option<f64> {
+        let place = self.table.variables.iter().position(|variable| variable.name == ACCURACY)?;
+        let accuracy = tolerance.clamp(FINEST_ACCURACY, COARSEST_ACCURACY);
+        self.set_value(place, Value::Real(accuracy)).ok().map(|()| accuracy)
     }
 
     fn set_input_derivative(&mut self, reference: usize, derivative: f64) {
@@ -344,10 +368,13 @@ impl Model for Simulation {
     }
 
     fn conclude(&mut self) {
-        self.accuracy.hurry();
         self.look();
-        let step = self.machine.state.time_error.step;
-        self.warnings.extend(self.least_accurate().and_then(|worst| worst.warning(step)));
+        let Machine { pacing, state, .. } = &self.machine;
+        let setting = match pacing {
+            Some(pacing) => Setting::Accuracy(pacing.accuracy),
+            None => Setting::Step(state.time_error.step),
+        };
+        self.warnings.extend(self.least_accurate().and_then(|worst| worst.warning(setting)));
     }
 
     fn take_warnings(&mut self) -> Vec<String> {

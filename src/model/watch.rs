@@ -102,14 +102,14 @@ impl Watch {
         Some(if self.damps && drift < 0.0 {
             format!(
                 "numerical damping has taken {:.4e} J, {share:.1} % of the largest energy, by t = {time} s: the steps do not resolve the motion; take \
-                 a smaller simulation.step, or a larger spectral_radius if that motion matters",
+                 smaller steps (simulation.step or simulation.accuracy), or a larger spectral_radius if that motion matters",
                 -drift
             )
         } else {
             let way = if drift > 0.0 { "gained" } else { "lost" };
             format!(
                 "by t = {time} s the integrator has {way} {:.4e} J, {share:.1} % of the largest energy, that loads, drives and dampers do not account for: \
-                 the steps are too large for this motion, and the results are not to be trusted; take a smaller simulation.step or material damping",
+                 the steps are too large for this motion, and the results are not to be trusted; take smaller steps (simulation.step or simulation.accuracy) or material damping",
                 drift.abs()
             )
         })

@@ -155,6 +155,22 @@ impl ConstrainedMass {
         right: &mut [f64],
         vector: &mut [f64],
     ) -> Result<(), Singular> {
+        self.set_schur(gradients);
+        self.schur.factorize(&mut self.lacking)?;
+        self.solve_again(system, gradients, right, vector)
+    }
+
+    /// [`Self::solve`] with the same `gradients` as it was called with last.
+    ///
+    /// # Errors
+    /// The solution is not accurate; `right` is as it was.
+    pub fn solve_again(
+        &mut self,
+        system: &System,
+        gradients: &[JointGradient],
+        right: &mut [f64],
+        vector: &mut [f64],
+    ) -> Result<(), Singular> {
         let (forces, conditions) = right.split_at_mut(vector.len());
         vector.copy_from_slice(forces);
         self.mass.solve(vector);
@@ -163,8 +179,6 @@ impl ConstrainedMass {
         for (free, held) in self.free.iter_mut().zip(&self.held) {
             *free = vector[held.unknown];
         }
-        self.set_schur(gradients);
-        self.schur.factorize(&mut self.lacking)?;
         self.multipliers.fill(0.0);
         self.moved.copy_from_slice(&self.free);
         // The second time for the digits that the first one cost.

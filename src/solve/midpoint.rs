@@ -18,6 +18,7 @@ use super::kkt::Kkt;
 use super::limits;
 use super::linear::Singular;
 use super::newton::{self, Convergence, Goal, Problem};
+use super::pacing::Pacing;
 use super::prediction;
 use super::projection::Projection;
 use super::sensitivity::{Linearized, Span};
@@ -26,6 +27,7 @@ use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::configuration::{Dissipation, Passage};
 use crate::mechanics::energy_balance::{Energies, Losses};
+use crate::mechanics::pace::Pace;
 use crate::mechanics::state::{Prediction, Shrinking, State};
 use crate::mechanics::system::System;
 use crate::mechanics::time_error::TimeError;
@@ -47,6 +49,8 @@ pub struct Midpoint {
     /// Of the largest step, and the length of that, s.
     dissipation: Dissipation,
     largest_step: f64,
+    /// None: the steps are given.
+    pacing: Option<Pacing>,
     tolerance: f64,
     kkt: Kkt,
     right: Vec<f64>,
@@ -68,6 +72,7 @@ impl Midpoint {
         Self {
             dissipation: Dissipation::new(spectral_radius),
             largest_step,
+            pacing: None,
             tolerance,
             right: vec![0.0; coordinates + conditions],
             projection: Projection::new(system, &mut kkt),
@@ -76,6 +81,17 @@ impl Midpoint {
             estimator: Estimator::new(system, spectral_radius),
             next: None,
         }
+    }
+
+    /// The same with steps of its own choice.
+    ///
+    /// # Errors
+    /// It does not know the error of a step of this machine.
+    pub fn paced(self, pacing: Pacing) -> Result<Self, Error> {
+        if self.estimator.is_none() {
+            return Err(Error::StepNotGiven);
+        }
+        Ok(Self { pacing: Some(pacing), ..self })
     }
 }
 
@@ -89,6 +105,7 @@ impl Dynamics for Midpoint {
         state.strain_rates.fill(0.0);
         state.prediction = Prediction::default();
         state.time_error = TimeError::default();
+        state.pace = Pace::default();
         Ok(())
     }
 }
@@ -98,12 +115,13 @@ impl Integrator for Midpoint {
         self.scratch.prepare(system, state, step, end);
         self.scratch.predict(state, step);
         limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
-        let dissipation = self.dissipation.over(step, self.largest_step);
+        let dissipation = self.dissipation(state, step);
         // All that is left may fail: the state changes at the very end.
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
         let span = Span { step, end };
         let solved = self.solve(system, state, dissipation, span, &mut next);
+        let solved = solved.and_then(|solved| self.judge(system, state, dissipation, span, &mut next).map(|()| solved));
         state.statistics.iterations = next.statistics.iterations;
         let (convergence, [elastic, outside]) = match solved {
             Ok(solved) => solved,
@@ -120,12 +138,15 @@ impl Integrator for Midpoint {
         let outcome = self.projection.set_velocity(system, &mut self.kkt, frames, &mut next);
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
-            self.settle_error(system, &mut next);
+            self.project_error(system, &mut next);
             prediction::learn(system, state, &self.scratch.increment, step, &convergence, &mut next);
             next.balance.last = Some(energy_before);
             if system.is_sudden(end, step) {
                 next.balance.skip_jump();
                 next.time_error.known = 0;
+                if let Some(pacing) = self.pacing {
+                    pacing.jump(&mut next);
+                }
             }
             let losses = if self.dissipation == Dissipation::default() { Losses::None } else { Losses::Numerical };
             next.balance.account(end, work, Energies { kinetic, elastic }, system.energy_noise(), losses);
@@ -187,23 +208,46 @@ impl Midpoint {
         size
     }
 
+    /// The numerical dissipation of a step of `step` s from `state`.
+    fn dissipation(&self, state: &State, step: f64) -> Dissipation {
+        let largest = if self.pacing.is_some() { state.pace.damping_step.max(step) } else { self.largest_step };
+        self.dissipation.over(step, largest)
+    }
+
+    /// Refuses the converged step where its error is too large.
+    ///
+    /// # Errors
+    /// It is.
+    fn judge(
+        &mut self,
+        system: &System,
+        state: &State,
+        dissipation: Dissipation,
+        span: Span,
+        next: &mut State,
+    ) -> Result<(), Error> {
+        let (Some(pacing), Some(estimator)) = (self.pacing, &mut self.estimator) else { return Ok(()) };
+        let State { strain_rates, time_error, pace, .. } = next;
+        time_error.resize(system.coordinates(), system.constraints());
+        let taken = Taken { state, dissipation, span, solution: &self.scratch, strain_rates };
+        let error = estimator.own_error(system, &mut self.kkt, &taken, time_error);
+        pacing.judge(pace, error, span.step, state.time)?;
+        pacing.include(system, &self.scratch.increment, pace);
+        Ok(())
+    }
+
     /// Carries the error of the start of the converged step to its end, in `next`, with the tangent of its last iteration.
     fn carry_error(&mut self, system: &System, state: &State, dissipation: Dissipation, span: Span, next: &mut State) {
         let Some(estimator) = &mut self.estimator else { return };
         let State { strain_rates, time_error, .. } = next;
         let taken = Taken { state, dissipation, span, solution: &self.scratch, strain_rates };
-        // Without an accurate solution the error is that of before, and its growth begins anew.
-        if estimator.carry(system, &mut self.kkt, &taken, time_error).is_err() {
-            time_error.known = 0;
-        }
+        estimator.carry(system, &mut self.kkt, &taken, time_error);
     }
 
-    /// Brings the error at the end of a step to what the constraints allow.
-    fn settle_error(&mut self, system: &System, next: &mut State) {
+    /// Projects the velocities of the error at the end of a step, as those of the motion have been.
+    fn project_error(&mut self, system: &System, next: &mut State) {
         let Self { estimator: Some(estimator), projection, kkt, scratch, .. } = self else { return };
-        if estimator.settle(system, kkt, projection, &mut scratch.frames_middle, next).is_err() {
-            next.time_error.known = 0;
-        }
+        estimator.project(system, kkt, projection, &mut scratch.frames_middle, next);
     }
 
     /// Takes out of the momentum at the end of a step what would alternate for ever. The midpoint rule turns the part that the
@@ -323,7 +367,7 @@ impl Linearized for Midpoint {
     }
 
     fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error> {
-        let dissipation = self.dissipation.over(span.step, self.largest_step);
+        let dissipation = self.dissipation(state, span.step);
         let Self { scratch, kkt, right, .. } = self;
         let mut problem = Step::at(scratch, system, state, dissipation, span, unknowns);
         problem.linearize(kkt, right);
@@ -335,7 +379,7 @@ impl Linearized for Midpoint {
     }
 
     fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
-        let dissipation = self.dissipation.over(span.step, self.largest_step);
+        let dissipation = self.dissipation(state, span.step);
         let mut problem = Step::at(&mut self.scratch, system, state, dissipation, span, unknowns);
         problem.scratch.place(system, state);
         problem.scratch.act(system, state, dissipation, span.step);
@@ -352,7 +396,7 @@ impl Linearized for Midpoint {
             let Scratch { gradients_middle, impulses, forces, .. } = scratch;
             system.add_constraint_forces(gradients_middle, impulses, 2.0 / span.step, forces);
         };
-        let dissipation = self.dissipation.over(span.step, self.largest_step);
+        let dissipation = self.dissipation(state, span.step);
         self.scratch.evaluate(system, state, dissipation, span, next);
         constraint_forces(&mut self.scratch);
         self.scratch.finish(system, next, span);

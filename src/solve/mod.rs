@@ -16,6 +16,7 @@ pub mod mobility;
 pub mod modes;
 pub mod multifrontal;
 pub mod newton;
+pub mod pacing;
 pub mod prediction;
 pub mod projection;
 pub mod response;

@@ -2,6 +2,7 @@
 
 use super::constrained_mass::ConstrainedMass;
 use super::kkt::Kkt;
+use super::linear::Singular;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::joint::JointGradient;
@@ -13,6 +14,8 @@ use crate::mechanics::system::System;
 pub struct Projection {
     /// The way that takes less work, where there is one.
     fast: Option<ConstrainedMass>,
+    /// The last call took it.
+    was_fast: bool,
     right: Vec<f64>,
     gradients: Vec<JointGradient>,
 }
@@ -21,7 +24,7 @@ impl Projection {
     /// For one state of `system`.
     pub fn once(system: &System) -> Self {
         let size = system.coordinates() + system.constraints();
-        Self { fast: None, right: vec![0.0; size], gradients: Vec::new() }
+        Self { fast: None, was_fast: false, right: vec![0.0; size], gradients: Vec::new() }
     }
 
     /// For many states of `system`; the matrix of `kkt` is scratch memory.
@@ -62,6 +65,8 @@ impl Projection {
         let Self { fast, right, gradients, .. } = self;
         let solved =
             fast.as_mut().is_some_and(|fast| fast.solve(system, gradients, right, &mut state.velocity).is_ok());
+        self.was_fast = solved;
+        let Self { right, gradients, .. } = self;
         if !solved {
             kkt.blocks.clear();
             system.add_mass(1.0, &mut kkt.blocks);
@@ -70,5 +75,22 @@ impl Projection {
         }
         state.velocity.copy_from_slice(&self.right[..state.q.len()]);
         Ok(())
+    }
+
+    /// Solves with the matrix of the last call, in place; `vector` is scratch memory, as long as the coordinates.
+    ///
+    /// # Errors
+    /// The solution is not accurate.
+    pub fn solve_again(
+        &mut self,
+        system: &System,
+        kkt: &mut Kkt,
+        right: &mut [f64],
+        vector: &mut [f64],
+    ) -> Result<(), Singular> {
+        match &mut self.fast {
+            Some(fast) if self.was_fast => fast.solve_again(system, &self.gradients, right, vector),
+            _ => kkt.solve_roughly(right),
+        }
     }
 }

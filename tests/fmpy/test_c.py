@@ -35,7 +35,7 @@ def test_example(fmu, results, warnings, headers, tmp_path):
         archive.extractall(tmp_path / "unit")
     run("header", tmp_path / "unit/resources/model.toml", "--prefix", "MODEL", "-o", tmp_path / "model.h")
     library = next((tmp_path / "unit/binaries/linux64").glob("*.so"))
-    program = build("simulate", headers, library, tmp_path)
+    program = build("simulate_fmi2", headers, library, tmp_path)
     words = [program, tmp_path / "unit/resources"]
     done = subprocess.run(words, capture_output=True, text=True, check=True, env=os.environ | {"LC_ALL": "C"})
     assert [line.split("] ", 1)[1] for line in done.stderr.splitlines()] == warnings

@@ -75,11 +75,13 @@ def test_an_old_c_library_is_enough(shipped, what):
         assert version.startswith("GLIBC_") and tuple(map(int, version[6:].split("."))) <= GLIBC, version
 
 
-def test_the_names_are_the_standards(shipped):
+def test_the_names_are_those_of_the_standard_and_our_own(shipped):
     header = (Path(fmpy.__file__).parent / "c-code/fmi2Functions.h").read_text()
     standard = set(re.findall(r"#define (fmi2\w+) +fmi2FullName", header)) - MODEL_EXCHANGE
     assert len(standard) == 34
-    assert symbols(elf(shipped), imported=False) == standard
+    own = set(re.findall(r"\b(ancf14_\w+)\(", (ROOT / "include/ancf14.h").read_text()))
+    assert len(own) == 24
+    assert symbols(elf(shipped), imported=False) == standard | own
 
 
 def test_nothing_is_left_in_the_process(shipped):

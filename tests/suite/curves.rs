@@ -11,6 +11,12 @@ pub struct Curves {
 }
 
 impl Curves {
+    /// The names of all columns.
+    #[allow(dead_code, reason = "the validation page asks")]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
     /// The column of a name.
     pub fn column(&self, name: &str) -> Vec<f64> {
         let place = self.names.iter().position(|own| own == name).unwrap_or_else(|| panic!("no column {name}"));

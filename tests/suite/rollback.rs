@@ -81,6 +81,17 @@ fn repeated_steps_give_the_same_bits() {
     }
 }
 
+/// The lengths of steps that the solver chooses are part of the state.
+#[test]
+fn chosen_steps_are_repeated() {
+    for (name, text) in MODELS.into_iter().filter(|(name, _)| ["pendulum", "rotating_shaft", "crane"].contains(name)) {
+        let own: Vec<&str> = text.lines().filter(|line| !line.starts_with("step =")).collect();
+        let text = own.join("\n");
+        let simulation = start(&text);
+        check(name, simulation, unstarted(&text, &[]));
+    }
+}
+
 /// What a host has set before and since the initialization is in the bytes: fixed and tunable parameters, inputs with derivatives.
 #[test]
 fn settings_are_in_the_bytes() {

@@ -70,7 +70,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     }
     let (mut system, state) = builder.assembly.finish(vector(document, document.model.gravity));
     system.origin = origin;
-    set_mobilities(&mut system, &state, document.value(document.simulation.step));
+    set_mobilities(&mut system, &state, document.largest_step());
     Ok(Built { system, state })
 }
 

@@ -18,10 +18,10 @@ pub struct Simulation {
     pub initial: Initial,
     /// End, s.
     pub stop: Number,
-    /// Largest internal step, s.
-    pub step: Number,
-    /// Time between two rows of results, s; default: the step.
-    pub output_step: Number,
+    /// What the internal steps follow from.
+    pub steps: Steps,
+    /// Time between two rows of results, s; see [`Document::output_step`](crate::model::document::Document::output_step).
+    pub output_step: Option<Number>,
     /// Bound of the last Newton increment.
     pub tolerance: Number,
     /// Whether `run` estimates the errors of its results.
@@ -35,6 +35,23 @@ pub enum Analysis {
     Dynamic,
     /// An equilibrium at every time.
     Static,
+}
+
+/// What the lengths of internal steps follow from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// Steps of this length, s, but for those that end earlier.
+    Fixed(Number),
+    /// The error that a motion may have because of its steps, as a share of its range.
+    ForAccuracy(Number),
+}
+
+impl Steps {
+    /// The number that the file or a host may set.
+    pub fn number(self) -> Number {
+        let (Self::Fixed(number) | Self::ForAccuracy(number)) = self;
+        number
+    }
 }
 
 /// Time integration.
@@ -77,6 +94,8 @@ enum Word {
     GeneralizedAlpha,
 }
 
+/// Default of `accuracy`.
+const ACCURACY: f64 = 1e-3;
 /// Default of `tolerance`.
 const TOLERANCE: f64 = 1e-8;
 /// Default of `spectral_radius` for `conserving`: what is far too fast for the step is down to a tenth after 22 of them, and a strain with 60 steps a period, whose phase
@@ -91,24 +110,41 @@ impl Simulation {
         let analysis = reader.word("analysis", &ANALYSES, Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
         let initial = reader.word("initial", &INITIALS, Some(Initial::AsDrawn));
         let stop = reader.number(&schema::STOP);
-        let step = reader.number(&schema::STEP);
-        let output_step = reader.optional(&schema::OUTPUT_STEP).unwrap_or(step);
+        let step = reader.optional(&schema::STEP);
+        let output_step = reader.optional(&schema::OUTPUT_STEP);
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&schema::TOLERANCE, TOLERANCE);
         let verify = reader.boolean("verify", false);
+        let steps = match step {
+            Some(step) => {
+                reader.refuse("accuracy", "accuracy and step exclude each other", "leave out one of the two");
+                Steps::Fixed(step)
+            }
+            None => {
+                let chooses = matches!(integrator, Integrator::Conserving { spectral_radius: Some(_) });
+                if analysis == Analysis::Dynamic && !chooses {
+                    reader.missing(schema::STEP.key, "only integrator = \"conserving\" chooses its steps by itself");
+                }
+                Steps::ForAccuracy(reader.number_or(&schema::ACCURACY, ACCURACY))
+            }
+        };
         let place = reader.place;
         // The two that a host may always change are parameters also where the file does not write them; the two that only
         // fill the default experiment are none.
         let slots = &mut reader.context.numbers.slots;
-        for number in [step, tolerance] {
+        for number in [steps.number(), tolerance] {
             slots[number.0].listed.get_or_insert(usize::MAX);
         }
-        for number in [stop, output_step].into_iter().filter(|number| *number != step) {
+        if analysis == Analysis::Static && matches!(steps, Steps::ForAccuracy(_)) {
+            // Equilibria have no use for it.
+            slots[steps.number().0].listed = None;
+        }
+        for number in [Some(stop), output_step].into_iter().flatten() {
             slots[number.0].listed = None;
         }
         reader.finish();
         let initial = initial.unwrap_or(Initial::AsDrawn);
-        Self { place, analysis, integrator, initial, stop, step, output_step, tolerance, verify }
+        Self { place, analysis, integrator, initial, stop, steps, output_step, tolerance, verify }
     }
 }
 

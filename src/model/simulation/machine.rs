@@ -9,6 +9,7 @@ use crate::model::entries::simulation::{Analysis, Initial, Integrator as Choice}
 use crate::solve::generalized_alpha::GeneralizedAlpha;
 use crate::solve::limits;
 use crate::solve::midpoint::Midpoint;
+use crate::solve::pacing::Pacing;
 use crate::solve::response::{Responder, Response};
 use crate::solve::start;
 use crate::solve::statics::Statics;
@@ -38,8 +39,10 @@ pub(super) struct Machine {
     pub(super) backup: State,
     /// Start of the grid of internal steps, s.
     pub(super) start: f64,
-    /// Internal step, s.
+    /// Internal step, s; the largest one where the solver chooses them.
     pub(super) step: f64,
+    /// None: internal steps are given.
+    pub(super) pacing: Option<Pacing>,
     /// The initialization that the machine is from; none yet: no solver. Shared with the snapshots taken since, of which a
     /// solver is scratch memory only.
     pub(super) initialization: Arc<()>,
@@ -78,7 +81,8 @@ impl Machine {
             backup: state.clone(),
             state,
             start,
-            step: document.value(document.simulation.step),
+            step: document.largest_step(),
+            pacing: document.pacing(start),
             initialization: Arc::new(()),
             solver: Solver::None,
             responder: None,
@@ -93,7 +97,7 @@ impl Machine {
     /// Sets up the solver and finds the state at the start; returns what the user should know of it.
     pub(super) fn find_initial_state(&mut self, document: &Document, responds: bool) -> Result<Vec<String>, Error> {
         start::check_assembled(&self.system, &self.state)?;
-        self.solver = Solver::new(document, &self.system);
+        self.solver = Solver::new(document, &self.system, self.pacing)?;
         if responds {
             self.responder = Some(Box::new(Responder::new(&self.system)));
         }
@@ -135,7 +139,7 @@ impl Machine {
                 0.0
             }
         };
-        if simulation.analysis == Analysis::Dynamic {
+        if simulation.analysis == Analysis::Dynamic && self.pacing.is_none() {
             warnings.extend(start::unresolved_dampers(&self.system, &self.state, self.step));
         }
         if changed > 0.0 {
@@ -186,8 +190,13 @@ impl Machine {
     /// The state one internal step after the present one, and its response, with the tunable parameters of now; inputs stay as they are.
     pub(super) fn after_next_part(&mut self, document: &Document) -> Result<(State, Response), Error> {
         let begin = self.state.time;
-        let plan = self.plan(begin, begin + self.step)?;
+        let wanted = if self.pacing.is_some() { self.state.pace.wanted } else { 0.0 };
+        let step = if wanted > 0.0 { wanted.min(self.step) } else { self.step };
+        let plan = self.plan(begin, begin + step)?;
         let mut state = self.state.clone();
+        if let Some(pacing) = self.pacing.filter(|_| self.stale) {
+            pacing.jump(&mut state);
+        }
         state.targets.depart(begin, &self.state.prescribed);
         state.targets.end = plan.end;
         let system = &self.settled(document);
@@ -222,6 +231,9 @@ impl Machine {
         if std::mem::take(&mut self.stale) {
             build::retune(document, Arc::make_mut(&mut self.system));
             self.state.balance.forget_last();
+            if let Some(pacing) = self.pacing {
+                pacing.jump(&mut self.state);
+            }
         }
     }
 
@@ -258,7 +270,7 @@ impl Machine {
 
     /// The internal steps from `begin` to `end`, s: on the grid `start + k step` where both are on it, else equal ones.
     pub(super) fn plan(&self, begin: f64, end: f64) -> Result<Plan, Error> {
-        let Self { start, step, .. } = *self;
+        let Self { start, step, pacing, .. } = *self;
         let grid = |number: f64| start + number * step;
         let nearest = |time: f64| ((time - start) / step).round();
         let last = nearest(end);
@@ -270,10 +282,10 @@ impl Machine {
             return Err(Error::TooManySteps { count: needed, step, from: begin, to: end });
         }
         if on_grid && begin == grid(first) {
-            return Ok(Plan { begin: start, first, end, step, count: (last - first) as u64 });
+            return Ok(Plan { begin: start, first, end, step, count: (last - first) as u64, pacing });
         }
         let count = (needed - STEP_ROUNDING).ceil().max(1.0);
-        Ok(Plan { begin, first: 0.0, end, step: (end - begin) / count, count: count as u64 })
+        Ok(Plan { begin, first: 0.0, end, step: (end - begin) / count, count: count as u64, pacing })
     }
 }
 
@@ -293,6 +305,8 @@ pub(super) struct Plan {
     /// Length of each, s.
     step: f64,
     count: u64,
+    /// None: the steps are these.
+    pacing: Option<Pacing>,
 }
 
 impl Plan {
@@ -303,6 +317,9 @@ impl Plan {
         system: &System,
         state: &mut State,
     ) -> Result<(), Error> {
+        if let Some(pacing) = self.pacing {
+            return pacing.march(integrator, system, state, self.end);
+        }
         for number in 1..=self.count {
             let next =
                 if number == self.count { self.end } else { self.begin + (self.first + number as f64) * self.step };
@@ -363,24 +380,23 @@ impl Solver {
         Ok(())
     }
 
-    pub(super) fn new(document: &Document, system: &System) -> Self {
+    pub(super) fn new(document: &Document, system: &System, pacing: Option<Pacing>) -> Result<Self, Error> {
         let simulation = &document.simulation;
         let tolerance = document.value(simulation.tolerance);
-        match (simulation.analysis, simulation.integrator) {
+        Ok(match (simulation.analysis, simulation.integrator) {
             (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance))),
             (Analysis::Dynamic, Choice::Conserving { spectral_radius }) => {
                 let spectral_radius = spectral_radius.map_or(1.0, |number| document.value(number));
-                Self::Midpoint(Box::new(Midpoint::new(
-                    system,
-                    spectral_radius,
-                    document.value(simulation.step),
-                    tolerance,
-                )))
+                let midpoint = Midpoint::new(system, spectral_radius, document.largest_step(), tolerance);
+                Self::Midpoint(Box::new(match pacing {
+                    Some(pacing) => midpoint.paced(pacing)?,
+                    None => midpoint,
+                }))
             }
             (Analysis::Dynamic, Choice::GeneralizedAlpha { spectral_radius }) => {
                 let spectral_radius = document.value(spectral_radius);
                 Self::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(system, spectral_radius, tolerance)))
             }
-        }
+        })
     }
 }

@@ -178,6 +178,7 @@ impl Simulation {
         machine.stale = snapshot.stale;
         machine.state.clone_from(&snapshot.state);
         (machine.start, machine.step) = (snapshot.start, snapshot.step);
+        machine.pacing = machine.drawn.pacing(machine.start);
         self.results.clone_from(&snapshot.results);
         self.watch.clone_from(&snapshot.watch);
         self.accuracy.clone_from(&snapshot.accuracy);
@@ -198,7 +199,8 @@ impl Simulation {
             machine.initialization = Arc::clone(&snapshot.initialization);
             machine.solver = match snapshot.initialized {
                 false => Solver::None,
-                true => Solver::new(&machine.drawn, &machine.system),
+                // It was made once, of the same numbers.
+                true => Solver::new(&machine.drawn, &machine.system, machine.pacing).unwrap_or(Solver::None),
             };
             // The response is of the state, and only results ask for it: a snapshot has them.
             machine.responder = match snapshot.initialized && self.table.needs_response() {

@@ -6,9 +6,10 @@ use crate::model::document::Document;
 use crate::model::entries::anchor::{Along, Spot};
 use crate::model::entries::beam::Beam;
 use crate::model::entries::curve::{Curve, Line, Shape};
-use crate::model::entries::simulation::Analysis;
+use crate::model::entries::simulation::{Analysis, Steps};
 use crate::model::entries::{load, output};
 use crate::model::geometry;
+use crate::model::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 
 /// A key and a value, as `--set` takes them.
 pub type Override = (String, String);
@@ -62,14 +63,17 @@ impl Level {
         };
         let own = own.filter(|overrides| !overrides.is_empty())?;
         // The rows stay where they are, also where the file leaves their distance to the step.
-        let output_step = document.value(document.simulation.output_step);
+        let output_step = document.output_step();
         Some(own.into_iter().chain([(String::from("simulation.output_step"), output_step.to_string())]).collect())
     }
 
     /// Every how many rows it has one to compare. Internal steps end at every row: where whole numbers of longer ones do not fill the time between
     /// two rows, they fill that between three, or the steps would not all be twice as long.
     pub fn stride(self, document: &Document) -> u64 {
-        let steps = document.value(document.simulation.output_step) / (2.0 * taken_step(document));
+        if matches!(document.simulation.steps, Steps::ForAccuracy(_)) {
+            return 1;
+        }
+        let steps = document.output_step() / (2.0 * taken_step(document));
         let is_whole = (steps - steps.round()).abs() < WHOLE;
         if self == Self::DoubleStep && !is_whole { 2 } else { 1 }
     }
@@ -78,14 +82,27 @@ impl Level {
 /// How near to a whole number of steps the time between two rows is one: the round-off of decimal fractions.
 const WHOLE: f64 = 1e-6;
 
-/// The step that a run really takes: internal steps end at every row, s.
+/// The step that a run with given steps really takes: internal steps end at every row, s.
 pub fn taken_step(document: &Document) -> f64 {
-    document.value(document.simulation.step).min(document.value(document.simulation.output_step))
+    document.largest_step().min(document.output_step())
 }
 
 /// The setting for steps that are `factor` times as long: the one place that knows how fine steps are asked for.
-fn step(document: &Document, factor: f64) -> Override {
-    (String::from("simulation.step"), (factor * taken_step(document)).to_string())
+pub fn step(document: &Document, factor: f64) -> Override {
+    match document.simulation.steps {
+        Steps::Fixed(_) => (String::from("simulation.step"), shortened(factor * taken_step(document))),
+        // Errors are of second order.
+        Steps::ForAccuracy(accuracy) => {
+            let accuracy = document.value(accuracy) * factor.powi(2);
+            (String::from("simulation.accuracy"), shortened(accuracy.clamp(FINEST_ACCURACY, COARSEST_ACCURACY)))
+        }
+    }
+}
+
+/// A setting in as few digits as it has: a quotient's last ones are round-off.
+fn shortened(setting: f64) -> String {
+    let setting: f64 = format!("{setting:.11e}").parse().unwrap_or(setting);
+    format!("{setting:e}")
 }
 
 /// Whether a beam has a finer twist than it uses.

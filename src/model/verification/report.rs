@@ -108,7 +108,8 @@ fn settings(document: &Document, demands: &[Demand]) -> Option<Vec<String>> {
     let Setting { steps, elements, quadratic } = cheapest(demands)?;
     let mut list = Vec::new();
     if steps > 1 {
-        list.push(format!("simulation.step = {}", shortened(levels::taken_step(document) / f64::from(steps))));
+        let (key, value) = levels::step(document, 1.0 / f64::from(steps));
+        list.push(format!("{key} = {value}"));
     }
     if elements > 1 {
         let count = |beam| levels::elements(document, beam) * elements as usize;
@@ -119,10 +120,4 @@ fn settings(document: &Document, demands: &[Demand]) -> Option<Vec<String>> {
         list.extend(beams.map(|beam| format!("{}.twist = \"quadratic\"", beam.name)));
     }
     Some(list)
-}
-
-/// A step in as few digits as it has: a quotient's last ones are round-off.
-fn shortened(step: f64) -> String {
-    let step: f64 = format!("{step:.11e}").parse().unwrap_or(step);
-    format!("{step:e}")
 }

@@ -103,7 +103,7 @@ impl AlternationWatch {
         self.warned = true;
         Some(format!(
             "{} alternates from step to step, by {:.0} % of its largest value at t = {} s and more than {:.0} % for {STEPS} steps: the steps do not resolve a vibration that \
-             is far too fast for them, and forces are not to be trusted; take a smaller simulation.step, a smaller spectral_radius, or material damping",
+             is far too fast for them, and forces are not to be trusted; take smaller steps (simulation.step or simulation.accuracy), a smaller spectral_radius, or material damping",
             table.result_name(number),
             100.0 * share,
             decimal(state.time),

@@ -10,6 +10,7 @@ use crate::math::vectors::vec3;
 use crate::mechanics::ancf14::coordinates::{P, THETA};
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::Dissipation;
+use crate::mechanics::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::time_error::TimeError;
@@ -48,6 +49,7 @@ pub struct Estimator {
     mass: Vec<f64>,
     /// What the conditions ask of the error of the velocities.
     targets: Vec<f64>,
+    gradients: Vec<JointGradient>,
     /// The start of the neighboring motion.
     start: Option<State>,
     scratch: Scratch,
@@ -84,16 +86,46 @@ impl Estimator {
             source: vec![0.0; coordinates],
             mass: vec![0.0; coordinates],
             targets: vec![0.0; conditions],
+            gradients: Vec::new(),
             start: None,
             scratch: Scratch::new(system),
         }
     }
 
-    /// Carries `error`, that of the start of the step `taken`, to its end; `kkt` has the tangent of the step.
+    /// `S⁻¹ M h³ j/12` (MECHANICS 7.9), 2 sizes as [`System::motion_sizes`] has them: the error that the step `taken` adds by itself, without the part that it does not resolve. None: it is the
+    /// first step of a motion. Not-a-number: the tangent gives no accurate solution. Behind a jump `h j` is the jump of the accelerations.
+    pub fn own_error(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, error: &TimeError) -> Option<[f64; 2]> {
+        if taken.state.prediction.known == 0 {
+            return None;
+        }
+        let h = taken.span.step;
+        self.find_jerk(taken, if error.known < 1 { h } else { 0.5 * (h + error.step) });
+        let coordinates = self.jerk.len();
+        let scale = TRAPEZOIDAL * h * h * h;
+        self.filtered.iter_mut().zip(&self.jerk).for_each(|(own, jerk)| *own = scale * jerk);
+        system.mass_times(&self.filtered[..coordinates], &mut self.right[..coordinates]);
+        self.right[coordinates..].fill(0.0);
+        match kkt.solve_roughly(&mut self.right) {
+            Ok(()) => Some(system.motion_sizes(&self.right[..coordinates])),
+            Err(Singular) => Some([f64::NAN; 2]),
+        }
+    }
+
+    /// Carries `error`, that of the start of the step `taken`, to its end, but for the projection of its velocities; `kkt` has the tangent of the step.
+    pub fn carry(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, error: &mut TimeError) {
+        error.resize(system.coordinates(), system.constraints());
+        // Without an accurate solution the error stays that of the start, and its source is found anew from here on.
+        if self.advance(system, kkt, taken, error).is_err() {
+            error.known = 0;
+        }
+        change_charts(system, taken.solution, error);
+    }
+
+    /// Sets `error` to that at the end of the step, in the charts of its start.
     ///
     /// # Errors
     /// The tangent gives no accurate solution.
-    pub fn carry(
+    fn advance(
         &mut self,
         system: &System,
         kkt: &mut Kkt,
@@ -101,7 +133,9 @@ impl Estimator {
         error: &mut TimeError,
     ) -> Result<(), Singular> {
         let h = taken.span.step;
-        error.resize(system.coordinates(), system.constraints());
+        if taken.state.statistics.steps.is_multiple_of(CLEARING) {
+            self.clear(system, kkt, taken.solution, &mut error.velocity)?;
+        }
         let mean = 0.5 * (h + error.step);
         self.find_source(taken, error, mean);
         let Some(multiple) = self.multiple(system, error, h) else { return Ok(()) };
@@ -119,25 +153,20 @@ impl Estimator {
         }
         kkt.solve_roughly(right)?;
         self.arrive(taken, error, multiple);
-        change_charts(system, taken.solution, error);
         Ok(())
     }
 
     /// Sets the third derivatives of the motion, and the source: what the exact motion leaves of the equation of the step, but for the part in strains, over the mass.
     fn find_source(&mut self, taken: &Taken, error: &TimeError, mean: f64) {
-        let (h, state) = (taken.span.step, taken.state);
-        let before = &state.prediction.acceleration;
+        let h = taken.span.step;
         self.jerk.fill(0.0);
         self.source.fill(0.0);
         self.middle.fill(0.0);
         self.snap.fill(0.0);
-        if error.known < 1 || before.len() != self.jerk.len() {
+        if error.known < 1 || taken.state.prediction.known < 1 {
             return;
         }
-        let motion = taken.solution.increment.iter().zip(&state.velocity).zip(before);
-        for (jerk, ((increment, velocity), before)) in self.jerk.iter_mut().zip(motion) {
-            *jerk = (2.0 * (increment / h - velocity) / h - before) / mean;
-        }
+        self.find_jerk(taken, mean);
         let cube = h * h * h;
         for (index, jerk) in self.jerk.iter().enumerate() {
             let snap = if error.known < 2 { 0.0 } else { (jerk - error.jerk[index]) / mean };
@@ -146,6 +175,15 @@ impl Estimator {
             self.snap[index] = snap;
             self.middle[index] = jerk + 0.5 * h * snap;
             self.source[index] = cube * (0.5 * h * MIDPOINT * ahead - TRAPEZOIDAL * self.middle[index]);
+        }
+    }
+
+    /// Sets the third derivatives of the motion, 1/s³ each: the change of the mean acceleration since the last step over `mean` s, the time between the middles of both.
+    fn find_jerk(&mut self, taken: &Taken, mean: f64) {
+        let (h, state) = (taken.span.step, taken.state);
+        let motion = taken.solution.increment.iter().zip(&state.velocity).zip(&state.prediction.acceleration);
+        for (jerk, ((increment, velocity), before)) in self.jerk.iter_mut().zip(motion) {
+            *jerk = (2.0 * (increment / h - velocity) / h - before) / mean;
         }
     }
 
@@ -221,47 +259,55 @@ impl Estimator {
         error.step = h;
     }
 
-    /// Brings the velocities of the error at the end of a step, `next`, to those that the constraints allow the neighboring motion, as `projection` has brought those of the
-    /// motion; and takes out of them what the step does not resolve. `kkt` still has the tangent of the step; `frames` is scratch memory.
-    ///
-    /// # Errors
-    /// There is no accurate solution.
-    pub fn settle(
+    /// Projects the velocities of the error at the end of a step, `next`, as `projection` has just projected those of the motion, on those that the constraints allow the
+    /// neighboring motion: `G ε_v = −(∂G/∂q ε) v`. The matrix of `kkt` is that of the projection where it was solved with; `frames` is scratch memory.
+    pub fn project(
         &mut self,
         system: &System,
         kkt: &mut Kkt,
         projection: &mut Projection,
         frames: &mut Vec<NodeFrame>,
         next: &mut State,
-    ) -> Result<(), Singular> {
-        let Some(multiple) = self.multiple(system, &next.time_error, next.time_error.step) else { return Ok(()) };
-        if system.constraints() > 0 {
-            let moved = self.start.get_or_insert_with(|| next.clone());
-            moved.clone_from(next);
-            let TimeError { position, velocity, .. } = &next.time_error;
-            moved.q.iter_mut().zip(position).for_each(|(value, change)| *value += multiple * change);
-            moved.velocity.iter_mut().zip(velocity).for_each(|(value, change)| *value += multiple * change);
-            system.mass_times(&moved.velocity, &mut moved.momentum);
-            projection.set_velocity(system, kkt, frames, moved).map_err(|_| Singular)?;
-            let velocities = moved.velocity.iter().zip(&next.velocity);
-            for (error, (moved, own)) in next.time_error.velocity.iter_mut().zip(velocities) {
-                *error = (moved - own) / multiple;
-            }
+    ) {
+        let h = next.time_error.step;
+        let Some(multiple) = self.multiple(system, &next.time_error, h).filter(|_| system.constraints() > 0) else {
+            return;
+        };
+        let Self { right, targets, mass: moved, gradients, .. } = self;
+        let TimeError { position, velocity, .. } = &next.time_error;
+        let places = moved.iter_mut().zip(next.q.iter().zip(position));
+        places.for_each(|(moved, (own, change))| *moved = own + multiple * change);
+        system.frames(moved, &next.triads, frames);
+        let neighbor = system.configuration(moved, frames, next, &next.prescribed);
+        system.constraint_gradients(&neighbor, gradients);
+        targets.fill(0.0);
+        system.add_constraint_rates(gradients, &next.velocity, targets);
+        targets.iter_mut().for_each(|target| *target = -*target);
+        system.add_constraint_rates(projection.stray(system).0, &next.velocity, targets);
+        let (momentum, conditions) = right.split_at_mut(velocity.len());
+        system.mass_times(velocity, momentum);
+        for (condition, target) in conditions.iter_mut().zip(&*targets) {
+            *condition = target / multiple;
         }
-        if next.statistics.steps.is_multiple_of(CLEARING) {
-            self.targets.fill(0.0);
-            let (gradients, _) = projection.stray(system);
-            system.add_constraint_rates(gradients, &next.time_error.velocity, &mut self.targets);
-            self.clear(system, kkt, &mut next.time_error.velocity)?;
+        match projection.solve_again(system, kkt, right, moved) {
+            Ok(()) => next.time_error.velocity.copy_from_slice(&right[..moved.len()]),
+            Err(Singular) => next.time_error.known = 0,
         }
-        Ok(())
     }
 
-    /// Takes out of `velocity` what the step does not resolve, and what the constraints do not allow: `F = S⁻¹ M` is 1 where the motion is slow for the step, 0 where it is far too
-    /// fast, and `2 F - F²` leaves of the slow one all but the fourth order.
-    fn clear(&mut self, system: &System, kkt: &mut Kkt, velocity: &mut [f64]) -> Result<(), Singular> {
+    /// Takes out of `velocity`, the error of the velocities at the start of a step, what the step does not resolve; what `G` makes of it stays. `F = S⁻¹ M` is 1 where the
+    /// motion is slow for the step, 0 where it is far too fast, and `2 F - F²` leaves of the slow one all but the fourth order.
+    fn clear(
+        &mut self,
+        system: &System,
+        kkt: &mut Kkt,
+        solution: &Scratch,
+        velocity: &mut [f64],
+    ) -> Result<(), Singular> {
         let Self { right, filtered, targets, .. } = self;
         let coordinates = velocity.len();
+        targets.fill(0.0);
+        system.add_constraint_rates(&solution.gradients_end, velocity, targets);
         system.mass_times(velocity, &mut right[..coordinates]);
         right[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(right)?;

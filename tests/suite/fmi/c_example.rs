@@ -15,7 +15,7 @@ use tempfile::TempDir;
 
 use super::ffi::{MODEL, library_path};
 
-/// The model of all examples but `simulate.c`, which takes any.
+/// The model of all examples but `simulate_fmi2.c`, which takes any.
 const ARM: &str = include_str!("../../../c-examples/arm.toml");
 
 /// An example, built, and an unpacked unit side by side.
@@ -71,7 +71,7 @@ impl Example {
     /// The same under valgrind, which finds no wrong access to memory and nothing that was not given back.
     fn printed_under_valgrind(&self, words: &[&str]) -> String {
         let version = Command::new("valgrind").arg("--version").output();
-        assert!(version.is_ok(), "valgrind is missing, which this test needs: `sh scripts/valgrind.sh` installs it");
+        assert!(version.is_ok(), "valgrind is missing, which this test needs: `sh scripts/tools.sh` installs it");
         let mut valgrind = Command::new("valgrind");
         valgrind.args(["--quiet", "--error-exitcode=99", "--leak-check=full", "--show-leak-kinds=all"]);
         valgrind.args(["--errors-for-leak-kinds=all"]).arg(&self.program);
@@ -101,7 +101,7 @@ fn row(instance: &mut Instance<Simulation>) -> Vec<f64> {
 /// Every number of the table, to the last bit.
 #[test]
 fn the_example_prints_what_the_model_computes() {
-    let example = Example::build("simulate", MODEL, "MODEL");
+    let example = Example::build("simulate_fmi2", MODEL, "MODEL");
     let table = example.printed(&[]);
     assert_eq!(example.printed_under_valgrind(&[]), table);
     let mut lines = table.lines();
@@ -125,7 +125,7 @@ fn the_example_prints_what_the_model_computes() {
 /// Errors end the program with the library's reason on stderr.
 #[test]
 fn the_example_reports_errors() {
-    let Example { directory, program } = Example::build("simulate", MODEL, "MODEL");
+    let Example { directory, program } = Example::build("simulate_fmi2", MODEL, "MODEL");
     let ran =
         Command::new(&program).env_remove("LD_LIBRARY_PATH").arg(directory.path().join("missing")).output().unwrap();
     assert!(!ran.status.success());

@@ -5,7 +5,8 @@ use std::{path::Path, process::Command};
 
 use crate::golden;
 
-const SOURCES: [&str; 3] = ["src/ffi/types.rs", "src/ffi/fmi2.rs", "src/ffi/fmi2_values.rs"];
+const SOURCES: [&str; 5] =
+    ["src/ffi/front_types.rs", "src/ffi/front.rs", "src/ffi/types.rs", "src/ffi/fmi2.rs", "src/ffi/fmi2_values.rs"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

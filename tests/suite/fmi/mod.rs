@@ -5,7 +5,7 @@ mod c_header;
 mod call_table;
 mod derivatives;
 mod description;
-mod ffi;
+pub mod ffi;
 mod fuzz;
 mod guard;
 mod handles;

@@ -252,6 +252,10 @@ impl Model for Toy {
         }
     }
 
+    fn set_tolerance(&mut self, _tolerance: f64) -> Option<f64> {
+        None
+    }
+
     fn conclude(&mut self) {}
 
     fn take_warnings(&mut self) -> Vec<String> {

@@ -146,7 +146,7 @@ fn are_modes_sound(simulation: &Simulation, log: &Log) -> Result<(), String> {
 
 /// Takes all steps; false where one failed, which must leave the machine as it was.
 fn steps(simulation: &mut Simulation, log: &Log) -> Result<bool, String> {
-    let step = simulation.document().value(simulation.document().simulation.step);
+    let step = simulation.document().largest_step();
     for end in ENDS.map(|end| end * step).into_iter().filter(|end| end.is_finite()) {
         let (before, state) = (values(simulation)?, simulation.state().clone());
         let outcome = simulation.accept_step(end).and_then(|()| simulation.advance(end));

@@ -1,0 +1,47 @@
+#!/bin/sh
+# Installs what scripts/build.sh has built below the folder PREFIX: the program, the header, the library (the static one too, if there
+# is one), files for pkg-config and CMake, licences. Nothing installed knows PREFIX: the folder may be moved.
+#
+#     sh scripts/build.sh && sh scripts/install.sh PREFIX
+#
+# ANCF14_BUILD is the folder that was built into [default: target/fmu].
+set -eu
+
+if [ $# -ne 1 ] || [ -z "$1" ]; then
+    echo "usage: sh scripts/install.sh PREFIX" >&2
+    exit 2
+fi
+mkdir -p "$1"
+prefix=$(cd "$1" && pwd)
+cd "$(dirname "$0")/.."
+build=${ANCF14_BUILD:-target/fmu}
+case $(uname -s) in
+    Darwin) library=libancf14.dylib ;;
+    *) library=libancf14.so ;;
+esac
+for file in ancf14 "$library"; do
+    if [ ! -f "$build/$file" ]; then
+        echo "$build/$file is missing; build it first: sh scripts/build.sh" >&2
+        exit 1
+    fi
+done
+version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
+# fill TEMPLATE FILE: the template with the version and the library's name.
+fill() {
+    sed -e "s/@VERSION@/$version/" -e "s/@LIBRARY@/$library/" "scripts/install/$1" > "$2"
+    chmod 644 "$2"
+}
+
+cmake=$prefix/lib/cmake/ancf14
+licences=$prefix/share/doc/ancf14
+mkdir -p "$prefix/bin" "$prefix/include" "$prefix/lib/pkgconfig" "$cmake" "$licences"
+install -m 755 "$build/ancf14" "$prefix/bin/ancf14"
+install -m 644 include/ancf14.h "$prefix/include/ancf14.h"
+install -m 755 "$build/$library" "$prefix/lib/$library"
+if [ -f "$build/libancf14.a" ]; then
+    install -m 644 "$build/libancf14.a" "$prefix/lib/libancf14.a"
+fi
+fill ancf14.pc.in "$prefix/lib/pkgconfig/ancf14.pc"
+fill ancf14Config.cmake.in "$cmake/ancf14Config.cmake"
+fill ancf14ConfigVersion.cmake.in "$cmake/ancf14ConfigVersion.cmake"
+install -m 644 LICENSE licenses/* "$licences"

@@ -1,0 +1,119 @@
+//! What the page is told, as JSON: the words of docs/viewer.md. viewer/src/format.ts is the same from the other side.
+
+use super::block::{Quantized, quantized};
+use super::charts::Charted;
+use ancf14::model::modes::Kind;
+use ancf14::model::view::{BeamLook, Profile, RESULTS, Recording, Scene, Solid, Swing, Track};
+use serde::Serialize;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+
+/// Rises with every change that an older page would misread.
+pub const FORMAT: u32 = 1;
+
+/// All of it.
+#[derive(Debug, Serialize)]
+pub struct Data {
+    pub format: u32,
+    pub program: String,
+    pub scene: Value,
+    /// What whoever reads the page should know: that it has been thinned out, that the run ended early.
+    pub notes: Vec<String>,
+    /// The instants, as doubles in text.
+    pub times: String,
+    pub instants: usize,
+    pub tracks: BTreeMap<&'static str, Quantized>,
+    pub charts: Charted,
+    pub modes: Vec<Value>,
+}
+
+/// The tracks of a recording.
+pub fn tracks(recording: &Recording) -> BTreeMap<&'static str, Quantized> {
+    let has_things = |track: &&Track| track.things > 0;
+    recording.tracks.iter().filter(has_things).map(|track| (track.name, quantized(track))).collect()
+}
+
+/// What never changes.
+pub fn scene(scene: &Scene) -> Value {
+    let bodies = scene.bodies.iter().map(|body| {
+        let solid = match body.solid {
+            Solid::Box(edges) => json!({ "shape": "box", "edges": edges }),
+            Solid::Cylinder { axis, radius, length } => {
+                json!({ "shape": "cylinder", "axis": axis, "radius": radius, "length": length })
+            }
+        };
+        json!({ "name": body.name, "mass": body.mass, "solid": solid })
+    });
+    let joints = scene.joints.iter().map(|joint| {
+        json!({ "name": joint.name, "kind": joint.kind, "grounded": joint.is_grounded, "axis": joint.has_axis })
+    });
+    let loads = scene
+        .loads
+        .iter()
+        .map(|load| json!({ "name": load.name, "line": load.is_line, "arrows": [load.arrows.start, load.arrows.end] }));
+    let results = RESULTS.map(|result| json!({ "word": result.word, "unit": result.unit, "meaning": result.meaning }));
+    json!({
+        "name": scene.name,
+        "description": scene.description,
+        "dynamic": scene.is_dynamic,
+        "gravity": scene.gravity,
+        "origin": scene.origin,
+        "size": scene.size,
+        "beams": scene.beams.iter().map(beam).collect::<Vec<_>>(),
+        "bodies": bodies.collect::<Vec<_>>(),
+        "frames": scene.frames,
+        "joints": joints.collect::<Vec<_>>(),
+        "springs": scene.springs,
+        "loads": loads.collect::<Vec<_>>(),
+        "points": scene.points,
+        "results": results,
+    })
+}
+
+fn beam(beam: &BeamLook) -> Value {
+    let profile = match beam.profile {
+        Profile::Rectangle { width, height } => json!({ "shape": "rectangle", "width": width, "height": height }),
+        Profile::Ellipse { y, z } => json!({ "shape": "ellipse", "y": y, "z": z }),
+        Profile::Tube { inner, outer } => json!({ "shape": "tube", "inner": inner, "outer": outer }),
+    };
+    let places = Track { name: "place", components: 3, things: beam.places.len(), values: beam.places.concat() };
+    let turns = Track { name: "turn", components: 4, things: beam.turns.len(), values: beam.turns.concat() };
+    json!({
+        "name": beam.name,
+        "profile": profile,
+        "stress": beam.has_stress,
+        "stations": [beam.stations.start, beam.stations.end],
+        "fractions": beam.fractions,
+        "nodes": beam.nodes,
+        "drawn": { "place": quantized(&places), "turn": quantized(&turns) },
+    })
+}
+
+/// A natural mode.
+pub fn mode(swing: &Swing) -> Value {
+    let kind = match swing.kind {
+        Kind::Vibration => "vibration",
+        Kind::Free => "free",
+        Kind::Unstable => "unstable",
+    };
+    let motion = |pairs: &[([f64; 3], [f64; 3])]| {
+        let (places, turns): (Vec<_>, Vec<_>) = pairs.iter().copied().unzip();
+        json!({ "place": quantized(&vectors_of(&places)), "turn": quantized(&vectors_of(&turns)) })
+    };
+    let places: BTreeMap<&str, Quantized> =
+        swing.places.iter().map(|(name, vectors)| (*name, quantized(&vectors_of(vectors)))).collect();
+    json!({
+        "kind": kind,
+        "frequency": swing.angular_frequency / std::f64::consts::TAU,
+        "growth": swing.growth_rate,
+        "moves": swing.moves,
+        "stations": motion(&swing.stations),
+        "bodies": motion(&swing.bodies),
+        "places": places,
+    })
+}
+
+/// Vectors of one instant.
+fn vectors_of(vectors: &[[f64; 3]]) -> Track {
+    Track { name: "vectors", components: 3, things: vectors.len(), values: vectors.concat() }
+}

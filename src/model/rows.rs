@@ -1,0 +1,37 @@
+//! The rows of a table of results: one every `simulation.output_step`, and one at the end.
+
+use crate::fmi::About;
+
+/// An output step may miss the end by its round-off without making a row of its own, in output steps.
+const ROUNDING: f64 = 1e-9;
+/// Most rows of a run: more would fill a disk with some 30 GB.
+pub const MOST: f64 = 1e8;
+
+/// Number of the last row; row 0 is the start. None: there would be more than [`MOST`].
+pub fn last(about: &About) -> Option<u64> {
+    (about.stop / about.output_step <= MOST).then(|| rows_until(about.stop, about.output_step))
+}
+
+/// The time of a row, s.
+pub fn time(about: &About, row: u64, last: u64) -> f64 {
+    if row == last { about.stop } else { row as f64 * about.output_step }
+}
+
+fn rows_until(stop: f64, step: f64) -> u64 {
+    ((stop / step - ROUNDING).ceil() as u64).max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The last row is at the end, no row twice, also where the division is not exact.
+    #[test]
+    fn rows_end_at_the_stop() {
+        assert_eq!(rows_until(0.5, 1e-3), 500);
+        assert_eq!(rows_until(0.3, 0.1), 3);
+        assert_eq!(rows_until(1.0, 0.3), 4);
+        assert_eq!(rows_until(0.1, 1.0), 1);
+        assert_eq!(rows_until(10.0, 1e-4), 100_000);
+    }
+}

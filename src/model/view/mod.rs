@@ -1,0 +1,15 @@
+//! What a picture that moves shows of a simulation, as plain data: what never changes ([`Scene`]), and numbers at instants ([`Track`]s).
+//!
+//! A [`Recording`] is made of a simulation as drawn, before its initial state is found, and looks at it whenever it is told to.
+
+mod profile;
+mod recorder;
+mod scene;
+mod shapes;
+mod stations;
+
+pub use profile::{Profile, Solid};
+pub use recorder::{Recording, Track};
+pub use scene::{BeamLook, BodyLook, JointLook, LoadLook, Scene};
+pub use shapes::Swing;
+pub use stations::{RESULTS, StationResult};

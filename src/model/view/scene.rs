@@ -1,0 +1,221 @@
+//! What never changes of a picture: names, sections, solids, which sign stands for what.
+
+use super::profile::{Profile, Solid};
+use super::stations::{Stations, ranges};
+use crate::math::Vec3;
+use crate::mechanics::marker::Marker;
+use crate::mechanics::system::System;
+use crate::model::document::Document;
+use crate::model::entries::anchor::Spot;
+use crate::model::entries::joint::JointKind;
+use crate::model::entries::load;
+use crate::model::entries::output::Target;
+use crate::model::entries::simulation::Analysis;
+use std::ops::Range;
+
+/// The mechanism as a picture needs it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Name of the model.
+    pub name: String,
+    /// One sentence on it; may be empty.
+    pub description: String,
+    /// Whether the time is that of a motion; of a static analysis it only orders the equilibria.
+    pub is_dynamic: bool,
+    /// Gravity, m/s².
+    pub gravity: [f64; 3],
+    /// What all places are counted from, global, m: the middle of a machine that is far from the global origin, so that single precision is enough for them.
+    pub origin: [f64; 3],
+    /// Largest extent as drawn, m.
+    pub size: f64,
+    /// Beams in file order.
+    pub beams: Vec<BeamLook>,
+    /// Bodies in file order.
+    pub bodies: Vec<BodyLook>,
+    /// Names of the moving frames.
+    pub frames: Vec<String>,
+    /// Joints in file order.
+    pub joints: Vec<JointLook>,
+    /// Names of the springs between two points.
+    pub springs: Vec<String>,
+    /// Loads in file order.
+    pub loads: Vec<LoadLook>,
+    /// Names of the outputs that look at a point.
+    pub points: Vec<String>,
+}
+
+/// A beam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeamLook {
+    /// Its name.
+    pub name: String,
+    /// Its section.
+    pub profile: Profile,
+    /// Whether its stress is known: not of a section that is given by its integrals alone.
+    pub has_stress: bool,
+    /// Its stations among those of all beams.
+    pub stations: Range<usize>,
+    /// Fraction of its length at each station.
+    pub fractions: Vec<f64>,
+    /// Which stations are nodes, counted in the beam.
+    pub nodes: Vec<usize>,
+    /// Places of the stations as drawn, from the scene's origin, m.
+    pub places: Vec<[f64; 3]>,
+    /// Orientations of the stations as drawn, quaternions `w x y z`.
+    pub turns: Vec<[f64; 4]>,
+}
+
+/// A body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyLook {
+    /// Its name.
+    pub name: String,
+    /// Its mass, kg.
+    pub mass: f64,
+    /// What stands for it.
+    pub solid: Solid,
+}
+
+/// A joint.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointLook {
+    /// Its name.
+    pub name: String,
+    /// Its word in the file.
+    pub kind: &'static str,
+    /// Whether one side is the ground.
+    pub is_grounded: bool,
+    /// Whether it has an axis, the first one of its orientation.
+    pub has_axis: bool,
+}
+
+/// A load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadLook {
+    /// Its name.
+    pub name: String,
+    /// Whether it is spread over a beam: per length.
+    pub is_line: bool,
+    /// Its arrows among those of all loads.
+    pub arrows: Range<usize>,
+}
+
+/// A load along a beam is shown by at most so many arrows.
+const LINE_ARROWS: usize = 9;
+
+/// What is looked at at each instant, in the order of the scene.
+#[derive(Clone, Debug)]
+pub(super) struct Watched {
+    /// Of each beam.
+    pub beams: Vec<Stations>,
+    /// The joints that have a place: number in the file and both sides.
+    pub joints: Vec<(usize, [Marker; 2])>,
+    /// The springs between two points.
+    pub springs: Vec<[Marker; 2]>,
+    /// The arrows of loads: number of the load and where.
+    pub arrows: Vec<(usize, Marker)>,
+    /// The sensors of outputs at points.
+    pub points: Vec<usize>,
+}
+
+impl Watched {
+    pub(super) fn new(document: &Document, system: &System, beams: Vec<Stations>) -> Self {
+        let joints = system.transmissions.iter().enumerate().filter_map(|(number, transmission)| {
+            let of_gauge = |gauge: usize| [system.gauges[gauge].a, system.gauges[gauge].b];
+            let conditions = transmission.joint.map(|joint| [system.joints[joint].a, system.joints[joint].b]);
+            let springs = || transmission.springs.first().map(|spring| of_gauge(system.springs[*spring].gauge));
+            conditions.or_else(springs).map(|sides| (number, sides))
+        });
+        let springs = system.springs[..document.springs.len()].iter();
+        let springs = springs.map(|spring| [system.gauges[spring.gauge].a, system.gauges[spring.gauge].b]);
+        let arrows = system.loads.iter().enumerate().flat_map(|(number, load)| {
+            let every = load.points.len().div_ceil(LINE_ARROWS).max(1);
+            load.points.iter().skip(every / 2).step_by(every).map(move |(marker, _)| (number, *marker))
+        });
+        let mut sensor = 0;
+        let mut points = Vec::new();
+        for output in &document.outputs {
+            match output.target {
+                Target::At(_) => {
+                    points.push(sensor);
+                    sensor += 1;
+                }
+                Target::On { stations, .. } => sensor += stations,
+                Target::Joint(_) | Target::Drive(_) => {}
+            }
+        }
+        Self { joints: joints.collect(), springs: springs.collect(), arrows: arrows.collect(), points, beams }
+    }
+}
+
+impl Scene {
+    pub(super) fn new(document: &Document, system: &System, watched: &Watched) -> Self {
+        let beams = system.beams.iter().zip(&document.beams).zip(&watched.beams).zip(ranges(&watched.beams));
+        let beams = beams.map(|(((beam, written), own), stations)| {
+            let profile = Profile::new(document, &document.sections[written.section], &beam.outline);
+            let (places, turns) = own.drawn().unzip();
+            BeamLook {
+                name: beam.name.clone(),
+                profile,
+                has_stress: beam.outline.torsion_modulus().is_some(),
+                stations,
+                fractions: own.fractions.clone(),
+                nodes: own.nodes.clone(),
+                places,
+                turns,
+            }
+        });
+        let bodies = system.bodies.iter();
+        let bodies = bodies.map(|body| BodyLook { name: body.name.clone(), mass: body.mass, solid: Solid::new(body) });
+        let joints = watched.joints.iter().map(|(number, _)| {
+            let written = &document.joints[*number];
+            JointLook {
+                name: written.name.clone(),
+                kind: word(written.kind),
+                is_grounded: [written.a, written.b].iter().any(|side| side.spot == Spot::Ground),
+                has_axis: written.axis.is_some(),
+            }
+        });
+        let loads = document.loads.iter().enumerate().map(|(number, written)| {
+            let arrow = |place: usize| watched.arrows.get(place).is_some_and(|(load, _)| *load == number);
+            let mut places = (0..watched.arrows.len()).filter(|place| arrow(*place));
+            let begin = places.next().unwrap_or(0);
+            let end = places.next_back().unwrap_or(begin) + 1;
+            LoadLook {
+                name: written.name.clone(),
+                is_line: matches!(written.target, load::Target::On(_)),
+                arrows: begin..end,
+            }
+        });
+        let points = document.outputs.iter().filter(|output| matches!(output.target, Target::At(_)));
+        Self {
+            name: document.model.name.clone(),
+            description: document.model.description.clone(),
+            is_dynamic: document.simulation.analysis == Analysis::Dynamic,
+            gravity: system.gravity.into(),
+            origin: system.global(Vec3::zeros()).into(),
+            size: system.size,
+            beams: beams.collect(),
+            bodies: bodies.collect(),
+            frames: document.frames.iter().map(|frame| frame.name.clone()).collect(),
+            joints: joints.collect(),
+            springs: document.springs.iter().map(|spring| spring.name.clone()).collect(),
+            loads: loads.collect(),
+            points: points.map(|output| output.name.clone()).collect(),
+        }
+    }
+}
+
+fn word(kind: JointKind) -> &'static str {
+    match kind {
+        JointKind::Weld => "weld",
+        JointKind::Spherical => "spherical",
+        JointKind::Revolute => "revolute",
+        JointKind::Cylindrical => "cylindrical",
+        JointKind::Prismatic => "prismatic",
+        JointKind::Universal => "universal",
+        JointKind::Inline => "inline",
+        JointKind::Inplane => "inplane",
+        JointKind::Bushing => "bushing",
+    }
+}

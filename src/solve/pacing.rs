@@ -1,0 +1,159 @@
+//! Steps as long as an asked accuracy allows (MECHANICS 7.9).
+//!
+//! A step is as long as its own error allows, which is a share of the accuracy times the range of the motion so far: of a few periods of an oscillation the errors add up to about the accuracy, of many periods to
+//! more, which the estimate of the run tells. A step whose error is too large is taken again, shorter.
+
+use super::stepping::Integrator;
+use crate::error::Error;
+use crate::mechanics::pace::Pace;
+use crate::mechanics::state::State;
+use crate::mechanics::system::{AT_BREAK, System};
+
+/// First step, as a share of the duration.
+const FIRST: f64 = 1e-6;
+/// The steps grow by at most this factor; and while little is known of the motion, or their errors are this small a share of those allowed.
+const GROWTH: f64 = 1.5;
+const FIRST_GROWTH: f64 = 4.0;
+const SMALL: f64 = 0.05;
+/// What a step is shortened by at most when its error is too large.
+const SHRINKING: f64 = 0.2;
+/// Error over that allowed which a step aims at, and from which it is taken again.
+const AIM: f64 = 0.7;
+const TOO_LARGE: f64 = 2.0;
+/// What of the error of the last step counts for the next one at least.
+const MEMORY: f64 = 0.9;
+/// Share of the whole error that a step may have, over its share of the duration: where the third derivative of an oscillation passes through zero the steps become longer, and the
+/// error of the motion half as much again.
+const EVEN_SHARE: f64 = 0.5;
+/// Share of the whole error that every step may have, however short it is, over the root of the accuracy: oscillations of less than this do not shorten steps. The root makes
+/// the error of the motion, of second order in the steps, follow the accuracy, where that of a step is of third order. 5e-4 of the whole error with the default accuracy.
+const LEAST_SHARE: f64 = 0.015;
+/// Steps shorter than one of so many in the duration may have a larger share, by the square of how much shorter they are, up to this one: vibrations that are fast for the whole motion then hold
+/// steps up less, and are passed over where they are small.
+const MANY_STEPS: f64 = 20_000.0;
+const SHORT_SHARE: f64 = 0.02;
+/// Ranges so far are at least this, of the machine's size or rad.
+const LEAST_RANGE: f64 = 1e-4;
+/// The same at a start, and after which share of the duration that has faded.
+const STARTING_RANGE: f64 = 1e-2;
+const STARTING: f64 = 0.02;
+/// What the steps start anew with behind a jump.
+const JUMP: f64 = 0.1;
+/// What the length that the dissipation is for becomes shorter by in a step.
+const FADING: f64 = 0.9;
+/// How much longer than wanted a step may be to end where it has to, and the share of that below which it ended early.
+const STRETCH: f64 = 1.1;
+const ENDED_EARLY: f64 = 0.9;
+/// Shortest and longest step, as shares of the duration: a machine at rest does not step over what happens to it.
+const SHORTEST: f64 = 1e-12;
+const LONGEST: f64 = 0.02;
+/// Shortest step as a share of the time itself: ends of steps are rounded.
+const TIME_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// How steps are chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pacing {
+    /// Error of the places, slopes and angles that the whole motion may have because of its steps, as a share of its range.
+    pub accuracy: f64,
+    /// Length of the motion, s.
+    pub duration: f64,
+}
+
+impl Pacing {
+    /// The error of a step of `step` s from `time`, `error` of places over the machine's size and of slopes and angles, over that allowed.
+    fn ratio(self, pace: &Pace, error: [f64; 2], step: f64, time: f64) -> f64 {
+        let Self { accuracy, duration } = self;
+        let fading = (1.0 - (time - pace.since) / (STARTING * duration)).max(0.0);
+        let least_range = LEAST_RANGE.max(STARTING_RANGE * fading);
+        // Shares of the duration, of the step and of one that is short.
+        let (own, short) = ((step / duration).min(1.0), 1.0 / MANY_STEPS);
+        let least = LEAST_SHARE * accuracy.sqrt();
+        let least = f64::max(least, f64::min(least * (short / own).powi(2), SHORT_SHARE));
+        let share = (EVEN_SHARE * own).max(least);
+        if error.iter().any(|error| !error.is_finite()) {
+            return f64::INFINITY;
+        }
+        let ratios =
+            error.iter().zip(pace.range).map(|(error, range)| error / (accuracy * share * range.max(least_range)));
+        ratios.fold(0.0, f64::max)
+    }
+
+    /// Refuses a step whose error is too large; otherwise remembers it in `pace`.
+    ///
+    /// # Errors
+    /// It is too large.
+    pub fn judge(self, pace: &mut Pace, error: Option<[f64; 2]>, step: f64, time: f64) -> Result<(), Error> {
+        let ratio = error.map_or(0.0, |error| self.ratio(pace, error, step, time));
+        if ratio > TOO_LARGE {
+            return Err(Error::Inexact { time, step, ratio });
+        }
+        pace.damping_step = f64::max(FADING * pace.damping_step, step);
+        if error.is_some() {
+            // The error of an oscillation passes through zero twice a period: steps that followed it would be longest there, and the error of the motion be more.
+            let before = pace.ratio;
+            pace.ratio = f64::max(ratio, MEMORY * before);
+            let most = if before > 0.0 && pace.ratio > SMALL { GROWTH } else { FIRST_GROWTH };
+            let wanted = step * (AIM / pace.ratio).cbrt().clamp(SHRINKING, most);
+            // A step that had to end early asks for no shorter ones.
+            let ended_early = step < ENDED_EARLY * pace.wanted && ratio < 1.0;
+            pace.wanted = if ended_early { wanted.max(pace.wanted) } else { wanted };
+        }
+        Ok(())
+    }
+
+    /// Adds the way of an accepted step to the motion so far.
+    pub fn include(self, system: &System, increment: &[f64], pace: &mut Pace) {
+        pace.travel.resize(increment.len(), 0.0);
+        pace.travel.iter_mut().zip(increment).for_each(|(travel, increment)| *travel += increment);
+        for (range, size) in pace.range.iter_mut().zip(system.motion_sizes(&pace.travel)) {
+            *range = range.max(size);
+        }
+    }
+
+    /// Begins anew at `state`, where what acts jumps: what is known of the motion before does not hold behind it.
+    pub fn jump(self, state: &mut State) {
+        let State { pace, time_error, .. } = state;
+        time_error.known = 0;
+        pace.wanted *= JUMP;
+        pace.ratio = 0.0;
+    }
+
+    /// Takes `state` to `end`, s; breaks on the way end a step.
+    ///
+    /// # Errors
+    /// The shortest step fails; `state` is where the last good one ended.
+    pub fn march(
+        self,
+        integrator: &mut impl Integrator,
+        system: &System,
+        state: &mut State,
+        end: f64,
+    ) -> Result<(), Error> {
+        let shortest = f64::max(SHORTEST * self.duration, TIME_ROUNDING * state.time.abs().max(end.abs()));
+        if state.pace.wanted == 0.0 {
+            state.pace.wanted = shortest.max(FIRST * self.duration);
+            state.pace.since = state.time;
+        }
+        while state.time < end {
+            let wanted = state.pace.wanted.min(LONGEST * self.duration);
+            let margin = AT_BREAK * wanted.min(end - state.time);
+            let boundary = system.break_between(state.time, end, margin).unwrap_or(end);
+            let remaining = boundary - state.time;
+            let count = (remaining / (STRETCH * wanted)).ceil().max(1.0);
+            let step = remaining / count;
+            let step_end = if count == 1.0 { boundary } else { state.time + step };
+            if let Err(reason) = integrator.step(system, state, step, step_end) {
+                state.statistics.rejected += 1;
+                let shorter = match reason {
+                    Error::Inexact { ratio, .. } => (AIM / ratio).cbrt().max(SHRINKING),
+                    _ => 0.5,
+                };
+                state.pace.wanted = shorter * step;
+                if shorter * step < shortest {
+                    return Err(Error::NoShorterStep { time: state.time, step, reason: Box::new(reason) });
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,180 @@
+//! Steps that the solver chooses by an asked accuracy.
+
+use crate::running::{run, start, try_start, value};
+use ancf14::fmi::{Model, Value};
+use ancf14::model::simulation::Simulation;
+
+/// A body on a spring, 31.6 rad/s, for 5 periods.
+fn oscillator(settings: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Oscillator\"\n[body.b]\nmass = 1\nposition = [0, 0, -1]\ninertia = [0.1, 0.1, 0.1]\n\
+         velocity = [0, 0, 1]\n[frame.hook]\nposition = [0, 0, 0]\n[spring.coil]\na = \"hook\"\nb = \"b\"\nstiffness = 1000\n\
+         [load.push]\nat = \"b\"\nforce = [0, 0, 0]\ninput = true\n\
+         [output.P]\nat = \"b\"\nquantities = [\"displacement\", \"velocity\"]\n[simulation]\nstop = 1\n{settings}\n"
+    )
+}
+
+fn omega() -> f64 {
+    1000.0_f64.sqrt()
+}
+
+/// The largest error of the oscillator over its range of two amplitudes, at rows `every` s.
+fn error(simulation: &mut Simulation, every: f64) -> f64 {
+    let mut largest = 0.0_f64;
+    run(simulation, every, 1.0, |simulation| {
+        let exact = (omega() * simulation.time()).sin() / omega();
+        largest = largest.max((value(simulation, "P.displacement[3]") - exact).abs());
+    });
+    0.5 * largest * omega()
+}
+
+/// The error follows the accuracy and is about that. With steps whose error is `(omega h)^3 / 12`, of the amplitude, 1.5e-2 times the accuracy and its root, the error of 5 periods, `7/6 omega t (omega h)^2 / 24` of the
+/// range, is 0.6 of the accuracy; and half as much again because the steps become longer where the third derivative passes through zero.
+#[test]
+fn the_error_is_the_one_asked_for() {
+    let mut steps = Vec::new();
+    for accuracy in [1e-2, 1e-3, 1e-4, 1e-5] {
+        let mut simulation = start(&oscillator(&format!("accuracy = {accuracy:e}")));
+        let found = error(&mut simulation, 0.05);
+        assert!(found < 1.5 * accuracy && found > 0.2 * accuracy, "{accuracy}: {found}");
+        let statistics = simulation.state().statistics;
+        assert!(statistics.rejected * 50 < statistics.steps, "{statistics:?}");
+        steps.push(statistics.steps as f64);
+    }
+    // A second-order rule takes ten times the steps for a hundredth of the error.
+    assert!((steps[3] / steps[1] / 10.0 - 1.0).abs() < 0.1, "{steps:?}");
+}
+
+/// How a host cuts the time into communication steps changes no more than the accuracy.
+#[test]
+fn communication_steps_do_not_matter() {
+    for every in [1.0, 0.1, 7.3e-3, 1e-3] {
+        let mut simulation = start(&oscillator("accuracy = 1e-3"));
+        let found = error(&mut simulation, every);
+        assert!(found < 1.5e-3, "{every}: {found}");
+    }
+}
+
+/// What acts for a ten-thousandth of the time is not stepped over: the momentum is that of the pulse, to round-off of the times.
+#[test]
+fn short_pulses_are_hit() {
+    let text = "format = 1\n[model]\nname = \"Pulse\"\ngravity = [0, 0, 0]\n[body.b]\nmass = 2\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
+                [load.hit]\nat = \"b\"\nforce = [0, 0, [{ until = 0.5, is = 0 }, { until = 0.5001, is = 1000 }, { is = 0 }]]\n\
+                [output.P]\nat = \"b\"\nquantities = [\"velocity\"]\n[simulation]\nstop = 1\n";
+    let mut simulation = start(text);
+    simulation.advance(1.0).unwrap();
+    let velocity = value(&simulation, "P.velocity[3]");
+    assert!((velocity - 0.05).abs() < 1e-12, "{velocity}");
+    assert!(simulation.state().statistics.steps < 200, "{:?}", simulation.state().statistics);
+}
+
+/// A force that jumps on what has been at rest: the steps that have grown until then do not spoil the first one behind it, whatever the rows.
+#[test]
+fn late_jumps_are_resolved() {
+    let text = oscillator("")
+        .replace("velocity = [0, 0, 1]\n", "")
+        .replace("force = [0, 0, 0]\ninput = true", "force = [0, 0, [{ until = 0.5, is = 0 }, { is = 100 }]]");
+    for every in [1.0, 0.25, 0.05, 2e-3] {
+        let mut simulation = start(&text);
+        let mut largest = 0.0_f64;
+        run(&mut simulation, every, 1.0, |simulation| {
+            let turn = omega() * (simulation.time() - 0.5).max(0.0);
+            largest = largest.max((value(simulation, "P.displacement[3]") - 0.1 * (1.0 - turn.cos())).abs());
+        });
+        // Of the range, 0.2 m.
+        assert!(largest / 0.2 < 1.5e-3, "{every}: {}", largest / 0.2);
+    }
+}
+
+/// The same with an input, which is constant after its one jump; and its derivative is that of the steps that were taken: against a difference, whose steps differ by what the
+/// accuracy allows.
+#[test]
+fn late_jumps_of_inputs_are_resolved() {
+    let text = oscillator("").replace("velocity = [0, 0, 1]\n", "");
+    for every in [0.25, 0.05] {
+        let mut simulation = start(&text);
+        let find = |simulation: &Simulation, name: &str| {
+            simulation.variables().iter().position(|variable| variable.name == name).expect("a variable")
+        };
+        let (push, place) = (find(&simulation, "push.force[3]"), find(&simulation, "P.displacement[3]"));
+        simulation.advance(every).unwrap();
+        let before = simulation.snapshot();
+        let end = |simulation: &mut Simulation, force: f64| {
+            simulation.restore(&before);
+            simulation.set_value(push, Value::Real(force)).unwrap();
+            simulation.advance(2.0 * every).unwrap();
+            simulation.value(place).number()
+        };
+        let difference = (end(&mut simulation, 101.0) - end(&mut simulation, 99.0)) / 2.0;
+        let found = end(&mut simulation, 100.0);
+        let exact = 0.1 * (1.0 - (omega() * every).cos());
+        assert!((found - exact).abs() / 0.2 < 1.5e-3, "{every}: {found} instead of {exact}");
+        let derivative = simulation.partial_derivative(place, push).unwrap();
+        assert!((derivative - difference).abs() < 1e-2 * 2e-3, "{every}: {derivative} instead of {difference}");
+    }
+}
+
+/// A force that a host moves in steps: the motion from each to the next is known in closed form.
+#[test]
+fn jumps_of_inputs_are_no_errors() {
+    let mut simulation = start(&oscillator("accuracy = 1e-3"));
+    let push = simulation.variables().iter().position(|variable| variable.name == "push.force[3]").expect("the input");
+    // About the place where spring and force balance, the state turns by omega t.
+    let (mut place, mut velocity, mut largest) = (0.0_f64, 1.0_f64, 0.0_f64);
+    let (mut low, mut high) = (0.0_f64, 0.0_f64);
+    let every = 0.01;
+    for row in 0..100 {
+        let force = 20.0 * (0.3 * f64::from(row)).sin();
+        simulation.set_value(push, Value::Real(force)).unwrap();
+        simulation.advance(f64::from(row + 1) * every).unwrap();
+        let rest = force / 1000.0;
+        let (sin, cos) = (omega() * every).sin_cos();
+        let from = place - rest;
+        place = rest + from * cos + velocity / omega() * sin;
+        velocity = velocity * cos - from * omega() * sin;
+        largest = largest.max((value(&simulation, "P.displacement[3]") - place).abs());
+        (low, high) = (low.min(place), high.max(place));
+    }
+    assert!(largest < 1.5e-3 * (high - low), "{}", largest / (high - low));
+    // Not many more than without the force.
+    let steps = simulation.state().statistics.steps;
+    assert!(steps < 4000, "{steps}");
+}
+
+/// A host's tolerance is the accuracy.
+#[test]
+fn a_tolerance_is_the_accuracy() {
+    let mut simulation =
+        Simulation::load("m.toml", &oscillator(""), &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
+    assert_eq!(simulation.about().tolerance, 1e-3);
+    assert_eq!(simulation.set_tolerance(1e-5), Some(1e-5));
+    assert_eq!(value(&simulation, "simulation.accuracy"), 1e-5);
+    simulation.initialize(0.0).unwrap();
+    assert!(error(&mut simulation, 0.05) < 1.5e-5);
+    // Steps that are given stay so.
+    let mut simulation = start(&oscillator("step = 1e-3"));
+    assert_eq!(simulation.set_tolerance(1e-5), None);
+}
+
+/// A run whose results are off by more than a reader expects names the accuracy, not a step that the file does not have.
+#[test]
+fn inexact_results_ask_for_another_accuracy() {
+    let mut simulation = start(&oscillator("accuracy = 0.05"));
+    run(&mut simulation, 0.05, 1.0, |_| {});
+    simulation.conclude();
+    let warnings = simulation.take_warnings();
+    assert!(warnings.iter().any(|warning| warning.contains("take a smaller simulation.accuracy: ")), "{warnings:?}");
+}
+
+/// Where the error of a step is not known a step must be given, and the message says so.
+#[test]
+fn steps_are_chosen_only_where_errors_are_known() {
+    for integrator in ["variational", "generalized_alpha"] {
+        let message = try_start(&oscillator(&format!("integrator = \"{integrator}\""))).unwrap_err();
+        assert!(message.contains("[simulation] needs the key `step`"), "{message}");
+    }
+    let message = try_start(&oscillator("spectral_radius = 1")).unwrap_err();
+    assert!(message.contains("cannot choose the steps") && message.contains("give simulation.step"), "{message}");
+    let message = try_start(&oscillator("accuracy = 1e-3\nstep = 1e-3")).unwrap_err();
+    assert!(message.contains("accuracy and step exclude each other"), "{message}");
+}
