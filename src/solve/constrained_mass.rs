@@ -1,11 +1,11 @@
 //! `[M Gᵀ; G 0][v; ν] = [f; g]` with the constant mass matrix `M`, by what conditions see of it: `S ν = G M⁻¹ f − g` with `S = G M⁻¹ Gᵀ`, then `v = M⁻¹ (f − Gᵀ ν)`.
 //!
-//! `M⁻¹` is factorized once (mass.rs), and what `S` needs of it is known then: how the coordinates that joints hold on to follow forces on each other. `S` has a row a
+//! `M⁻¹` is factorized once (mass_factor.rs), and what `S` needs of it is known then: how the coordinates that joints hold on to follow forces on each other. `S` has a row a
 //! condition, however long the beams are. Nothing else is kept from one system to the next.
 
-use super::cholesky::{Cholesky, dot};
+use super::linear::cholesky::{Cholesky, dot};
+use super::linear::mass_factor::MassFactor;
 use super::linear::{BACKWARD_ERROR, Singular};
-use super::mass::MassFactor;
 use crate::math::blocks::Blocks;
 use crate::mechanics::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::system::System;

@@ -1,8 +1,10 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
-use super::direct::DirectSolver;
-use super::fronts::Unknowns;
-use super::linear::{Regularity, Singular, SparseLdl, SparseLu, irregular};
+use super::linear::direct::DirectSolver;
+use super::linear::elimination_tree::Unknowns;
+use super::linear::sparse_ldl::SparseLdl;
+use super::linear::sparse_lu::SparseLu;
+use super::linear::{Regularity, Singular, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::configuration::Configuration;

@@ -1,20 +1,14 @@
 //! Linear systems, Newton, equilibria, natural modes, steps in time and their derivatives.
 
-pub mod cholesky;
 pub mod constrained_mass;
-pub mod direct;
-pub mod front_matrix;
-pub mod fronts;
 pub mod generalized_alpha;
 pub mod gyroscopic;
 pub mod kkt;
 pub mod limits;
 pub mod linear;
-pub mod mass;
 pub mod midpoint;
 pub mod mobility;
 pub mod modes;
-pub mod multifrontal;
 pub mod newton;
 pub mod pacing;
 pub mod prediction;

@@ -1,12 +1,12 @@
-//! A constrained system, factorized front by front (`fronts`): LU with partial pivoting within the pivots of a front.
+//! A constrained system, factorized front by front (`elimination_tree`): LU with partial pivoting within the pivots of a front.
 //!
 //! Pivots are compared as if rows and columns were scaled: coordinates by the roots of their diagonals, multipliers so that the largest entry of a
 //! condition is 1, which then counts for more. What the restricted pivoting and stiff beams cost, refinement restores; a solution counts only with a componentwise backward
 //! error at round-off. Where there is none, a general solver has to help (`direct`).
 
-use super::front_matrix::{Shape, eliminate, solve_lower, solve_upper};
-use super::fronts::{Front, Fronts, Run, Unknowns};
-use super::linear::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
+use super::elimination_tree::{Front, Fronts, Run, Unknowns};
+use super::frontal_matrix::{Shape, eliminate, solve_lower, solve_upper};
+use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
 use crate::math::blocks::{Block, Blocks};
 use std::ops::Range;
 
@@ -181,7 +181,7 @@ impl Multifrontal {
     ///
     /// A null vector `l` of the transpose would leave `lᵀ(b − A x) = lᵀ b` whatever `x` is. So where `b` has no pattern, an accurate and moderate `x`
     /// proves that there is none, however the pivots were found: what is left of `b`, and the round-off of the terms of `A x`, must be small beside
-    /// it, all of them scaled. A second `b`, the first solution, shows a soft direction as it is (`linear` asks the same way).
+    /// it, all of them scaled. A second `b`, the first solution, shows a soft direction as it is (`sparse_lu` asks the same way).
     pub fn is_surely_regular(&mut self, blocks: &Blocks) -> bool {
         let mut vector: Vec<f64> =
             self.scale.iter().enumerate().map(|(index, scale)| irregular(index) / scale).collect();
@@ -246,7 +246,7 @@ impl Multifrontal {
     }
 
     /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| + |b|)_i` (Oettli-Prager); infinite
-    /// when not finite. `|A|` is the sum of the sizes of blocks that overlap, where `linear` takes the size of their sum: a little less strict.
+    /// when not finite. `|A|` is the sum of the sizes of blocks that overlap, where `sparse_lu` takes the size of their sum: a little less strict.
     fn backward_error(&mut self, blocks: &Blocks, vector: &[f64]) -> f64 {
         let Self { scale, solution, remainder, magnitude, .. } = self;
         remainder.copy_from_slice(vector);

@@ -1,9 +1,10 @@
-//! The direct solver of a constrained system: front by front (`multifrontal`), and a general sparse LU (`linear`) where that gives no accurate
+//! The direct solver of a constrained system: front by front (`multifrontal`), and a general sparse LU (`sparse_lu`) where that gives no accurate
 //! solution, as without the mass of a body or with a floating machine.
 
-use super::fronts::Unknowns;
-use super::linear::{Regularity, Singular, SparseLu};
+use super::elimination_tree::Unknowns;
 use super::multifrontal::Multifrontal;
+use super::sparse_lu::SparseLu;
+use super::{Regularity, Singular};
 use crate::math::blocks::Blocks;
 
 /// A matrix whose pattern never changes, and its factorization.
@@ -22,7 +23,7 @@ pub struct DirectSolver {
 }
 
 impl DirectSolver {
-    /// For the pattern of `blocks`; `units` is the natural size of each unknown, as [`super::kkt::units`] has it.
+    /// For the pattern of `blocks`; `units` is the natural size of each unknown, as [`crate::solve::kkt::units`] has it.
     pub fn new(unknowns: Unknowns, units: Vec<f64>, blocks: &Blocks) -> Self {
         let fronts = Multifrontal::new(unknowns, blocks);
         Self { units, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }

@@ -1,7 +1,7 @@
 //! `A = L Lᵀ` of a symmetric positive definite matrix within its profile: of each column what lies from the diagonal to the last row that it or a column
 //! before it reaches, which is where `L` is not zero. A band and a full matrix are profiles.
 
-use super::linear::Singular;
+use super::Singular;
 
 /// A pivot below this share of its diagonal is round-off of the others, or nearly: too few of its digits are left.
 const VANISHING: f64 = 1e-10;

@@ -3,8 +3,8 @@
 //! It falls apart into chains of unknowns that have nothing to do with each other: along a beam the coordinates along x, those along y, those along z, and the
 //! angles; each coordinate of a body. The three axes have the same masses and share a factor. In the order of the nodes a chain has entries beside its diagonal only.
 
+use super::Singular;
 use super::cholesky::Cholesky;
-use super::linear::Singular;
 use crate::math::blocks::Blocks;
 
 /// Axes of space: so many chains may be alike.

@@ -5,8 +5,8 @@
 //! pivots without them. What is left of a front is added into its parent, the front of the first unknown of its border. Without masses bodies come last:
 //! they have pivots only when what they are joined to is gone. With masses they may come early too, which keeps fronts small where many hang on one node.
 
-use super::front_matrix::Shape;
-use super::linear::minimum_degree;
+use super::frontal_matrix::Shape;
+use super::ordering::minimum_degree;
 use crate::math::blocks::Blocks;
 use std::ops::Range;
 

@@ -4,7 +4,7 @@
 //! column of a pivot holds `L` below its diagonal, the inverse of the pivot on it, `U` above; a column of the border `U`, and what is left for the
 //! parent. Columns of pivots stay; of those of the border, `U` is kept in columns of its own.
 
-use super::linear::Singular;
+use super::Singular;
 
 /// Rows of the border that are worked on at a time.
 const LANES: usize = 8;
