@@ -7,7 +7,7 @@ use crate::table::{Amount, Row};
 use ancf14::mechanics::configuration::Passage;
 use ancf14::mechanics::load::Excitation;
 use ancf14::model::simulation::Simulation;
-use ancf14::solve::kkt::Kkt;
+use ancf14::solve::newton::kkt::Kkt;
 
 /// Numbers of elements: with 7 coordinates a node some 1,000, 10,000 and 100,000 unknowns.
 const SIZES: [usize; 3] = [142, 1428, 14_285];

@@ -22,7 +22,7 @@ use super::overrides;
 use super::parameter::Parameter;
 use super::reader::{Context, Reader};
 use super::tree::{self, Entry, Node};
-use crate::solve::pacing::Pacing;
+use crate::solve::step::pacing::Pacing;
 
 /// Rows of results of a file that says neither how far they are apart nor a step: of a motion, and of a row of equilibria.
 const ROWS_OF_MOTION: f64 = 500.0;

@@ -17,7 +17,7 @@ use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::transmission::Action;
-use crate::solve::response::Response;
+use crate::solve::step::response::Response;
 use std::ops::Range;
 
 /// What a row is read from.

@@ -14,7 +14,7 @@ use ancf14::mechanics::beam_design::{BeamDesign, Elements};
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::solve::generalized_alpha::GeneralizedAlpha;
+use ancf14::solve::dynamics::generalized_alpha::GeneralizedAlpha;
 use std::f64::consts::TAU;
 
 const KINDS: [Elements; 2] = [

@@ -11,11 +11,11 @@ use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::model::build::Built;
-use ancf14::solve::constrained_mass::ConstrainedMass;
-use ancf14::solve::kkt;
-use ancf14::solve::kkt::Kkt;
 use ancf14::solve::linear::mass_factor::MassFactor;
 use ancf14::solve::linear::sparse_lu::SparseLu;
+use ancf14::solve::newton::kkt;
+use ancf14::solve::newton::kkt::Kkt;
+use ancf14::solve::step::constrained_mass::ConstrainedMass;
 
 /// The masses alone.
 fn masses(system: &System) -> Kkt {

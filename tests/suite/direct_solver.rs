@@ -9,11 +9,11 @@ use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::model::build::{self, Built};
 use ancf14::model::document::Document;
-use ancf14::solve::kkt::{self, Kkt};
 use ancf14::solve::linear::Regularity;
 use ancf14::solve::linear::direct::DirectSolver;
 use ancf14::solve::linear::elimination_tree::{Fronts, Unknowns};
 use ancf14::solve::linear::sparse_lu::SparseLu;
+use ancf14::solve::newton::kkt::{self, Kkt};
 
 /// Every model, and beams of the other element.
 pub fn machines() -> Vec<(String, Built)> {

@@ -8,7 +8,7 @@ use crate::running::{run, start, try_start, value, vector};
 use ancf14::math::{Mat3, Vec3, rotation};
 use ancf14::mechanics::rigid_body;
 use ancf14::model::simulation::Simulation;
-use ancf14::solve::response::{Responder, Response};
+use ancf14::solve::step::response::{Responder, Response};
 
 /// An eccentric body on a skew axis through the origin; `joint` is its kind, `rest` the drives and the simulation.
 fn wheel(joint: &str, gravity: [f64; 3], rest: &str) -> String {

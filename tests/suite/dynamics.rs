@@ -13,9 +13,9 @@ use ancf14::mechanics::material::Material;
 use ancf14::mechanics::section::Section;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::solve::midpoint::Midpoint;
-use ancf14::solve::start;
-use ancf14::solve::stepping::Integrator;
+use ancf14::solve::dynamics::midpoint::Midpoint;
+use ancf14::solve::dynamics::start;
+use ancf14::solve::step::integrator::Integrator;
 
 /// Without numerical dissipation, and with that of the default.
 const RADII: [f64; 2] = [1.0, 0.9];

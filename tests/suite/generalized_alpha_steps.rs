@@ -22,9 +22,9 @@ use ancf14::mechanics::section::Section;
 use ancf14::mechanics::spring::Spring;
 use ancf14::mechanics::state::{State, Statistics};
 use ancf14::mechanics::system::System;
-use ancf14::solve::generalized_alpha::GeneralizedAlpha;
-use ancf14::solve::start;
-use ancf14::solve::stepping::{Integrator, MOST_HALVINGS, grid_step};
+use ancf14::solve::dynamics::generalized_alpha::GeneralizedAlpha;
+use ancf14::solve::dynamics::start;
+use ancf14::solve::step::integrator::{Integrator, MOST_HALVINGS, grid_step};
 use std::sync::Arc;
 
 /// A machine with everything: a spinning, damped beam on a moving frame, a body at its end, a driven hinge, a spring with a damper,

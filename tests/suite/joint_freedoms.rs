@@ -15,8 +15,8 @@ use ancf14::mechanics::node::Node;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::solve::midpoint::Midpoint;
-use ancf14::solve::start;
+use ancf14::solve::dynamics::midpoint::Midpoint;
+use ancf14::solve::dynamics::start;
 use nalgebra::{DMatrix, DVector};
 
 const SIDES: [[Part; 2]; 11] = [

@@ -20,9 +20,9 @@ use ancf14::mechanics::section::Section;
 use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::solve::midpoint::Midpoint;
-use ancf14::solve::start::{self, Dynamics};
-use ancf14::solve::stepping::Integrator;
+use ancf14::solve::dynamics::midpoint::Midpoint;
+use ancf14::solve::dynamics::start::{self, Dynamics};
+use ancf14::solve::step::integrator::Integrator;
 use std::sync::Arc;
 
 /// ANCF14 that may twist.

@@ -17,10 +17,10 @@ use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::transmission::{Action, Transmission};
-use ancf14::solve::midpoint::Midpoint;
-use ancf14::solve::response::{Responder, Response};
-use ancf14::solve::start;
-use ancf14::solve::stepping::Integrator;
+use ancf14::solve::dynamics::midpoint::Midpoint;
+use ancf14::solve::dynamics::start;
+use ancf14::solve::step::integrator::Integrator;
+use ancf14::solve::step::response::{Responder, Response};
 
 fn respond(system: &System, state: &State) -> Response {
     let mut response = Response::default();

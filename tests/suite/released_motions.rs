@@ -4,7 +4,7 @@
 
 use crate::direct_solver::{machines, set_matrix};
 use crate::random::Random;
-use ancf14::solve::kkt::Kkt;
+use ancf14::solve::newton::kkt::Kkt;
 use nalgebra::DMatrix;
 
 /// An eigenvalue of the scaled matrix below this says nothing: it is round-off of the largest ones, which are some units.

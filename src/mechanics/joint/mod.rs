@@ -13,12 +13,12 @@ pub mod spherical;
 pub mod universal;
 pub mod weld;
 
-use super::configuration::Configuration;
-use super::marker::{MARKER, Marker, MarkerMatrix, MarkerVector};
-use super::pair::{PairHessian, PairVector};
-use super::pose::{Pose, VECTORS};
-use super::pose_gradient::{PoseGradient, of_side, pull_back};
 use crate::math::jet::Jet;
+use crate::mechanics::configuration::Configuration;
+use crate::mechanics::marker::{MARKER, Marker, MarkerMatrix, MarkerVector};
+use crate::mechanics::pair::{PairHessian, PairVector};
+use crate::mechanics::pose::{Pose, VECTORS};
+use crate::mechanics::pose_gradient::{PoseGradient, of_side, pull_back};
 use nalgebra::SMatrix;
 use primitive::{MOST_ROWS, Primitive};
 

@@ -23,7 +23,7 @@ use crate::mechanics::marker::Marker;
 use crate::mechanics::pose::Pose;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::solve::mobility::set_mobilities;
+use crate::solve::step::mobility::set_mobilities;
 use std::sync::Arc;
 
 /// The machine as drawn.

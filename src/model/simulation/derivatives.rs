@@ -19,8 +19,10 @@ use crate::model::entries::frame::Orientation;
 use crate::model::inputs::Inputs;
 use crate::model::number::Number;
 use crate::model::variables::Moment;
-use crate::solve::response::{Responder, Response};
-use crate::solve::sensitivity::{self, Linearized, Sensitivity, Step};
+use crate::solve::sensitivity::mover::Step;
+use crate::solve::sensitivity::{self, Sensitivity};
+use crate::solve::step::linearized::Linearized;
+use crate::solve::step::response::{Responder, Response};
 use std::sync::Arc;
 
 /// The communication step that led to the present state; the machine's backup is the state at its start.

@@ -6,14 +6,14 @@ use crate::mechanics::system::{AT_BREAK, System};
 use crate::model::build::{self, Built};
 use crate::model::document::Document;
 use crate::model::entries::simulation::{Analysis, Initial, Integrator as Choice};
-use crate::solve::generalized_alpha::GeneralizedAlpha;
-use crate::solve::limits;
-use crate::solve::midpoint::Midpoint;
-use crate::solve::pacing::Pacing;
-use crate::solve::response::{Responder, Response};
-use crate::solve::start;
+use crate::solve::dynamics::generalized_alpha::GeneralizedAlpha;
+use crate::solve::dynamics::midpoint::Midpoint;
+use crate::solve::dynamics::start;
 use crate::solve::statics::Statics;
-use crate::solve::stepping::{Integrator, grid_step};
+use crate::solve::step::integrator::{Integrator, grid_step};
+use crate::solve::step::limits;
+use crate::solve::step::pacing::Pacing;
+use crate::solve::step::response::{Responder, Response};
 use std::sync::Arc;
 
 /// How near to a point of the grid of internal steps a communication point must be to be that point, in steps.

@@ -12,7 +12,7 @@ use crate::model::build;
 use crate::model::document::Document;
 use crate::model::inputs::Inputs;
 use crate::model::watch::Watch;
-use crate::solve::response::Responder;
+use crate::solve::step::response::Responder;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::sync::Arc;

@@ -23,7 +23,7 @@ pub struct DirectSolver {
 }
 
 impl DirectSolver {
-    /// For the pattern of `blocks`; `units` is the natural size of each unknown, as [`crate::solve::kkt::units`] has it.
+    /// For the pattern of `blocks`; `units` is the natural size of each unknown, as [`crate::solve::newton::kkt::units`] has it.
     pub fn new(unknowns: Unknowns, units: Vec<f64>, blocks: &Blocks) -> Self {
         let fronts = Multifrontal::new(unknowns, blocks);
         Self { units, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }

@@ -1,6 +1,9 @@
 //! Newton's iteration on the constrained system, the same for an equilibrium and for a step.
 
-use super::kkt::Kkt;
+pub mod kkt;
+pub mod prediction;
+
+use self::kkt::Kkt;
 use crate::error::Error;
 use crate::mechanics::state::Shrinking;
 use crate::mechanics::system::System;

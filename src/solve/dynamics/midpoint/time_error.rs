@@ -14,9 +14,9 @@ use crate::mechanics::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::time_error::TimeError;
-use crate::solve::kkt::Kkt;
 use crate::solve::linear::Singular;
-use crate::solve::projection::Projection;
+use crate::solve::newton::kkt::Kkt;
+use crate::solve::step::projection::Projection;
 
 /// How far the neighboring motion is moved, as [`System::correction_size`] measures: so little that it is linear (what its square adds is round-off of axial strains), so
 /// much that what Newton has left of the step does not matter.

@@ -3,12 +3,12 @@
 //! `M⁻¹` is factorized once (mass_factor.rs), and what `S` needs of it is known then: how the coordinates that joints hold on to follow forces on each other. `S` has a row a
 //! condition, however long the beams are. Nothing else is kept from one system to the next.
 
-use super::linear::cholesky::{Cholesky, dot};
-use super::linear::mass_factor::MassFactor;
-use super::linear::{BACKWARD_ERROR, Singular};
 use crate::math::blocks::Blocks;
 use crate::mechanics::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::system::System;
+use crate::solve::linear::cholesky::{Cholesky, dot};
+use crate::solve::linear::mass_factor::MassFactor;
+use crate::solve::linear::{BACKWARD_ERROR, Singular};
 use std::ops::Range;
 
 /// Most conditions: `S` is full, and its factorization grows with their third power. Bodies on ball joints at the tip of a beam take fewer instructions a step than

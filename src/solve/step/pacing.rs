@@ -3,7 +3,7 @@
 //! A step is as long as its own error allows, which is a share of the accuracy times the range of the motion so far: of a few periods of an oscillation the errors add up to about the accuracy, of many periods to
 //! more, which the estimate of the run tells. A step whose error is too large is taken again, shorter.
 
-use super::stepping::Integrator;
+use super::integrator::Integrator;
 use crate::error::Error;
 use crate::mechanics::pace::Pace;
 use crate::mechanics::state::State;

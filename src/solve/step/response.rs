@@ -2,8 +2,6 @@
 //!
 //! They belong to the very time of the state, unlike what a step computes with. Only outputs ask for them.
 
-use super::gyroscopic;
-use super::kkt::Kkt;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::Passage;
@@ -11,6 +9,8 @@ use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::gyroscopic;
+use crate::solve::newton::kkt::Kkt;
 
 /// How a machine responds at an instant.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -10,8 +10,10 @@ use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::solve::sensitivity::Span;
-use crate::solve::{gyroscopic, limits, prediction};
+use crate::solve::gyroscopic;
+use crate::solve::newton::prediction;
+use crate::solve::step::limits;
+use crate::solve::step::linearized::Span;
 
 /// What a step computes on the way.
 #[derive(Debug, Default)]

@@ -4,13 +4,13 @@
 //! What buckles, and when, is found from the softest motion of the unstable one: its eigenvalue there, and what the same motion costs at the
 //! stable one. Beside very stiff springs round-off may count a motion too many: the softest one then costs energy, and nothing is told.
 
-use super::kkt::Kkt;
-use super::modes;
-use super::subspace::Subspace;
 use crate::error::decimal;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::modes;
+use crate::solve::modes::subspace::Subspace;
+use crate::solve::newton::kkt::Kkt;
 
 /// Vectors for the softest motion: two that come together, as a round strut's, and two to keep the others away.
 const BLOCK: usize = 4;

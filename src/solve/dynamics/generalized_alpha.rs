@@ -9,15 +9,7 @@
 //! are when references are carried. It differs from the derivative of the chart's angle by a term of second order in the step. The
 //! forces are those of the start's chart; `C` of gyroscopic.rs makes up for it.
 
-use super::gyroscopic;
-use super::kkt::Kkt;
-use super::limits;
-use super::linear::Singular;
-use super::newton::{self, Convergence, Goal, Problem};
-use super::response::{Responder, Response};
-use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
-use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::Passage;
@@ -28,6 +20,14 @@ use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::sensor::Snapshot as FrameCache;
 use crate::mechanics::state::State;
 use crate::mechanics::system::{AT_BREAK, System};
+use crate::solve::gyroscopic;
+use crate::solve::linear::Singular;
+use crate::solve::newton::kkt::Kkt;
+use crate::solve::newton::{self, Convergence, Goal, Problem};
+use crate::solve::step::integrator::Integrator;
+use crate::solve::step::limits;
+use crate::solve::step::linearized::{Linearized, Span};
+use crate::solve::step::response::{Responder, Response};
 
 /// Largest spectral radius for machines with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
 const LARGEST_RADIUS: f64 = 0.99;

@@ -3,7 +3,7 @@
 //! Three predictions compete: `Dq = h v`, with the mean acceleration of the last step `h v + h²/2 a`, and with that of the last two continued,
 //! `h v + h²/2 (2 a − a')`. The one that would have predicted the last step best is taken: of a smooth motion the last one, of a machine that trembles the first.
 
-use super::newton::Convergence;
+use super::Convergence;
 use crate::mechanics::state::{Prediction, Shrinking, State};
 use crate::mechanics::system::System;
 

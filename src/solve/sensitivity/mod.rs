@@ -12,19 +12,20 @@
 //! size and of a radian what they leave out is about 1e-12 of the derivative, what rounding adds a little more. A second solve takes
 //! out what the tangent leaves out. Velocities that follow by projection, and the response of the end, are solved for alike.
 
-use super::kkt::Kkt;
-use super::linear::Singular;
-use super::response::{Responder, Response};
-use super::stepping::Integrator;
+pub mod mover;
+
+use self::mover::{Mover, Step};
 use crate::error::Error;
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::Configuration;
 use crate::mechanics::host_path::Targets;
 use crate::mechanics::joint::JointGradient;
-use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::variation::Variation;
+use crate::solve::linear::Singular;
+use crate::solve::newton::kkt::Kkt;
+use crate::solve::step::integrator::Integrator;
+use crate::solve::step::linearized::{Linearized, Span};
+use crate::solve::step::response::{Responder, Response};
 
 /// Largest change of a coordinate for differences: over the machine's size, or rad.
 const REACH: f64 = 1e-3;
@@ -34,44 +35,6 @@ pub const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1
 const SOLVES: usize = 3;
 /// A correction this small leaves its square, relative to the whole: round-off.
 const SMALL_CORRECTION: f64 = 1e-6;
-
-/// The time of an internal step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
-    /// Its length, s.
-    pub step: f64,
-    /// Its end, s.
-    pub end: f64,
-}
-
-/// An integrator whose steps can be differentiated.
-pub trait Linearized: Integrator {
-    /// Whether a step depends on the state before it.
-    const MEMORY: bool;
-    /// Whether velocities at the end follow from momenta by projection on the constraints.
-    const PROJECTS: bool;
-
-    /// The unknowns that the last step ended with, at the state `after`.
-    fn unknowns(&self, after: &State, unknowns: &mut Vec<f64>);
-
-    /// Factorizes the tangent of a step from `state` at given unknowns.
-    ///
-    /// # Errors
-    /// It is singular.
-    fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error>;
-
-    /// Solves in place with that tangent.
-    ///
-    /// # Errors
-    /// The solution is not accurate.
-    fn solve(&mut self, right: &mut [f64]) -> Result<(), Singular>;
-
-    /// Sets `right` to minus the residual of a step from `state` at given unknowns.
-    fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]);
-
-    /// Sets `next` to the end of a step from `state` with given unknowns, before its velocities are projected.
-    fn conclude(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], next: &mut State);
-}
 
 /// What the host gives, as the sensitivities ask for it.
 pub trait Inputs {
@@ -325,88 +288,6 @@ pub fn along_motion(system: &System, state: &State, acceleration: &[f64], mut re
         moved.prescribed.drift(by);
         variation.apply(system, by, &mut moved, &mut frames);
         read(&moved, weight / unit);
-    }
-}
-
-/// A communication step.
-#[derive(Debug)]
-pub struct Step<'a, N> {
-    /// The state at its start.
-    pub start: &'a State,
-    /// What the host gave for it.
-    pub inputs: &'a N,
-    /// Whether frames and drives move at its end: they do not in an equilibrium.
-    pub moves: bool,
-}
-
-impl<N> Clone for Step<'_, N> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<N> Copy for Step<'_, N> {}
-
-impl<N: Inputs> Step<'_, N> {
-    /// The change of input `number` for differences along a direction: of states, and of the unknowns of a step of `step` s.
-    fn reach(&self, system: &System, number: usize, variation: &Variation, change: &[f64], step: f64) -> f64 {
-        let size = |list: &[f64]| if list.is_empty() { 0.0 } else { system.correction_size(list).0 };
-        let [_, algorithmic] = &variation.accelerations;
-        let motion =
-            [size(&variation.q), size(change), step * size(&variation.velocity), step * step * size(algorithmic)];
-        let motion = motion.into_iter().fold(0.0, f64::max);
-        // Compilers divide first and choose afterwards: not by 0, which hosts may trap.
-        let by_motion = if motion > 0.0 { REACH / motion.max(f64::MIN_POSITIVE) } else { f64::INFINITY };
-        let reach = f64::min(REACH * self.inputs.unit(number), by_motion);
-        // What does not move at all, or not yet, may change by anything.
-        if reach.is_finite() { reach } else { 1.0 }
-    }
-}
-
-/// Makes changed states.
-#[derive(Debug, Default)]
-struct Mover {
-    moved: State,
-    motion: Prescribed,
-    frames: Vec<NodeFrame>,
-}
-
-impl Mover {
-    /// The state `from` of the communication step `step`, had input `number` been larger by `by`; `variation` is how it depends on that input.
-    fn move_from(
-        &mut self,
-        system: &System,
-        step: &Step<'_, impl Inputs>,
-        number: usize,
-        from: &State,
-        variation: &Variation,
-        by: f64,
-    ) -> &State {
-        let Self { moved, motion, frames } = self;
-        moved.clone_from(from);
-        step.inputs.aim(number, by, &mut moved.targets);
-        if from.time > step.start.time {
-            system.prescribe(moved, from.time, motion);
-            std::mem::swap(&mut moved.prescribed, motion);
-            if !step.moves {
-                moved.prescribed.stop();
-            }
-        }
-        variation.apply(system, by, moved, frames);
-        moved
-    }
-
-    /// The gradients of the constraints at `state`, and its configuration.
-    fn gradients_at<'a>(
-        &'a mut self,
-        system: &'a System,
-        state: &'a State,
-        gradients: &mut Vec<JointGradient>,
-    ) -> Configuration<'a> {
-        system.frames(&state.q, &state.triads, &mut self.frames);
-        let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
-        system.constraint_gradients(&configuration, gradients);
-        configuration
     }
 }
 

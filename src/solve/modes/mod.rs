@@ -4,10 +4,9 @@
 //! frames stand where they are; damping and velocities are left out. The block of subspace.rs is taken through `K + μ M`, `μ > 0`
 //! beyond the most unstable motion: machines that can move freely have a singular `K`, unstable ones an indefinite one.
 
-use super::kkt::Kkt;
-use super::linear::irregular;
-use super::response::{Responder, Response};
-use super::subspace::{Subspace, combination, dot};
+pub mod subspace;
+
+use self::subspace::{Subspace, combination, dot};
 use crate::error::Error;
 use crate::math::blocks::Blocks;
 use crate::mechanics::configuration::Passage;
@@ -15,6 +14,9 @@ use crate::mechanics::load::Excitation;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::linear::irregular;
+use crate::solve::newton::kkt::Kkt;
+use crate::solve::step::response::{Responder, Response};
 
 /// `ω²` below this share of what its terms would add up to without cancelling is round-off. Measured: 2e-16 and below for free beams
 /// in any direction, 2e-11 for the first mode of a beam a thousand times as long as high, 16 elements, in an oblique direction.

@@ -1,14 +1,14 @@
 //! The state at the start: joints hold as drawn, velocities are what the joints allow.
 
-use super::kkt::Kkt;
-use super::projection::Projection;
-use super::statics::Statics;
 use crate::error::Error;
 use crate::mechanics::gauge::Measure;
 use crate::mechanics::sensor::Snapshot as FrameCache;
 use crate::mechanics::spring::{Spring, reading_rate};
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
+use crate::solve::newton::kkt::Kkt;
+use crate::solve::statics::Statics;
+use crate::solve::step::projection::Projection;
 
 /// Largest gap of a joint as drawn, in m per m of the machine's size (at least 1 m) or as the cosine of an angle: rounding of the file's numbers.
 const DRAWN_GAP: f64 = 1e-9;

@@ -6,14 +6,9 @@
 
 mod jump;
 mod relaxation;
+pub mod stability;
 
-use super::kkt::Kkt;
-use super::limits;
-use super::linear::Singular;
-use super::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
-use super::sensitivity::{Linearized, Span};
-use super::stability::{self, Judgement, Stability};
-use super::stepping::Integrator;
+use self::stability::{Judgement, Stability};
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::configuration::Passage;
@@ -23,6 +18,12 @@ use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::linear::Singular;
+use crate::solve::newton::kkt::Kkt;
+use crate::solve::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
+use crate::solve::step::integrator::Integrator;
+use crate::solve::step::limits;
+use crate::solve::step::linearized::{Linearized, Span};
 
 /// Largest turn of a tangent in an increment, rad: `1 + t_r·t < 0.1` (MECHANICS 2.6).
 const LARGEST_TURN: f64 = 2.69;

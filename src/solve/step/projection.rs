@@ -1,13 +1,13 @@
 //! Velocities that the constraints allow (MECHANICS 7.1): `[M Gᵀ; G 0][v; ν] = [P; −∂g/∂t]`.
 
 use super::constrained_mass::ConstrainedMass;
-use super::kkt::Kkt;
-use super::linear::Singular;
 use crate::error::Error;
 use crate::mechanics::ancf14::frame::NodeFrame;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::linear::Singular;
+use crate::solve::newton::kkt::Kkt;
 
 /// Scratch memory of the projection; the general linear system is whose it is.
 #[derive(Debug)]

@@ -3,9 +3,9 @@
 //!
 //! The vectors stay a block, so that motions of one frequency come out together, as many as there are.
 
-use super::kkt::Kkt;
-use super::linear::{Singular, irregular};
 use crate::mechanics::system::System;
+use crate::solve::linear::{Singular, irregular};
+use crate::solve::newton::kkt::Kkt;
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// A vector of which less than this share is left when the others are taken out of it was made of them: only round-off is left.

@@ -1,16 +1,16 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
-use super::linear::direct::DirectSolver;
-use super::linear::elimination_tree::Unknowns;
-use super::linear::sparse_ldl::SparseLdl;
-use super::linear::sparse_lu::SparseLu;
-use super::linear::{Regularity, Singular, irregular};
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::configuration::Configuration;
 use crate::mechanics::joint::JointGradient;
 use crate::mechanics::marker::MarkerMatrix;
 use crate::mechanics::system::{System, copy_corner, copy_transposed};
+use crate::solve::linear::direct::DirectSolver;
+use crate::solve::linear::elimination_tree::Unknowns;
+use crate::solve::linear::sparse_ldl::SparseLdl;
+use crate::solve::linear::sparse_lu::SparseLu;
+use crate::solve::linear::{Regularity, Singular, irregular};
 
 /// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
 const SHIFT: f64 = 1e-10;

@@ -13,17 +13,7 @@ mod time_error;
 
 use self::scratch::{Scratch, configurations, time_step};
 use self::time_error::{Estimator, Taken};
-use super::gyroscopic;
-use super::kkt::Kkt;
-use super::limits;
-use super::linear::Singular;
-use super::newton::{self, Convergence, Goal, Problem};
-use super::pacing::Pacing;
-use super::prediction;
-use super::projection::Projection;
-use super::sensitivity::{Linearized, Span};
 use super::start::Dynamics;
-use super::stepping::Integrator;
 use crate::error::Error;
 use crate::mechanics::configuration::{Dissipation, Passage};
 use crate::mechanics::energy_balance::{Energies, Losses};
@@ -31,6 +21,16 @@ use crate::mechanics::pace::Pace;
 use crate::mechanics::state::{Prediction, Shrinking, State};
 use crate::mechanics::system::System;
 use crate::mechanics::time_error::TimeError;
+use crate::solve::gyroscopic;
+use crate::solve::linear::Singular;
+use crate::solve::newton::kkt::Kkt;
+use crate::solve::newton::prediction;
+use crate::solve::newton::{self, Convergence, Goal, Problem};
+use crate::solve::step::integrator::Integrator;
+use crate::solve::step::limits;
+use crate::solve::step::linearized::{Linearized, Span};
+use crate::solve::step::pacing::Pacing;
+use crate::solve::step::projection::Projection;
 
 /// What Newton may leave of a step before it is refined, as a share of the tolerance.
 const REMAINDER: f64 = 0.3;

@@ -1,0 +1,5 @@
+//! Integrators of motion and the state that they start from.
+
+pub mod generalized_alpha;
+pub mod midpoint;
+pub mod start;
