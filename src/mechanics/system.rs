@@ -5,6 +5,7 @@ mod breaks;
 mod dampers;
 mod energy;
 mod equations;
+pub mod gyroscopic;
 mod limits;
 mod mesh_error;
 mod motion;

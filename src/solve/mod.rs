@@ -1,7 +1,6 @@
 //! Linear systems, Newton, equilibria, natural modes, steps in time and their derivatives.
 
 pub mod dynamics;
-pub mod gyroscopic;
 pub mod linear;
 pub mod modes;
 pub mod newton;

@@ -9,7 +9,7 @@ use crate::mechanics::joint::JointGradient;
 use crate::mechanics::load::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::solve::gyroscopic;
+use crate::mechanics::system::gyroscopic;
 use crate::solve::newton::kkt::Kkt;
 
 /// How a machine responds at an instant.

@@ -10,7 +10,7 @@ use crate::mechanics::load::Excitation;
 use crate::mechanics::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::solve::gyroscopic;
+use crate::mechanics::system::gyroscopic;
 use crate::solve::newton::prediction;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::Span;
