@@ -5,9 +5,8 @@ use crate::curves::load;
 use crate::runs;
 use crate::shaft;
 use crate::table::{Amount, Row};
-use ancf14::mechanics::ancf14::frame::NodeFrame;
-use ancf14::mechanics::configuration::Configuration;
-use ancf14::mechanics::configuration::Passage;
+use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
+use ancf14::mechanics::beam::configuration::{Configuration, Passage};
 use ancf14::model::simulation::Simulation;
 use std::hint::black_box;
 

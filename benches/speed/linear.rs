@@ -4,8 +4,8 @@ use crate::chain;
 use crate::clock;
 use crate::curves::load;
 use crate::table::{Amount, Row};
-use ancf14::mechanics::configuration::Passage;
-use ancf14::mechanics::load::Excitation;
+use ancf14::mechanics::beam::configuration::Passage;
+use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::newton::kkt::Kkt;
 

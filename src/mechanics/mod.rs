@@ -15,36 +15,13 @@
 //! | `lambda`, `phi` | multipliers and conditions of joints |
 //! | `_x`, `_q`, `_qq`, `_p` | derivative by length, coordinates (twice), slope |
 
-pub mod ancf14;
-pub mod ancf24;
-pub mod assembly;
-pub mod beam_design;
-pub mod centreline;
-pub mod configuration;
-pub mod division;
-pub mod energy_balance;
-pub mod formulation;
-pub mod gauge;
-pub mod host_path;
-pub mod joint;
-pub mod load;
+pub mod beam;
+pub mod body;
+pub mod constraint;
+pub mod force;
+pub mod geometry;
+pub mod input;
 pub mod marker;
-pub mod material;
-pub mod mesh;
-pub mod node;
-pub mod pace;
-pub mod pair;
-pub mod pose;
-pub mod pose_gradient;
-pub mod prescribed;
-pub mod resultants;
-pub mod rigid_body;
-pub mod section;
-pub mod sensor;
-pub mod spring;
+pub mod output;
 pub mod state;
 pub mod system;
-pub mod time_error;
-pub mod transmission;
-pub mod triad;
-pub mod variation;

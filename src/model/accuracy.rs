@@ -5,12 +5,12 @@
 use super::schema::FINEST_ACCURACY;
 use super::variables::{Moment, Source, Table};
 use super::verification::scale::{self, Measures, Span};
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::state::State;
+use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::system::System;
-use crate::mechanics::time_error::TimeError;
-use crate::mechanics::variation::Variation;
+use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::variation::Variation;
 use serde::{Deserialize, Serialize};
 
 /// Results are looked at again after this many steps: what a look costs is little beside them.

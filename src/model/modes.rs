@@ -4,8 +4,9 @@ use super::simulation::{Simulation, failure};
 use crate::fmi::Failure;
 use crate::math::Vec3;
 use crate::math::vectors::vec3;
-use crate::mechanics::sensor::Snapshot;
-use crate::mechanics::system::{Beam, System};
+use crate::mechanics::beam::Beam;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::Snapshot;
 use crate::solve::modes;
 
 pub use modes::Kind;

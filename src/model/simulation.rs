@@ -22,9 +22,9 @@ use super::watch::Watch;
 use crate::error::Error;
 use crate::fmi::variable::{Variability, Variable};
 use crate::fmi::{About, Failure, LogCategory, Model, Value};
-use crate::mechanics::sensor::Snapshot as Frames;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::Snapshot as Frames;
 use std::sync::Arc;
 
 /// The parameter that a host's tolerance stands for.

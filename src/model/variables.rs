@@ -11,12 +11,12 @@ use super::unit;
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
-use crate::mechanics::configuration::{Configuration, Passage};
-use crate::mechanics::resultants::Fibre;
-use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::beam::configuration::{Configuration, Passage};
+use crate::mechanics::beam::resultants::Fibre;
+use crate::mechanics::output::joint_loads::Action;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::transmission::Action;
+use crate::mechanics::system::frame_cache::Snapshot;
 use crate::solve::step::response::Response;
 use std::ops::Range;
 

@@ -10,10 +10,10 @@ use super::entries::simulation::Integrator;
 use super::quantity::Quantity;
 use super::variables::Table;
 use crate::error::decimal;
-use crate::mechanics::energy_balance::Alarm;
-use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
+use crate::mechanics::state::energy_balance::Alarm;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::Snapshot;
 use serde::{Deserialize, Serialize};
 
 /// Quantities that an axial force is read from.

@@ -6,8 +6,8 @@ use crate::ancf24_oracle::{self as oracle, Coordinates, DAMPING, DENSITY, LAWS};
 use crate::marker_oracle::deep;
 use crate::random::Random;
 use ancf14::math::Vec3;
-use ancf14::mechanics::ancf24::damping;
-use ancf14::mechanics::ancf24::element::Element;
+use ancf14::mechanics::beam::ancf24::damping;
+use ancf14::mechanics::beam::ancf24::element::Element;
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual, Dual2SVec64, HyperDualSVec64};
 

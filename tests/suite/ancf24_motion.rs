@@ -8,12 +8,12 @@ use crate::random::Random;
 use ancf14::math::rotation::rotation_matrix;
 use ancf14::math::vectors::{set_vec3, vec3};
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::ancf24::damping;
-use ancf14::mechanics::ancf24::law::Shear;
-use ancf14::mechanics::beam_design::{BeamDesign, Elements};
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::beam::ancf24::damping;
+use ancf14::mechanics::beam::ancf24::law::Shear;
+use ancf14::mechanics::beam::design::{BeamDesign, Elements};
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::solve::dynamics::generalized_alpha::GeneralizedAlpha;
 use std::f64::consts::TAU;
 

@@ -5,11 +5,11 @@ use crate::gauss::gauss;
 use crate::oracle::{Scalar, cross, dot, scale, sum};
 use crate::random::Random;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::ancf24::element::{Element, Properties};
-use ancf14::mechanics::ancf24::law::Shear;
-use ancf14::mechanics::beam_design::{BeamDesign, Elements};
-use ancf14::mechanics::material::Material;
-use ancf14::mechanics::section::Section;
+use ancf14::mechanics::beam::ancf24::element::{Element, Properties};
+use ancf14::mechanics::beam::ancf24::law::Shear;
+use ancf14::mechanics::beam::design::{BeamDesign, Elements};
+use ancf14::mechanics::beam::material::Material;
+use ancf14::mechanics::beam::section::Section;
 use nalgebra::{SMatrix, SVector};
 
 pub type Coordinates = SVector<f64, 24>;
@@ -68,7 +68,7 @@ pub fn element(law: (bool, Shear), reference: &Coordinates) -> Element {
 }
 
 fn properties(law: (bool, Shear)) -> Properties {
-    let mut assembly = ancf14::mechanics::assembly::Assembly::default();
+    let mut assembly = ancf14::mechanics::system::builder::Assembly::default();
     assembly.add_beam(&design(law));
     let (system, _) = assembly.finish(Vec3::zeros());
     crate::machines::ancf24_elements(&system).next().unwrap().properties

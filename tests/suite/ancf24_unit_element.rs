@@ -6,10 +6,10 @@
 
 use crate::gauss::gauss;
 use ancf14::math::Vec3;
-use ancf14::mechanics::ancf24::coordinates::ELEMENT;
-use ancf14::mechanics::ancf24::element::{Element, Properties};
-use ancf14::mechanics::ancf24::station::{Fibres, Station};
-use ancf14::mechanics::ancf24::strain::VoigtMatrix;
+use ancf14::mechanics::beam::ancf24::coordinates::ELEMENT;
+use ancf14::mechanics::beam::ancf24::element::{Element, Properties};
+use ancf14::mechanics::beam::ancf24::station::{Fibres, Station};
+use ancf14::mechanics::beam::ancf24::strain::VoigtMatrix;
 use nalgebra::{SMatrix, SVector};
 
 const LENGTH: f64 = 1.0;

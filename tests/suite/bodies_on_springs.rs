@@ -8,11 +8,11 @@ use crate::parts::{body, cushion};
 use crate::random::Random;
 use crate::running::{run, start, value, vector};
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::gauge::{Gauge, Measure};
-use ancf14::mechanics::pose::Pose;
-use ancf14::mechanics::rigid_body::BodyDesign;
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::body::rigid_body::BodyDesign;
+use ancf14::mechanics::geometry::pose::Pose;
+use ancf14::mechanics::marker::gauge::{Gauge, Measure};
+use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use std::f64::consts::TAU;
 
 const MASS: f64 = 2.0;

@@ -4,7 +4,7 @@
 
 use crate::running::{run, start, value};
 use ancf14::fmi::{About, Model};
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::model::simulation::Simulation;
 
 /// A steel rod of 1 m, radius 5 mm, that is clamped at its start, with what `more` says of the beam and beside it.

@@ -3,25 +3,26 @@
 //! section's axes renamed, it must bend alike to round-off. A frame that is carried differently from the two ends, a reference
 //! curvature with a wrong sign or not divided by `J0`, a strain output that forgets the reference: each fails here.
 
-use crate::machines::{ancf14, ancf14_elements};
-use crate::machines::{clamp, design, energies};
+use crate::machines::{ancf14, ancf14_elements, clamp, design, energies};
 use ancf14::math::curve::Curve;
 use ancf14::math::jet::Jet;
 use ancf14::math::quadrature::GAUSS_POINTS;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::Strain;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::centreline::{Centreline, Spacing};
-use ancf14::mechanics::joint::{Joint, weld};
-use ancf14::mechanics::load::{Direction, Load, LoadGuide, Signal};
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::Strain;
+use ancf14::mechanics::beam::centreline::{Centreline, Spacing};
+use ancf14::mechanics::beam::design::BeamDesign;
+use ancf14::mechanics::beam::section::Section;
+use ancf14::mechanics::constraint::joint::Joint;
+use ancf14::mechanics::constraint::weld;
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::geometry::pose::Pose;
+use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::pose::Pose;
-use ancf14::mechanics::section::Section;
-use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::solve::statics::Statics;
 use std::sync::Arc;
 
@@ -132,7 +133,7 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
 fn seen(system: &System, state: &State) -> Vec<(Vec3, [f64; 4], [f64; 4])> {
     let mut snapshot = Snapshot::default();
     let c = snapshot.of(system, state);
-    let row = |sensor: &ancf14::mechanics::sensor::Sensor| {
+    let row = |sensor: &ancf14::mechanics::marker::sensor::Sensor| {
         let (strains, forces) = (sensor.strains(&c), sensor.section_forces(&c));
         let [about_y, about_z] = strains.curvature;
         let [t, my, mz] = forces.moment;

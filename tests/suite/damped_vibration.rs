@@ -6,12 +6,12 @@ use crate::machines::ancf14;
 use crate::machines::{clamp, design, energies, integrate};
 use crate::oscillation::{period_and_decrement, theory};
 use ancf14::math::Vec3;
-use ancf14::mechanics::ancf14::coordinates::{NODE, P, R, THETA};
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::Strain;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::material::Material;
+use ancf14::mechanics::beam::ancf14::coordinates::{NODE, P, R, THETA};
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::Strain;
+use ancf14::mechanics::beam::design::BeamDesign;
+use ancf14::mechanics::beam::material::Material;
+use ancf14::mechanics::system::builder::Assembly;
 use std::f64::consts::PI;
 
 const KINDS: [(f64, Strain); 2] = [(1.0, Strain::Small), (0.9, Strain::Large)];

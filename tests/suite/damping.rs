@@ -6,11 +6,11 @@ use crate::element_derivatives::{curved, random_element_state, stiffness, straig
 use crate::oracle::{self, Scalar};
 use crate::random::Random;
 use ancf14::math::Vec3;
-use ancf14::mechanics::ancf14::damping::{self, StrainVector};
-use ancf14::mechanics::ancf14::element::{Element, Evaluation};
-use ancf14::mechanics::ancf14::frame::NodeFrame;
-use ancf14::mechanics::ancf14::strain::Strain;
-use ancf14::mechanics::triad::Triad;
+use ancf14::mechanics::beam::ancf14::damping::{self, StrainVector};
+use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation};
+use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
+use ancf14::mechanics::beam::ancf14::strain::Strain;
+use ancf14::mechanics::geometry::triad::Triad;
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual, Dual2SVec64, DualSVec64, HyperDualSVec64};
 

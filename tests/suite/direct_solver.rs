@@ -2,11 +2,11 @@
 
 use crate::random::Random;
 use ancf14::math::blocks::{Block, Blocks};
-use ancf14::mechanics::configuration::Passage;
-use ancf14::mechanics::load::Excitation;
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::beam::configuration::Passage;
+use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::model::build::{self, Built};
 use ancf14::model::document::Document;
 use ancf14::solve::linear::Regularity;

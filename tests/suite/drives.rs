@@ -6,7 +6,7 @@
 use crate::parts::gap;
 use crate::running::{run, start, try_start, value, vector};
 use ancf14::math::{Mat3, Vec3, rotation};
-use ancf14::mechanics::rigid_body;
+use ancf14::mechanics::body::kinematics;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::step::response::{Responder, Response};
 
@@ -43,7 +43,7 @@ fn skewness(simulation: &Simulation) -> f64 {
     let (system, state) = (simulation.system(), simulation.state());
     let mut worst = 0.0_f64;
     for body in &system.bodies {
-        let axes = rigid_body::pose(&state.q, body.start).axes;
+        let axes = kinematics::pose(&state.q, body.start).axes;
         worst = worst.max((axes.tr_mul(&axes) - Mat3::identity()).amax());
     }
     for triad in &state.triads {

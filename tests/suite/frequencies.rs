@@ -3,12 +3,12 @@
 use crate::machines::design;
 use ancf14::math::Vec3;
 use ancf14::math::blocks::Blocks;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::configuration::Passage;
-use ancf14::mechanics::load::Excitation;
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::beam::configuration::Passage;
+use ancf14::mechanics::beam::design::BeamDesign;
+use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::f64::consts::PI;
 

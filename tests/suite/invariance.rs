@@ -5,15 +5,17 @@ use crate::random::Random;
 use ancf14::math::Vec3;
 use ancf14::math::rotation;
 use ancf14::math::vectors::{set_vec3, vec3};
-use ancf14::mechanics::ancf14::axial::large;
-use ancf14::mechanics::ancf14::element::Evaluation;
-use ancf14::mechanics::ancf14::frame::NodeFrame;
-use ancf14::mechanics::ancf14::kinematics::Holonomy;
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::{Stiffness, Strain, Strains};
-use ancf14::mechanics::ancf14::{bending, fourth_moments, torsion};
-use ancf14::mechanics::section::Section;
-use ancf14::mechanics::triad::Triad;
+use ancf14::mechanics::beam::ancf14::axial::large;
+use ancf14::mechanics::beam::ancf14::bending;
+use ancf14::mechanics::beam::ancf14::element::Evaluation;
+use ancf14::mechanics::beam::ancf14::fourth_moments;
+use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
+use ancf14::mechanics::beam::ancf14::kinematics::Holonomy;
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain, Strains};
+use ancf14::mechanics::beam::ancf14::torsion;
+use ancf14::mechanics::beam::section::Section;
+use ancf14::mechanics::geometry::triad::Triad;
 
 /// 25 turns about an oblique axis in steps of 0.3 rad, references carried along: the energy of a bent and twisted element
 /// stays within rounding (about 500 transports of 1e-16 each).

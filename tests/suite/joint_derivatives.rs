@@ -4,14 +4,20 @@
 use crate::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};
 use crate::oracle::{self, Scalar};
 use crate::random::Random;
-use ancf14::mechanics::gauge::Measure;
-use ancf14::mechanics::joint::driven::Driven;
-use ancf14::mechanics::joint::primitive::Primitive;
-use ancf14::mechanics::joint::{
-    Joint, JointGradient, cylindrical, inline, inplane, prismatic, revolute, spherical, universal, weld,
-};
-use ancf14::mechanics::marker::MarkerMatrix;
-use ancf14::mechanics::rigid_body;
+use ancf14::mechanics::constraint::cylindrical;
+use ancf14::mechanics::constraint::driven::Driven;
+use ancf14::mechanics::constraint::inline;
+use ancf14::mechanics::constraint::inplane;
+use ancf14::mechanics::constraint::joint::{Joint, JointGradient};
+use ancf14::mechanics::constraint::primitive::Primitive;
+use ancf14::mechanics::constraint::prismatic;
+use ancf14::mechanics::constraint::revolute;
+use ancf14::mechanics::constraint::rigidity;
+use ancf14::mechanics::constraint::spherical;
+use ancf14::mechanics::constraint::universal;
+use ancf14::mechanics::constraint::weld;
+use ancf14::mechanics::geometry::marker_jacobian::MarkerMatrix;
+use ancf14::mechanics::marker::gauge::Measure;
 use nalgebra::SVector;
 
 /// lambda · phi of a joint over any dual number.
@@ -102,7 +108,7 @@ fn check_joint_derivatives() {
         (universal::PRIMITIVES, 4),
         (inline::PRIMITIVES, 2),
         (inplane::PRIMITIVES, 1),
-        (rigid_body::PRIMITIVES, 6),
+        (rigidity::PRIMITIVES, 6),
     ];
     let mut random = Random(7);
     for (primitives, rows) in kinds {

@@ -4,16 +4,20 @@
 use crate::machines::{design, energies, integrate};
 use crate::random::Random;
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::centreline::Centreline;
-use ancf14::mechanics::joint::{Joint, JointGradient, primitive::Primitive, revolute, spherical, weld};
+use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::design::BeamDesign;
+use ancf14::mechanics::beam::material::Material;
+use ancf14::mechanics::constraint::joint::{Joint, JointGradient};
+use ancf14::mechanics::constraint::primitive::Primitive;
+use ancf14::mechanics::constraint::revolute;
+use ancf14::mechanics::constraint::spherical;
+use ancf14::mechanics::constraint::weld;
+use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::material::Material;
-use ancf14::mechanics::pose::Pose;
-use ancf14::mechanics::sensor::Snapshot;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 
 const KINDS: [(&str, &[Primitive], usize); 3] =
     [("weld", weld::PRIMITIVES, 6), ("spherical", spherical::PRIMITIVES, 3), ("revolute", revolute::PRIMITIVES, 5)];

@@ -3,7 +3,9 @@
 use crate::marker_oracle::{ALL, All, BODY, Dual, Machine, ROUNDING, deep};
 use crate::random::Random;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::load::{Direction, HostWrench, Load, LoadGuide, Signal};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::input::excitation::HostWrench;
+use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
 use nalgebra::SMatrix;
 

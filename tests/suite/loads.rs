@@ -4,15 +4,16 @@
 use crate::machines::{clamp, design};
 use ancf14::math::Vec3;
 use ancf14::math::vectors::vec3;
-use ancf14::mechanics::ancf14::coordinates::THETA;
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::Strain;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::{BeamDesign, Elements, Torsion};
-use ancf14::mechanics::load::{Direction, Load, LoadGuide, Signal};
+use ancf14::mechanics::beam::ancf14::coordinates::THETA;
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::Strain;
+use ancf14::mechanics::beam::design::{BeamDesign, Elements, Torsion};
+use ancf14::mechanics::beam::section::Section;
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::section::Section;
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::solve::statics::Statics;
 
 const DEAD: Direction = Direction::Global;

@@ -3,9 +3,9 @@
 
 use ancf14::fmi::Value;
 use ancf14::fmi::variable::{Causality, Variability, Variable};
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::Strain;
-use ancf14::mechanics::beam_design::{Elements, Torsion};
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::Strain;
+use ancf14::mechanics::beam::design::{Elements, Torsion};
 use ancf14::model::document::Document;
 use ancf14::model::drawing::{ArrowKind, Drawing, LineKind, MarkKind};
 use ancf14::model::entries::anchor::{Along, Spot};

@@ -4,16 +4,15 @@
 use crate::machines::{clamp, design, integrate, load};
 use crate::running::start;
 use ancf14::math::Vec3;
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::Strain;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::beam_design::Elements;
-use ancf14::mechanics::centreline::Centreline;
-use ancf14::mechanics::rigid_body::BodyDesign;
-use ancf14::mechanics::section::Section;
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::Strain;
+use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::design::{BeamDesign, Elements};
+use ancf14::mechanics::beam::section::Section;
+use ancf14::mechanics::body::rigid_body::BodyDesign;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::builder::Assembly;
 use ancf14::model::modes::Kind;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::modes::{Modes, modes};
@@ -323,7 +322,7 @@ fn regression_kinds_are_not_to_be_trusted_under_follower_loads() {
 /// Without torsion the bending modes stay what they are, and no mode of torsion is near.
 #[test]
 fn beams_without_torsion_have_bending_modes() {
-    use ancf14::mechanics::beam_design::Torsion;
+    use ancf14::mechanics::beam::design::Torsion;
     let [free, stiff] = [Torsion::Free, Torsion::Suppressed].map(|torsion| {
         let (system, state) = cantilever(&BeamDesign {
             elements: Elements::Ancf14 { strain: Strain::Small, twist: Twist::Linear, torsion },

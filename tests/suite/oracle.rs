@@ -2,9 +2,9 @@
 //! of it is the oracle for the closed gradient and Hessian. It shares no formula with the closed form but the definitions:
 //! vectors in space instead of components, no derivative by hand.
 
-use ancf14::mechanics::ancf14::element::Element;
-use ancf14::mechanics::ancf14::strain::Strain;
-use ancf14::mechanics::triad::Triad;
+use ancf14::mechanics::beam::ancf14::element::Element;
+use ancf14::mechanics::beam::ancf14::strain::Strain;
+use ancf14::mechanics::geometry::triad::Triad;
 use num_dual::DualNum;
 
 /// Any dual number over f64.

@@ -6,16 +6,16 @@ use crate::element_derivatives::{curved, random_element_state, stiffness, straig
 use crate::oracle;
 use crate::random::Random;
 use ancf14::math::rotation;
-use ancf14::mechanics::ancf14::element::Element;
-use ancf14::mechanics::ancf14::frame::NodeFrame;
-use ancf14::mechanics::ancf14::over_step::STRAINS;
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::{Stiffness, Strain};
-use ancf14::mechanics::configuration::{Configuration, Dissipation, Passage, TimeStep};
-use ancf14::mechanics::formulation::Formulation;
-use ancf14::mechanics::mesh::Mesh;
-use ancf14::mechanics::prescribed::Prescribed;
-use ancf14::mechanics::triad::Triad;
+use ancf14::mechanics::beam::ancf14::element::Element;
+use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
+use ancf14::mechanics::beam::ancf14::over_step::STRAINS;
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
+use ancf14::mechanics::beam::configuration::{Configuration, Dissipation, Passage, TimeStep};
+use ancf14::mechanics::beam::formulation::Formulation;
+use ancf14::mechanics::beam::mesh::Mesh;
+use ancf14::mechanics::geometry::triad::Triad;
+use ancf14::mechanics::input::prescribed::Prescribed;
 use nalgebra::{SMatrix, SVector};
 use num_dual::DualSVec64;
 
@@ -49,7 +49,8 @@ impl Case {
         let mut case = Self { element, start, triads: frames.map(|frame| frame.carried()), previous };
         // The holonomy angle of this very state.
         let frames = case.frames(&case.start);
-        case.previous = ancf14::mechanics::ancf14::kinematics::Holonomy::new(&frames[0], &frames[1], previous).angle;
+        case.previous =
+            ancf14::mechanics::beam::ancf14::kinematics::Holonomy::new(&frames[0], &frames[1], previous).angle;
         case
     }
 

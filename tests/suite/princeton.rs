@@ -4,16 +4,16 @@
 use crate::machines::ancf14;
 use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::Strain;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::centreline::Centreline;
-use ancf14::mechanics::material::Material;
-use ancf14::mechanics::section::Section;
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::Strain;
+use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::design::BeamDesign;
+use ancf14::mechanics::beam::material::Material;
+use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::solve::statics::Statics;
 
 const LENGTH: f64 = 0.508;

@@ -8,17 +8,17 @@ use crate::machines::{clamp, design, load};
 use crate::oracle;
 use crate::random::Random;
 use ancf14::math::{Vec3, rotation};
-use ancf14::mechanics::ancf14::element::{Element, Evaluation};
-use ancf14::mechanics::ancf14::frame::NodeFrame;
-use ancf14::mechanics::ancf14::quadratic_twist::Twist;
-use ancf14::mechanics::ancf14::strain::{Stiffness, Strain};
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::configuration::Passage;
-use ancf14::mechanics::load::Excitation;
-use ancf14::mechanics::material::Material;
-use ancf14::mechanics::sensor::Snapshot;
-use ancf14::mechanics::triad::Triad;
+use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation};
+use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
+use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
+use ancf14::mechanics::beam::configuration::Passage;
+use ancf14::mechanics::beam::design::BeamDesign;
+use ancf14::mechanics::beam::material::Material;
+use ancf14::mechanics::geometry::triad::Triad;
+use ancf14::mechanics::input::excitation::Excitation;
+use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::solve::statics::Statics;
 use nalgebra::SVector;
 use num_dual::Dual2SVec64;
@@ -132,7 +132,7 @@ fn twist_and_torsion_inside_the_elements() {
     let force = Vec3::new(0.0, 2.0, 12.0);
     let measure = |twist: Twist, elements: usize, fraction: f64| {
         let mut assembly = Assembly::default();
-        let section = ancf14::mechanics::section::Section::rectangle(0.004, 0.012);
+        let section = ancf14::mechanics::beam::section::Section::rectangle(0.004, 0.012);
         let beam = assembly.add_beam(&BeamDesign {
             elements: ancf14(Strain::Small, twist),
             section,

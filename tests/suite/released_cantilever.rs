@@ -3,7 +3,7 @@
 
 use crate::machines::{clamp, design, integrate};
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::Assembly;
+use ancf14::mechanics::system::builder::Assembly;
 use std::f64::consts::PI;
 
 /// Roots of cos x cosh x = −1; from the fourth on they are odd multiples of pi/2 to 1e-4.

@@ -6,10 +6,11 @@
 use crate::machines::{energies, integrate};
 use crate::running::{run, start, vector};
 use ancf14::math::{Mat3, Vec3, rotation};
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::rigid_body::{self, BodyDesign};
+use ancf14::mechanics::body::kinematics;
+use ancf14::mechanics::body::rigid_body::BodyDesign;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::builder::Assembly;
 use std::f64::consts::TAU;
 
 /// A free body with these principal moments, axes along the global ones, that turns by `angular_velocity`.
@@ -28,7 +29,7 @@ fn free(moments: [f64; 3], angular_velocity: Vec3) -> (System, State) {
 }
 
 fn axes(state: &State) -> Mat3 {
-    rigid_body::pose(&state.q, 0).axes
+    kinematics::pose(&state.q, 0).axes
 }
 
 /// A body that turns about its intermediate axis tips over, again and again. Its energy changes with order 4 in the step: forces in the

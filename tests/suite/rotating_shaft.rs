@@ -8,8 +8,8 @@
 use crate::curves::{Curves, largest};
 use ancf14::fmi::Model;
 use ancf14::math::blocks::Blocks;
-use ancf14::mechanics::configuration::Passage;
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::beam::configuration::Passage;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::model::simulation::Simulation;
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -111,7 +111,7 @@ fn first_frequencies() {
     let mut blocks = Blocks::default();
     system.push_tangent_blocks(&mut blocks);
     let mut forces = vec![0.0; count];
-    let excitation = ancf14::mechanics::load::Excitation::default();
+    let excitation = ancf14::mechanics::input::excitation::Excitation::default();
     system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, 1.0, &mut forces, &mut blocks);
     let stiffness = dense(&blocks);
     blocks.clear();

@@ -2,12 +2,12 @@
 
 use crate::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};
 use crate::random::Random;
-use ancf14::mechanics::ancf14::coordinates::NODE;
-use ancf14::mechanics::ancf14::frame::NodeFrame;
-use ancf14::mechanics::configuration::{Dissipation, Passage, TimeStep};
-use ancf14::mechanics::gauge::{Gauge, Measure};
-use ancf14::mechanics::marker::MarkerVector;
-use ancf14::mechanics::spring::{self, Spring};
+use ancf14::mechanics::beam::ancf14::coordinates::NODE;
+use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
+use ancf14::mechanics::beam::configuration::{Dissipation, Passage, TimeStep};
+use ancf14::mechanics::force::spring::{self, Spring};
+use ancf14::mechanics::geometry::marker_jacobian::MarkerVector;
+use ancf14::mechanics::marker::gauge::{Gauge, Measure};
 use nalgebra::SVector;
 
 /// Springs and dampers on every measure: at rest the gradient and Hessian of the energy; at an instant and over a step the damper's too.

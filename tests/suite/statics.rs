@@ -3,13 +3,14 @@
 use crate::machines::{clamp, design, hold, load};
 use ancf14::math::vectors::vec3;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::beam_design::BeamDesign;
-use ancf14::mechanics::joint::{revolute, spherical};
-use ancf14::mechanics::material::Material;
-use ancf14::mechanics::section::Section;
+use ancf14::mechanics::beam::design::BeamDesign;
+use ancf14::mechanics::beam::material::Material;
+use ancf14::mechanics::beam::section::Section;
+use ancf14::mechanics::constraint::revolute;
+use ancf14::mechanics::constraint::spherical;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::builder::Assembly;
 use ancf14::solve::statics::Statics;
 
 /// A beam of 1 m so thin (height 1/1000 of the length) that it does not stretch.

@@ -3,9 +3,9 @@
 
 use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
-use ancf14::mechanics::assembly::Assembly;
-use ancf14::mechanics::resultants::SectionStrains;
-use ancf14::mechanics::sensor::Snapshot;
+use ancf14::mechanics::beam::resultants::SectionStrains;
+use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::frame_cache::Snapshot;
 use ancf14::solve::statics::Statics;
 
 /// Strains at a fraction of a cantilever along x under a small force and moment at its end.

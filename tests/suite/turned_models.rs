@@ -5,7 +5,7 @@ use crate::random::Random;
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::Causality;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::formulation::Element;
+use ancf14::mechanics::beam::formulation::Element;
 use ancf14::model::simulation::Simulation;
 use toml::{Table, Value};
 

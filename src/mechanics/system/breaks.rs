@@ -1,8 +1,8 @@
 //! The times at which functions of time change from one piece to the next: steps end there, and a motion must not jump there.
 
 use crate::error::decimal;
-use crate::mechanics::load::Signal;
-use crate::mechanics::prescribed::Guide;
+use crate::mechanics::input::prescribed::Guide;
+use crate::mechanics::input::signal::Signal;
 use crate::mechanics::system::System;
 
 /// Jumps below this size are rounding of the pieces' numbers, rad or m per m of the mechanism's size (at least 1 m).

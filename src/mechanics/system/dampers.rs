@@ -2,8 +2,8 @@
 
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
-use crate::mechanics::configuration::Configuration;
-use crate::mechanics::formulation::Element;
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::formulation::Element;
 use crate::mechanics::system::System;
 
 impl System {

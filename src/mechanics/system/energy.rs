@@ -2,9 +2,9 @@
 
 use crate::math::Vec3;
 use crate::math::vectors::vec3;
-use crate::mechanics::configuration::Configuration;
-use crate::mechanics::pose::axis_place;
-use crate::mechanics::rigid_body::BODY;
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::body::kinematics::BODY;
+use crate::mechanics::geometry::pose::axis_place;
 use crate::mechanics::system::System;
 
 impl System {

@@ -1,11 +1,11 @@
 //! The equations of a machine: forces, tangent, mass and constraints, summed over its parts in file order.
 
 use crate::math::blocks::{Block, Blocks};
-use crate::mechanics::configuration::{Configuration, Passage};
-use crate::mechanics::joint::{Joint, JointGradient};
-use crate::mechanics::load::Excitation;
+use crate::mechanics::beam::configuration::{Configuration, Passage};
+use crate::mechanics::body::kinematics::BODY;
+use crate::mechanics::constraint::joint::{Joint, JointGradient};
+use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
-use crate::mechanics::rigid_body::BODY;
 use crate::mechanics::system::System;
 use nalgebra::SMatrix;
 

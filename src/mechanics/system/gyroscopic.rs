@@ -9,10 +9,10 @@ use crate::math::blocks::Blocks;
 use crate::math::rotation::{half_turn, half_turn_by_second};
 use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::ancf14::coordinates::{ELEMENT, NODE, P, THETA};
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::formulation::Element;
-use crate::mechanics::node::Node;
+use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, NODE, P, THETA};
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::beam::formulation::Element;
+use crate::mechanics::beam::node::Node;
 use crate::mechanics::system::System;
 
 /// `target += factor C`, `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node that has a frame (7.3), N.

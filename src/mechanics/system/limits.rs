@@ -1,11 +1,11 @@
 //! What elements, bodies and joints can bear in a step (MECHANICS 2.6, 6, 7.4).
 
+use super::frame_cache::Snapshot;
 use crate::error::Error;
 use crate::math::rotation::rotation_angle;
-use crate::mechanics::configuration::Configuration;
-use crate::mechanics::gauge::Measure;
-use crate::mechanics::rigid_body;
-use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::body::kinematics;
+use crate::mechanics::marker::gauge::Measure;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
@@ -108,7 +108,7 @@ impl System {
 
     fn check_bodies(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
         for body in &self.bodies {
-            let (start, end) = (rigid_body::pose(&state.q, body.start), rigid_body::pose(c.q, body.start));
+            let (start, end) = (kinematics::pose(&state.q, body.start), kinematics::pose(c.q, body.start));
             let angle = rotation_angle(&start.axes, &end.axes);
             // Not-a-number must fail: `>` alone would let it pass.
             if angle > turn || angle.is_nan() {

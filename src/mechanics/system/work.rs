@@ -1,13 +1,13 @@
 //! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the system may change by.
 
 use crate::math::Vec3;
-use crate::mechanics::ancf14::over_step::StepStart;
-use crate::mechanics::configuration::{Configuration, Passage, TimeStep};
-use crate::mechanics::energy_balance::{Energies, LIFT_ROUND_OFF};
-use crate::mechanics::joint::{Joint, JointGradient, MOST_CONDITIONS};
-use crate::mechanics::load::Excitation;
+use crate::mechanics::beam::ancf14::over_step::StepStart;
+use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
+use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
+use crate::mechanics::force::spring::reading_rate;
+use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
-use crate::mechanics::spring::reading_rate;
+use crate::mechanics::state::energy_balance::{Energies, LIFT_ROUND_OFF};
 use crate::mechanics::system::System;
 
 impl System {

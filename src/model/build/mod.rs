@@ -17,12 +17,12 @@ use super::geometry::{self, Lines};
 use super::number::Number;
 use crate::math::Vec3;
 use crate::math::jet::Jet;
-use crate::mechanics::assembly::Assembly;
-use crate::mechanics::load::{Pieces, Signal};
+use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::input::signal::{Pieces, Signal};
 use crate::mechanics::marker::Marker;
-use crate::mechanics::pose::Pose;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::builder::Assembly;
 use crate::solve::step::mobility::set_mobilities;
 use std::sync::Arc;
 

@@ -2,14 +2,14 @@
 
 use super::{Builder, signal, signal_from, tune, vector};
 use crate::math::Mat3;
-use crate::mechanics::beam_design::BeamDesign;
-use crate::mechanics::centreline::Centreline;
-use crate::mechanics::load::{self, Direction, LoadGuide};
-use crate::mechanics::material::Material;
-use crate::mechanics::pose::Pose;
-use crate::mechanics::prescribed::FrameGuide;
-use crate::mechanics::rigid_body::BodyDesign;
-use crate::mechanics::section::{Outline, Section};
+use crate::mechanics::beam::centreline::Centreline;
+use crate::mechanics::beam::design::BeamDesign;
+use crate::mechanics::beam::material::Material;
+use crate::mechanics::beam::section::{Outline, Section};
+use crate::mechanics::body::rigid_body::BodyDesign;
+use crate::mechanics::force::load::{self, Direction, LoadGuide};
+use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::input::prescribed::FrameGuide;
 use crate::model::entries::beam::Beam;
 use crate::model::entries::body::{Body, Inertia};
 use crate::model::entries::frame::{Frame, Orientation};

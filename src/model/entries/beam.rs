@@ -1,10 +1,10 @@
 //! `[beam.NAME]`: a beam and how it is divided and formulated; its line is in curve.rs.
 
 use super::curve::Line;
-use crate::mechanics::ancf14::quadratic_twist::Twist;
-use crate::mechanics::ancf14::strain::Strain;
-use crate::mechanics::ancf24::law::Shear;
-use crate::mechanics::beam_design::{Elements, Torsion};
+use crate::mechanics::beam::ancf14::quadratic_twist::Twist;
+use crate::mechanics::beam::ancf14::strain::Strain;
+use crate::mechanics::beam::ancf24::law::Shear;
+use crate::mechanics::beam::design::{Elements, Torsion};
 use crate::model::diagnostic::Place;
 use crate::model::names::Kind;
 use crate::model::number::Number;

@@ -1,6 +1,6 @@
 //! The line of a `[beam.NAME]`: straight by `from` and `to`, or a `curve`.
 
-use crate::mechanics::centreline::Spacing;
+use crate::mechanics::beam::centreline::Spacing;
 use crate::model::diagnostic::Place;
 use crate::model::number::Number;
 use crate::model::reader::Reader;

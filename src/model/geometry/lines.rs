@@ -3,8 +3,8 @@
 use crate::math::curve::Curve;
 use crate::math::flaw::{Flaw, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
 use crate::math::{Vec3, spline};
-use crate::mechanics::centreline::{Centreline, Spacing, Span, shares};
-use crate::mechanics::division::Division;
+use crate::mechanics::beam::centreline::{Centreline, Spacing, Span, shares};
+use crate::mechanics::beam::division::Division;
 use crate::model::diagnostic::{Diagnostic, Place};
 use crate::model::document::Document;
 use crate::model::entries::anchor::{Along, Anchor, Spot};

@@ -18,8 +18,8 @@ use super::entries::spring::Spring;
 use super::entries::{load, output};
 use super::number::Number;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam_design::Elements;
-use crate::mechanics::centreline::{Centreline, Spacing};
+use crate::mechanics::beam::centreline::{Centreline, Spacing};
+use crate::mechanics::beam::design::Elements;
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
 const SMALLEST_SINE: f64 = 0.017_452_4;

@@ -1,7 +1,7 @@
 //! Outlines of sections and solids of bodies, from what the machine knows of them.
 
-use crate::mechanics::rigid_body::RigidBody;
-use crate::mechanics::section::Outline;
+use crate::mechanics::beam::section::Outline;
+use crate::mechanics::body::rigid_body::RigidBody;
 use crate::model::document::Document;
 use crate::model::entries::section::Section;
 
@@ -92,7 +92,7 @@ impl Solid {
 mod tests {
     use super::*;
     use crate::math::{Mat3, Vec3};
-    use crate::mechanics::rigid_body::BodyDesign;
+    use crate::mechanics::body::rigid_body::BodyDesign;
 
     fn solid(mass: f64, moments: [f64; 3]) -> Solid {
         let design = BodyDesign {

@@ -3,13 +3,13 @@
 use super::scene::{Scene, Watched};
 use super::stations::{RESULTS, Stations, quaternion, steps};
 use crate::math::Vec3;
-use crate::mechanics::configuration::{Configuration, Passage};
-use crate::mechanics::load::Direction;
+use crate::mechanics::beam::configuration::{Configuration, Passage};
+use crate::mechanics::force::load::Direction;
 use crate::mechanics::marker::Marker;
-use crate::mechanics::sensor::Snapshot;
+use crate::mechanics::output::joint_loads::Action;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::transmission::Action;
+use crate::mechanics::system::frame_cache::Snapshot;
 use crate::model::simulation::Simulation;
 
 /// Numbers of one kind at all instants: instant by instant, in each thing by thing, of each its components.

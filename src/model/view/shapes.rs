@@ -2,7 +2,8 @@
 
 use super::recorder::{Recording, tied};
 use crate::mechanics::marker::Marker;
-use crate::mechanics::sensor::{Sensor, Snapshot};
+use crate::mechanics::marker::sensor::Sensor;
+use crate::mechanics::system::frame_cache::Snapshot;
 use crate::model::modes::{Kind, Mode, Modes};
 use crate::model::simulation::Simulation;
 
@@ -33,7 +34,7 @@ impl Recording {
         let c = snapshot.of(system, simulation.state());
         let at_rest = vec![0.0; system.coordinates()];
         let displacement = |marker: Marker, shape: &[f64]| -> [f64; 3] {
-            let sensor = Sensor::new(system, &c, marker, None);
+            let sensor = Sensor::new(&system.beams, &c, marker, None);
             // What drives and frames do by themselves is no part of a mode.
             (sensor.motion(&c, shape).0 - sensor.motion(&c, &at_rest).0).into()
         };

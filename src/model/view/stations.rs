@@ -2,10 +2,11 @@
 
 use crate::math::Vec3;
 use crate::math::rotation::{quaternion_of_triad, rotation_matrix};
-use crate::mechanics::configuration::Configuration;
+use crate::mechanics::beam::Beam;
+use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::marker::Marker;
-use crate::mechanics::sensor::Sensor;
-use crate::mechanics::system::{Beam, System};
+use crate::mechanics::marker::sensor::Sensor;
+use crate::mechanics::system::System;
 use nalgebra::Matrix3;
 use std::ops::Range;
 
@@ -69,7 +70,7 @@ impl Stations {
                 stations.nodes.push(stations.fractions.len());
             }
             stations.fractions.push(fraction);
-            stations.sensors.push(Sensor::new(system, c, marker, Some((beam, fraction))));
+            stations.sensors.push(Sensor::new(&system.beams, c, marker, Some((beam, fraction))));
         };
         for element in 0..own.elements() {
             let span = [element, element + 1].map(|end| own.division.fraction(end).unwrap_or(1.0));

@@ -1,11 +1,13 @@
 //! Whether a mesh is too coarse for what the machine does: the energy that its elements leave out, and section forces and moments that are off where they are read.
 
 use crate::error::decimal;
-use crate::mechanics::configuration::Configuration;
-use crate::mechanics::energy_balance::Energies;
-use crate::mechanics::sensor::{Sensor, Snapshot};
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::marker::sensor::Sensor;
+use crate::mechanics::output::mesh_error::{Deformation, MeshError};
 use crate::mechanics::state::State;
-use crate::mechanics::system::{Deformation, MeshError, System};
+use crate::mechanics::state::energy_balance::Energies;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::Snapshot;
 use crate::model::entries::simulation::Analysis;
 use crate::model::quantity::Quantity;
 use crate::model::variables::Table;

@@ -11,14 +11,14 @@
 
 use super::start::Dynamics;
 use crate::error::Error;
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::Passage;
-use crate::mechanics::energy_balance::{Energies, EnergyBalance, Losses};
-use crate::mechanics::joint::JointGradient;
-use crate::mechanics::load::Excitation;
-use crate::mechanics::prescribed::Prescribed;
-use crate::mechanics::sensor::Snapshot as FrameCache;
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::beam::configuration::Passage;
+use crate::mechanics::constraint::joint::JointGradient;
+use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::state::State;
+use crate::mechanics::state::energy_balance::{Energies, EnergyBalance, Losses};
+use crate::mechanics::system::frame_cache::Snapshot as FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::mechanics::system::{AT_BREAK, System};
 use crate::solve::linear::Singular;

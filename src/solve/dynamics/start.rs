@@ -1,11 +1,11 @@
 //! The state at the start: joints hold as drawn, velocities are what the joints allow.
 
 use crate::error::Error;
-use crate::mechanics::gauge::Measure;
-use crate::mechanics::sensor::Snapshot as FrameCache;
-use crate::mechanics::spring::{Spring, reading_rate};
+use crate::mechanics::force::spring::{Spring, reading_rate};
+use crate::mechanics::marker::gauge::Measure;
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::Snapshot as FrameCache;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::statics::Statics;
 use crate::solve::step::projection::Projection;

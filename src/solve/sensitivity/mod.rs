@@ -16,11 +16,11 @@ pub mod mover;
 
 use self::mover::{Mover, Step};
 use crate::error::Error;
-use crate::mechanics::host_path::Targets;
-use crate::mechanics::joint::JointGradient;
+use crate::mechanics::constraint::joint::JointGradient;
+use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::variation::Variation;
+use crate::mechanics::system::variation::Variation;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::integrator::Integrator;

@@ -1,13 +1,13 @@
 //! States as they would be, had the host given something else.
 
 use super::{Inputs, REACH};
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::Configuration;
-use crate::mechanics::joint::JointGradient;
-use crate::mechanics::prescribed::Prescribed;
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::constraint::joint::JointGradient;
+use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::variation::Variation;
+use crate::mechanics::system::variation::Variation;
 
 /// A communication step.
 #[derive(Debug)]

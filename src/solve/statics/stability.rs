@@ -5,9 +5,9 @@
 //! stable one. Beside very stiff springs round-off may count a motion too many: the softest one then costs energy, and nothing is told.
 
 use crate::error::decimal;
-use crate::mechanics::sensor::Snapshot;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::Snapshot;
 use crate::solve::modes;
 use crate::solve::modes::subspace::Subspace;
 use crate::solve::newton::kkt::Kkt;

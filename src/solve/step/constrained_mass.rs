@@ -4,7 +4,7 @@
 //! condition, however long the beams are. Nothing else is kept from one system to the next.
 
 use crate::math::blocks::Blocks;
-use crate::mechanics::joint::{Joint, JointGradient, MOST_CONDITIONS};
+use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::system::System;
 use crate::solve::linear::cholesky::{Cholesky, dot};
 use crate::solve::linear::mass_factor::MassFactor;

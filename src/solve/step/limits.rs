@@ -1,8 +1,8 @@
 //! What a step in time may do, whatever the integrator (MECHANICS 6, 7.4): beyond it the step is refused, and halved.
 
 use crate::error::Error;
-use crate::mechanics::gauge::Measure;
-use crate::mechanics::prescribed::Prescribed;
+use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::gauge::Measure;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 

@@ -1,12 +1,12 @@
 //! How easily a step moves a spring or damper: `J (M + h²/4 K)⁻¹ Jᵀ` of what it measures, on the motions that the constraints allow. One over it is the mass, or
 //! the moment of inertia, that a damper has to stop within a step; the stiffness of a beam holds the little inertia of its end.
 
-use crate::mechanics::configuration::Passage;
-use crate::mechanics::load::Excitation;
-use crate::mechanics::sensor::Snapshot as FrameCache;
-use crate::mechanics::spring::{Spring, reading_q};
+use crate::mechanics::beam::configuration::Passage;
+use crate::mechanics::force::spring::{Spring, reading_q};
+use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::Snapshot as FrameCache;
 use crate::solve::newton::kkt::Kkt;
 
 /// Most numbers that all solves together may touch: with thousands of springs on thousands of elements, mobilities would take longer than a run.

@@ -5,8 +5,8 @@
 
 use super::integrator::Integrator;
 use crate::error::Error;
-use crate::mechanics::pace::Pace;
 use crate::mechanics::state::State;
+use crate::mechanics::state::pace::Pace;
 use crate::mechanics::system::{AT_BREAK, System};
 
 /// First step, as a share of the duration.

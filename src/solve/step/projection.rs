@@ -2,8 +2,8 @@
 
 use super::constrained_mass::ConstrainedMass;
 use crate::error::Error;
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::joint::JointGradient;
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::solve::linear::Singular;

@@ -3,10 +3,10 @@
 //! They belong to the very time of the state, unlike what a step computes with. Only outputs ask for them.
 
 use crate::error::Error;
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::Passage;
-use crate::mechanics::joint::JointGradient;
-use crate::mechanics::load::Excitation;
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::beam::configuration::Passage;
+use crate::mechanics::constraint::joint::JointGradient;
+use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::gyroscopic;

@@ -1,14 +1,14 @@
 //! What a constrained midpoint step computes on the way: positions, frames, forces and gradients at its start, in its middle and at its end.
 
 use crate::error::Error;
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::ancf14::over_step::StepStart;
-use crate::mechanics::configuration::{Configuration, Dissipation, Passage, TimeStep};
-use crate::mechanics::energy_balance::Energies;
-use crate::mechanics::joint::JointGradient;
-use crate::mechanics::load::Excitation;
-use crate::mechanics::prescribed::Prescribed;
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::beam::ancf14::over_step::StepStart;
+use crate::mechanics::beam::configuration::{Configuration, Dissipation, Passage, TimeStep};
+use crate::mechanics::constraint::joint::JointGradient;
+use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::state::State;
+use crate::mechanics::state::energy_balance::Energies;
 use crate::mechanics::system::System;
 use crate::mechanics::system::gyroscopic;
 use crate::solve::newton::prediction;

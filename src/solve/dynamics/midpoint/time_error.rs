@@ -7,13 +7,13 @@
 use super::scratch::Scratch;
 use super::{Span, Step};
 use crate::math::vectors::vec3;
-use crate::mechanics::ancf14::coordinates::{P, THETA};
-use crate::mechanics::ancf14::frame::NodeFrame;
-use crate::mechanics::configuration::Dissipation;
-use crate::mechanics::joint::JointGradient;
+use crate::mechanics::beam::ancf14::coordinates::{P, THETA};
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::beam::configuration::Dissipation;
+use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::state::State;
+use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::system::System;
-use crate::mechanics::time_error::TimeError;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::projection::Projection;

@@ -1,0 +1,473 @@
+//! One ANCF14 element: its quadrature points, its strains, and the energy by the 14 coordinates (MECHANICS 3, 8).
+//!
+//! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
+//! coordinates in pullback.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
+
+use super::coordinates::{
+    ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slope as slope_at,
+};
+use super::frame::NodeFrame;
+use super::inertia::{self, Mass};
+use super::kinematics::Kinematics;
+use super::over_step::{Added, Turn};
+use super::points::{AxialPoint, BendingPoint};
+use super::pullback::{Couplings, Forces, Gradients};
+use super::quadratic_twist::{self, Condensation, Twist};
+use super::relative::{RELATIVE, RelativeVector};
+use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
+use super::{axial, bending, fourth_moments, stretching, torsion};
+use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
+use crate::math::{Vec3, hermite};
+use crate::mechanics::beam::configuration::Configuration;
+
+/// Where an element's numbers are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Place {
+    /// First coordinate of its first node; those of the second node follow.
+    pub start: usize,
+    /// Number of its first node's frame; the second one's is the next.
+    pub frame: usize,
+    /// Number of its holonomy angle.
+    pub branch: usize,
+}
+
+/// One element of a beam; never changes but for its damping.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Element {
+    /// Where its numbers are.
+    pub place: Place,
+    /// Undeformed length l, m.
+    pub length: f64,
+    /// Section stiffness.
+    pub stiffness: Stiffness,
+    /// The three Lobatto points.
+    pub axial: [AxialPoint; 3],
+    /// The three Gauss points.
+    pub bending: [BendingPoint; 3],
+    /// `l w_g`, m: weights of the twist rate in the total twist (2.12).
+    pub rate_weights: [f64; 3],
+    /// Total twist `T` of the undeformed element, rad.
+    pub reference_twist: f64,
+    /// Constant mass matrix.
+    pub mass: Mass,
+    /// `ρA`, kg/m.
+    pub line_density: f64,
+}
+
+impl Element {
+    /// An element that is stress free at the coordinates `reference` (14) with the nodes' frames `first` and `second`.
+    ///
+    /// `density` is `[ρA, ρIp]` in kg/m and kg m; `holonomy` the holonomy angle of the reference's branch, rad.
+    #[inline]
+    pub fn new(
+        place: Place,
+        length: f64,
+        stiffness: Stiffness,
+        density: [f64; 2],
+        reference: &[f64],
+        frames: [&NodeFrame; 2],
+        holonomy: f64,
+    ) -> Self {
+        let axial = std::array::from_fn(|m| {
+            let shape_x = hermite::shape_x(LOBATTO_POINTS[m], length);
+            let slope = interpolate(&shape_x, reference);
+            let stretch = slope.norm();
+            AxialPoint {
+                shape_x,
+                weight: LOBATTO_WEIGHTS[m] * length * stretch,
+                reference_stretch: stretch,
+                reference_square: slope.norm_squared(),
+                torsion_by_twist: 1.0 / (length * stretch),
+                reference_torsion: 0.0,
+            }
+        });
+        let bending = std::array::from_fn(|g| {
+            let xi = GAUSS_POINTS[g];
+            let shape_x = hermite::shape_x(xi, length);
+            let stretch = interpolate(&shape_x, reference).norm();
+            BendingPoint {
+                xi,
+                shape_x,
+                shape_xx: hermite::shape_xx(xi, length),
+                collocation: collocation(xi).map(|a| a * length),
+                from_axial: lagrange(&LOBATTO_POINTS, xi),
+                weight: GAUSS_WEIGHTS[g] * length * stretch,
+                reference_stretch: stretch,
+                torsion_by_twist: 1.0 / (length * stretch),
+                reference: [0.0; 3],
+            }
+        });
+        let mut element = Self {
+            place,
+            length,
+            stiffness,
+            axial,
+            bending,
+            rate_weights: GAUSS_WEIGHTS.map(|w| w * length),
+            reference_twist: 0.0,
+            mass: Mass::new(density[0], density[1], length),
+            line_density: density[0],
+        };
+        // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
+        let at_rest = Evaluation::with_linear_twist(&element, reference, None, frames, holonomy);
+        let (strains, twist) = (at_rest.strains, at_rest.kinematics.twist);
+        element.reference_twist = twist;
+        for (point, found) in element.bending.iter_mut().zip(strains) {
+            point.reference = [found[0], found[1], found[2]];
+        }
+        for point in &mut element.axial {
+            point.reference_torsion = twist * point.torsion_by_twist;
+        }
+        element
+    }
+
+    /// Its coordinates (14) among those `q` of the whole machine.
+    pub fn own<'a>(&self, q: &'a [f64]) -> &'a [f64] {
+        &q[self.place.start..self.place.start + ELEMENT]
+    }
+
+    /// The frames of its two nodes.
+    pub fn frames<'a>(&self, c: &Configuration<'a>) -> [&'a NodeFrame; 2] {
+        [&c.frames[self.place.frame], &c.frames[self.place.frame + 1]]
+    }
+
+    /// In-element kinematics.
+    pub fn kinematics<'a>(&self, c: &Configuration<'a>) -> Kinematics<'a> {
+        Kinematics::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
+    }
+
+    /// Strains at `c`.
+    #[inline]
+    pub fn evaluation<'a>(&'a self, c: &Configuration<'a>) -> Evaluation<'a> {
+        Evaluation::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
+    }
+
+    /// Strains with linear twist, whatever the element's is: those that material damping sees at an instant.
+    pub fn linear_evaluation<'a>(&'a self, c: &Configuration<'a>) -> Evaluation<'a> {
+        Evaluation::with_linear_twist(self, self.own(c.q), None, self.frames(c), c.holonomy[self.place.branch])
+    }
+
+    /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the `increment` of all coordinates.
+    #[inline]
+    pub(super) fn with_increment<'a>(&'a self, c: &Configuration<'a>, increment: &[f64]) -> Evaluation<'a> {
+        let own = Some(self.own(increment));
+        Evaluation::with_linear_twist(self, self.own(c.q), own, self.frames(c), c.holonomy[self.place.branch])
+    }
+
+    /// Generalized weight in the gravity field `gravity` (m/s²), 14×1.
+    pub fn weight(&self, gravity: &Vec3) -> ElementVector {
+        inertia::weight(self.line_density, self.length, gravity)
+    }
+}
+
+/// An element at one configuration, or over one step: strains first, then energy, gradient and Hessian as asked.
+#[derive(Clone, Debug)]
+pub struct Evaluation<'a> {
+    pub(super) element: &'a Element,
+    /// Curvatures and twist rates of the carried frame.
+    pub kinematics: Kinematics<'a>,
+    pub(super) slopes: [axial::Slope; 3],
+    /// Green strains of the axial points; 0 for small strain.
+    pub(super) green: [f64; 3],
+    pub(super) mean_torsion: [f64; 3],
+    /// Internal coordinate `b` of the quadratic twist, rad; 0 for linear twist.
+    pub bubble: f64,
+    /// `cos α/J0` and `sin α/J0` at the bending points, `b` included in `α`.
+    pub(super) turn: [[f64; 2]; 3],
+    /// `gammahat` at the bending points, 1/m (2.16).
+    pub(super) gammahat: [[f64; 2]; 3],
+    /// Strains at the bending points, undeformed values taken off.
+    pub strains: [Strains; 3],
+    /// What a step adds to the resultants of these strains.
+    pub(super) added: Added,
+    /// From the end of a step to its middle; none at an instant.
+    pub(super) turn_from_end: Option<Turn>,
+}
+
+/// First derivatives, shared by gradient and Hessian.
+struct FirstOrder {
+    /// Derivatives of the energy by the strains of the bending points, quadrature weights included.
+    resultants: [Resultants; 3],
+    /// By what strains are made of.
+    forces: Forces,
+}
+
+impl<'a> Evaluation<'a> {
+    /// Of `element` at the coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last
+    /// accepted state, rad.
+    #[inline]
+    pub fn new(element: &'a Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
+        // As two ways out: what one of them returns is not copied.
+        match element.stiffness.twist {
+            Twist::Linear => Self::with_linear_twist(element, q, None, frames, previous),
+            Twist::Quadratic => {
+                let mut evaluation = Self::with_linear_twist(element, q, None, frames, previous);
+                quadratic_twist::relax(&mut evaluation);
+                evaluation
+            }
+        }
+    }
+
+    /// As [`Self::new`], but with linear twist whatever the element's is; `increment` is what the coordinates change by over a step whose middle is
+    /// `q`, or none.
+    #[inline]
+    pub fn with_linear_twist(
+        element: &'a Element,
+        q: &[f64],
+        increment: Option<&[f64]>,
+        frames: [&'a NodeFrame; 2],
+        previous: f64,
+    ) -> Self {
+        let kinematics = Kinematics::new(element, q, frames, previous);
+        let slope = |point: &AxialPoint| axial::Slope {
+            middle: slope_at(&point.shape_x, q),
+            increment: increment.map_or_else(Vec3::zeros, |increment| slope_at(&point.shape_x, increment)),
+            reference_stretch: point.reference_stretch,
+            reference_square: point.reference_square,
+        };
+        let torsion = |point: &AxialPoint| kinematics.twist * point.torsion_by_twist - point.reference_torsion;
+        let [first, middle, last] = &element.axial;
+        let slopes = [slope(first), slope(middle), slope(last)];
+        let green = match element.stiffness.strain {
+            // Nothing depends on them.
+            Strain::Small => [0.0; 3],
+            _ => [slopes[0].green_strain(), slopes[1].green_strain(), slopes[2].green_strain()],
+        };
+        let mean_torsion = [torsion(first), torsion(middle), torsion(last)];
+        let (turn, gammahat, strains) = ([[0.0; 2]; 3], [[0.0; 2]; 3], [Strains::zeros(); 3]);
+        let mut evaluation = Self {
+            element,
+            kinematics,
+            slopes,
+            green,
+            mean_torsion,
+            bubble: 0.0,
+            turn,
+            gammahat,
+            strains,
+            added: Added::default(),
+            turn_from_end: None,
+        };
+        evaluation.set_bubble(0.0);
+        evaluation
+    }
+
+    /// Sets the internal coordinate of the quadratic twist, rad, and the strains that follow from it.
+    #[inline]
+    pub(super) fn set_bubble(&mut self, bubble: f64) {
+        self.bubble = bubble;
+        for (g, point) in self.element.bending.iter().enumerate() {
+            let (sin, cos) = (self.kinematics.alpha[g] + bubble * quadratic_twist::shape(point.xi)).sin_cos();
+            self.turn[g] = [cos / point.reference_stretch, sin / point.reference_stretch];
+        }
+        self.set_strains();
+    }
+
+    /// Adds to the internal coordinate a `correction` so small that its square is below rounding: the sine of such a turn is its angle.
+    pub(super) fn correct_bubble(&mut self, correction: f64) {
+        self.bubble += correction;
+        for (turn, point) in self.turn.iter_mut().zip(&self.element.bending) {
+            let ([cos, sin], angle) = (*turn, correction * quadratic_twist::shape(point.xi));
+            *turn = [cos - sin * angle, sin + cos * angle];
+        }
+        self.set_strains();
+    }
+
+    /// Strains of the bending points, as `bubble` and `turn` are.
+    #[inline]
+    fn set_strains(&mut self) {
+        let twist = self.kinematics.twist;
+        for (g, point) in self.element.bending.iter().enumerate() {
+            let [cos, sin] = self.turn[g];
+            let [kappa1, kappa2] = self.kinematics.points[g].curvatures;
+            let gammahat = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
+            let twist_xi = twist + self.bubble * quadratic_twist::shape_xi(point.xi);
+            self.gammahat[g] = gammahat;
+            self.strains[g] = Strains::new(
+                gammahat[0] - point.reference[0],
+                gammahat[1] - point.reference[1],
+                twist_xi * point.torsion_by_twist - point.reference[2],
+                point.from_axial.iter().zip(&self.green).map(|(weight, e)| weight * e).sum(),
+            );
+        }
+    }
+
+    /// Strain energy, J.
+    pub fn energy(&self) -> f64 {
+        let stiffness = &self.element.stiffness;
+        let mut sum = 0.0;
+        for (point, strains) in self.element.bending.iter().zip(&self.strains) {
+            sum += point.weight
+                * (bending::energy(stiffness, strains)
+                    + torsion::energy(stiffness, strains)
+                    + fourth_moments::energy(stiffness, strains));
+        }
+        for (m, point) in self.element.axial.iter().enumerate() {
+            sum += point.weight
+                * match stiffness.strain {
+                    Strain::Small => axial::small::energy(stiffness, &self.slopes[m]),
+                    _ => axial::large::energy(stiffness, self.green[m], self.mean_torsion[m]),
+                };
+        }
+        sum
+    }
+
+    /// `∂U/∂q`, 14×1, J per unit of each coordinate; over a step its force (MECHANICS 7.6).
+    #[inline]
+    pub fn gradient(&self) -> ElementVector {
+        let first = self.first_order();
+        let by_shape = first.forces.factors(self.element).gradient(self.element, &self.kinematics);
+        self.with_axial_forces(&by_shape, &first.resultants)
+    }
+
+    /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
+    pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
+        let mut hessian = ElementMatrix::zeros();
+        (self.gradient_and_set_hessian(1.0, &mut hessian.data.0), hessian)
+    }
+
+    /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`].
+    #[inline]
+    pub fn gradient_and_set_hessian(&self, scale: f64, hessian: &mut ElementColumns) -> ElementVector {
+        let (element, first) = (self.element, self.first_order());
+        let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
+        let gradients = Gradients::new(element, &self.kinematics);
+        let torque_by_twist = stretching::torque_by_twist(self);
+        let couplings = Couplings::new(self, &first.resultants, &rigidities, torque_by_twist);
+        // At fixed Green strains of the axial points.
+        let factors = first.forces.factors(element);
+        let by_shape = gradients.weighted(&factors, element);
+        let mut second = [[0.0; RELATIVE]; RELATIVE];
+        gradients.add_frozen(&factors, element, &mut second);
+        gradients.add_couplings(&couplings, &mut second);
+        let condensation = (element.stiffness.twist == Twist::Quadratic)
+            .then(|| Condensation::new(self, &gradients, &couplings, &rigidities));
+        if let Some(condensation) = &condensation {
+            condensation.condense(&mut second);
+        }
+        self.kinematics.shape.set_hessian(&by_shape, &mut second, scale, hessian);
+        if let Some(turn) = &self.turn_from_end {
+            turn.apply(hessian);
+        }
+        match element.stiffness.strain {
+            Strain::Small => stretching::add_small_hessian(self, scale, hessian),
+            _ => {
+                let first = stretching::Large {
+                    evaluation: self,
+                    resultants: &first.resultants,
+                    rigidities: &rigidities,
+                    gradients: &gradients,
+                    condensation: condensation.as_ref(),
+                };
+                first.add_hessian(scale, hessian);
+            }
+        }
+        complete(hessian);
+        self.with_axial_forces(&by_shape, &first.resultants)
+    }
+
+    /// Mean torsion per unit length, undeformed value taken off, rad/m; the largest of the bending points in size.
+    pub fn largest_torsion(&self) -> f64 {
+        self.strains
+            .iter()
+            .fold(0.0, |largest, strains| if strains[2].abs() > f64::abs(largest) { strains[2] } else { largest })
+    }
+
+    /// Green strains at the axial points (engineering strains for small strain), 1.
+    pub fn axial_strains(&self) -> [f64; 3] {
+        [self.axial_strain(0), self.axial_strain(1), self.axial_strain(2)]
+    }
+
+    /// Green strain at axial point `m` (engineering strain for small strain), 1.
+    #[inline]
+    pub fn axial_strain(&self, m: usize) -> f64 {
+        match self.element.stiffness.strain {
+            Strain::Small => self.slopes[m].engineering_strain(),
+            _ => self.green[m],
+        }
+    }
+
+    /// Derivatives of the energy by the strains of bending point `g`, quadrature weight included.
+    #[inline]
+    pub(super) fn resultants(&self, g: usize) -> Resultants {
+        let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
+        let mut density = bending::gradient(stiffness, strains) + torsion::gradient(stiffness, strains);
+        if stiffness.strain == Strain::Large {
+            density += fourth_moments::gradient(stiffness, strains);
+        }
+        density * self.element.bending[g].weight + self.added.bending[g]
+    }
+
+    /// Second derivatives of the energy by the strains of bending point `g`, quadrature weight included.
+    #[inline]
+    pub(super) fn rigidities(&self, g: usize) -> Rigidities {
+        let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
+        let mut density = bending::hessian(stiffness, strains) + torsion::hessian(stiffness, strains);
+        density.stiffen(stiffness, self.added.stiffening);
+        if stiffness.strain == Strain::Large {
+            density = density + fourth_moments::hessian(stiffness, strains);
+        }
+        density * self.element.bending[g].weight
+    }
+
+    /// `∂b/∂q` of the internal coordinate of the quadratic twist, 14×1; 0 for linear twist.
+    pub fn bubble_q(&self) -> ElementVector {
+        match self.element.stiffness.twist {
+            Twist::Linear => ElementVector::zeros(),
+            Twist::Quadratic => {
+                let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
+                let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
+                let gradients = Gradients::new(self.element, &self.kinematics);
+                // Torques of the axial points do not change with `b`.
+                let couplings = Couplings::new(self, &resultants, &rigidities, 0.0);
+                Condensation::new(self, &gradients, &couplings, &rigidities).bubble_q(self)
+            }
+        }
+    }
+
+    fn first_order(&self) -> FirstOrder {
+        let (element, stiffness) = (self.element, &self.element.stiffness);
+        let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
+        let mut torques = [0.0; 3];
+        if stiffness.strain != Strain::Small {
+            for (m, point) in element.axial.iter().enumerate() {
+                torques[m] = point.weight * axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1];
+            }
+        }
+        FirstOrder { resultants, forces: Forces::new(self, &resultants, &torques) }
+    }
+
+    /// The whole gradient, of which `by_shape` is the part of bending and torsion by the relative shape.
+    #[inline]
+    fn with_axial_forces(&self, by_shape: &RelativeVector, resultants: &[Resultants; 3]) -> ElementVector {
+        let mut sum = self.kinematics.shape.gradient(by_shape);
+        for (m, point) in self.element.axial.iter().enumerate() {
+            add_slope_force(&point.shape_x, &self.axial_force(m, resultants), &mut sum);
+        }
+        sum
+    }
+
+    /// Derivative of the energy by `r'` at axial point `m`, N m.
+    #[inline]
+    fn axial_force(&self, m: usize, resultants: &[Resultants; 3]) -> Vec3 {
+        match self.element.stiffness.strain {
+            Strain::Small => self.slopes[m].engineering_strain_mean_p() * self.engineering_force(m),
+            _ => self.slopes[m].green_strain_p() * self.green_force(m, resultants),
+        }
+    }
+
+    /// `F_m`, N m: derivative of the large-strain energy by the Green strain of axial point `m`.
+    pub(super) fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
+        let (element, point) = (self.element, &self.element.axial[m]);
+        let here = axial::large::gradient(&element.stiffness, self.green[m], self.mean_torsion[m])[0];
+        let bending: f64 = (0..3).map(|g| element.bending[g].from_axial[m] * resultants[g][3]).sum();
+        point.weight * here + bending + self.added.axial[m]
+    }
+
+    /// `EA eps W`, N m: derivative of the small-strain energy by the strain of axial point `m`.
+    #[inline]
+    pub(super) fn engineering_force(&self, m: usize) -> f64 {
+        let (stiffness, point) = (&self.element.stiffness, &self.element.axial[m]);
+        point.weight * axial::small::force(stiffness, self.slopes[m].engineering_strain()) + self.added.axial[m]
+    }
+}

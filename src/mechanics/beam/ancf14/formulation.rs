@@ -1,0 +1,226 @@
+//! What ANCF14 answers to the machine.
+
+use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, interpolate};
+use super::element::{Element, Evaluation};
+use super::kinematics::Holonomy;
+use super::over_step::StepStart;
+use super::quadratic_twist::{self, Twist};
+use super::section_point::SectionPoint;
+use super::{damping, section};
+use crate::math::{Vec3, hermite};
+use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
+use crate::mechanics::beam::formulation::Formulation;
+use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, Motion};
+use crate::mechanics::geometry::pose::Pose;
+use std::ops::Range;
+
+/// Smallest `1 + t_0·t_1` of an element's ends: 143 degrees between them, near the singularity of the minimal rotation (MECHANICS 2.6).
+const SMALLEST_COSINE: f64 = 0.2;
+/// Largest change of the holonomy angle in a step, rad: the branch is safe below pi (MECHANICS 2.6).
+const LARGEST_TWIST_CHANGE: f64 = 2.0;
+
+impl Element {
+    fn add(&self, values: &ElementVector, sum: &mut [f64]) {
+        let own = &mut sum[self.place.start..self.place.start + ELEMENT];
+        own.iter_mut().zip(values).for_each(|(target, value)| *target += value);
+    }
+
+    /// Strains as `passage` says.
+    #[inline]
+    fn passing<'a>(&'a self, c: &Configuration<'a>, passage: &Passage) -> Evaluation<'a> {
+        match passage {
+            Passage::Rest | Passage::Instant(_) => self.evaluation(c),
+            Passage::Step(step) => self.over_step(c, step),
+        }
+    }
+
+    /// Internal coordinate of the quadratic twist, rad; 0 for linear twist.
+    fn bubble(&self, c: &Configuration) -> f64 {
+        match self.stiffness.twist {
+            Twist::Linear => 0.0,
+            Twist::Quadratic => self.evaluation(c).bubble,
+        }
+    }
+}
+
+fn add_matrix(matrix: &ElementMatrix, factor: f64, block: &mut [f64]) {
+    block.iter_mut().zip(matrix.as_slice()).for_each(|(target, value)| *target += factor * value);
+}
+
+impl Formulation for Element {
+    fn coordinates(&self) -> Range<usize> {
+        self.place.start..self.place.start + ELEMENT
+    }
+
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn damping(&self) -> f64 {
+        self.stiffness.damping
+    }
+
+    fn set_damping(&mut self, damping: f64) {
+        self.stiffness.damping = damping;
+    }
+
+    fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3 {
+        interpolate(&hermite::shape(xi, self.length), self.own(q))
+    }
+
+    fn add_weight(&self, gravity: &Vec3, factor: f64, forces: &mut [f64]) {
+        self.add(&(self.weight(gravity) * factor), forces);
+    }
+
+    fn add_mass(&self, factor: f64, block: &mut [f64]) {
+        self.mass.add(factor, block);
+    }
+
+    fn add_mass_times(&self, vector: &[f64], product: &mut [f64]) {
+        self.add(&self.mass.times(self.own(vector)), product);
+    }
+
+    fn mass_form(&self, vector: &[f64]) -> f64 {
+        let own = self.own(vector);
+        own.iter().zip(&self.mass.times(own)).map(|(value, product)| value * product).sum()
+    }
+
+    fn weight_form(&self, gravity: &Vec3, q: &[f64]) -> f64 {
+        self.own(q).iter().zip(&self.weight(gravity)).map(|(q, weight)| q * weight).sum()
+    }
+
+    fn energy(&self, c: &Configuration) -> f64 {
+        self.evaluation(c).energy()
+    }
+
+    fn add_gradient(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+        self.add(&self.passing(c, passage).gradient(), forces);
+    }
+
+    fn add_gradient_and_set_hessian(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        scale: f64,
+        forces: &mut [f64],
+        block: &mut [f64],
+    ) {
+        let (columns, _) = block.as_chunks_mut::<ELEMENT>();
+        let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
+        self.add(&self.passing(c, passage).gradient_and_set_hessian(scale, columns), forces);
+    }
+
+    fn finish_step(
+        &self,
+        c: &Configuration,
+        step: &TimeStep,
+        forces: &mut [f64],
+        strain_rates: &mut [f64],
+    ) -> [f64; 2] {
+        let end = self.evaluation(step.end);
+        let middle = self.with_end(&end, c, step);
+        self.add(&middle.gradient(), forces);
+        *self.own_rates_mut(strain_rates) = middle.added.rates;
+        [end.energy(), middle.added.taken]
+    }
+
+    fn begin_step(&self, c: &Configuration, velocity: &[f64], starts: &mut [StepStart], strain_rates: &mut [f64]) {
+        (starts[self.place.branch], *self.own_rates_mut(strain_rates)) = self.step_start(c, velocity);
+    }
+
+    fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
+        let velocity = ElementVector::from_column_slice(self.own(velocity));
+        self.add(&damping::force(&self.linear_evaluation(c), &velocity), forces);
+    }
+
+    fn add_damping_and_tangent(
+        &self,
+        c: &Configuration,
+        velocity: &[f64],
+        scale: f64,
+        forces: &mut [f64],
+        block: &mut [f64],
+    ) {
+        let (here, velocity) = (self.linear_evaluation(c), ElementVector::from_column_slice(self.own(velocity)));
+        self.add(&damping::force(&here, &velocity), forces);
+        add_matrix(&damping::force_q(&here, &velocity), scale, block);
+    }
+
+    fn add_damping_matrix(&self, c: &Configuration, factor: f64, block: &mut [f64]) {
+        add_matrix(&damping::force_v(&self.linear_evaluation(c)), factor, block);
+    }
+
+    fn load_points(&self) -> Vec<(f64, f64)> {
+        // Of the arc length, as mass and weight are: not `w l J0`, the length of the interpolated curve, which strains have.
+        self.bending.iter().map(|point| (point.xi, point.weight / point.reference_stretch)).collect()
+    }
+
+    fn section_pose(&self, c: &Configuration, xi: f64) -> Pose {
+        SectionPoint::new(c, self, xi).pose(c)
+    }
+
+    fn section_motion(&self, c: &Configuration, xi: f64) -> Motion {
+        let (own_place, own_turn) = SectionPoint::new(c, self, xi).motion(c);
+        let (mut place_q, mut turn_q) = (ByCoordinates::zeros(), ByCoordinates::zeros());
+        place_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&own_place);
+        turn_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&own_turn);
+        Motion { place_q, turn_q }
+    }
+
+    fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
+        let mut own = sum.fixed_view_mut::<ELEMENT, ELEMENT>(0, 0);
+        own += SectionPoint::new(c, self, xi).moment_stiffness(c, moment);
+    }
+
+    fn relaxed_turn(&self, c: &Configuration, xi: f64) -> f64 {
+        self.bubble(c) * quadratic_twist::shape(xi)
+    }
+
+    fn relaxed_spin(&self, c: &Configuration, xi: f64, velocity: &[f64]) -> f64 {
+        match self.stiffness.twist {
+            Twist::Linear => 0.0,
+            Twist::Quadratic => {
+                let bubble_q = self.evaluation(c).bubble_q();
+                let products = bubble_q.iter().zip(self.own(velocity)).map(|(by_q, velocity)| by_q * velocity);
+                quadratic_twist::shape(xi) * products.sum::<f64>()
+            }
+        }
+    }
+
+    fn section_shape(&self, c: &Configuration, xi: f64) -> SectionShape {
+        section::shape(self, c, &self.kinematics(c), xi, self.bubble(c))
+    }
+
+    fn section_strains(&self, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionStrains {
+        section::strains(self, c, xi, drawn)
+    }
+
+    fn section_forces(&self, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionForces {
+        section::forces(&self.stiffness, &section::strains(self, c, xi, drawn))
+    }
+
+    fn torsion_rigidity(&self) -> f64 {
+        self.stiffness.torsion
+    }
+
+    fn twist(&self, c: &Configuration, xi: f64) -> f64 {
+        let linear = xi * (self.kinematics(c).twist - self.reference_twist);
+        // At the ends the quadratic part vanishes.
+        if xi == 1.0 { linear } else { linear + self.relaxed_turn(c, xi) }
+    }
+
+    fn largest_torsion(&self, c: &Configuration) -> f64 {
+        self.evaluation(c).largest_torsion()
+    }
+
+    fn distortion(&self, c: &Configuration) -> Option<&'static str> {
+        let [first, second] = self.frames(c);
+        if 1.0 + first.t.dot(&second.t) < SMALLEST_COSINE {
+            return Some("bent");
+        }
+        let previous = c.holonomy[self.place.branch];
+        let holonomy = Holonomy::new(first, second, previous);
+        ((holonomy.angle - previous).abs() > LARGEST_TWIST_CHANGE).then_some("twisted")
+    }
+}

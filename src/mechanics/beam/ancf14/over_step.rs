@@ -1,0 +1,235 @@
+//! Forces over a step (MECHANICS 7.6): the resultants of the mean strains of both ends, along the derivatives of the strains in the middle.
+//!
+//! With the strains `e0`, `e1` of the step's ends, `ē` their mean, `B = ∂e/∂q` in the middle and the constant rigidities `D` the force is
+//! `Bᵀ [U_e(ē) + (c/h) D (e1 − e0) + chi D (e1 − e0 − h ė) + psi D (e1 − e0 − h ė0)]`, with the damping `c` of the material, the rates `ė` over the last step
+//! and `ė0` at the start. `B` annihilates rigid motions, so that momenta are kept, and a rigid motion changes no strain. The last two terms, the
+//! numerical dissipation, are of second order in the step: they take what the step does not resolve.
+
+use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, NODE, P, THETA, slope as slope_at};
+use super::element::{Element, Evaluation};
+use super::frame::NodeFrame;
+use super::quadratic_twist::{self, Twist};
+use super::strain::{Resultants, Strain};
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam::configuration::{Configuration, TimeStep};
+
+/// Strains of an element: three axial points, then `g1`, `g2`, `tau` of each bending point.
+pub const STRAINS: usize = 12;
+
+/// What a step takes from its start, whose strains stay what they are while its end is sought.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepStart {
+    /// In the order of the rates: 1, 1/m, rad/m.
+    strains: [f64; STRAINS],
+    /// Total twist, rad.
+    twist: f64,
+    /// Internal coordinate of the quadratic twist, rad.
+    bubble: f64,
+}
+
+impl StepStart {
+    /// Of an element at the start.
+    #[inline]
+    fn new(evaluation: &Evaluation) -> Self {
+        let mut strains = [0.0; STRAINS];
+        for m in 0..3 {
+            strains[m] = evaluation.axial_strain(m);
+            for i in 0..3 {
+                strains[3 + 3 * m + i] = evaluation.strains[m][i];
+            }
+        }
+        Self { strains, twist: evaluation.kinematics.twist, bubble: evaluation.bubble }
+    }
+}
+
+/// What a step adds to the elastic resultants of the mean strains, quadrature weights included; nothing at an instant.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Added {
+    /// Of the axial points, by their strain, N m.
+    pub axial: [f64; 3],
+    /// Of the bending points.
+    pub bending: [Resultants; 3],
+    /// Twice the derivative of the added resultants by the strains at the end of the step, over the rigidities `D`, 1.
+    pub stiffening: f64,
+    /// Rates of the strains over the step, 1/s, 1/m/s, rad/m/s.
+    pub rates: [f64; STRAINS],
+    /// What the damping of the material takes over the step, J.
+    pub taken: f64,
+}
+
+impl Added {
+    /// By the change `rates` of the strains of `element` over `step`.
+    fn new(element: &Element, rates: [f64; STRAINS], step: &TimeStep) -> Self {
+        let (duration, viscosity, rigidities) = (step.duration, element.stiffness.damping, element.rigidities());
+        let first = STRAINS * element.place.branch;
+        let mut all =
+            Self { stiffening: 2.0 * (viscosity / duration + step.dissipation.sum()), rates, ..Self::default() };
+        let resultant =
+            |i: usize| rigidities[i] * (viscosity * rates[i] + duration * step.unpredicted(rates[i], first + i));
+        for m in 0..3 {
+            all.axial[m] = resultant(m);
+            for i in 0..3 {
+                all.bending[m][i] = resultant(3 + 3 * m + i);
+            }
+        }
+        all.taken =
+            rigidities.iter().zip(&rates).map(|(rigidity, rate)| viscosity * duration * rigidity * rate * rate).sum();
+        all
+    }
+}
+
+/// The way from the coordinates at the end of a step to those in its middle that change the strains alike, where the element turns as its first node does.
+/// Strains are the same functions of what a section sees, wherever it has turned to: instead of their derivatives at the end those of the middle will do.
+#[derive(Clone, Copy, Debug)]
+pub struct Turn {
+    /// From the directions of the end to those of the middle.
+    rotation: Mat3,
+    /// What a change of the slope of each node, in the middle, turns the section by about the tangent more than at the end, rad.
+    spin: [Vec3; 2],
+}
+
+impl Turn {
+    /// Between the frames of both nodes in the middle and at the end of the step.
+    fn new(middle: [&NodeFrame; 2], end: [&NodeFrame; 2]) -> Self {
+        let rotation = middle[0].section * end[0].section.transpose();
+        let spin = |node: usize| {
+            let (here, there) = (middle[node], end[node]);
+            rotation.tr_mul(&here.k) / here.stretch - there.k / there.stretch
+        };
+        Self { rotation, spin: [spin(0), spin(1)] }
+    }
+
+    /// Multiplies `row`, derivatives by the coordinates in the middle, from the right, without those by `r_0`.
+    #[inline]
+    pub fn of_end(&self, row: &ElementVector) -> ElementVector {
+        let mut turned = *row;
+        for (_, place) in CHORD_PLACES {
+            turned.fixed_rows_mut::<3>(place).copy_from(&self.rotation.tr_mul(&row.fixed_rows::<3>(place)));
+        }
+        for (node, spin) in [0, NODE].into_iter().zip(&self.spin) {
+            let mut slope = turned.fixed_rows_mut::<3>(node + P);
+            slope += spin * row[node + THETA];
+        }
+        turned
+    }
+
+    /// Multiplies `columns`, derivatives by the coordinates in the middle, from the right, without the rows and columns of `r_0`.
+    #[inline]
+    pub fn apply(&self, columns: &mut ElementColumns) {
+        let rotation = &self.rotation;
+        for (_, place) in CHORD_PLACES {
+            let [x, y, z] = [columns[place], columns[place + 1], columns[place + 2]];
+            for j in 0..3 {
+                for row in P..ELEMENT {
+                    columns[place + j][row] =
+                        x[row] * rotation[(0, j)] + y[row] * rotation[(1, j)] + z[row] * rotation[(2, j)];
+                }
+            }
+        }
+        for (node, spin) in [0, NODE].into_iter().zip(&self.spin) {
+            let by_angle = columns[node + THETA];
+            for j in 0..3 {
+                for row in P..ELEMENT {
+                    columns[node + P + j][row] += by_angle[row] * spin[j];
+                }
+            }
+        }
+    }
+}
+
+impl Element {
+    /// `W D` of each strain, N m or N m³: what multiplies its square in twice the energy of small strains.
+    #[inline]
+    pub fn rigidities(&self) -> [f64; STRAINS] {
+        let Self { stiffness, axial, bending, .. } = self;
+        let sections = [stiffness.bending_z, stiffness.bending_y, stiffness.torsion];
+        let mut all = [0.0; STRAINS];
+        for point in 0..3 {
+            all[point] = axial[point].weight * stiffness.axial;
+            for i in 0..3 {
+                all[3 + 3 * point + i] = bending[point].weight * sections[i];
+            }
+        }
+        all
+    }
+
+    /// The rates that `all`, those of the whole machine, has of this element.
+    pub fn own_rates_mut<'a>(&self, all: &'a mut [f64]) -> &'a mut [f64; STRAINS] {
+        let (own, _) = all.as_chunks_mut::<STRAINS>();
+        &mut own[self.place.branch]
+    }
+
+    /// What a step from `c` with the velocities `velocity` of all coordinates starts with, and the rates of the strains there.
+    pub fn step_start(&self, c: &Configuration, velocity: &[f64]) -> (StepStart, [f64; STRAINS]) {
+        let evaluation = self.evaluation(c);
+        (StepStart::new(&evaluation), self.strain_rates(&evaluation, self.own(velocity)))
+    }
+
+    /// Rates of the strains with the velocities `velocity` (14) of its own coordinates.
+    fn strain_rates(&self, evaluation: &Evaluation, velocity: &[f64]) -> [f64; STRAINS] {
+        // The internal coordinate of the quadratic twist follows the others.
+        let bubble = match self.stiffness.twist {
+            Twist::Linear => 0.0,
+            Twist::Quadratic => evaluation.bubble_q().iter().zip(velocity).map(|(by_q, own)| by_q * own).sum(),
+        };
+        let Evaluation { kinematics, turn, gammahat, slopes, .. } = evaluation;
+        let shape = kinematics.shape.along(velocity);
+        let (mut curvatures, mut twist_rates) = ([[0.0; 2]; 3], [0.0; 3]);
+        for (g, rule) in self.bending.iter().enumerate() {
+            let (by_p, by_w) = (shape.interpolate(&rule.shape_x), shape.interpolate(&rule.shape_xx));
+            (curvatures[g], twist_rates[g]) = kinematics.points[g].along(&by_p, &by_w);
+        }
+        let weighted = |weights: &[f64; 3]| weights.iter().zip(&twist_rates).map(|(w, rate)| w * rate).sum::<f64>();
+        let twist = shape.twist + weighted(&self.rate_weights);
+        let mut all = [0.0; STRAINS];
+        for (m, (point, slope)) in self.axial.iter().zip(slopes).enumerate() {
+            let by_slope = match self.stiffness.strain {
+                Strain::Small => slope.engineering_strain_p(),
+                Strain::Large | Strain::LargeTruncated => slope.green_strain_p(),
+            };
+            all[m] = by_slope.dot(&slope_at(&point.shape_x, velocity));
+        }
+        for (g, rule) in self.bending.iter().enumerate() {
+            let ([cos, sin], [gamma1, gamma2], [by_1, by_2]) = (turn[g], gammahat[g], curvatures[g]);
+            let alpha =
+                shape.angle + rule.xi * twist - weighted(&rule.collocation) + bubble * quadratic_twist::shape(rule.xi);
+            all[3 + 3 * g] = cos * by_1 + sin * by_2 + gamma2 * alpha;
+            all[4 + 3 * g] = cos * by_2 - sin * by_1 - gamma1 * alpha;
+            all[5 + 3 * g] = (twist + bubble * quadratic_twist::shape_xi(rule.xi)) * rule.torsion_by_twist;
+        }
+        all
+    }
+
+    /// Over a step whose middle is `c`.
+    pub fn over_step<'a>(&'a self, c: &Configuration<'a>, step: &TimeStep) -> Evaluation<'a> {
+        self.with_end(&self.evaluation(step.end), c, step)
+    }
+
+    /// [`Self::over_step`], from the evaluation at its end.
+    #[inline]
+    pub fn with_end<'a>(&'a self, end: &Evaluation, c: &Configuration<'a>, step: &TimeStep) -> Evaluation<'a> {
+        let start = &step.starts[self.place.branch];
+        let mut middle = self.with_increment(c, step.increment);
+        if self.stiffness.twist == Twist::Quadratic {
+            middle.set_bubble(0.5 * (start.bubble + end.bubble));
+        }
+        let per_duration = 1.0 / step.duration;
+        let mut rates = [0.0; STRAINS];
+        for (m, point) in self.axial.iter().enumerate() {
+            let torsion = start.twist * point.torsion_by_twist - point.reference_torsion;
+            middle.mean_torsion[m] = 0.5 * (torsion + end.mean_torsion[m]);
+            rates[m] = (end.axial_strain(m) - start.strains[m]) * per_duration;
+        }
+        for g in 0..3 {
+            // Green's strain, the last one, is the mean of both ends' already.
+            for i in 0..3 {
+                let (before, after) = (start.strains[3 + 3 * g + i], end.strains[g][i]);
+                middle.strains[g][i] = (before + after) * 0.5;
+                rates[3 + 3 * g + i] = (after - before) * per_duration;
+            }
+        }
+        middle.turn_from_end = Some(Turn::new(self.frames(c), self.frames(step.end)));
+        middle.added = Added::new(self, rates, step);
+        middle
+    }
+}

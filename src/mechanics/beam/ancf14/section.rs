@@ -1,0 +1,83 @@
+//! Strains and section forces, the derivatives of the energy per undeformed length by the strains of a section.
+
+use super::curve_point::CurvePoint;
+use super::element::Element;
+use super::kinematics::Kinematics;
+use super::quadratic_twist;
+use super::strain::{Stiffness, Strain, Strains};
+use super::{axial, bending, fourth_moments, torsion};
+use crate::math::hermite;
+use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
+
+/// The section of `element` at `xi`, with the element's `kinematics`; `bubble` is the internal coordinate of the quadratic twist, rad.
+pub fn shape(element: &Element, c: &Configuration, kinematics: &Kinematics, xi: f64, bubble: f64) -> SectionShape {
+    let q = element.own(c.q);
+    let (shape_x, shape_xx) = (hermite::shape_x(xi, element.length), hermite::shape_xx(xi, element.length));
+    let point = CurvePoint::new(&kinematics.shape, &shape_x, &shape_xx);
+    let inner = collocation(xi).map(|a| a * element.length);
+    let alpha = kinematics.alpha_at(q, xi, &inner) + bubble * quadratic_twist::shape(xi);
+    let (sin, cos) = alpha.sin_cos();
+    let [kappa1, kappa2] = point.curvatures;
+    // (2.14): gamma1 is the curvature about z, −gamma2 the one about y.
+    let [gamma1, gamma2] = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
+    let twist_xi = kinematics.twist + bubble * quadratic_twist::shape_xi(xi);
+    SectionShape { stretch: point.stretch, curvature: [-gamma2, gamma1], torsion: twist_xi / element.length }
+}
+
+/// Strains at `xi`: the axial one is the quadratic through the axial points.
+pub fn strains(element: &Element, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionStrains {
+    let evaluation = element.evaluation(c);
+    let of_energy: f64 =
+        lagrange(&LOBATTO_POINTS, xi).iter().zip(evaluation.axial_strains()).map(|(weight, e)| weight * e).sum();
+    let axial = match element.stiffness.strain {
+        Strain::Small => of_energy,
+        // Green's strain as an elongation.
+        Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * of_energy).max(0.0).sqrt() - 1.0,
+    };
+    let now = shape(element, c, &evaluation.kinematics, xi, evaluation.bubble);
+    let j0 = drawn.stretch;
+    SectionStrains {
+        axial,
+        // What the same interpolation finds as drawn is divided alike: without loads all strains are 0 exactly.
+        curvature: [0, 1].map(|i| now.curvature[i] / j0 - drawn.curvature[i] / j0),
+        torsion: (evaluation.kinematics.twist - element.reference_twist
+            + evaluation.bubble * quadratic_twist::shape_xi(xi))
+            / (element.length * j0),
+    }
+}
+
+/// Force and moments at the strains `strains`, couplings of large strain included.
+pub fn forces(stiffness: &Stiffness, strains: &SectionStrains) -> SectionForces {
+    let of_energy = strains_of_energy(stiffness, strains);
+    let by_strain = bending::gradient(stiffness, &of_energy)
+        + torsion::gradient(stiffness, &of_energy)
+        + fourth_moments::gradient(stiffness, &of_energy);
+    let [by_axial, by_torsion] = match stiffness.strain {
+        Strain::Small => [axial::small::force(stiffness, strains.axial), 0.0],
+        Strain::Large | Strain::LargeTruncated => {
+            axial::large::gradient(stiffness, of_energy[3], strains.torsion).into()
+        }
+    };
+    // By the elongation: Green's strain grows by |r'| with it.
+    let stretch = match stiffness.strain {
+        Strain::Small => 1.0,
+        Strain::Large | Strain::LargeTruncated => 1.0 + strains.axial,
+    };
+    SectionForces {
+        axial: (by_axial + by_strain[3]) * stretch,
+        moment: [by_torsion + by_strain[2], -by_strain[1], by_strain[0]],
+    }
+}
+
+/// The same strains in the order and with the signs of the energy densities (`g1` the curvature about z, `−g2` the one about y); the
+/// axial one is Green's where the energy's is.
+fn strains_of_energy(stiffness: &Stiffness, strains: &SectionStrains) -> Strains {
+    let [about_y, about_z] = strains.curvature;
+    let axial = match stiffness.strain {
+        Strain::Small => strains.axial,
+        Strain::Large | Strain::LargeTruncated => strains.axial + 0.5 * strains.axial * strains.axial,
+    };
+    Strains::new(about_z, -about_y, strains.torsion, axial)
+}

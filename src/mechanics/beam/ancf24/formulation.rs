@@ -1,0 +1,235 @@
+//! What ANCF24 answers to the machine.
+
+use super::coordinates::{AXIS_PLACES, ELEMENT, Interpolation, NODE, Y_PLACES, Z_PLACES};
+use super::element::Element;
+use super::frame::SectionFrame;
+use super::station::Station;
+use super::{damping, section};
+use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS};
+use crate::math::rotation::carry;
+use crate::math::vectors::{add_vec3, vec3};
+use crate::math::{Mat3, Vec3, hermite};
+use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
+use crate::mechanics::beam::formulation::Formulation;
+use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, Motion};
+use crate::mechanics::geometry::pose::Pose;
+use std::ops::Range;
+
+/// Smallest `1 + a·b` of directions at an element's ends: 143 degrees between them, as for ANCF14. Linear between them, a section
+/// would have less than a third of its size in the middle.
+const SMALLEST_COSINE: f64 = 0.2;
+
+/// Where `r_y` and `r_z` of an interior section come from.
+fn sources(xi: f64) -> [[(usize, f64); 2]; 2] {
+    [Y_PLACES, Z_PLACES].map(|[first, second]| [(first, 1.0 - xi), (second, xi)])
+}
+
+impl Element {
+    /// The triad at `xi`.
+    fn frame(&self, c: &Configuration, xi: f64) -> SectionFrame {
+        section::frame(&Interpolation::new(xi, self.length).directors(self.own(c.q)))
+    }
+
+    /// Adds the force of a step whose middle is `c`, damping included.
+    fn add_force_over_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) {
+        let forces = self.own_mut(forces);
+        self.add_gradient(self.own(c.q), Some(self.own(step.increment)), forces);
+        if self.properties.damping != 0.0 {
+            self.add_damping_over_step(c, step, forces);
+        }
+    }
+
+    /// Adds the viscous force of a step whose middle is `c` to `forces` (24).
+    fn add_damping_over_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) {
+        let places = [self.own(step.start.q), self.own(c.q), self.own(step.end.q)];
+        damping::add_force_over_step(self, places, step.duration, forces);
+    }
+
+    fn own_mut<'a>(&self, vector: &'a mut [f64]) -> &'a mut [f64] {
+        &mut vector[self.start..self.start + ELEMENT]
+    }
+}
+
+impl Formulation for Element {
+    fn coordinates(&self) -> Range<usize> {
+        self.start..self.start + ELEMENT
+    }
+
+    fn is_possible(&self) -> bool {
+        self.stations.iter().all(Station::is_possible)
+    }
+
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn damping(&self) -> f64 {
+        self.properties.damping
+    }
+
+    fn set_damping(&mut self, damping: f64) {
+        self.properties.damping = damping;
+    }
+
+    fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3 {
+        let own = self.own(q);
+        let shape = hermite::shape(xi, self.length);
+        AXIS_PLACES.into_iter().zip(shape).map(|(place, weight)| vec3(own, place) * weight).sum()
+    }
+
+    fn add_weight(&self, gravity: &Vec3, factor: f64, forces: &mut [f64]) {
+        for (place, weight) in AXIS_PLACES.into_iter().zip(self.weight(gravity)) {
+            add_vec3(forces, self.start + place, &(weight * factor));
+        }
+    }
+
+    fn add_mass(&self, factor: f64, block: &mut [f64]) {
+        self.mass.add(factor, block);
+    }
+
+    fn add_mass_times(&self, vector: &[f64], product: &mut [f64]) {
+        self.mass.add_times(self.own(vector), self.own_mut(product));
+    }
+
+    fn mass_form(&self, vector: &[f64]) -> f64 {
+        let own = self.own(vector);
+        let mut product = [0.0; ELEMENT];
+        self.mass.add_times(own, &mut product);
+        own.iter().zip(&product).map(|(value, product)| value * product).sum()
+    }
+
+    fn weight_form(&self, gravity: &Vec3, q: &[f64]) -> f64 {
+        let own = self.own(q);
+        AXIS_PLACES.into_iter().zip(self.weight(gravity)).map(|(place, weight)| vec3(own, place).dot(&weight)).sum()
+    }
+
+    fn energy(&self, c: &Configuration) -> f64 {
+        self.energy(self.own(c.q))
+    }
+
+    fn add_gradient(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+        match passage {
+            Passage::Step(step) => self.add_force_over_step(c, step, forces),
+            _ => self.add_gradient(self.own(c.q), None, self.own_mut(forces)),
+        }
+    }
+
+    fn add_gradient_and_set_hessian(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        scale: f64,
+        forces: &mut [f64],
+        block: &mut [f64],
+    ) {
+        block.fill(0.0);
+        let (here, forces) = (self.own(c.q), self.own_mut(forces));
+        let Passage::Step(step) = passage else {
+            return self.add_gradient_and_hessian(here, None, scale, forces, block);
+        };
+        self.add_gradient_and_hessian(here, Some(self.own(step.increment)), scale, forces, block);
+        if self.properties.damping != 0.0 {
+            let places = [self.own(step.start.q), here, self.own(step.end.q)];
+            damping::add_force_and_tangent_over_step(self, places, step.duration, scale, forces, block);
+        }
+    }
+
+    fn finish_step(
+        &self,
+        c: &Configuration,
+        step: &TimeStep,
+        forces: &mut [f64],
+        _strain_rates: &mut [f64],
+    ) -> [f64; 2] {
+        self.add_force_over_step(c, step, forces);
+        let mut viscous = [0.0; ELEMENT];
+        if self.properties.damping != 0.0 {
+            self.add_damping_over_step(c, step, &mut viscous);
+        }
+        let taken = viscous.iter().zip(self.own(step.increment)).map(|(force, change)| force * change).sum();
+        [self.energy(self.own(step.end.q)), taken]
+    }
+
+    fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
+        damping::add_force(self, self.own(c.q), self.own(velocity), self.own_mut(forces));
+    }
+
+    fn add_damping_and_tangent(
+        &self,
+        c: &Configuration,
+        velocity: &[f64],
+        scale: f64,
+        forces: &mut [f64],
+        block: &mut [f64],
+    ) {
+        damping::add_force_and_tangent(self, self.own(c.q), self.own(velocity), scale, self.own_mut(forces), block);
+    }
+
+    fn add_damping_matrix(&self, c: &Configuration, factor: f64, block: &mut [f64]) {
+        damping::add_force_v(self, self.own(c.q), factor, block);
+    }
+
+    fn load_points(&self) -> Vec<(f64, f64)> {
+        // Three points, as of ANCF14: a constant load then acts as the weight does.
+        GAUSS_POINTS.into_iter().zip(GAUSS_WEIGHTS.map(|weight| weight * self.length)).collect()
+    }
+
+    fn section_pose(&self, c: &Configuration, xi: f64) -> Pose {
+        Pose { place: self.axis_point(xi, c.q), axes: self.frame(c, xi).axes }
+    }
+
+    fn section_motion(&self, c: &Configuration, xi: f64) -> Motion {
+        let mut place_q = ByCoordinates::zeros();
+        for (place, weight) in AXIS_PLACES.into_iter().zip(hermite::shape(xi, self.length)) {
+            place_q.fixed_columns_mut::<3>(place).copy_from(&Mat3::from_diagonal_element(weight));
+        }
+        let [y, z] = sources(xi);
+        Motion { place_q, turn_q: self.frame(c, xi).turn_q([&y, &z]) }
+    }
+
+    fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
+        let [y, z] = sources(xi);
+        self.frame(c, xi).add_moment_stiffness(moment, [&y, &z], sum);
+    }
+
+    fn section_shape(&self, c: &Configuration, xi: f64) -> SectionShape {
+        section::shape(self, self.own(c.q), xi)
+    }
+
+    fn section_strains(&self, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionStrains {
+        let now = section::shape(self, self.own(c.q), xi);
+        let j0 = drawn.stretch;
+        SectionStrains {
+            axial: now.stretch / j0 - 1.0,
+            curvature: [0, 1].map(|i| now.curvature[i] / j0 - drawn.curvature[i] / j0),
+            torsion: now.torsion / j0 - drawn.torsion / j0,
+        }
+    }
+
+    fn section_forces(&self, c: &Configuration, xi: f64, _drawn: &SectionShape) -> SectionForces {
+        section::forces(self, self.own(c.q), xi)
+    }
+
+    fn torsion_rigidity(&self) -> f64 {
+        let (law, fibres) = (&self.properties.law, &self.properties.fibres);
+        // Moduli of the shears zx and xy.
+        fibres.area * (law[(4, 4)] * fibres.y * fibres.y + law[(5, 5)] * fibres.z * fibres.z)
+    }
+
+    fn twist(&self, c: &Configuration, xi: f64) -> f64 {
+        section::twist(self, self.own(c.q), xi)
+    }
+
+    fn distortion(&self, c: &Configuration) -> Option<&'static str> {
+        let own = self.own(c.q);
+        let [first, second] = [0, NODE].map(|node| SectionFrame::of_node(&own[node..]).axes);
+        let [t_0, t_1] = [&first, &second].map(|axes| axes.column(0).into_owned());
+        let is_far = |cosine: f64| cosine.is_nan() || 1.0 + cosine < SMALLEST_COSINE;
+        if is_far(t_0.dot(&t_1)) {
+            return Some("bent");
+        }
+        let carried = carry(&t_0, &t_1, &first.column(1).into_owned());
+        is_far(carried.dot(&second.column(1))).then_some("twisted")
+    }
+}

@@ -1,0 +1,42 @@
+//! What outputs tell of a section: strains of its fibres, and what its stresses amount to.
+
+use super::coordinates::{Directors, Interpolation, part};
+use super::element::Element;
+use super::frame::SectionFrame;
+use super::station::Station;
+use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
+use crate::mechanics::beam::resultants::{SectionForces, SectionShape};
+
+/// The triad of the section with the directors `d`.
+pub fn frame(d: &Directors) -> SectionFrame {
+    SectionFrame::new(&part(d, 1), &part(d, 2))
+}
+
+/// The section at `xi` of the coordinates `q` (24): it bends and twists as its triad turns along the axis.
+pub fn shape(element: &Element, q: &[f64], xi: f64) -> SectionShape {
+    let directors = Interpolation::new(xi, element.length).directors(q);
+    let frame = frame(&directors);
+    let [by_y, by_z] = frame.turn_by();
+    let turn = frame.axes.tr_mul(&(by_y * part(&directors, 3) + by_z * part(&directors, 4)));
+    SectionShape { stretch: part(&directors, 0).norm(), curvature: [turn[1], turn[2]], torsion: turn[0] }
+}
+
+/// Turn of the triad about its normal between the first node and `xi`, undeformed value taken off, rad.
+pub fn twist(element: &Element, q: &[f64], xi: f64) -> f64 {
+    let rate = |xi: f64| shape(element, q, xi).torsion - shape(element, &element.reference, xi).torsion;
+    let sum: f64 = FIVE_POINTS.into_iter().zip(FIVE_WEIGHTS).map(|(point, weight)| weight * rate(xi * point)).sum();
+    sum * xi * element.length
+}
+
+/// Force and moments of the stresses of the section at `xi`, about its axis.
+pub fn forces(element: &Element, q: &[f64], xi: f64) -> SectionForces {
+    let properties = &element.properties;
+    // Per length of the axis.
+    let station = Station::new(xi, element.length, &element.reference, &properties.fibres, &properties.law, 1.0);
+    let directors = station.interpolation.directors(q);
+    let stresses = station.stresses(&station.strains(&directors, &Directors::zeros()));
+    let forces = station.forces(&directors, &stresses);
+    let moment = part(&directors, 1).cross(&part(&forces, 3)) + part(&directors, 2).cross(&part(&forces, 4));
+    let axes = frame(&directors).axes;
+    SectionForces { axial: part(&forces, 0).dot(&axes.column(0)), moment: axes.tr_mul(&moment).into() }
+}

@@ -1,0 +1,96 @@
+//! The machine at one instant, and how it passes through it: what every part computes from.
+
+use super::ancf14::frame::NodeFrame;
+use super::ancf14::over_step::StepStart;
+use super::mesh::Mesh;
+use crate::mechanics::input::prescribed::Prescribed;
+
+/// The machine at one instant: what every part computes from.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// All coordinates.
+    pub q: &'a [f64],
+    /// Frames at `q` of all nodes that have one: ANCF14's.
+    pub frames: &'a [NodeFrame],
+    /// Holonomy angles of all elements that have one at the last accepted state, rad.
+    pub holonomy: &'a [f64],
+    /// Readings of all gauges at the last accepted state: angles go on from there.
+    pub readings: &'a [f64],
+    /// What drives and moving frames prescribe.
+    pub prescribed: &'a Prescribed,
+    /// All nodes and elements.
+    pub mesh: &'a Mesh,
+}
+
+/// How the machine passes through the configuration in which its forces are taken.
+#[derive(Clone, Copy, Debug)]
+pub enum Passage<'a> {
+    /// Not at all: an equilibrium.
+    Rest,
+    /// At an instant, with these velocities of the coordinates, 1/s each.
+    Instant(&'a [f64]),
+    /// Over a step whose middle is the configuration.
+    Step(TimeStep<'a>),
+}
+
+/// A step in time, as the forces of its middle ask for it (MECHANICS 7.6).
+#[derive(Clone, Copy, Debug)]
+pub struct TimeStep<'a> {
+    /// Start of the step.
+    pub start: &'a Configuration<'a>,
+    /// End of the step.
+    pub end: &'a Configuration<'a>,
+    /// Change of the coordinates.
+    pub increment: &'a [f64],
+    /// Length of the step, s.
+    pub duration: f64,
+    /// Velocities of the coordinates at the start, 1/s each.
+    pub velocity: &'a [f64],
+    /// Numerical dissipation.
+    pub dissipation: Dissipation,
+    /// Rates of all strains and readings over the last step, as [`crate::mechanics::state::State::strain_rates`].
+    pub strain_rates: &'a [f64],
+    /// The same at the start, with its velocities.
+    pub start_rates: &'a [f64],
+    /// What elements with holonomy angles have at the start.
+    pub starts: &'a [StepStart],
+}
+
+impl TimeStep<'_> {
+    /// What a strain or a reading, number `number` in [`Self::strain_rates`], that changes with `rate` over the step has of it that was not predicted, weighted
+    /// by the dissipation.
+    #[inline]
+    pub fn unpredicted(&self, rate: f64, number: usize) -> f64 {
+        let Dissipation { by_last_step, by_start } = self.dissipation;
+        by_last_step * (rate - self.strain_rates[number]) + by_start * (rate - self.start_rates[number])
+    }
+}
+
+/// How strains that are too fast for the step are damped (MECHANICS 7.6): what multiplies the part of the change of a strain over a step that was not predicted, 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Dissipation {
+    /// Not predicted by the rate over the last step, `chi`.
+    pub by_last_step: f64,
+    /// Not predicted by the rate at the start, `psi`.
+    pub by_start: f64,
+}
+
+impl Dissipation {
+    /// Such that the amplitude of a strain that is infinitely fast for the step is multiplied by `spectral_radius` (0.6 to 1) a step.
+    pub fn new(spectral_radius: f64) -> Self {
+        let (lost, square) = (1.0 - spectral_radius, (1.0 + spectral_radius).powi(2));
+        Self { by_last_step: spectral_radius * lost / square, by_start: 0.5 * lost * lost / square }
+    }
+
+    /// Over a step of `step` s, where `largest` s is the largest one: as much for every step as for that one, so that both terms work as constant inertias. Steps of
+    /// different lengths would pump energy otherwise.
+    pub fn over(self, step: f64, largest: f64) -> Self {
+        let weight = (largest / step).powi(2).max(1.0);
+        Self { by_last_step: weight * self.by_last_step, by_start: weight * self.by_start }
+    }
+
+    /// Both together: how the weighted change depends on the change over the step.
+    pub fn sum(self) -> f64 {
+        self.by_last_step + self.by_start
+    }
+}

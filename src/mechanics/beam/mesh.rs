@@ -1,0 +1,55 @@
+//! The nodes and elements of all beams, and where their coordinates are.
+
+use super::ancf14::coordinates::NODE;
+use super::ancf14::frame::NodeFrame;
+use super::ancf14::over_step::STRAINS;
+use super::formulation::Element;
+use super::node::Node;
+use crate::mechanics::geometry::triad::Triad;
+
+/// Nodes and elements.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Nodes of all beams, in their order.
+    pub nodes: Vec<Node>,
+    /// Elements of all beams, in their order.
+    pub elements: Vec<Element>,
+    /// First coordinate of each node that has a frame, by the number of the frame.
+    pub framed: Vec<usize>,
+    /// Number of holonomy angles: elements between nodes that have frames.
+    pub branches: usize,
+}
+
+impl Mesh {
+    /// Number of coordinates.
+    pub fn coordinates(&self) -> usize {
+        self.nodes.last().map_or(0, |node| node.coordinates().end)
+    }
+
+    /// Whether the rates of all strains are known: elements of ANCF24 tell none.
+    pub fn tells_strain_rates(&self) -> bool {
+        self.elements.iter().all(|element| matches!(element, Element::Ancf14(_)))
+    }
+
+    /// Number of strains of all elements that have a numerical dissipation: ANCF14's.
+    pub fn strains(&self) -> usize {
+        STRAINS * self.branches
+    }
+
+    /// Where the rate of gauge `gauge` is among the rates of strains and readings.
+    pub fn gauge_rate(&self, gauge: usize) -> usize {
+        self.strains() + gauge
+    }
+
+    /// The number of the node that coordinate `index` belongs to.
+    pub fn node_of(&self, index: usize) -> usize {
+        self.nodes.partition_point(|node| node.coordinates().end <= index)
+    }
+
+    /// Frames at `q` relative to the reference `triads`.
+    pub fn set_frames(&self, q: &[f64], triads: &[Triad], frames: &mut Vec<NodeFrame>) {
+        frames.clear();
+        let nodes = self.framed.iter().map(|start| &q[*start..start + NODE]);
+        frames.extend(nodes.zip(triads).map(|(q, triad)| NodeFrame::new(q, triad)));
+    }
+}

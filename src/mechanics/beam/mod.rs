@@ -1,0 +1,80 @@
+//! Beams: their design, nodes and elements, and the element formulations.
+
+pub mod ancf14;
+pub mod ancf24;
+pub mod centreline;
+pub mod configuration;
+pub mod design;
+pub mod division;
+pub mod formulation;
+pub mod material;
+pub mod mesh;
+pub mod node;
+pub mod resultants;
+pub mod section;
+
+use self::division::Division;
+use self::section::Outline;
+use std::ops::Range;
+
+/// A beam: a run of nodes and elements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beam {
+    /// Name in the model file.
+    pub name: String,
+    /// Its first node.
+    pub first_node: usize,
+    /// Its first element.
+    pub first_element: usize,
+    /// Where the ends of its elements are; a node is at each.
+    pub division: Division,
+    /// The ends of elements at which two nodes meet that are welded, ascending.
+    pub corners: Vec<usize>,
+    /// Outline of its section: where stress is largest.
+    pub outline: Outline,
+    /// Young's modulus, Pa.
+    pub young: f64,
+    /// Larger radius of gyration of its section, `√(I/A)`, m.
+    pub gyration: f64,
+    /// Twist rate above which its energy has no lower bound, rad/m (MECHANICS, trap 9); infinite where there is none.
+    pub twist_limit: f64,
+}
+
+impl Beam {
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        self.division.elements()
+    }
+
+    /// Its elements.
+    pub fn element_range(&self) -> Range<usize> {
+        self.first_element..self.first_element + self.elements()
+    }
+
+    /// Its nodes.
+    pub fn node_range(&self) -> Range<usize> {
+        self.first_node..self.first_node + self.elements() + 1 + self.corners.len()
+    }
+
+    /// The node at end `end` of its elements, counted from 0; at a corner the side towards the start.
+    pub fn node(&self, end: usize) -> usize {
+        self.first_node + end + self.corners.partition_point(|corner| *corner < end)
+    }
+
+    /// The end of its elements, counted from 0, at which `node` is.
+    pub fn end_of(&self, node: usize) -> usize {
+        let local = node - self.first_node;
+        // Corner number k moves all nodes behind its first one by k + 1.
+        let corners = self.corners.iter().enumerate().take_while(|(k, corner)| *corner + k < local);
+        local - corners.count()
+    }
+
+    /// The elements that end and that begin at `node`.
+    pub fn elements_at(&self, node: usize) -> [Option<usize>; 2] {
+        let end = self.end_of(node);
+        let is_corner = self.corners.binary_search(&end).is_ok();
+        let before = end > 0 && (!is_corner || node == self.node(end));
+        let after = end < self.elements() && (!is_corner || node != self.node(end));
+        [before.then(|| self.first_element + end - 1), after.then(|| self.first_element + end)]
+    }
+}

@@ -1,0 +1,4 @@
+//! Rigid bodies.
+
+pub mod kinematics;
+pub mod rigid_body;

@@ -1,0 +1,175 @@
+//! Joints: lists of primitive conditions `phi = 0` between two markers (MECHANICS 6). A kind of joint is a file with its list.
+//!
+//! The rigidity of bodies and the drives are lists of conditions too: whatever holds the machine together is a [`Joint`].
+
+use super::primitive::{MOST_ROWS, Primitive};
+use crate::math::jet::Jet;
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::geometry::marker_jacobian::{MARKER, MarkerMatrix};
+use crate::mechanics::geometry::pose::{Pose, VECTORS};
+use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
+use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::own_velocity;
+use crate::mechanics::marker::pose_gradient::{PoseGradient, of_side, pull_back};
+use nalgebra::SMatrix;
+
+/// Most conditions a joint has.
+pub const MOST_CONDITIONS: usize = 6;
+
+/// A joint between two markers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// What it is, and its name in the model file: `joint hinge`.
+    pub name: String,
+    /// One side.
+    pub a: Marker,
+    /// The other side.
+    pub b: Marker,
+    /// The conditions.
+    pub primitives: &'static [Primitive],
+    /// The drive that prescribes the measure of its only primitive, if one does.
+    pub drive: Option<usize>,
+}
+
+/// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×24 each, of which only the rows of conditions and the columns of coordinates are set.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct JointGradient {
+    /// By the coordinates of side a.
+    pub a: SMatrix<f64, MOST_CONDITIONS, MARKER>,
+    /// By the coordinates of side b.
+    pub b: SMatrix<f64, MOST_CONDITIONS, MARKER>,
+}
+
+impl JointGradient {
+    /// Sets it from how the poses of both sides move and the gradients of all rows by their vectors.
+    fn set(&mut self, sides: &[PoseGradient; 2], rows_x: &[PairVector]) {
+        for (side, target) in [&mut self.a, &mut self.b].into_iter().enumerate() {
+            for (row, phi_x) in rows_x.iter().enumerate() {
+                sides[side].pull_back(&of_side(phi_x, side), |column, value| target[(row, column)] = value);
+            }
+        }
+    }
+}
+
+/// The gradient of `lambda·phi` from those of all rows.
+fn weighted(rows_x: &[PairVector], lambda: &[f64]) -> PairVector {
+    rows_x.iter().zip(lambda).map(|(row, lambda)| row * *lambda).sum()
+}
+
+impl Joint {
+    /// Number of conditions.
+    pub fn rows(&self) -> usize {
+        self.primitives.iter().map(|primitive| primitive.rows()).sum()
+    }
+
+    /// What its drive prescribes, with its rate and acceleration; nothing: 0.
+    fn prescribed(&self, c: &Configuration) -> Jet {
+        self.drive.map_or(Jet::constant(0.0), |drive| c.prescribed.drives[drive])
+    }
+
+    /// The conditions, zero when they hold; m or 1.
+    pub fn phi(&self, c: &Configuration, phi: &mut [f64]) {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let prescribed = self.prescribed(c).value;
+        let mut row = 0;
+        for primitive in self.primitives {
+            primitive.phi(&a, &b, prescribed, &mut phi[row..row + primitive.rows()]);
+            row += primitive.rows();
+        }
+    }
+
+    /// Gradients of all rows by the vectors of both poses, in order.
+    fn rows_x(&self, a: &Pose, b: &Pose) -> ([PairVector; MOST_CONDITIONS], usize) {
+        let mut gradients = [PairVector::zeros(); MOST_CONDITIONS];
+        let mut row = 0;
+        for primitive in self.primitives {
+            for local in 0..primitive.rows() {
+                gradients[row] = primitive.phi_x(a, b, local);
+                row += 1;
+            }
+        }
+        (gradients, row)
+    }
+
+    /// Sets `gradient` to `∂phi/∂q` of both sides.
+    pub fn phi_q(&self, c: &Configuration, gradient: &mut JointGradient) {
+        let (rows_x, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
+        gradient.set(&[self.a.pose_q(c), self.b.pose_q(c)], &rows_x[..rows]);
+    }
+
+    /// Second derivative of `lambda·phi` by the vectors of both poses.
+    fn stiffness_x(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> PairHessian {
+        let mut hessian = PairHessian::default();
+        let mut row = 0;
+        for primitive in self.primitives {
+            debug_assert!(primitive.rows() <= MOST_ROWS);
+            primitive.add_phi_xx(a, b, &lambda[row..row + primitive.rows()], &mut hessian);
+            row += primitive.rows();
+        }
+        hessian
+    }
+
+    /// Sets `blocks` to `∂²(lambda·phi)/∂q²`: `aa, ab, ba, bb`, 24×24 each, of which only the rows and columns of the markers' own coordinates are set.
+    /// On the way `gradient` is set as by [`Self::phi_q`].
+    pub fn phi_q_and_qq(
+        &self,
+        c: &Configuration,
+        lambda: &[f64],
+        gradient: &mut JointGradient,
+        blocks: &mut [MarkerMatrix; 4],
+    ) {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let (rows_x, rows) = self.rows_x(&a, &b);
+        let sides = [self.a.pose_q(c), self.b.pose_q(c)];
+        gradient.set(&sides, &rows_x[..rows]);
+        let (force, stiffness) = (weighted(&rows_x[..rows], lambda), self.stiffness_x(&a, &b, lambda));
+        pull_back(c, [&self.a, &self.b], &sides, &force, &stiffness, blocks);
+    }
+
+    /// `phi''` at an instant without the part of the accelerations, `v·phi_qq·v + 2 phi_qt·v + phi_tt`, row after row.
+    pub fn phi_tt(&self, c: &Configuration, velocity: &[f64], phi_tt: &mut [f64]) {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let (mut rate, mut acceleration) = (PairVector::zeros(), PairVector::zeros());
+        for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
+            let (own, pose_q) = (own_velocity(c, marker, velocity), marker.pose_q(c));
+            let [first, second] = marker.pose_t(c).map(|pose| pose.vectors());
+            let start = VECTORS * side;
+            rate.fixed_columns_mut::<VECTORS>(start).copy_from(&(pose_q.times(&own) + first));
+            let convective = pose_q.convective(marker, c, &own);
+            acceleration.fixed_columns_mut::<VECTORS>(start).copy_from(&(convective + second));
+        }
+        let (rows_x, rows) = self.rows_x(&a, &b);
+        for (row, phi_tt) in phi_tt.iter_mut().enumerate() {
+            let mut unit = [0.0; MOST_CONDITIONS];
+            unit[row] = 1.0;
+            let stiffness = self.stiffness_x(&a, &b, &unit[..rows]);
+            *phi_tt = stiffness.times(&rate).dot(&rate) + rows_x[row].dot(&acceleration) - self.prescribed(c).second;
+        }
+    }
+
+    /// `∂phi/∂t` at fixed coordinates, row after row.
+    pub fn phi_t(&self, c: &Configuration, phi_t: &mut [f64]) {
+        if ![self.a, self.b].iter().any(|side| matches!(side, Marker::Frame { .. })) {
+            phi_t.fill(0.0 - self.prescribed(c).first);
+            return;
+        }
+        let moving = [&self.a, &self.b].map(|marker| marker.pose_t(c)[0].vectors());
+        let (gradients, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
+        for (phi_t, gradient) in phi_t.iter_mut().zip(&gradients[..rows]) {
+            let by_frames: f64 = (0..2).map(|side| of_side(gradient, side).dot(&moving[side])).sum();
+            *phi_t = by_frames - self.prescribed(c).first;
+        }
+    }
+
+    /// `∂(lambda·phi)/∂X` by the vectors of both poses: minus the forces of the joint on them.
+    pub fn phi_x(&self, c: &Configuration, lambda: &[f64]) -> PairVector {
+        let (rows_x, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
+        weighted(&rows_x[..rows], lambda)
+    }
+
+    /// Whether the sides are as meant, not half-turn relatives of it (MECHANICS 6).
+    pub fn is_upright(&self, c: &Configuration) -> bool {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        self.primitives.iter().all(|primitive| primitive.is_upright(&a, &b))
+    }
+}

@@ -1,0 +1,14 @@
+//! What holds a mechanism together: joints as lists of primitive conditions, a file a kind, the rigidity of bodies, drives.
+
+pub mod cylindrical;
+pub mod driven;
+pub mod inline;
+pub mod inplane;
+pub mod joint;
+pub mod primitive;
+pub mod prismatic;
+pub mod revolute;
+pub mod rigidity;
+pub mod spherical;
+pub mod universal;
+pub mod weld;

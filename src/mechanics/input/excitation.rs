@@ -1,0 +1,70 @@
+//! What acts from outside at one instant: gravity and the components of loads, by functions of time or by a host.
+
+use crate::math::Vec3;
+use serde::{Deserialize, Serialize};
+
+/// Components of a load at one instant, in the load's own axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Wrench {
+    /// Force, N, or N/m along a beam.
+    pub force: Vec3,
+    /// Moment, N m, or N along a beam.
+    pub moment: Vec3,
+}
+
+impl Wrench {
+    /// Whether all components are numbers.
+    pub fn is_finite(&self) -> bool {
+        self.force.iter().chain(&self.moment).all(|value| value.is_finite())
+    }
+}
+
+/// Components of a load that a host gives: held from the time it gave them, or linear in time from there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct HostWrench {
+    /// Components at `since`.
+    pub value: Wrench,
+    /// Their derivatives by time, 1/s of their units.
+    pub rate: Wrench,
+    /// When they were given, s.
+    pub since: f64,
+}
+
+impl HostWrench {
+    /// The components at `time`, s.
+    pub fn at(&self, time: f64) -> Wrench {
+        let passed = time - self.since;
+        Wrench {
+            force: self.value.force + self.rate.force * passed,
+            moment: self.value.moment + self.rate.moment * passed,
+        }
+    }
+}
+
+/// What acts on a machine from outside at one instant.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Excitation {
+    /// Gravity, m/s².
+    pub gravity: Vec3,
+    /// Components of the loads, in their order.
+    pub wrenches: Vec<Wrench>,
+}
+
+impl Excitation {
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.gravity = other.gravity;
+        self.wrenches.clone_from(&other.wrenches);
+    }
+
+    /// Sets this to what lies between `start` and `end`, at `share` (0 to 1) of the way; loads that `start` lacks begin at nothing.
+    pub fn set_between(&mut self, start: &Self, end: &Self, share: f64) {
+        self.copy_from(end);
+        self.gravity = start.gravity * (1.0 - share) + end.gravity * share;
+        for (number, wrench) in self.wrenches.iter_mut().enumerate() {
+            let from = start.wrenches.get(number).copied().unwrap_or_default();
+            wrench.force = from.force * (1.0 - share) + wrench.force * share;
+            wrench.moment = from.moment * (1.0 - share) + wrench.moment * share;
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! A point and a frame that joints, loads and sensors hold on to: on the ground, a moving frame, a body, at a node, inside an element.
+//!
+//! Loads ask a marker for its pose, how it moves with the coordinates (`motion`), and how the generalized force of a wrench
+//! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` (`pose_gradient`).
+
+pub mod gauge;
+pub mod pose_gradient;
+pub mod sensor;
+
+use self::pose_gradient::{PoseGradient, Turning};
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::mesh::Mesh;
+use crate::mechanics::body::kinematics::{self, BODY};
+use crate::mechanics::body::rigid_body::RigidBody;
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, MarkerVector, Motion};
+use crate::mechanics::geometry::pose::Pose;
+use std::ops::Range;
+
+/// `turn_qᵀ block turn_q` over `count` coordinates.
+fn turned(turn_q: &ByCoordinates, block: &Mat3, count: usize) -> MarkerMatrix {
+    let mut sum = MarkerMatrix::zeros();
+    for column in 0..count {
+        let right: Vec3 = block * turn_q.column(column);
+        for row in 0..count {
+            sum[(row, column)] = turn_q.column(row).dot(&right);
+        }
+    }
+    sum
+}
+
+/// A point and a frame of the machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Marker {
+    /// Fixed in space.
+    Ground(Pose),
+    /// Rigidly tied to a moving frame.
+    Frame {
+        /// Number of the frame.
+        frame: usize,
+        /// Place relative to the frame, in its axes, m.
+        offset: Vec3,
+        /// Axes relative to the frame's.
+        axes: Mat3,
+    },
+    /// Rigidly tied to a body.
+    Body {
+        /// First coordinate of the body.
+        start: usize,
+        /// Place relative to the centre of mass, in directors, m.
+        offset: Vec3,
+        /// Axes relative to the directors.
+        axes: Mat3,
+    },
+    /// Rigidly tied to a node.
+    Node {
+        /// Number of the node.
+        node: usize,
+        /// Place relative to the node, in section axes, m.
+        offset: Vec3,
+        /// Axes relative to the section axes.
+        axes: Mat3,
+    },
+    /// A section inside an element, with the section's own axes.
+    Section {
+        /// Number of the element.
+        element: usize,
+        /// Place in the element, 0 to 1.
+        xi: f64,
+    },
+}
+
+impl Marker {
+    /// What the marker is tied to, itself: no offset, own axes.
+    #[must_use]
+    pub fn bare(&self) -> Self {
+        let (offset, axes) = (Vec3::zeros(), Mat3::identity());
+        match *self {
+            Self::Ground(_) => Self::Ground(Pose::default()),
+            Self::Frame { frame, .. } => Self::Frame { frame, offset, axes },
+            Self::Body { start, .. } => Self::Body { start, offset, axes },
+            Self::Node { node, .. } => Self::Node { node, offset, axes },
+            Self::Section { .. } => *self,
+        }
+    }
+
+    /// The coordinates that the marker depends on.
+    pub fn coordinates(&self, mesh: &Mesh) -> Range<usize> {
+        match self {
+            Self::Ground(_) | Self::Frame { .. } => 0..0,
+            Self::Body { start, .. } => *start..start + BODY,
+            Self::Node { node, .. } => mesh.nodes[*node].coordinates(),
+            Self::Section { element, .. } => mesh.elements[*element].coordinates(),
+        }
+    }
+
+    /// Place and axes.
+    pub fn pose(&self, c: &Configuration) -> Pose {
+        match self {
+            Self::Ground(pose) => *pose,
+            Self::Frame { frame, offset, axes } => c.prescribed.frames[*frame].pose.carried(offset, axes),
+            Self::Body { start, offset, axes } => kinematics::pose(c.q, *start).carried(offset, axes),
+            Self::Node { node, offset, axes } => c.mesh.nodes[*node].pose(c).carried(offset, axes),
+            Self::Section { element, xi } => c.mesh.elements[*element].section_pose(c, *xi),
+        }
+    }
+
+    /// First and second derivative of the pose by time at fixed coordinates: of a moving frame.
+    pub fn pose_t(&self, c: &Configuration) -> [Pose; 2] {
+        match self {
+            Self::Frame { frame, offset, axes } => {
+                let moving = &c.prescribed.frames[*frame];
+                [moving.velocity, moving.acceleration].map(|pose| pose.carried(offset, axes))
+            }
+            _ => [Pose::zero(); 2],
+        }
+    }
+
+    /// Derivatives of place and turn by the marker's coordinates.
+    pub fn motion(&self, c: &Configuration) -> Motion {
+        match self {
+            Self::Ground(_) | Self::Frame { .. } => {
+                Motion { place_q: ByCoordinates::zeros(), turn_q: ByCoordinates::zeros() }
+            }
+            Self::Body { start, offset, .. } => kinematics::motion(c.q, *start, offset),
+            Self::Node { node, offset, .. } => c.mesh.nodes[*node].motion(c, offset),
+            Self::Section { element, xi } => c.mesh.elements[*element].section_motion(c, *xi),
+        }
+    }
+
+    /// `∂(place_qᵀ f + turn_qᵀ m)/∂q`, 24×24, of a force (N) and a moment (N m) frozen in space.
+    pub fn wrench_stiffness(&self, c: &Configuration, force: &Vec3, moment: &Vec3) -> MarkerMatrix {
+        match self {
+            Self::Ground(_) | Self::Frame { .. } => MarkerMatrix::zeros(),
+            Self::Body { .. } => kinematics::wrench_stiffness(moment),
+            Self::Node { node, offset, .. } => {
+                let node = &c.mesh.nodes[*node];
+                let arm = node.pose(c).axes * offset;
+                // The arm turns: d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ.
+                let turning = arm * force.transpose() - Mat3::identity() * arm.dot(force);
+                let mut sum = turned(&node.turn_q(c), &turning, node.coordinates().len());
+                node.add_moment_stiffness(c, &(moment + arm.cross(force)), &mut sum);
+                sum
+            }
+            Self::Section { element, xi } => {
+                let mut sum = MarkerMatrix::zeros();
+                c.mesh.elements[*element].add_section_moment_stiffness(c, *xi, moment, &mut sum);
+                sum
+            }
+        }
+    }
+
+    /// How the vectors of the pose move with the marker's coordinates.
+    pub fn pose_q(&self, c: &Configuration) -> PoseGradient {
+        match self {
+            Self::Ground(_) | Self::Frame { .. } => PoseGradient::Fixed,
+            Self::Body { offset, axes, .. } => PoseGradient::Body(kinematics::pose_q(offset, axes)),
+            Self::Node { node, offset, axes } => {
+                let node = &c.mesh.nodes[*node];
+                let section = node.pose(c).axes;
+                let mut place_q = ByCoordinates::zeros();
+                (0..3).for_each(|axis| place_q[(axis, axis)] = 1.0);
+                PoseGradient::Beam(Turning {
+                    arms: Pose { place: section * offset, axes: section * axes }.vectors(),
+                    place_q,
+                    turn_q: node.turn_q(c),
+                    count: node.coordinates().len(),
+                    placing: 3,
+                    turning: 3,
+                })
+            }
+            Self::Section { element, xi } => {
+                let element = &c.mesh.elements[*element];
+                let Motion { place_q, turn_q } = element.section_motion(c, *xi);
+                let arms = Pose { place: Vec3::zeros(), axes: element.section_pose(c, *xi).axes }.vectors();
+                let count = element.coordinates().len();
+                PoseGradient::Beam(Turning { arms, place_q, turn_q, count, placing: count, turning: 0 })
+            }
+        }
+    }
+
+    /// Adds `∂(turn_qᵀ m)/∂q` of a moment (N m) frozen in space to `sum`, of what turns in itself: a section of a beam, at a node or between.
+    pub fn add_moment_stiffness(&self, c: &Configuration, moment: &Vec3, sum: &mut MarkerMatrix) {
+        match self {
+            Self::Ground(_) | Self::Frame { .. } | Self::Body { .. } => {}
+            Self::Node { node, .. } => c.mesh.nodes[*node].add_moment_stiffness(c, moment, sum),
+            Self::Section { element, xi } => {
+                c.mesh.elements[*element].add_section_moment_stiffness(c, *xi, moment, sum);
+            }
+        }
+    }
+}
+
+impl RigidBody {
+    /// The marker at its centre of mass, with its body axes.
+    pub fn marker(&self) -> Marker {
+        Marker::Body { start: self.start, offset: Vec3::zeros(), axes: self.axes }
+    }
+}
+
+/// The velocities of a marker's own coordinates, padded with zeros.
+pub fn own_velocity(c: &Configuration, marker: &Marker, velocity: &[f64]) -> MarkerVector {
+    let range = marker.coordinates(c.mesh);
+    let mut own = MarkerVector::zeros();
+    own.as_mut_slice()[..range.len()].copy_from_slice(&velocity[range]);
+    own
+}

@@ -1,0 +1,139 @@
+//! What can be measured at a point: its motion, and at a point of a beam the section's strains with the signs of the model file.
+
+use super::Marker;
+use crate::math::Vec3;
+use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_matrix, rotation_vector_near};
+use crate::mechanics::beam::Beam;
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
+use crate::mechanics::geometry::pose::{Pose, angular_velocity};
+
+/// A point that is watched.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensor {
+    /// The point: a section, a body, a moving frame.
+    pub marker: Marker,
+    /// Place and axes as drawn.
+    pub drawn: Pose,
+    /// Of a point of a beam: the beam's number, and the fraction of its length, 0 to 1.
+    pub on_beam: Option<(usize, f64)>,
+    /// Of a point of a beam: the elements that it belongs to, two at an inner node.
+    sections: Vec<Section>,
+}
+
+/// A place in an element, with what it is like undeformed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Section {
+    element: usize,
+    xi: f64,
+    drawn: SectionShape,
+}
+
+impl Sensor {
+    /// On `marker`, in the configuration `c` as drawn; `on_beam` is the beam and the fraction of its length where it is a point of one.
+    pub fn new(beams: &[Beam], c: &Configuration, marker: Marker, on_beam: Option<(usize, f64)>) -> Self {
+        let beam = on_beam.map(|(beam, _)| &beams[beam]);
+        let sections = match (marker, beam) {
+            (Marker::Section { element, xi }, Some(_)) => vec![Section::new(c, element, xi)],
+            (Marker::Node { node, .. }, Some(beam)) => {
+                let ends = beam.elements_at(node).into_iter().zip([1.0, 0.0]);
+                ends.filter_map(|(element, xi)| element.map(|element| Section::new(c, element, xi))).collect()
+            }
+            _ => Vec::new(),
+        };
+        Self { marker, drawn: marker.pose(c), on_beam, sections }
+    }
+
+    /// Velocity (m/s) and angular velocity (rad/s) in global axes.
+    pub fn motion(&self, c: &Configuration, velocity: &[f64]) -> (Vec3, Vec3) {
+        let range = self.marker.coordinates(c.mesh);
+        let motion = self.marker.motion(c);
+        // A moving frame has no coordinates; what has coordinates does not move without them.
+        let [explicit, _] = self.marker.pose_t(c);
+        let (mut linear, mut angular) = (explicit.place, angular_velocity(&self.marker.pose(c), &explicit));
+        for (local, index) in range.enumerate() {
+            linear += motion.place_q.column(local) * velocity[index];
+            angular += motion.turn_q.column(local) * velocity[index];
+        }
+        if let Marker::Section { element, xi } = self.marker {
+            angular += self.marker.pose(c).axis(0) * c.mesh.elements[element].relaxed_spin(c, xi, velocity);
+        }
+        (linear, angular)
+    }
+
+    /// Rotation vector from the orientation as drawn, rad, the one nearest to `previous`.
+    pub fn rotation(&self, c: &Configuration, previous: &Vec3) -> Vec3 {
+        let mut axes = self.marker.pose(c).axes;
+        if let Marker::Section { element, xi } = self.marker {
+            axes *= rotation_matrix(&(Vec3::x() * c.mesh.elements[element].relaxed_turn(c, xi)));
+        }
+        rotation_vector_near(&(axes * self.drawn.axes.transpose()), previous)
+    }
+
+    /// Quaternion `w x y z` of the section, continuous with the rotation vector `rotation`.
+    pub fn quaternion(&self, rotation: &Vec3) -> [f64; 4] {
+        let turned = quaternion_of(rotation) * quaternion_of_triad(&self.drawn.axes);
+        [turned.w, turned.i, turned.j, turned.k]
+    }
+
+    /// The elements that it belongs to.
+    pub fn elements(&self) -> impl Iterator<Item = usize> + '_ {
+        self.sections.iter().map(|section| section.element)
+    }
+
+    /// The same, each with the place in it, 0 to 1.
+    pub fn places(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.sections.iter().map(|section| (section.element, section.xi))
+    }
+
+    /// Strains of the section; at an inner node the mean of its two elements'.
+    pub fn strains(&self, c: &Configuration) -> SectionStrains {
+        let mut sum = SectionStrains::default();
+        for section in &self.sections {
+            let own = section.strains(c);
+            let share = 1.0 / self.sections.len() as f64;
+            sum.axial += share * own.axial;
+            sum.torsion += share * own.torsion;
+            for (sum, own) in sum.curvature.iter_mut().zip(own.curvature) {
+                *sum += share * own;
+            }
+        }
+        sum
+    }
+}
+
+impl Sensor {
+    /// Acceleration in global axes, m/s², from the second derivatives `acceleration` of the coordinates.
+    pub fn acceleration(&self, c: &Configuration, acceleration: &[f64]) -> Vec3 {
+        // Places that are watched are linear in the coordinates: on the beam's axis, at the centre of mass.
+        let [_, explicit] = self.marker.pose_t(c);
+        let place_q = self.marker.motion(c).place_q;
+        let own = self.marker.coordinates(c.mesh).enumerate();
+        own.fold(explicit.place, |sum, (local, index)| sum + place_q.column(local) * acceleration[index])
+    }
+
+    /// Force and moments of the section; at an inner node the mean of its two elements'.
+    pub fn section_forces(&self, c: &Configuration) -> SectionForces {
+        let mut sum = SectionForces::default();
+        for section in &self.sections {
+            let own = c.mesh.elements[section.element].section_forces(c, section.xi, &section.drawn);
+            let share = 1.0 / self.sections.len() as f64;
+            sum.axial += share * own.axial;
+            for (sum, own) in sum.moment.iter_mut().zip(own.moment) {
+                *sum += share * own;
+            }
+        }
+        sum
+    }
+}
+
+impl Section {
+    /// At the place `xi` (0 to 1) of element `element`, in the configuration `c` as drawn.
+    fn new(c: &Configuration, element: usize, xi: f64) -> Self {
+        Self { element, xi, drawn: c.mesh.elements[element].section_shape(c, xi) }
+    }
+
+    fn strains(&self, c: &Configuration) -> SectionStrains {
+        c.mesh.elements[self.element].section_strains(c, self.xi, &self.drawn)
+    }
+}

@@ -1,0 +1,118 @@
+//! What passes between the two sides of a joint of the model file: constraint forces, springs and dampers, drives.
+//!
+//! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the machine (MECHANICS 6).
+
+use crate::math::Vec3;
+use crate::mechanics::beam::configuration::{Configuration, Passage};
+use crate::mechanics::constraint::joint::Joint;
+use crate::mechanics::geometry::pose::{PLACE, moment};
+use crate::mechanics::geometry::pose_pair::PairVector;
+use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::gauge::Gauge;
+use crate::mechanics::marker::pose_gradient::of_side;
+use crate::mechanics::system::System;
+use crate::mechanics::system::joint_parts::Transmission;
+
+/// Which side of a joint or gauge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    A,
+    B,
+}
+
+/// What acts at an instant: the configuration, how it is passed through, and the multipliers of all conditions.
+#[derive(Clone, Copy, Debug)]
+pub struct Action<'a> {
+    /// The machine.
+    pub system: &'a System,
+    /// The instant.
+    pub c: &'a Configuration<'a>,
+    /// How fast it moves.
+    pub passage: &'a Passage<'a>,
+    /// Multipliers of all conditions, N or N m.
+    pub multipliers: &'a [f64],
+}
+
+/// Force (N) and moment (N m), in global axes, with the place of the force (m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Acting {
+    place: Vec3,
+    force: Vec3,
+    moment: Vec3,
+}
+
+impl Action<'_> {
+    /// Force (N) and moment (N m) that b receives through joint `transmission`, at b's place, in global axes.
+    pub fn reaction(&self, transmission: &Transmission) -> (Vec3, Vec3) {
+        let joints = transmission.joint.into_iter().chain(transmission.drives.iter().map(|drive| self.drive(*drive)));
+        let by_joints = joints.map(|joint| self.of_joint(joint, Side::B));
+        let by_springs = transmission.springs.iter().map(|spring| self.of_spring(*spring, Side::B));
+        by_joints.chain(by_springs).fold((Vec3::zeros(), Vec3::zeros()), |(force, moment), acting| {
+            (force + acting.force, moment + acting.moment)
+        })
+    }
+
+    /// Torque (N m) or force (N) of drive `drive` on b, along its coordinate.
+    pub fn effort(&self, drive: usize) -> f64 {
+        -self.multipliers[self.first_row(self.drive(drive))]
+    }
+
+    /// Force (N) and moment (N m) about its origin that moving frame `frame` must supply, in global axes.
+    pub fn supply(&self, frame: usize) -> (Vec3, Vec3) {
+        let origin = self.c.prescribed.frames[frame].pose.place;
+        let is_own = |marker: &Marker| matches!(marker, Marker::Frame { frame: own, .. } if *own == frame);
+        let (mut force, mut moment) = (Vec3::zeros(), Vec3::zeros());
+        // The frame gives what it receives, with the other sign.
+        let mut give = |acting: Acting| {
+            force -= acting.force;
+            moment -= acting.moment + (acting.place - origin).cross(&acting.force);
+        };
+        for (number, joint) in self.system.joints.iter().enumerate() {
+            for (marker, side) in [(&joint.a, Side::A), (&joint.b, Side::B)] {
+                if is_own(marker) {
+                    give(self.of_joint(number, side));
+                }
+            }
+        }
+        for (number, spring) in self.system.springs.iter().enumerate() {
+            let Gauge { a, b, .. } = &self.system.gauges[spring.gauge];
+            for (marker, side) in [(a, Side::A), (b, Side::B)] {
+                if is_own(marker) {
+                    give(self.of_spring(number, side));
+                }
+            }
+        }
+        (force, moment)
+    }
+
+    /// The number among the joints of the condition of a drive: they come last.
+    fn drive(&self, drive: usize) -> usize {
+        self.system.joints.len() - self.system.drives.len() + drive
+    }
+
+    fn first_row(&self, joint: usize) -> usize {
+        self.system.joints[..joint].iter().map(Joint::rows).sum()
+    }
+
+    fn of_joint(&self, number: usize, side: Side) -> Acting {
+        let joint = &self.system.joints[number];
+        let row = self.first_row(number);
+        let lambda = &self.multipliers[row..row + joint.rows()];
+        self.acting([&joint.a, &joint.b], side, &-joint.phi_x(self.c, lambda))
+    }
+
+    fn of_spring(&self, number: usize, side: Side) -> Acting {
+        let spring = &self.system.springs[number];
+        let gauge = &self.system.gauges[spring.gauge];
+        self.acting([&gauge.a, &gauge.b], side, &-spring.tension_x(gauge, self.c, self.passage))
+    }
+
+    /// Forces on the vectors of both poses as force and moment on one side.
+    fn acting(&self, [a, b]: [&Marker; 2], side: Side, forces: &PairVector) -> Acting {
+        let (pose, own) = match side {
+            Side::A => (a.pose(self.c), of_side(forces, 0)),
+            Side::B => (b.pose(self.c), of_side(forces, 1)),
+        };
+        Acting { place: pose.place, force: own.column(PLACE).into_owned(), moment: moment(&pose, &own) }
+    }
+}

@@ -1,0 +1,46 @@
+//! Twist and stress of a section that is watched.
+
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::resultants::{self, Fibre, SectionStrains};
+use crate::mechanics::beam::section::Outline;
+use crate::mechanics::marker::sensor::Sensor;
+use crate::mechanics::system::System;
+
+impl Sensor {
+    /// Material twist from the beam's start to here (off the beams 0), undeformed value taken off, rad: the sum of `l tau` (MECHANICS, trap 16).
+    pub fn twist(&self, system: &System, c: &Configuration) -> f64 {
+        let (Some((beam, _)), Some((element, xi))) = (self.on_beam, self.places().next()) else { return 0.0 };
+        let elements = &c.mesh.elements;
+        let before = &elements[system.beams[beam].first_element..element];
+        before.iter().map(|element| element.twist(c, 1.0)).sum::<f64>() + elements[element].twist(c, xi)
+    }
+
+    /// Largest von Mises stress over the section's outline, Pa; at an inner node of the mean strains. None without an outline.
+    pub fn stress(&self, system: &System, c: &Configuration) -> Option<f64> {
+        self.on_section(system, c, resultants::largest_stress)
+    }
+
+    /// The fibre of the section that bears this stress.
+    pub fn worst_fibre(&self, system: &System, c: &Configuration) -> Option<Fibre> {
+        self.on_section(system, c, Fibre::worst)
+    }
+
+    /// The stress of a fibre that bears the largest one in a state nearby, Pa.
+    pub fn stress_of(&self, fibre: &Fibre, system: &System, c: &Configuration) -> Option<f64> {
+        self.on_section(system, c, |outline, young, torque, strains| fibre.stress(outline, young, torque, strains))
+    }
+
+    /// What `read` makes of the outline, Young's modulus, torque and strains of the section.
+    fn on_section<T>(
+        &self,
+        system: &System,
+        c: &Configuration,
+        read: impl FnOnce(&Outline, f64, f64, &SectionStrains) -> Option<T>,
+    ) -> Option<T> {
+        let (Some((beam, _)), Some((element, _))) = (self.on_beam, self.places().next()) else { return None };
+        let beam = &system.beams[beam];
+        let strains = self.strains(c);
+        let torque = c.mesh.elements[element].torsion_rigidity() * strains.torsion;
+        read(&beam.outline, beam.young, torque, &strains)
+    }
+}

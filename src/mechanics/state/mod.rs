@@ -1,0 +1,220 @@
+//! What changes in time, as plain data: to save, restore and repeat is to clone this.
+
+pub mod energy_balance;
+pub mod pace;
+pub mod time_error;
+
+use self::energy_balance::EnergyBalance;
+use self::pace::Pace;
+use self::time_error::TimeError;
+use crate::math::Vec3;
+use crate::mechanics::geometry::triad::Triad;
+use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::input::host_motion::Targets;
+use crate::mechanics::input::prescribed::Prescribed;
+use serde::{Deserialize, Serialize};
+
+/// Everything that persists from one step to the next.
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// Time, s.
+    pub time: f64,
+    /// Coordinates: m, 1, rad.
+    pub q: Vec<f64>,
+    /// Velocities of the coordinates, 1/s each.
+    pub velocity: Vec<f64>,
+    /// Momenta of the coordinates, in charts centred at the nodes' own tangents.
+    pub momentum: Vec<f64>,
+    /// Multipliers of the joints' conditions at the start of the last midpoint step, or at `time` by generalized-alpha, N or N m.
+    pub multipliers: Vec<f64>,
+    /// What a midpoint step starts its iteration from.
+    pub prediction: Prediction,
+    /// What the lengths of the steps have done to it.
+    pub time_error: TimeError,
+    /// How long its next step is, where the solver chooses it.
+    pub pace: Pace,
+    /// What generalized-alpha goes on from.
+    pub accelerations: Accelerations,
+    /// What the momentum has beside that of velocities which the constraints allow, by their conditions: `P = M v + Gᵀ stray`, N s or N m s.
+    pub strays: Vec<f64>,
+    /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then `g1`, `g2`, `tau` of each bending
+    /// point (1/m/s, rad/m/s); then of the readings of all gauges that have a spring (m/s, rad/s).
+    pub strain_rates: Vec<f64>,
+    /// Reference triads of the nodes.
+    pub triads: Vec<Triad>,
+    /// Holonomy angles of the elements, rad: the branch that the next one continues.
+    pub holonomy: Vec<f64>,
+    /// Readings of the gauges: the turns that the next ones continue, m or rad.
+    pub readings: Vec<f64>,
+    /// What drives and moving frames prescribe at `time`.
+    pub prescribed: Prescribed,
+    /// What a host wants drives and frames to reach.
+    pub targets: Targets,
+    /// What acted from outside at the last equilibrium: where a jump of loads starts from. Nothing yet: empty.
+    pub excitation: Excitation,
+    /// Rotation vectors of the sensors from the orientation as drawn, rad, continued over turns.
+    pub rotations: Vec<Vec3>,
+    /// Steps are `2^-halving` of the step size.
+    pub halving: u32,
+    /// Whole steps since the last change of `halving`.
+    pub good_steps: u32,
+    /// Energy against work since the start.
+    pub balance: EnergyBalance,
+    /// Counts since the start.
+    pub statistics: Statistics,
+}
+
+impl State {
+    /// Whether all its lists are as long as those of another state of the same machine.
+    pub fn has_the_shape_of(&self, other: &Self) -> bool {
+        let lengths = |state: &Self| {
+            let Self { q, velocity, momentum, multipliers, strays, triads, holonomy, readings, rotations, .. } = state;
+            let State { strain_rates, prescribed, targets, .. } = state;
+            let lists = [q, velocity, momentum, multipliers, strays, strain_rates, holonomy, readings].map(Vec::len);
+            let motions =
+                [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
+            let departure = [targets.departure.drives.len(), targets.departure.frames.len()];
+            (lists, triads.len(), rotations.len(), motions, targets.loads.len(), departure)
+        };
+        // Nothing yet, or all of them.
+        let optional = |list: usize, whole: usize| list == 0 || list == whole;
+        let Accelerations { of_coordinates, algorithmic } = &self.accelerations;
+        lengths(self) == lengths(other)
+            && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
+            && self.prediction.is_possible(other.q.len())
+            && self.time_error.is_possible(other.q.len(), other.multipliers.len())
+            && self.pace.is_possible(other.q.len())
+            && optional(self.excitation.wrenches.len(), other.targets.loads.len())
+    }
+}
+
+impl Clone for State {
+    fn clone(&self) -> Self {
+        Self {
+            q: self.q.clone(),
+            velocity: self.velocity.clone(),
+            momentum: self.momentum.clone(),
+            multipliers: self.multipliers.clone(),
+            prediction: self.prediction.clone(),
+            time_error: self.time_error.clone(),
+            pace: self.pace.clone(),
+            accelerations: self.accelerations.clone(),
+            strays: self.strays.clone(),
+            strain_rates: self.strain_rates.clone(),
+            triads: self.triads.clone(),
+            holonomy: self.holonomy.clone(),
+            readings: self.readings.clone(),
+            prescribed: self.prescribed.clone(),
+            targets: self.targets.clone(),
+            excitation: self.excitation.clone(),
+            rotations: self.rotations.clone(),
+            ..*self
+        }
+    }
+
+    /// Keeps the memory that is there: a step that makes a backup must not allocate.
+    fn clone_from(&mut self, source: &Self) {
+        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, readings, rotations, .. } = self;
+        *time = source.time;
+        q.clone_from(&source.q);
+        velocity.clone_from(&source.velocity);
+        momentum.clone_from(&source.momentum);
+        multipliers.clone_from(&source.multipliers);
+        triads.clone_from(&source.triads);
+        holonomy.clone_from(&source.holonomy);
+        self.strays.clone_from(&source.strays);
+        self.strain_rates.clone_from(&source.strain_rates);
+        readings.clone_from(&source.readings);
+        rotations.clone_from(&source.rotations);
+        self.prediction.copy_from(&source.prediction);
+        self.time_error.copy_from(&source.time_error);
+        self.pace.copy_from(&source.pace);
+        self.accelerations.copy_from(&source.accelerations);
+        self.prescribed.copy_from(&source.prescribed);
+        self.targets.copy_from(&source.targets);
+        self.excitation.copy_from(&source.excitation);
+        self.halving = source.halving;
+        self.good_steps = source.good_steps;
+        self.balance = source.balance;
+        self.statistics = source.statistics;
+    }
+}
+
+/// Accelerations as generalized-alpha carries them on, 1/s² each; empty for other integrators.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Accelerations {
+    /// Second derivatives of the coordinates at the state's time, which the equations hold for.
+    pub of_coordinates: Vec<f64>,
+    /// The algorithmic ones, which velocities and coordinates follow from.
+    pub algorithmic: Vec<f64>,
+}
+
+impl Accelerations {
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.of_coordinates.clone_from(&other.of_coordinates);
+        self.algorithmic.clone_from(&other.algorithmic);
+    }
+}
+
+/// What a midpoint step starts its iteration from, and how its corrections are expected to shrink.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Prediction {
+    /// Mean accelerations of the coordinates over the last step, 1/s² each; empty before the first.
+    pub acceleration: Vec<f64>,
+    /// Those of the step before; empty before the second.
+    pub acceleration_before: Vec<f64>,
+    /// How many of both are known, 0 to 2.
+    pub known: u8,
+    /// How many of both predicted the last step best.
+    pub order: u8,
+    /// How the first two corrections of a step are expected to shrink.
+    pub shrinking: Shrinking,
+}
+
+/// How the first two corrections of an iteration shrank.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Shrinking {
+    /// Size of the first one.
+    pub first: f64,
+    /// Size of the second one over that of the first.
+    pub ratio: f64,
+}
+
+impl Default for Shrinking {
+    /// Nothing is known: corrections may not shrink at all.
+    fn default() -> Self {
+        Self { first: 0.0, ratio: 1.0 }
+    }
+}
+
+impl Prediction {
+    /// Whether it may be one of a system with `coordinates` coordinates.
+    fn is_possible(&self, coordinates: usize) -> bool {
+        let Self { acceleration, acceleration_before, known, order, shrinking: Shrinking { first, ratio } } = self;
+        let is_there = |list: &[f64], number: u8| list.len() == coordinates || (list.is_empty() && *known < number);
+        let is_size = |value: f64| value.is_finite() && value >= 0.0;
+        is_there(acceleration, 1)
+            && is_there(acceleration_before, 2)
+            && (*known <= 2 && order <= known)
+            && (is_size(*first) && is_size(*ratio))
+    }
+
+    /// Takes the values of another one, keeping its own memory.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.acceleration.clone_from(&other.acceleration);
+        self.acceleration_before.clone_from(&other.acceleration_before);
+        (self.known, self.order, self.shrinking) = (other.known, other.order, other.shrinking);
+    }
+}
+
+/// Counts since the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Statistics {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Newton iterations, of rejected steps too.
+    pub iterations: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+}

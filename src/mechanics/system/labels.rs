@@ -1,0 +1,83 @@
+//! What the unknowns of a machine are, in words: for messages.
+
+use crate::mechanics::beam::Beam;
+use crate::mechanics::body::kinematics::BODY;
+use crate::mechanics::constraint::joint::Joint;
+use crate::mechanics::constraint::primitive::Primitive;
+use crate::mechanics::input::excitation::HostWrench;
+use crate::mechanics::system::System;
+
+impl System {
+    /// What unknown `index` of the linear system is, in words: coordinates first, then constraint conditions.
+    pub fn describe_unknown(&self, index: usize) -> String {
+        let axis = |place: usize| ["x", "y", "z"][place];
+        if index < self.mesh.coordinates() {
+            let number = self.mesh.node_of(index);
+            let (name, node) = (self.describe_node(number), &self.mesh.nodes[number]);
+            return match index - node.coordinates().start {
+                place @ 0..3 => format!("{name} (along {})", axis(place)),
+                local => format!("{name} ({})", node.describe(local)),
+            };
+        }
+        if index < self.coordinates() {
+            let local = index - self.mesh.coordinates();
+            let body = &self.bodies[local / BODY].name;
+            return match local % BODY {
+                place @ 0..3 => format!("{body} (along {})", axis(place)),
+                _ => format!("{body} (turning)"),
+            };
+        }
+        let mut row = self.coordinates();
+        for joint in &self.joints {
+            row += joint.rows();
+            if index < row {
+                return self.describe_joint(joint);
+            }
+        }
+        String::from("an unknown")
+    }
+
+    /// A joint's name. The rigidity of a body is nobody's choice: in its place stand the joints of the body.
+    fn describe_joint(&self, joint: &Joint) -> String {
+        let is_rigidity = |joint: &Joint| joint.primitives.iter().all(|part| matches!(part, Primitive::Rigid(..)));
+        let own = joint.b.coordinates(&self.mesh);
+        let holds = |other: &&Joint| [&other.a, &other.b].iter().any(|side| side.coordinates(&self.mesh) == own);
+        let others = self.joints.iter().filter(|other| is_rigidity(joint) && !is_rigidity(other)).filter(holds);
+        let names: Vec<&str> = others.map(|other| other.name.as_str()).collect();
+        if names.is_empty() { joint.name.clone() } else { names.join(" or ") }
+    }
+
+    /// A node's name: `arm.start`, `arm.node[3]`, `arm.end`.
+    pub fn describe_node(&self, node: usize) -> String {
+        for beam in &self.beams {
+            if beam.node_range().contains(&node) {
+                let end = beam.end_of(node);
+                return match end {
+                    0 => format!("{}.start", beam.name),
+                    _ if end == beam.elements() => format!("{}.end", beam.name),
+                    _ => format!("{}.node[{end}]", beam.name),
+                };
+            }
+        }
+        format!("node {node}")
+    }
+
+    /// The beam of element `number` and the element's number in it.
+    pub fn beam_of(&self, number: usize) -> (&Beam, usize) {
+        let after = self.beams.partition_point(|beam| beam.first_element <= number);
+        let beam = &self.beams[after.saturating_sub(1)];
+        (beam, number - beam.first_element)
+    }
+
+    /// The load, drive or frame that is not defined at `time` (s), in words.
+    pub fn undefined(&self, time: f64) -> Option<String> {
+        let load = self.loads.iter().find(|load| !load.at(time, &HostWrench::default()).is_finite());
+        let load = load.map(|load| format!("the force or moment of load {}", load.name));
+        load.or_else(|| self.undefined_motion(time).map(|name| format!("the motion of {name}")))
+    }
+
+    /// What is not finite in the equations of `time` (s), in words.
+    pub fn describe_not_finite(&self, time: f64) -> String {
+        self.undefined(time).unwrap_or_else(|| String::from("a number in the equations"))
+    }
+}

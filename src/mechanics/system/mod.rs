@@ -1,0 +1,268 @@
+//! The whole machine. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
+
+mod breaks;
+pub mod builder;
+mod dampers;
+mod energy;
+mod equations;
+pub mod frame_cache;
+pub mod gyroscopic;
+pub mod joint_parts;
+mod labels;
+mod limits;
+pub mod variation;
+mod work;
+
+pub use breaks::AT_BREAK;
+pub use equations::{copy_corner, copy_transposed};
+
+use self::joint_parts::Transmission;
+use crate::math::Vec3;
+use crate::mechanics::beam::Beam;
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::beam::ancf14::kinematics::Holonomy;
+use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::formulation::Element;
+use crate::mechanics::beam::mesh::Mesh;
+use crate::mechanics::beam::node::Node;
+use crate::mechanics::body::kinematics::BODY;
+use crate::mechanics::body::rigid_body::RigidBody;
+use crate::mechanics::constraint::joint::Joint;
+use crate::mechanics::force::load::{Direction, Load};
+use crate::mechanics::force::spring::Spring;
+use crate::mechanics::geometry::triad::Triad;
+use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::input::host_motion::Targets;
+use crate::mechanics::input::prescribed::{Drive, MovingFrame, Prescribed};
+use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::gauge::Gauge;
+use crate::mechanics::marker::sensor::Sensor;
+use crate::mechanics::state::State;
+use std::ops::Range;
+
+/// Coordinates of a place, the first ones of every node and body.
+const PLACE: usize = 3;
+
+/// The machine. Coordinates: those of all nodes, then those of all bodies.
+#[derive(Clone, Debug, Default)]
+pub struct System {
+    /// Beams in file order.
+    pub beams: Vec<Beam>,
+    /// Nodes and elements of all beams.
+    pub mesh: Mesh,
+    /// Rigid bodies in file order.
+    pub bodies: Vec<RigidBody>,
+    /// Moving frames in file order.
+    pub moving_frames: Vec<MovingFrame>,
+    /// Everything that holds the machine together: joints, the rigidity of bodies, drives, each in file order.
+    pub joints: Vec<Joint>,
+    /// What is measured between two markers: by springs, drives, outputs.
+    pub gauges: Vec<Gauge>,
+    /// Drives in file order.
+    pub drives: Vec<Drive>,
+    /// Springs in file order, then those of joints.
+    pub springs: Vec<Spring>,
+    /// What the joints of the model file consist of, in file order.
+    pub transmissions: Vec<Transmission>,
+    /// Loads in file order.
+    pub loads: Vec<Load>,
+    /// Watched points in the order of their adding.
+    pub sensors: Vec<Sensor>,
+    /// Largest extent of the machine as drawn, m: what lengths are compared with.
+    pub size: f64,
+    /// Where the origin of all positions in the state is, global, m: 0, or in the middle of a mechanism that is drawn far from the global origin. Doubles
+    /// keep positions to 1e-16 of their size; times the axial stiffness, that is a force.
+    pub origin: Vec3,
+    /// Mass of everything, kg.
+    pub mass: f64,
+    /// Gravity, m/s².
+    pub gravity: Vec3,
+    /// The times at which pieces of loads, drives and frames meet, ascending, s: steps end there.
+    pub breaks: Vec<f64>,
+    /// Whether a load, a joint or a spring acts on each node.
+    pub held: Vec<bool>,
+}
+
+impl System {
+    /// Sets `excitation` to what acts at `time`, s; `targets` has what a host gives.
+    pub fn excite(&self, time: f64, targets: &Targets, excitation: &mut Excitation) {
+        excitation.gravity = self.gravity;
+        excitation.wrenches.clear();
+        excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
+    }
+
+    /// Whether loads act at `excitation` that derive from no potential: follower loads, and moments about axes that stand still. Stability is
+    /// then no matter of the stiffness alone.
+    pub fn follows_no_potential(&self, excitation: &Excitation) -> bool {
+        self.loads.iter().zip(&excitation.wrenches).any(|(load, wrench)| {
+            let follows = load.direction == Direction::Follower && wrench.force != Vec3::zeros();
+            follows || wrench.moment != Vec3::zeros()
+        })
+    }
+
+    /// What drives and frames prescribe at the start, `time` s.
+    pub fn prescribe_start(&self, time: f64, targets: &Targets) -> Prescribed {
+        let drives = self.drives.iter().zip(&targets.drives);
+        let frames = self.moving_frames.iter().zip(&targets.frames);
+        Prescribed {
+            drives: drives.map(|(drive, target)| drive.start(time, *target)).collect(),
+            frames: frames.map(|(frame, target)| frame.start(time, target)).collect(),
+        }
+    }
+
+    /// Sets `prescribed` to what drives and frames prescribe at `next` s, from the time and the motion of `state`.
+    pub fn prescribe(&self, state: &State, next: f64, prescribed: &mut Prescribed) {
+        let State { time, targets, prescribed: from, .. } = state;
+        let drives = self.drives.iter().zip(&from.drives).enumerate();
+        let advanced = drives.map(|(k, (drive, from))| drive.advanced(k, from.value, (*time, next), targets));
+        prescribed.drives.clear();
+        prescribed.drives.extend(advanced);
+        let frames = self.moving_frames.iter().enumerate();
+        prescribed.frames.clear();
+        prescribed.frames.extend(frames.map(|(k, frame)| frame.at(k, next, targets)));
+    }
+
+    /// A drive or frame whose motion is not finite at `time`, s.
+    fn undefined_motion(&self, time: f64) -> Option<String> {
+        let targets = Targets {
+            end: time,
+            drives: vec![0.0; self.drives.len()],
+            frames: vec![crate::mechanics::geometry::pose::Pose::default(); self.moving_frames.len()],
+            ..Targets::default()
+        };
+        let motion = self.prescribe_start(time, &targets);
+        let drive = self.drives.iter().zip(&motion.drives).find(|(_, jet)| !jet.is_finite());
+        let frame = self.moving_frames.iter().zip(&motion.frames).find(|(_, frame)| !frame.is_finite());
+        let drive = drive.map(|(drive, _)| format!("drive {}", drive.name));
+        drive.or_else(|| frame.map(|(frame, _)| format!("frame {}", frame.name)))
+    }
+
+    /// Whether a spring or a material has damping.
+    pub fn is_damped(&self) -> bool {
+        self.springs.iter().any(|spring| spring.damping != 0.0) || self.has_material_damping()
+    }
+
+    /// Number of coordinates: those of the nodes, then those of the bodies.
+    pub fn coordinates(&self) -> usize {
+        self.mesh.coordinates() + BODY * self.bodies.len()
+    }
+
+    /// The coordinates of each node, then of each body; the first three of each are its place.
+    fn parts(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        let bodies = self.bodies.iter().map(|body| body.start..body.start + BODY);
+        self.mesh.nodes.iter().map(Node::coordinates).chain(bodies)
+    }
+
+    /// Number of constraint conditions.
+    pub fn constraints(&self) -> usize {
+        self.joints.iter().map(Joint::rows).sum()
+    }
+
+    /// Frames at `q`, relative to the reference `triads`, of the nodes that have one.
+    pub fn frames(&self, q: &[f64], triads: &[Triad], frames: &mut Vec<NodeFrame>) {
+        self.mesh.set_frames(q, triads, frames);
+    }
+
+    /// The instant that `q`, `frames` and `prescribed` describe, after the accepted `state`.
+    pub fn configuration<'a>(
+        &'a self,
+        q: &'a [f64],
+        frames: &'a [NodeFrame],
+        state: &'a State,
+        prescribed: &'a Prescribed,
+    ) -> Configuration<'a> {
+        let (holonomy, readings) = (&state.holonomy, &state.readings);
+        Configuration { q, frames, holonomy, readings, prescribed, mesh: &self.mesh }
+    }
+
+    /// Ends a step at the coordinates and the prescribed motion in `state`: references and holonomy angles (2.6, 2.7), the
+    /// sensors' rotation vectors and the gauges' readings follow. `frames` belong to `state.q`.
+    pub fn carry_references(&self, state: &mut State, frames: &[NodeFrame]) {
+        // Out of the state while the configuration looks at the rest of it.
+        let mut rotations = std::mem::take(&mut state.rotations);
+        let mut readings = std::mem::take(&mut state.readings);
+        let configuration = self.configuration(&state.q, frames, state, &state.prescribed);
+        for (sensor, rotation) in self.sensors.iter().zip(&mut rotations) {
+            *rotation = sensor.rotation(&configuration, rotation);
+        }
+        for (gauge, reading) in self.gauges.iter().zip(&mut readings) {
+            *reading = gauge.reading(&configuration, *reading);
+        }
+        (state.rotations, state.readings) = (rotations, readings);
+        for element in &self.mesh.elements {
+            if let Element::Ancf14(element) = element {
+                let [first, second] = [&frames[element.place.frame], &frames[element.place.frame + 1]];
+                let angle = &mut state.holonomy[element.place.branch];
+                *angle = Holonomy::new(first, second, *angle).angle;
+            }
+        }
+        for (triad, frame) in state.triads.iter_mut().zip(frames) {
+            *triad = frame.carried();
+        }
+    }
+
+    /// A gauge in words.
+    fn describe_gauge(&self, gauge: &Gauge) -> String {
+        let named = self.joints.iter().find(|joint| joint.a == gauge.a && joint.b == gauge.b);
+        named.map_or_else(|| String::from("a spring"), |joint| joint.name.clone())
+    }
+
+    /// Whether coordinate `index` is a place, m; the others are slopes, angles and directors.
+    pub fn is_place(&self, index: usize) -> bool {
+        let nodes = self.mesh.coordinates();
+        if index < nodes {
+            index - self.mesh.nodes[self.mesh.node_of(index)].coordinates().start < PLACE
+        } else {
+            (index - nodes) % BODY < PLACE
+        }
+    }
+
+    /// The largest of changes of the coordinates: of places over the machine's size, and of slopes, angles and directors as they are.
+    pub fn motion_sizes(&self, changes: &[f64]) -> [f64; 2] {
+        let mut largest = [0.0_f64; 2];
+        for part in self.parts() {
+            let (places, others) = changes[part].split_at(PLACE);
+            for (largest, list) in largest.iter_mut().zip([places, others]) {
+                // Not-a-number must win: `max` would let it pass.
+                *largest =
+                    list.iter().fold(*largest, |most, value| if value.abs() <= most { most } else { value.abs() });
+            }
+        }
+        [largest[0] / self.size, largest[1]]
+    }
+
+    /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the machine's size, slopes,
+    /// angles and directors as they are.
+    pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
+        let mut largest = (0.0, 0);
+        for part in self.parts() {
+            for (local, value) in correction[part.clone()].iter().enumerate() {
+                let size = value.abs() / if local < PLACE { self.size } else { 1.0 };
+                // Not-a-number must win: `>` alone would let it pass.
+                if size > largest.0 || size.is_nan() {
+                    largest = (size, part.start + local);
+                }
+            }
+        }
+        largest
+    }
+
+    /// Whether a load, a joint or a spring acts on a node.
+    pub fn is_held(&self, node: usize) -> bool {
+        self.held.get(node).copied().unwrap_or(false)
+    }
+
+    /// Finds the nodes on which something acts.
+    pub fn find_held_nodes(&mut self) {
+        let loads = self.loads.iter().flat_map(|load| load.points.iter().map(|(marker, _)| marker));
+        let joints = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
+        let springs = self.springs.iter().flat_map(|spring| self.sides(spring.gauge));
+        let mut held = vec![false; self.mesh.nodes.len()];
+        for marker in loads.chain(joints).chain(springs) {
+            if let Marker::Node { node, .. } = marker {
+                held[*node] = true;
+            }
+        }
+        self.held = held;
+    }
+}

@@ -1,0 +1,113 @@
+//! Small changes of a state: added to one, or taken from the difference of two.
+//!
+//! Coordinates of a node with a frame are measured in the chart of the unchanged state's own triad. A changed state has triads of its own,
+//! carried from the unchanged ones to its tangents (MECHANICS 2.3, 2.6), which leaves `theta` and all quasi-velocities as they are.
+
+use super::System;
+use crate::mechanics::beam::ancf14::coordinates::THETA;
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::geometry::triad::Triad;
+use crate::mechanics::state::State;
+
+/// A direction in the space of states: a list for each list of numbers in [`State`], in its units over those of whatever it is a
+/// derivative by.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Variation {
+    /// Of the coordinates.
+    pub q: Vec<f64>,
+    /// Of the velocities.
+    pub velocity: Vec<f64>,
+    /// Of the momenta.
+    pub momentum: Vec<f64>,
+    /// Of the multipliers.
+    pub multipliers: Vec<f64>,
+    /// Of the momentum that constraints do not allow.
+    pub strays: Vec<f64>,
+    /// Of the strain rates.
+    pub strain_rates: Vec<f64>,
+    /// Of the accelerations: of the coordinates, and algorithmic; empty where the state has none.
+    pub accelerations: [Vec<f64>; 2],
+}
+
+/// The lists of a state in the order of a variation's.
+fn lists(state: &State) -> [&Vec<f64>; 8] {
+    let State { q, velocity, momentum, multipliers, strays, strain_rates, accelerations, .. } = state;
+    [
+        q,
+        velocity,
+        momentum,
+        multipliers,
+        strays,
+        strain_rates,
+        &accelerations.of_coordinates,
+        &accelerations.algorithmic,
+    ]
+}
+
+fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 8] {
+    let State { q, velocity, momentum, multipliers, strays, strain_rates, accelerations, .. } = state;
+    [
+        q,
+        velocity,
+        momentum,
+        multipliers,
+        strays,
+        strain_rates,
+        &mut accelerations.of_coordinates,
+        &mut accelerations.algorithmic,
+    ]
+}
+
+impl Variation {
+    fn lists(&self) -> [&Vec<f64>; 8] {
+        let Self { q, velocity, momentum, multipliers, strays, strain_rates, accelerations: [first, second] } = self;
+        [q, velocity, momentum, multipliers, strays, strain_rates, first, second]
+    }
+
+    fn lists_mut(&mut self) -> [&mut Vec<f64>; 8] {
+        let Self { q, velocity, momentum, multipliers, strays, strain_rates, accelerations: [first, second] } = self;
+        [q, velocity, momentum, multipliers, strays, strain_rates, first, second]
+    }
+
+    /// No change of `state`.
+    pub fn set_zero(&mut self, state: &State) {
+        for (own, list) in self.lists_mut().into_iter().zip(lists(state)) {
+            own.clear();
+            own.resize(list.len(), 0.0);
+        }
+    }
+
+    /// Changes `state` by `factor` times this; its triads belong to its tangents. What is prescribed, and what hosts want, is the caller's.
+    /// `frames` is scratch memory.
+    pub fn apply(&self, system: &System, factor: f64, state: &mut State, frames: &mut Vec<NodeFrame>) {
+        for (list, own) in lists_mut(state).into_iter().zip(self.lists()) {
+            for (value, change) in list.iter_mut().zip(own) {
+                *value += factor * change;
+            }
+        }
+        system.frames(&state.q, &state.triads, frames);
+        for (triad, frame) in state.triads.iter_mut().zip(frames.iter()) {
+            *triad = frame.carried();
+        }
+        system.frames(&state.q, &state.triads, frames);
+        system.carry_references(state, frames);
+    }
+
+    /// Adds `weight` times what lies between `from` and `to`, two states of one machine that are near each other.
+    pub fn add_between(&mut self, system: &System, weight: f64, from: &State, to: &State) {
+        for ((own, from), to) in self.lists_mut().into_iter().zip(lists(from)).zip(lists(to)) {
+            for ((own, from), to) in own.iter_mut().zip(from).zip(to) {
+                *own += weight * (to - from);
+            }
+        }
+        for (node, (from, to)) in system.mesh.framed.iter().zip(from.triads.iter().zip(&to.triads)) {
+            self.q[node + THETA] += weight * turn_between(from, to);
+        }
+    }
+}
+
+/// The angle about the tangent by which `to` is turned from `from` carried there, rad.
+fn turn_between(from: &Triad, to: &Triad) -> f64 {
+    let carried = from.carried(&to.t);
+    f64::atan2(carried.u.cross(&to.u).dot(&to.t), carried.u.dot(&to.u))
+}
