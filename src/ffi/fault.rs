@@ -10,7 +10,7 @@ use std::{
     panic::{PanicHookInfo, set_hook},
 };
 
-/// Longest place kept, bytes: `src/mechanics/beam/ancf14/bending.rs:123` and much more.
+/// Longest place kept, bytes: `src/mechanics/beam/ancf14/energy/bending.rs:123` and much more.
 const LONGEST_PLACE: usize = 120;
 
 /// Length and bytes of a file name, and the line.

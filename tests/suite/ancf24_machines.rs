@@ -8,7 +8,7 @@ use crate::running::{value, vector};
 use ancf14::fmi::Model;
 use ancf14::math::rotation::rotation_vector_near;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::ancf24::law::Shear;
 use ancf14::mechanics::beam::centreline::Centreline;

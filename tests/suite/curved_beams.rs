@@ -8,7 +8,7 @@ use ancf14::math::curve::Curve;
 use ancf14::math::jet::Jet;
 use ancf14::math::quadrature::GAUSS_POINTS;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::centreline::{Centreline, Spacing};
 use ancf14::mechanics::beam::design::BeamDesign;

@@ -7,7 +7,7 @@ use crate::machines::{clamp, design, energies, integrate};
 use crate::oscillation::{period_and_decrement, theory};
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::ancf14::coordinates::{NODE, P, R, THETA};
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;

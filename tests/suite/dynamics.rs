@@ -3,7 +3,7 @@
 use crate::machines::ancf14;
 use crate::machines::{design, energies, hold, integrate};
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::centreline::Centreline;
 use ancf14::mechanics::beam::design::BeamDesign;

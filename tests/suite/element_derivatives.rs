@@ -5,8 +5,8 @@ use crate::oracle;
 use crate::random::Random;
 use ancf14::math::{Vec3, rotation};
 use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation, Place};
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
 use ancf14::mechanics::geometry::triad::Triad;
 use nalgebra::SVector;
@@ -137,7 +137,7 @@ fn strongly_twisted_states() {
 /// Work of the axial force by the increment of the slopes must be the increment of the axial energy (MECHANICS 7.6).
 #[test]
 fn axial_work_over_a_step_is_the_energy_increment() {
-    use ancf14::mechanics::beam::ancf14::axial::{Slope, small};
+    use ancf14::mechanics::beam::ancf14::energy::axial::{Slope, small};
     let mut random = Random(5);
     let stiffness = stiffness(Strain::Small);
     for _ in 0..100 {

@@ -9,7 +9,7 @@ use crate::machines::ancf14;
 use crate::machines::{clamp, design};
 use ancf14::math::jet::Jet;
 use ancf14::math::{Vec3, rotation};
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::section::Section;

@@ -5,7 +5,7 @@ use crate::machines::{clamp, design};
 use ancf14::math::Vec3;
 use ancf14::math::vectors::vec3;
 use ancf14::mechanics::beam::ancf14::coordinates::THETA;
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements, Torsion};
 use ancf14::mechanics::beam::section::Section;

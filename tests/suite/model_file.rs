@@ -3,7 +3,7 @@
 
 use ancf14::fmi::Value;
 use ancf14::fmi::variable::{Causality, Variability, Variable};
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::design::{Elements, Torsion};
 use ancf14::model::document::Document;

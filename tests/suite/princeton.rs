@@ -4,7 +4,7 @@
 use crate::machines::ancf14;
 use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::centreline::Centreline;
 use ancf14::mechanics::beam::design::BeamDesign;

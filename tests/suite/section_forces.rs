@@ -5,7 +5,7 @@ use crate::machines::{ancf14, ancf14_elements, clamp, design, load};
 use crate::oracle::Scalar;
 use crate::random::Random;
 use ancf14::math::Vec3;
-use ancf14::mechanics::beam::ancf14::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::section;
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
 use ancf14::mechanics::beam::design::BeamDesign;

@@ -1,6 +1,6 @@
 //! A beam as drawn: its line, section and material, and the formulation of its elements.
 
-use super::ancf14::quadratic_twist::Twist;
+use super::ancf14::energy::quadratic_twist::Twist;
 use super::ancf14::strain::{Stiffness, Strain};
 use super::ancf24::element::Properties;
 use super::ancf24::law::{Shear, law};

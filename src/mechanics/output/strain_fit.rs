@@ -8,7 +8,7 @@
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS};
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14;
-use crate::mechanics::beam::ancf14::quadratic_twist::Twist;
+use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::ancf14::strain::Strain;
 use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::formulation::Element;

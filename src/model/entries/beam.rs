@@ -1,7 +1,7 @@
 //! `[beam.NAME]`: a beam and how it is divided and formulated; its line is in curve.rs.
 
 use super::curve::Line;
-use crate::mechanics::beam::ancf14::quadratic_twist::Twist;
+use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::ancf14::strain::Strain;
 use crate::mechanics::beam::ancf24::law::Shear;
 use crate::mechanics::beam::design::{Elements, Torsion};

@@ -1,6 +1,6 @@
 //! The runs beside the first one: the same file and the same overrides, with another step or another mesh.
 
-use crate::mechanics::beam::ancf14::quadratic_twist::Twist;
+use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::design::{Elements, Torsion};
 use crate::model::document::Document;
 use crate::model::entries::anchor::{Along, Spot};

@@ -11,9 +11,9 @@
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, complete, spread};
 use super::element::{Element, Evaluation};
+use super::kinematics::pullback::{Couplings, Forces, Gradients};
+use super::kinematics::relative::RELATIVE;
 use super::over_step::STRAINS;
-use super::pullback::{Couplings, Forces, Gradients};
-use super::relative::RELATIVE;
 use super::strain::{Resultants, Rigidities, Strain};
 use nalgebra::{SMatrix, SVector};
 

@@ -6,16 +6,20 @@
 use super::coordinates::{
     ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slope as slope_at,
 };
+use super::energy::axial;
+use super::energy::bending;
+use super::energy::fourth_moments;
+use super::energy::quadratic_twist::{self, Condensation, Twist};
+use super::energy::stretching;
+use super::energy::torsion;
 use super::frame::NodeFrame;
 use super::inertia::{self, Mass};
 use super::kinematics::Kinematics;
+use super::kinematics::points::{AxialPoint, BendingPoint};
+use super::kinematics::pullback::{Couplings, Forces, Gradients};
+use super::kinematics::relative::{RELATIVE, RelativeVector};
 use super::over_step::{Added, Turn};
-use super::points::{AxialPoint, BendingPoint};
-use super::pullback::{Couplings, Forces, Gradients};
-use super::quadratic_twist::{self, Condensation, Twist};
-use super::relative::{RELATIVE, RelativeVector};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
-use super::{axial, bending, fourth_moments, stretching, torsion};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::Configuration;

@@ -2,10 +2,10 @@
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, interpolate};
 use super::element::{Element, Evaluation};
+use super::energy::quadratic_twist::{self, Twist};
 use super::kinematics::Holonomy;
+use super::kinematics::section_point::SectionPoint;
 use super::over_step::StepStart;
-use super::quadratic_twist::{self, Twist};
-use super::section_point::SectionPoint;
 use super::{damping, section};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};

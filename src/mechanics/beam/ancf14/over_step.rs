@@ -7,8 +7,8 @@
 
 use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, NODE, P, THETA, slope as slope_at};
 use super::element::{Element, Evaluation};
+use super::energy::quadratic_twist::{self, Twist};
 use super::frame::NodeFrame;
-use super::quadratic_twist::{self, Twist};
 use super::strain::{Resultants, Strain};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::configuration::{Configuration, TimeStep};

@@ -1,11 +1,14 @@
 //! Strains and section forces, the derivatives of the energy per undeformed length by the strains of a section.
 
-use super::curve_point::CurvePoint;
 use super::element::Element;
+use super::energy::axial;
+use super::energy::bending;
+use super::energy::fourth_moments;
+use super::energy::quadratic_twist;
+use super::energy::torsion;
 use super::kinematics::Kinematics;
-use super::quadratic_twist;
+use super::kinematics::curve_point::CurvePoint;
 use super::strain::{Stiffness, Strain, Strains};
-use super::{axial, bending, fourth_moments, torsion};
 use crate::math::hermite;
 use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
 use crate::mechanics::beam::configuration::Configuration;

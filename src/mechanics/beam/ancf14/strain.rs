@@ -1,6 +1,6 @@
 //! What an energy density of a bending point depends on, and its derivatives in the same order.
 
-use super::quadratic_twist::Twist;
+use super::energy::quadratic_twist::Twist;
 use nalgebra::SVector;
 use std::ops::{Add, Mul};
 

@@ -1,6 +1,6 @@
 //! Bending: `(1 + 3 e)/2 (E Iz g1² + E Iy g2²)`, J/m; `e = 0` for small strain (MECHANICS 3.1, 3.2).
 
-use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
+use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 
 /// How much the axial Green strain stiffens bending: `d(1 + 3 e)/de`, none for small strain.
 fn coupling(stiffness: &Stiffness) -> f64 {

@@ -1,6 +1,6 @@
 //! Torsion: Saint-Venant's `G Jt/2 tau²`, J/m (MECHANICS 3.1). The Wagner term lives with the axial points, in axial.rs.
 
-use super::strain::{Resultants, Rigidities, Stiffness, Strains};
+use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities, Stiffness, Strains};
 
 /// Energy density, J/m.
 pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {

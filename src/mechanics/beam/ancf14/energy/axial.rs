@@ -3,9 +3,9 @@
 //! Over a step the strain is the mean of the two ends' and its force acts along the mean slope (MECHANICS 7.6): a beam that
 //! turns keeps its length. At an increment of zero that is the plain energy of the configuration.
 
-use super::strain::Stiffness;
 use crate::math::rotation::normal_projector;
 use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam::ancf14::strain::Stiffness;
 
 /// The slope at one axial point, and what it changes by over the step.
 #[derive(Clone, Copy, Debug)]

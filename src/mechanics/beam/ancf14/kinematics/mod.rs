@@ -1,11 +1,17 @@
 //! The frame inside the element: one minimal rotation from the first node, plus the integral of its twist rate (MECHANICS 2.7-2.15, 8).
 
+pub mod curve_point;
+pub mod points;
+pub mod pullback;
+pub mod relative;
+pub mod section_point;
+
+use self::curve_point::CurvePoint;
+use self::points::BendingPoint;
+use self::relative::RelativeShape;
 use super::coordinates::THETA;
-use super::curve_point::CurvePoint;
 use super::element::Element;
 use super::frame::NodeFrame;
-use super::points::BendingPoint;
-use super::relative::RelativeShape;
 use crate::math::rotation::{carry, half_turn};
 use crate::math::{Mat3, Vec3};
 use std::f64::consts::TAU;

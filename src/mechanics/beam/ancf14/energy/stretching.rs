@@ -2,11 +2,13 @@
 //! (MECHANICS 8). Densities are those of axial.rs.
 
 use super::axial;
-use super::coordinates::{ElementColumns, ElementVector, add_between, add_product, add_spread, spread};
-use super::element::Evaluation;
-use super::pullback::{Forces, Gradients};
 use super::quadratic_twist::Condensation;
-use super::strain::{Resultants, Rigidities, Strain};
+use crate::mechanics::beam::ancf14::coordinates::{
+    ElementColumns, ElementVector, add_between, add_product, add_spread, spread,
+};
+use crate::mechanics::beam::ancf14::element::Evaluation;
+use crate::mechanics::beam::ancf14::kinematics::pullback::{Forces, Gradients};
+use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities, Strain};
 
 /// `∂²U/∂T²` of the axial points, N m: what Wagner's term has.
 #[inline]

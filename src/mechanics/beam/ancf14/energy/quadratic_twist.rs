@@ -5,12 +5,12 @@
 //! is the one at `b` held; the Hessian is condensed, `U_qq − U_qb U_qbᵀ / U_bb`. The total twist and the mean torsion of the axial
 //! points do not change with `b`.
 
-use super::coordinates::{ElementVector, spread};
-use super::element::Evaluation;
-use super::points::BendingPoint;
-use super::pullback::{Couplings, Forces, Gradients, PointCouplings};
-use super::relative::{RelativeMatrix, RelativeVector};
-use super::strain::Rigidities;
+use crate::mechanics::beam::ancf14::coordinates::{ElementVector, spread};
+use crate::mechanics::beam::ancf14::element::Evaluation;
+use crate::mechanics::beam::ancf14::kinematics::points::BendingPoint;
+use crate::mechanics::beam::ancf14::kinematics::pullback::{Couplings, Forces, Gradients, PointCouplings};
+use crate::mechanics::beam::ancf14::kinematics::relative::{RelativeMatrix, RelativeVector};
+use crate::mechanics::beam::ancf14::strain::Rigidities;
 
 /// How the twist runs inside an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 //! `E/8 [tau⁴ (yyyy + 2 yyzz + zzzz) + 2 tau² (g1² (yyyy + yyzz) + g2² (zzzz + yyzz)) + g1⁴ yyyy + 6 g1² g2² yyzz + g2⁴ zzzz]`.
 //! It bounds the energy from below; all of it is 0 unless the strain is large.
 
-use super::strain::{Resultants, Rigidities, Stiffness, Strains};
+use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities, Stiffness, Strains};
 
 /// Energy density, J/m.
 pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {

@@ -4,11 +4,11 @@
 //! slope lies along `t`); beside them the twist between the nodes, `θ_1 − θ_0 + β`, and `θ_0`. Strains are differentiated by these
 //! nine; the way back to the 14 coordinates, turn of the frame and holonomy included, is here alone.
 
-use super::coordinates::{ElementColumns, ElementVector, NODE, P, R, THETA};
-use super::frame::NodeFrame;
-use super::kinematics::Holonomy;
+use super::Holonomy;
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam::ancf14::coordinates::{ElementColumns, ElementVector, NODE, P, R, THETA};
+use crate::mechanics::beam::ancf14::frame::NodeFrame;
 
 /// Place of the chord, m.
 const CHORD: usize = 0;
@@ -130,7 +130,7 @@ impl<'a> RelativeShape<'a> {
         sum
     }
 
-    /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`super::coordinates::complete`]), of what has the
+    /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`crate::mechanics::beam::ancf14::coordinates::complete`]), of what has the
     /// derivatives `by` and the second derivatives `second` by the relative shape; fills in the upper triangle of `second`.
     ///
     /// All of it is done in the axes `[t u v]` of the first frame, in which `∂φ/∂p_0` and all that has to do with `t` are mostly zeros.

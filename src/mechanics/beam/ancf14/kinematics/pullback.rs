@@ -2,11 +2,11 @@
 //! `α` of each bending point and of `T`: their derivatives by these ([`Forces`], [`Couplings`]) and those of these by the shape
 //! ([`Gradients`]) are all there is. Elastic and viscous resultants go the same way.
 
+use super::Kinematics;
 use super::curve_point::CurveGradients;
-use super::element::{Element, Evaluation};
-use super::kinematics::Kinematics;
 use super::relative::{self, ANGLE, RELATIVE, RelativeMatrix, RelativeVector, TWIST};
-use super::strain::{Resultants, Rigidities};
+use crate::mechanics::beam::ancf14::element::{Element, Evaluation};
+use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities};
 
 /// How many numbers strains are made of: `κ1`, `κ2`, `α` of each bending point in turn, and `T`.
 const PARTS: usize = 10;

@@ -1,12 +1,14 @@
 //! A section inside an element, as a point to hold on to (MECHANICS 2.13, 2.17).
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, complete, interpolate};
-use super::element::Element;
-use super::kinematics::Kinematics;
+use super::Kinematics;
 use super::pullback::{Factors, Gradients};
 use super::relative::RELATIVE;
 use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second, normal_projector};
 use crate::math::{Mat3, Vec3, hermite, quadrature};
+use crate::mechanics::beam::ancf14::coordinates::{
+    ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, complete, interpolate,
+};
+use crate::mechanics::beam::ancf14::element::Element;
 use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::geometry::pose::Pose;
 use nalgebra::SMatrix;
