@@ -1,6 +1,7 @@
-//! The lines that ARCHITECTURE.md draws must hold in the code: who may import whom, where unsafe, faer and printing live, how long
-//! files are, and that every path the page names exists.
+//! The lines that ARCHITECTURE.md draws must hold in the code: which layer may import which, that the rooms of a layer are a stack,
+//! where unsafe, faer and printing live, how long files are, that the page names every room, and that every path it names exists.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -65,6 +66,142 @@ fn modules_import_only_what_lies_below() {
     }
 }
 
+/// Imports between rooms that close a circle: layer, room, the room that it imports. New ones fail; one that is gone leaves this list.
+const CIRCLES: &[(&str, &str, &str)] = &[
+    // What an identifier is.
+    ("fmi", "description", "header"),
+    // The names of the files in the FMU, which the page tells.
+    ("fmi", "documentation", "package"),
+    // Errors of the order of calls name the call, and the table of legal calls makes errors.
+    ("fmi", "error", "lifecycle"),
+    // A file with mistakes of the geometry is no document.
+    ("model", "document", "geometry"),
+    // Parameters are read off a document, which keeps them.
+    ("model", "document", "parameter"),
+    // Keys have numbers, and numbers the ranges of their keys.
+    ("model", "number", "schema"),
+    // The estimate of a run is compared with a scale as differences between runs are.
+    ("model", "accuracy", "verification"),
+    // The command asks for the drawings of the modes that it found.
+    ("cli", "shapes", "modes"),
+    // A run may be verified and shown; both run the model again, with the same bar of progress.
+    ("cli", "verify", "run"),
+    ("cli", "view", "run"),
+];
+
+/// Adds the paths that begin at `text`, after a `::`, to `paths`, each behind `prefix`; returns how long they are. `a::{b, c::d}` is two paths.
+fn add_paths(text: &str, prefix: &[&str], paths: &mut Vec<Vec<String>>) -> usize {
+    if let Some(list) = text.strip_prefix('{') {
+        let mut at = 1;
+        loop {
+            at += list[at - 1..].len() - list[at - 1..].trim_start_matches([' ', '\n', ',']).len();
+            if text[at..].starts_with('}') || text[at..].is_empty() {
+                return at + 1;
+            }
+            // At least one byte: a star, which imports a whole module, is no name.
+            at += add_paths(&text[at..], prefix, paths).max(1);
+            at += text[at..].find([',', '}']).unwrap_or(0);
+        }
+    }
+    let length = text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
+    let longer = [prefix, &[&text[..length]]].concat();
+    match text[length..].strip_prefix("::") {
+        Some(rest) if length > 0 => length + 2 + add_paths(rest, &longer, paths),
+        _ => {
+            paths.push(longer.iter().map(|word| (*word).to_owned()).collect());
+            length
+        }
+    }
+}
+
+/// The modules that file `name` below `src/` names by paths from `crate` or from above itself, tests left out.
+fn named(name: &str, code: &str) -> Vec<Vec<String>> {
+    let code = code.split("#[cfg(test)]").next().unwrap();
+    let mut own: Vec<&str> = name.strip_suffix(".rs").unwrap().split('/').skip(1).collect();
+    own.pop_if(|last| *last == "mod");
+    let mut paths = Vec::new();
+    for (at, word) in code.match_indices("crate::").chain(code.match_indices("super::")) {
+        // The second of `super::super::`, and the middle of a name.
+        if code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == ':') {
+            continue;
+        }
+        let mut rest = &code[at + word.len()..];
+        let mut above = own.as_slice();
+        if word == "crate::" {
+            above = &[];
+        } else {
+            above = &above[..above.len() - 1];
+            while let Some(further) = rest.strip_prefix("super::") {
+                (above, rest) = (&above[..above.len() - 1], further);
+            }
+        }
+        add_paths(rest, above, &mut paths);
+    }
+    paths
+}
+
+/// The rooms of a layer, files and folders, each with the rooms that it imports.
+fn rooms(layer: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let files = sources(&format!("src/{layer}"));
+    let room_of = |name: &str| name.split('/').nth(2).unwrap().trim_end_matches(".rs").to_owned();
+    let mut rooms: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (name, _) in &files {
+        rooms.insert(room_of(name), BTreeSet::new());
+    }
+    // The layer's own mod.rs is above and below them: it lists them, and holds what all of them share.
+    rooms.remove("mod");
+    let all: BTreeSet<String> = rooms.keys().cloned().collect();
+    for (name, code) in &files {
+        let Some(imported) = rooms.get_mut(&room_of(name)) else { continue };
+        for path in named(name, code) {
+            if let [first, room, ..] = path.as_slice()
+                && first == layer
+                && all.contains(room)
+                && *room != room_of(name)
+            {
+                imported.insert(room.clone());
+            }
+        }
+    }
+    rooms
+}
+
+/// Which rooms of a layer import which: a stack, floor above floor, but for what [`CIRCLES`] lists.
+#[test]
+fn rooms_are_a_stack() {
+    for layer in ["math", "mechanics", "solve", "fmi", "model", "simulation", "ffi", "cli"] {
+        let mut rooms = rooms(layer);
+        for (_, room, above) in CIRCLES.iter().filter(|(own, ..)| *own == layer) {
+            let found = rooms.get_mut(*room).is_some_and(|imported| imported.remove(*above));
+            assert!(found, "{layer}/{room} does not import {above} any more: take it off the list");
+        }
+        let mut floor = 0;
+        while !rooms.is_empty() {
+            floor += 1;
+            let lowest: Vec<String> =
+                rooms.iter().filter(|(_, imported)| imported.is_empty()).map(|(room, _)| room.clone()).collect();
+            assert!(!lowest.is_empty(), "rooms of {layer} import one another in a circle: {rooms:?}");
+            println!("{layer}, floor {floor}: {}", lowest.join(" "));
+            for room in &lowest {
+                rooms.remove(room);
+            }
+            for imported in rooms.values_mut() {
+                imported.retain(|room| !lowest.contains(room));
+            }
+        }
+    }
+}
+
+/// `use`, as rustfmt leaves it, and paths in the middle of code.
+#[test]
+fn paths_are_read() {
+    let code =
+        "use super::{\n    a::{self, B},\n    c,\n};\nuse crate::x::y::*;\nfn f() { super::super::d::e(crate::z::W) }";
+    let read: Vec<String> = named("src/x/room/file.rs", code).iter().map(|path| path.join("::")).collect();
+    let wanted = ["x::y::", "z::W", "x::room::a::self", "x::room::a::B", "x::room::c", "x::d::e"];
+    assert_eq!(read, wanted);
+}
+
 #[test]
 fn unsafe_lives_in_ffi_only() {
     let word = |line: &str| line.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == "unsafe");
@@ -116,6 +253,18 @@ fn no_file_is_longer_than_500_lines() {
             let count = fs::read_to_string(&path).unwrap().lines().count();
             assert!(count <= 500, "{} has {count} lines", path.display());
         }
+    }
+}
+
+/// A room, every folder of source files, has its sentence on the page.
+#[test]
+fn the_page_names_every_room() {
+    let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let rooms: BTreeSet<String> =
+        sources("src").iter().map(|(name, _)| name.rsplit_once('/').unwrap().0.to_owned()).collect();
+    assert!(rooms.len() > 30);
+    for room in rooms {
+        assert!(page.contains(&format!("`{room}/`")), "ARCHITECTURE.md does not say what {room}/ is");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Motion that is prescribed: drives and moving frames, by functions of time or by a host (`host_path`).
+//! Motion that is prescribed: drives and moving frames, by functions of time or by a host (`host_motion`).
 //!
 //! A rate that a function gives is integrated to round-off.
 
