@@ -9,7 +9,7 @@ use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::state::State;
 use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::variation::Variation;
 use serde::{Deserialize, Serialize};
 
@@ -66,7 +66,7 @@ pub struct Looker {
     moved: Option<State>,
     variation: Variation,
     frames: Vec<NodeFrame>,
-    snapshot: Snapshot,
+    snapshot: FrameCache,
     values: Vec<f64>,
 }
 

@@ -6,7 +6,7 @@ use crate::math::Vec3;
 use crate::math::vectors::vec3;
 use crate::mechanics::beam::Beam;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::modes;
 
 pub use modes::Kind;
@@ -92,7 +92,7 @@ impl Simulation {
     pub fn modes(&self, count: usize) -> Result<Modes, Failure> {
         let (system, state) = (self.system(), self.state());
         let found = modes::modes(system, state, count).map_err(|error| failure(&error))?;
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let configuration = snapshot.of(system, state);
         let name = |beam: &Beam, node: usize| format!("{}.node[{}]", beam.name, beam.end_of(node));
         let names = system.beams.iter().flat_map(|beam| beam.node_range().map(move |node| name(beam, node)));

@@ -24,7 +24,7 @@ use crate::fmi::variable::{Variability, Variable};
 use crate::fmi::{About, Failure, LogCategory, Model, Value};
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot as Frames;
+use crate::mechanics::system::frame_cache::FrameCache;
 use std::sync::Arc;
 
 /// The parameter that a host's tolerance stands for.
@@ -38,7 +38,7 @@ pub struct Simulation {
     document: Arc<Document>,
     machine: Machine,
     results: Vec<f64>,
-    frames: Frames,
+    frames: FrameCache,
     warnings: Vec<String>,
     watch: Watch,
     columns: Arc<Columns>,
@@ -80,7 +80,7 @@ impl Simulation {
             inputs: Inputs::new(&document),
             document,
             results: Vec::new(),
-            frames: Frames::default(),
+            frames: FrameCache::default(),
             warnings: Vec::new(),
             watch: Watch::default(),
             last: LastStep::default(),

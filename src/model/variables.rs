@@ -16,7 +16,7 @@ use crate::mechanics::beam::resultants::Fibre;
 use crate::mechanics::output::joint_loads::Action;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::step::response::Response;
 use std::ops::Range;
 
@@ -214,7 +214,7 @@ impl Table {
     }
 
     /// The fibres of all sensors that bear most at a moment, for [`Moment::fibres`]; none where no stress is told.
-    pub fn fibres(&self, moment: &Moment, snapshot: &mut Snapshot) -> Vec<Fibre> {
+    pub fn fibres(&self, moment: &Moment, snapshot: &mut FrameCache) -> Vec<Fibre> {
         let tells_stress = |measure: &Measure| matches!(measure, Measure::Sensors(_, Quantity::Stress));
         if !self.measures.iter().any(tells_stress) {
             return Vec::new();
@@ -278,7 +278,7 @@ impl Table {
     }
 
     /// Writes all results of a moment into `values`.
-    pub fn measure(&self, moment: &Moment, snapshot: &mut Snapshot, values: &mut Vec<f64>) {
+    pub fn measure(&self, moment: &Moment, snapshot: &mut FrameCache, values: &mut Vec<f64>) {
         let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
         let passage = Passage::Instant(&state.velocity);

@@ -13,7 +13,7 @@ use crate::error::decimal;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::Alarm;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use serde::{Deserialize, Serialize};
 
 /// Quantities that an axial force is read from.
@@ -50,7 +50,7 @@ impl Watch {
         state: &State,
         table: &Table,
         results: &[f64],
-        frames: &mut Snapshot,
+        frames: &mut FrameCache,
     ) -> Vec<String> {
         let twist = self.twist(system, state, frames);
         let axial = self.axial(system, state, table, frames);
@@ -60,7 +60,7 @@ impl Watch {
     }
 
     /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.
-    fn axial(&mut self, system: &System, state: &State, table: &Table, frames: &mut Snapshot) -> Option<String> {
+    fn axial(&mut self, system: &System, state: &State, table: &Table, frames: &mut FrameCache) -> Option<String> {
         if self.axial_warned {
             return None;
         }
@@ -80,7 +80,7 @@ impl Watch {
     }
 
     /// Warns of a beam that is twisted beyond half the rate above which its energy has no lower bound (MECHANICS 3.7).
-    fn twist(&mut self, system: &System, state: &State, frames: &mut Snapshot) -> Option<String> {
+    fn twist(&mut self, system: &System, state: &State, frames: &mut FrameCache) -> Option<String> {
         if self.twist_warned {
             return None;
         }

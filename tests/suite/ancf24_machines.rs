@@ -18,7 +18,7 @@ use ancf14::mechanics::constraint::joint::Joint;
 use ancf14::mechanics::constraint::weld;
 use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::statics::Statics;
 use std::process::Command;
@@ -44,7 +44,7 @@ fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) 
     assembly.add_sensor(second, 1.0);
     let (system, mut state) = assembly.finish(Vec3::zeros());
     Statics::new(&system, 1e-12).find(&system, &mut state, 1.0).unwrap();
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let pose = system.sensors[0].marker.pose(&snapshot.of(&system, &state));
     (pose.place - Vec3::x(), rotation_vector_near(&pose.axes, &Vec3::zeros()))
 }

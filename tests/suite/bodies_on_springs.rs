@@ -12,7 +12,7 @@ use ancf14::mechanics::body::rigid_body::BodyDesign;
 use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::marker::gauge::{Gauge, Measure};
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use std::f64::consts::TAU;
 
 const MASS: f64 = 2.0;
@@ -161,7 +161,7 @@ fn an_anisotropic_bushing_keeps_momenta_and_energy() {
             let (linear_0, angular_0) = *start.get_or_insert((linear, angular));
             drift = drift.max((linear - linear_0).norm() / linear_0.norm());
             drift = drift.max((angular - angular_0).norm() / angular_0.norm());
-            let mut snapshot = Snapshot::default();
+            let mut snapshot = FrameCache::default();
             let c = snapshot.of(&system, state);
             let components = [0, 1, 2].map(|axis| Gauge { a, b, measure: Measure::Rotation(axis) }.reading(&c, 0.0));
             turn = turn.max(Vec3::from(components).norm());

@@ -4,7 +4,7 @@
 
 use crate::running::{run, start, value};
 use ancf14::fmi::{About, Model};
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
 
 /// A steel rod of 1 m, radius 5 mm, that is clamped at its start, with what `more` says of the beam and beside it.
@@ -26,7 +26,7 @@ const LOAD: f64 = 1e-3;
 
 /// Strain energy, and the estimate of what the mesh leaves out of it, J.
 fn energies(simulation: &Simulation) -> [f64; 2] {
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let c = snapshot.of(simulation.system(), simulation.state());
     let error = simulation.system().mesh_error(&c);
     assert!((error.energy / value(simulation, "energy.elastic") - 1.0).abs() < 1e-9);
@@ -57,7 +57,7 @@ fn smooth_moments_are_right_where_read_ones_are_off() {
                    [output.mid]\nat = \"rod@0.5\"\nquantities = [\"section_moment\"]\n";
     let load = format!("[load.all]\non = \"rod\"\nforce = [0, 0, {LOAD}]\n");
     let simulation = start(&rod("elements = 4", &format!("{load}{outputs}{STATIC}")));
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let c = snapshot.of(simulation.system(), simulation.state());
     let off = LOAD / 16.0 / 12.0;
     for (name, sensor, exact) in [("foot", 0, 0.5 * LOAD), ("mid", 1, 0.125 * LOAD)] {

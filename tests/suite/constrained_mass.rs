@@ -9,7 +9,7 @@ use ancf14::mechanics::constraint::joint::JointGradient;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::build::Built;
 use ancf14::solve::linear::mass_factor::MassFactor;
 use ancf14::solve::linear::sparse_lu::SparseLu;
@@ -25,7 +25,7 @@ fn masses(system: &System) -> Kkt {
 }
 
 fn gradients(system: &System, state: &State) -> Vec<JointGradient> {
-    let (mut snapshot, mut gradients) = (Snapshot::default(), Vec::new());
+    let (mut snapshot, mut gradients) = (FrameCache::default(), Vec::new());
     system.constraint_gradients(&snapshot.of(system, state), &mut gradients);
     gradients
 }

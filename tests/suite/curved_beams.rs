@@ -22,7 +22,7 @@ use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 use std::sync::Arc;
 
@@ -131,7 +131,7 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
 
 /// What the sensors see: place; strains and section moments; all with their signs of the one or the other direction of drawing.
 fn seen(system: &System, state: &State) -> Vec<(Vec3, [f64; 4], [f64; 4])> {
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let c = snapshot.of(system, state);
     let row = |sensor: &ancf14::mechanics::marker::sensor::Sensor| {
         let (strains, forces) = (sensor.strains(&c), sensor.section_forces(&c));
@@ -161,7 +161,7 @@ fn curved_beams_are_free_of_stress_as_drawn() {
             let (system, mut state) = assembly.finish(Vec3::zeros());
             let [_, elastic, _] = energies(&system, &state);
             assert_eq!(elastic, 0.0);
-            let mut snapshot = Snapshot::default();
+            let mut snapshot = FrameCache::default();
             let c = snapshot.of(&system, &state);
             for (number, element) in ancf14_elements(&system).enumerate() {
                 let forces = element.evaluation(&c).gradient();
@@ -298,7 +298,7 @@ fn sensors_see_the_strains_of_the_energy() {
     for strain in [Strain::Small, Strain::Large] {
         let beam = strip(strain, Spacing::Arc, &curve(false), elements, &IN_SPACE);
         let (system, state) = loaded(&beam, [0.0, 1.0], &IN_SPACE, &fractions);
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let c = snapshot.of(&system, &state);
         for (k, sensor) in system.sensors.iter().enumerate() {
             let element = ancf14_elements(&system).nth(k / 3).unwrap();
@@ -329,7 +329,7 @@ fn section_forces_are_those_of_statics() {
     let errors = [18, 36, 72].map(|elements| {
         let beam = strip(Strain::Large, Spacing::Arc, &curve(false), elements, &small);
         let (system, state) = loaded(&beam, [0.0, 1.0], &small, &watched);
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let c = snapshot.of(&system, &state);
         let end = beam.line.place(1.0);
         system.sensors.iter().fold(0.0, |worst: f64, sensor| {
@@ -373,7 +373,7 @@ fn quarter_arc_unbends() {
         for step in 1..=5 {
             statics.find(&system, &mut state, 0.2 * f64::from(step)).unwrap();
         }
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let place = system.sensors[end].marker.pose(&snapshot.of(&system, &state)).place;
         errors.push((place - Vec3::x()).norm());
     }

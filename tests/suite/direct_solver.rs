@@ -6,7 +6,7 @@ use ancf14::mechanics::beam::configuration::Passage;
 use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::build::{self, Built};
 use ancf14::model::document::Document;
 use ancf14::solve::linear::Regularity;
@@ -39,7 +39,7 @@ fn built(text: &str, overrides: &[(String, String)]) -> Built {
 
 /// Sets the matrix of a step of `step` s (0: of an equilibrium) at `state`, with the forces `multipliers` in the joints.
 pub fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, multipliers: &[f64]) {
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(system, state);
     let (mut forces, mut excitation) = (vec![0.0; system.coordinates()], Excitation::default());
     system.excite(0.0, &state.targets, &mut excitation);

@@ -8,7 +8,7 @@ use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::f64::consts::PI;
 
@@ -29,7 +29,7 @@ fn frequencies(beam: &BeamDesign) -> Vec<f64> {
     let mut assembly = Assembly::default();
     assembly.add_beam(beam);
     let (system, state) = assembly.finish(Vec3::zeros());
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(&system, &state);
     let mut blocks = Blocks::default();
     system.push_tangent_blocks(&mut blocks);

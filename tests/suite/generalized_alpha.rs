@@ -30,7 +30,7 @@ use ancf14::mechanics::marker::gauge::Measure;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::dynamics::generalized_alpha::GeneralizedAlpha;
 use ancf14::solve::step::response::{Responder, Response};
 use nalgebra::Matrix3;
@@ -147,7 +147,7 @@ fn joints_hold() {
         let (mut gap, mut totals, mut swing) = (0.0_f64, Vec::new(), 0.0_f64);
         let drawn = state.q.clone();
         march(&system, &mut state, &mut method(&system, 0.8), (1e-3, 400), |state| {
-            let mut snapshot = Snapshot::default();
+            let mut snapshot = FrameCache::default();
             let mut g = vec![0.0; system.constraints()];
             system.constraint_conditions(&snapshot.of(&system, state), &mut g);
             gap = g.iter().fold(gap, |gap, value| gap.max(value.abs()));

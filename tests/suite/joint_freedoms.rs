@@ -14,7 +14,7 @@ use ancf14::mechanics::constraint::joint::Joint;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::dynamics::start;
 use nalgebra::{DMatrix, DVector};
@@ -37,7 +37,7 @@ const INDEPENDENT: f64 = 1e-3;
 
 /// The Jacobian of all conditions by all coordinates.
 fn jacobian(system: &System, state: &State) -> DMatrix<f64> {
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let mut gradients = Vec::new();
     system.constraint_gradients(&snapshot.of(system, state), &mut gradients);
     let mut sum = DMatrix::zeros(system.constraints(), system.coordinates());
@@ -58,7 +58,7 @@ fn jacobian(system: &System, state: &State) -> DMatrix<f64> {
 /// The motions that must be free, in the coordinates of the two sides.
 fn expected(pair: &Pair, kind: &Kind) -> Vec<Vec<f64>> {
     let Pair { system, state, sides } = pair;
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let poses = sides.map(|side| side.pose(&snapshot.of(system, state)));
     let moves = |marker: &Marker| matches!(marker, Marker::Body { .. } | Marker::Node { .. });
     let mut list = Vec::new();

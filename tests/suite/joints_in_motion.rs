@@ -17,7 +17,7 @@ use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 
 const KINDS: [(&str, &[Primitive], usize); 3] =
     [("weld", weld::PRIMITIVES, 6), ("spherical", spherical::PRIMITIVES, 3), ("revolute", revolute::PRIMITIVES, 5)];
@@ -70,7 +70,7 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
 
 /// Rows of the joint's gradient that are independent.
 fn rank(system: &System, state: &State, joint: usize) -> usize {
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let mut gradient = JointGradient::default();
     system.joints[joint].phi_q(&snapshot.of(system, state), &mut gradient);
     let rows = system.joints[joint].rows();
@@ -91,7 +91,7 @@ fn joints_hold_and_energy_stays() {
             let (mut low, mut high, mut swing) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
             let drawn = state.q.clone();
             integrate(&system, &mut state, 1.0, (1e-3, 400), |state| {
-                let mut snapshot = Snapshot::default();
+                let mut snapshot = FrameCache::default();
                 let configuration = snapshot.of(&system, state);
                 let mut g = vec![0.0; system.constraints()];
                 system.constraint_conditions(&configuration, &mut g);

@@ -13,7 +13,7 @@ use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 
 const DEAD: Direction = Direction::Global;
@@ -40,7 +40,7 @@ fn tip(
     assembly.add_sensor(number, 1.0);
     let (system, mut state) = assembly.finish(Vec3::zeros());
     Statics::new(&system, 1e-10).find(&system, &mut state, 0.0).unwrap();
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let twist = system.sensors[0].twist(&system, &snapshot.of(&system, &state));
     (vec3(&state.q, state.q.len() - 7) - Vec3::x(), twist)
 }
@@ -145,7 +145,7 @@ fn truncated_strain_has_its_limit() {
         for (node, q) in state.q.chunks_exact_mut(7).enumerate() {
             q[THETA] = rate * limit * length * node as f64;
         }
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let warned = system.twist_near_limit(&state, &mut snapshot).map(|(name, ..)| name.to_owned());
         let outcome = system.check(&snapshot.of(&system, &state), &state, 1.0, 0.0).map_err(|error| error.to_string());
         (limit, warned, outcome)

@@ -22,7 +22,7 @@ use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::dynamics::start::{self, Dynamics};
 use ancf14::solve::step::integrator::Integrator;
@@ -140,7 +140,7 @@ pub fn march(
 
 /// Kinetic, elastic and gravity energy, J.
 pub fn energies(system: &System, state: &State) -> [f64; 3] {
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(system, state);
     [system.kinetic_energy(&state.velocity), system.elastic_energy(&configuration), system.gravity_energy(&state.q)]
 }

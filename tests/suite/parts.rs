@@ -34,7 +34,7 @@ use ancf14::mechanics::marker::gauge::Measure;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use std::sync::Arc;
 
 /// A kind of joint and what it leaves free, in the axes of a: along which b may slide, about which it may turn.
@@ -289,7 +289,7 @@ pub fn coordinate_velocity(system: &System, state: &State, marker: &Marker, twis
 
 /// The largest violation of a condition, m or 1.
 pub fn gap(system: &System, state: &State) -> f64 {
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let mut g = vec![0.0; system.constraints()];
     system.constraint_conditions(&snapshot.of(system, state), &mut g);
     g.iter().fold(0.0, |gap, value| f64::max(gap, value.abs()))

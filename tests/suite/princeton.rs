@@ -13,7 +13,7 @@ use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 
 const LENGTH: f64 = 0.508;
@@ -64,7 +64,7 @@ fn machine(elements: usize, (strain, twist): (Strain, Twist), case: &Case) -> (S
 fn tip(elements: usize, kind: (Strain, Twist), case: &Case) -> (Vec3, f64, f64) {
     let (system, mut state) = machine(elements, kind, case);
     Statics::new(&system, 1e-8).find(&system, &mut state, 1.0).unwrap();
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(&system, &state);
     let sensor = &system.sensors[0];
     let place = sensor.marker.pose(&configuration).place - sensor.drawn.place;

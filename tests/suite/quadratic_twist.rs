@@ -18,7 +18,7 @@ use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::geometry::triad::Triad;
 use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 use nalgebra::SVector;
 use num_dual::Dual2SVec64;
@@ -143,7 +143,7 @@ fn twist_and_torsion_inside_the_elements() {
         assembly.add_sensor(beam, fraction);
         let (system, mut state) = assembly.finish(Vec3::zeros());
         Statics::new(&system, 1e-10).find(&system, &mut state, 1.0).unwrap();
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let configuration = snapshot.of(&system, &state);
         let sensor = &system.sensors[0];
         (sensor.strains(&configuration).torsion, sensor.twist(&system, &configuration), state.rotations[0])
@@ -187,10 +187,10 @@ fn angular_velocity_inside_the_elements() {
     let turn = |time: f64| {
         let q: Vec<f64> = drawn.iter().zip(&velocity).map(|(q, v)| q + time * v).collect();
         let moved = ancf14::mechanics::state::State { q, ..state.clone() };
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         rotation::rotation_matrix(&system.sensors[0].rotation(&snapshot.of(&system, &moved), &Vec3::zeros()))
     };
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let (_, angular) = system.sensors[0].motion(&snapshot.of(&system, &state), &velocity);
     let width = 1e-5; // of central differences: 1e-10 of error, 1e-11 of round-off
     let rate = (turn(width) - turn(-width)) / (2.0 * width) * turn(0.0).transpose();
@@ -226,7 +226,7 @@ fn damping_is_that_of_the_linear_twist() {
     let velocity: Vec<f64> = state.q.iter().map(|_| random.signed()).collect();
     let viscous = |twist| {
         let (system, _) = machine(twist);
-        let mut here = Snapshot::default();
+        let mut here = FrameCache::default();
         let start = here.of(&system, &state);
         let excitation = Excitation::default();
         let forces = |passage: Passage| {

@@ -18,7 +18,7 @@ use ancf14::mechanics::output::joint_loads::Action;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::mechanics::system::joint_parts::Transmission;
 use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::dynamics::start;
@@ -161,7 +161,7 @@ fn reactions_are_what_newton_and_euler_demand() {
     let mut worst = [0.0_f64; 2];
     let mut check = |system: &System, state: &State| {
         let response = respond(system, state);
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let c = snapshot.of(system, state);
         let passage = Passage::Instant(&state.velocity);
         let action = Action { system, c: &c, passage: &passage, multipliers: &response.multipliers };
@@ -263,7 +263,7 @@ fn every_kind_of_joint_acts_and_reacts() {
         };
         crate::machines::integrate(&system, &mut state, 1.0, (2e-3, 100), |_| {}).unwrap();
         let response = respond(&system, &state);
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let c = snapshot.of(&system, &state);
         let passage = Passage::Instant(&state.velocity);
         let action = Action { system: &system, c: &c, passage: &passage, multipliers: &response.multipliers };

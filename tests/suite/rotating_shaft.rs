@@ -9,7 +9,7 @@ use crate::curves::{Curves, largest};
 use ancf14::fmi::Model;
 use ancf14::math::blocks::Blocks;
 use ancf14::mechanics::beam::configuration::Passage;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -94,7 +94,7 @@ fn first_frequencies() {
     let mut simulation = Simulation::load("model.toml", &text, &[]).unwrap();
     simulation.initialize(0.0).unwrap();
     let (system, state) = (simulation.system(), simulation.state());
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(system, state);
     let count = system.coordinates();
     let dense = |blocks: &Blocks| {

@@ -13,7 +13,7 @@ use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::resultants::{SectionForces, SectionStrains, largest_stress};
 use ancf14::mechanics::beam::section::{Outline, Section};
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 use nalgebra::{SVector, Vector4};
 use std::f64::consts::{PI, TAU};
@@ -35,7 +35,7 @@ fn found_and_demanded(beam: &BeamDesign, fraction: f64, force: Vec3, moment: Vec
     for share in [0.25, 0.5, 0.75, 1.0] {
         statics.find(&system, &mut state, share).unwrap();
     }
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let c = snapshot.of(&system, &state);
     let [here, tip] = [0, 1].map(|i| system.sensors[i].marker.pose(&c));
     let strains = system.sensors[0].strains(&c);

@@ -5,7 +5,7 @@ use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::resultants::SectionStrains;
 use ancf14::mechanics::system::builder::Assembly;
-use ancf14::mechanics::system::frame_cache::Snapshot;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 
 /// Strains at a fraction of a cantilever along x under a small force and moment at its end.
@@ -17,7 +17,7 @@ fn strains(fraction: f64, force: Vec3, moment: Vec3) -> SectionStrains {
     assembly.add_sensor(beam, fraction);
     let (system, mut state) = assembly.finish(Vec3::zeros());
     Statics::new(&system, 1e-10).find(&system, &mut state, 1.0).unwrap();
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(&system, &state);
     system.sensors[0].strains(&configuration)
 }

@@ -1,6 +1,6 @@
 //! What elements, bodies and joints can bear in a step (MECHANICS 2.6, 6, 7.4).
 
-use super::frame_cache::Snapshot;
+use super::frame_cache::FrameCache;
 use crate::error::Error;
 use crate::math::rotation::rotation_angle;
 use crate::mechanics::beam::configuration::Configuration;
@@ -23,7 +23,7 @@ const LARGEST_BUSHING_ANGLE: f64 = 170.0;
 
 impl System {
     /// The first beam that is twisted beyond half of the rate above which its energy has no lower bound: its name, twist rate and bound, rad/m.
-    pub fn twist_near_limit<'a>(&'a self, state: &'a State, snapshot: &mut Snapshot) -> Option<(&'a str, f64, f64)> {
+    pub fn twist_near_limit<'a>(&'a self, state: &'a State, snapshot: &mut FrameCache) -> Option<(&'a str, f64, f64)> {
         let mut limited = self.beams.iter().filter(|beam| beam.twist_limit.is_finite()).peekable();
         limited.peek()?;
         let configuration = snapshot.of(self, state);

@@ -11,7 +11,7 @@ use crate::math::Vec3;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot as Frames;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::build;
 use crate::model::document::Document;
 use crate::model::entries::drive::Motion;
@@ -170,7 +170,7 @@ impl Simulation {
         let (system, state) = (&*self.machine.settled(&self.document), &self.machine.state);
         let mut response = Response::default();
         self.machine.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
-        let (mut frames, mut values) = (Frames::default(), Vec::new());
+        let (mut frames, mut values) = (FrameCache::default(), Vec::new());
         let fibres = self.table.fibres(&Moment { system, state, response: &response, fibres: &[] }, &mut frames);
         let mut sum = vec![0.0; self.results.len()];
         sensitivity::along_motion(system, state, &response.acceleration, |state, weight| {
@@ -184,7 +184,7 @@ impl Simulation {
     /// Difference quotients of all results over the last internal step, or over the next one. Tunable parameters that were set since the
     /// results were read act on the next step, and on both ends of its quotients: their jump is no derivative.
     fn quotients(&mut self) -> Result<Vec<f64>, Error> {
-        let mut frames = Frames::default();
+        let mut frames = FrameCache::default();
         let (mut now, mut values) = (Vec::new(), Vec::new());
         let (system, (state, response)) = if self.last.known {
             now.clone_from(&self.results);
@@ -215,7 +215,7 @@ impl Simulation {
         let (system, state, start) = (&machine.system, &machine.state, &machine.backup);
         let moves = !matches!(machine.solver, Solver::Statics(_));
         let step = Step { start, inputs: &given, moves };
-        let mut frames = Frames::default();
+        let mut frames = FrameCache::default();
         let mut values = Vec::new();
         let mut all = |sensitivity: &mut Sensitivity, after: &State, response: &Response| {
             let fibres = table.fibres(&Moment { system, state: after, response, fibres: &[] }, &mut frames);

@@ -9,7 +9,7 @@ use crate::mechanics::marker::Marker;
 use crate::mechanics::output::joint_loads::Action;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::simulation::Simulation;
 
 /// Numbers of one kind at all instants: instant by instant, in each thing by thing, of each its components.
@@ -35,7 +35,7 @@ pub struct Recording {
     /// What was seen, of each kind at all instants.
     pub tracks: Vec<Track>,
     pub(super) watched: Watched,
-    frames: Snapshot,
+    frames: FrameCache,
 }
 
 /// Kinds of numbers that every recording has, with their components, before those of [`RESULTS`].
@@ -64,7 +64,7 @@ impl Recording {
     /// Of a simulation that has just been loaded: it is as drawn.
     pub fn new(simulation: &Simulation) -> Self {
         let (document, system) = (simulation.document(), simulation.system());
-        let mut frames = Snapshot::default();
+        let mut frames = FrameCache::default();
         let c = frames.of(system, simulation.state());
         let steps = steps(system);
         let beams = (0..system.beams.len()).map(|beam| Stations::new(system, &c, beam, steps)).collect();

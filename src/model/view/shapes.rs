@@ -3,7 +3,7 @@
 use super::recorder::{Recording, tied};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::sensor::Sensor;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::modes::{Kind, Mode, Modes};
 use crate::model::simulation::Simulation;
 
@@ -29,7 +29,7 @@ pub struct Swing {
 impl Recording {
     /// The shapes of `found` about the state that the simulation has reached, which is that of the last look.
     pub fn swings(&self, simulation: &Simulation, found: &Modes) -> Vec<Swing> {
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = FrameCache::default();
         let system = simulation.system();
         let c = snapshot.of(system, simulation.state());
         let at_rest = vec![0.0; system.coordinates()];

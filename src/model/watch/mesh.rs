@@ -7,7 +7,7 @@ use crate::mechanics::output::mesh_error::{Deformation, MeshError};
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::Energies;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::entries::simulation::Analysis;
 use crate::model::quantity::Quantity;
 use crate::model::variables::Table;
@@ -116,7 +116,7 @@ impl MeshWatch {
     }
 
     /// Looks at a new state and returns what the user should know of its mesh.
-    pub fn look(&mut self, system: &System, state: &State, table: &Table, frames: &mut Snapshot) -> Vec<String> {
+    pub fn look(&mut self, system: &System, state: &State, table: &Table, frames: &mut FrameCache) -> Vec<String> {
         let point = self.points;
         self.points = point.wrapping_add(1);
         let is_skipped = !self.is_static && !point.is_multiple_of(STRIDE);

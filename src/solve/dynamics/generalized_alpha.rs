@@ -18,7 +18,7 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::{Energies, EnergyBalance, Losses};
-use crate::mechanics::system::frame_cache::Snapshot as FrameCache;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::mechanics::system::{AT_BREAK, System};
 use crate::solve::linear::Singular;

@@ -5,7 +5,7 @@ use crate::mechanics::force::spring::{Spring, reading_rate};
 use crate::mechanics::marker::gauge::Measure;
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot as FrameCache;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::statics::Statics;
 use crate::solve::step::projection::Projection;

@@ -13,7 +13,7 @@ use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::linear::irregular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::response::{Responder, Response};
@@ -198,7 +198,7 @@ fn size(system: &System, index: usize) -> f64 {
 
 /// Sets the blocks of `kkt` to stiffness and constraints at `state`, whose constraints transmit `multipliers`; returns them.
 fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt) -> Blocks {
-    let (mut snapshot, mut excitation) = (Snapshot::default(), Excitation::default());
+    let (mut snapshot, mut excitation) = (FrameCache::default(), Excitation::default());
     let configuration = snapshot.of(system, state);
     system.excite(state.time, &state.targets, &mut excitation);
     let (mut forces, mut gradients) = (vec![0.0; system.coordinates()], Vec::new());

@@ -17,7 +17,7 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
@@ -178,7 +178,7 @@ impl Statics {
         if self.linearize(system, stable).is_err() {
             return;
         }
-        let (mut here, mut there) = (Snapshot::default(), Snapshot::default());
+        let (mut here, mut there) = (FrameCache::default(), FrameCache::default());
         let shape = system.motion_about(&softest.shape, &here.of(system, unstable), &there.of(system, stable));
         let other = self.kkt.blocks.form(&shape, &shape);
         self.stability.remark(system, unstable, before, &softest, other);

@@ -7,7 +7,7 @@
 use crate::error::decimal;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::modes;
 use crate::solve::modes::subspace::Subspace;
 use crate::solve::newton::kkt::Kkt;
@@ -135,7 +135,7 @@ impl Stability {
 
 /// What a motion moves most at `state`.
 fn moved(system: &System, state: &State, softest: &Softest) -> String {
-    let mut snapshot = Snapshot::default();
+    let mut snapshot = FrameCache::default();
     system.most_moved(&snapshot.of(system, state), &softest.shape).what
 }
 

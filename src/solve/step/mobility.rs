@@ -6,7 +6,7 @@ use crate::mechanics::force::spring::{Spring, reading_q};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::Snapshot as FrameCache;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
 
 /// Most numbers that all solves together may touch: with thousands of springs on thousands of elements, mobilities would take longer than a run.
