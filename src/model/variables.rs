@@ -13,7 +13,7 @@ use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
 use crate::mechanics::beam::configuration::{Configuration, Passage};
 use crate::mechanics::beam::resultants::Fibre;
-use crate::mechanics::output::joint_loads::Action;
+use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -282,7 +282,7 @@ impl Table {
         let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
         let passage = Passage::Instant(&state.velocity);
-        let action = Action { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
+        let loads = JointLoads { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
         values.clear();
         for measure in &self.measures {
             match measure {
@@ -291,24 +291,24 @@ impl Table {
                         push_point(values, moment, &configuration, sensor, *quantity);
                     }
                 }
-                Measure::Frame(frame, quantity) => push_wrench(values, action.supply(*frame), *quantity),
+                Measure::Frame(frame, quantity) => push_wrench(values, loads.frame_reaction(*frame), *quantity),
                 Measure::Joint(number, quantity) => {
-                    let transmission = &system.transmissions[*number];
+                    let parts = &system.joint_parts[*number];
                     match quantity {
                         quantity if quantity.is_transmitted() => {
-                            push_wrench(values, action.reaction(transmission), *quantity);
+                            push_wrench(values, loads.reaction(parts), *quantity);
                         }
-                        Quantity::Effort => values.push(transmission.drives.iter().map(|d| action.effort(*d)).sum()),
+                        Quantity::Effort => values.push(parts.drives.iter().map(|d| loads.effort(*d)).sum()),
                         _ => {
                             let is_angle = *quantity == Quantity::Angle;
-                            let gauge = if is_angle { transmission.angle } else { transmission.distance };
+                            let gauge = if is_angle { parts.angle } else { parts.distance };
                             let gauge = gauge.expect("the file is refused: the joint leaves no such coordinate free");
                             values.push(state.readings[gauge]);
                         }
                     }
                 }
                 Measure::Drive(number, quantity) => match quantity {
-                    Quantity::Effort => values.push(action.effort(*number)),
+                    Quantity::Effort => values.push(loads.effort(*number)),
                     _ => values.push(state.readings[system.drives[*number].gauge]),
                 },
                 Measure::Energy => {

@@ -14,12 +14,12 @@ use ancf14::mechanics::constraint::spherical;
 use ancf14::mechanics::constraint::weld;
 use ancf14::mechanics::geometry::pose::{Pose, axis_place};
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::output::joint_loads::Action;
+use ancf14::mechanics::output::joint_loads::JointLoads;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::Assembly;
 use ancf14::mechanics::system::frame_cache::FrameCache;
-use ancf14::mechanics::system::joint_parts::Transmission;
+use ancf14::mechanics::system::joint_parts::JointParts;
 use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::dynamics::start;
 use ancf14::solve::step::integrator::Integrator;
@@ -164,7 +164,7 @@ fn reactions_are_what_newton_and_euler_demand() {
         let mut snapshot = FrameCache::default();
         let c = snapshot.of(system, state);
         let passage = Passage::Instant(&state.velocity);
-        let action = Action { system, c: &c, passage: &passage, multipliers: &response.multipliers };
+        let loads = JointLoads { system, c: &c, passage: &passage, multipliers: &response.multipliers };
         let centre = vec3(&state.q, system.bodies[0].start);
         let own = system.bodies[0].start;
         let is_own = |marker: &Marker| matches!(marker, Marker::Body { start, .. } if *start == own);
@@ -177,12 +177,12 @@ fn reactions_are_what_newton_and_euler_demand() {
             moment_size = moment_size.max(own_moment.norm() + (place - centre).cross(&own_force).norm());
         };
         let mut seen = 0;
-        for transmission in &system.transmissions {
-            let (on_b, about_b) = action.reaction(transmission);
-            let (a, b) = match transmission.joint {
+        for parts in &system.joint_parts {
+            let (on_b, about_b) = loads.reaction(parts);
+            let (a, b) = match parts.joint {
                 Some(joint) => (system.joints[joint].a, system.joints[joint].b),
                 None => {
-                    let gauge = &system.gauges[system.springs[transmission.springs[0]].gauge];
+                    let gauge = &system.gauges[system.springs[parts.springs[0]].gauge];
                     (gauge.a, gauge.b)
                 }
             };
@@ -256,18 +256,18 @@ fn every_kind_of_joint_acts_and_reacts() {
     let mut random = Random(121);
     for kind in &KINDS {
         let Pair { system, mut state, sides } = Pair::new(&mut random, [Part::Body, Part::Body], kind);
-        let transmission = Transmission {
+        let parts = JointParts {
             joint: kind.primitives.map(|_| 0),
             springs: if kind.primitives.is_some() { Vec::new() } else { (0..6).collect() },
-            ..Transmission::default()
+            ..JointParts::default()
         };
         crate::machines::integrate(&system, &mut state, 1.0, (2e-3, 100), |_| {}).unwrap();
         let response = respond(&system, &state);
         let mut snapshot = FrameCache::default();
         let c = snapshot.of(&system, &state);
         let passage = Passage::Instant(&state.velocity);
-        let action = Action { system: &system, c: &c, passage: &passage, multipliers: &response.multipliers };
-        let (force, moment) = action.reaction(&transmission);
+        let loads = JointLoads { system: &system, c: &c, passage: &passage, multipliers: &response.multipliers };
+        let (force, moment) = loads.reaction(&parts);
         let place = sides[1].pose(&c).place;
         for (number, sign) in [(0, -1.0), (1, 1.0)] {
             let (needed_force, needed_moment) = needed(&system, &state, &response, number);

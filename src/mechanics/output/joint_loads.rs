@@ -11,7 +11,7 @@ use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::gauge::Gauge;
 use crate::mechanics::marker::pose_gradient::of_side;
 use crate::mechanics::system::System;
-use crate::mechanics::system::joint_parts::Transmission;
+use crate::mechanics::system::joint_parts::JointParts;
 
 /// Which side of a joint or gauge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ enum Side {
 
 /// What acts at an instant: the configuration, how it is passed through, and the multipliers of all conditions.
 #[derive(Clone, Copy, Debug)]
-pub struct Action<'a> {
+pub struct JointLoads<'a> {
     /// The machine.
     pub system: &'a System,
     /// The instant.
@@ -41,12 +41,12 @@ struct Acting {
     moment: Vec3,
 }
 
-impl Action<'_> {
-    /// Force (N) and moment (N m) that b receives through joint `transmission`, at b's place, in global axes.
-    pub fn reaction(&self, transmission: &Transmission) -> (Vec3, Vec3) {
-        let joints = transmission.joint.into_iter().chain(transmission.drives.iter().map(|drive| self.drive(*drive)));
+impl JointLoads<'_> {
+    /// Force (N) and moment (N m) that b receives through the joint of these `parts`, at b's place, in global axes.
+    pub fn reaction(&self, parts: &JointParts) -> (Vec3, Vec3) {
+        let joints = parts.joint.into_iter().chain(parts.drives.iter().map(|drive| self.drive(*drive)));
         let by_joints = joints.map(|joint| self.of_joint(joint, Side::B));
-        let by_springs = transmission.springs.iter().map(|spring| self.of_spring(*spring, Side::B));
+        let by_springs = parts.springs.iter().map(|spring| self.of_spring(*spring, Side::B));
         by_joints.chain(by_springs).fold((Vec3::zeros(), Vec3::zeros()), |(force, moment), acting| {
             (force + acting.force, moment + acting.moment)
         })
@@ -58,7 +58,7 @@ impl Action<'_> {
     }
 
     /// Force (N) and moment (N m) about its origin that moving frame `frame` must supply, in global axes.
-    pub fn supply(&self, frame: usize) -> (Vec3, Vec3) {
+    pub fn frame_reaction(&self, frame: usize) -> (Vec3, Vec3) {
         let origin = self.c.prescribed.frames[frame].pose.place;
         let is_own = |marker: &Marker| matches!(marker, Marker::Frame { frame: own, .. } if *own == frame);
         let (mut force, mut moment) = (Vec3::zeros(), Vec3::zeros());

@@ -1,7 +1,7 @@
 //! Puts a machine together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
 use super::System;
-use super::joint_parts::Transmission;
+use super::joint_parts::JointParts;
 use crate::math::jet::Jet;
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
@@ -302,13 +302,13 @@ impl Assembly {
     }
 
     /// Adds what a joint of the model file consists of.
-    pub fn add_transmission(&mut self, transmission: Transmission) {
-        self.system.transmissions.push(transmission);
+    pub fn add_joint_parts(&mut self, parts: JointParts) {
+        self.system.joint_parts.push(parts);
     }
 
     /// Adds drive `drive` to what joint `joint` of the model file consists of.
     pub fn add_drive_of(&mut self, joint: usize, drive: usize) {
-        self.system.transmissions[joint].drives.push(drive);
+        self.system.joint_parts[joint].drives.push(drive);
     }
 
     /// Adds a load.

@@ -2,7 +2,7 @@
 
 /// The parts that a joint of the model file consists of, by their numbers in the machine.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Transmission {
+pub struct JointParts {
     /// The conditions; a bushing has none.
     pub joint: Option<usize>,
     /// What measures its angle.

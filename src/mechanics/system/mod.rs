@@ -16,7 +16,7 @@ mod work;
 pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};
 
-use self::joint_parts::Transmission;
+use self::joint_parts::JointParts;
 use crate::math::Vec3;
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
@@ -63,7 +63,7 @@ pub struct System {
     /// Springs in file order, then those of joints.
     pub springs: Vec<Spring>,
     /// What the joints of the model file consist of, in file order.
-    pub transmissions: Vec<Transmission>,
+    pub joint_parts: Vec<JointParts>,
     /// Loads in file order.
     pub loads: Vec<Load>,
     /// Watched points in the order of their adding.

@@ -19,7 +19,7 @@ use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::prescribed::Guide;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::gauge::Measure;
-use crate::mechanics::system::joint_parts::Transmission;
+use crate::mechanics::system::joint_parts::JointParts;
 use crate::model::entries::anchor::Spot;
 use crate::model::entries::drive::{Drive, Motion};
 use crate::model::entries::joint::{Coordinate, Joint, JointKind};
@@ -39,7 +39,7 @@ impl Builder<'_> {
         };
         let angle = gauge(written.angle.is_some(), Measure::Angle(0));
         let distance = gauge(written.distance.is_some(), Measure::Distance(0));
-        let mut transmission = Transmission { joint, angle, distance, ..Transmission::default() };
+        let mut parts = JointParts { joint, angle, distance, ..JointParts::default() };
         for (measure, tuned) in tune::springs_of(written) {
             let [a, b] = sides;
             let gauge = match measure {
@@ -49,9 +49,9 @@ impl Builder<'_> {
             };
             let gauge = gauge.unwrap_or_else(|| self.assembly.add_gauge(a, b, measure));
             // As drawn, joints are at rest.
-            transmission.springs.push(self.spring(&written.name, gauge, &tuned, 0.0));
+            parts.springs.push(self.spring(&written.name, gauge, &tuned, 0.0));
         }
-        self.assembly.add_transmission(transmission);
+        self.assembly.add_joint_parts(parts);
     }
 
     /// The two sides of a joint: at its place, with its axes.

@@ -6,7 +6,7 @@ use crate::math::Vec3;
 use crate::mechanics::beam::configuration::{Configuration, Passage};
 use crate::mechanics::force::load::Direction;
 use crate::mechanics::marker::Marker;
-use crate::mechanics::output::joint_loads::Action;
+use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -101,10 +101,10 @@ impl Recording {
         look(&self.watched, system, state, &c, &mut seen);
         if let Some(multipliers) = simulation.multipliers() {
             let passage = Passage::Instant(&state.velocity);
-            let action = Action { system, c: &c, passage: &passage, multipliers };
+            let loads = JointLoads { system, c: &c, passage: &passage, multipliers };
             let place = KINDS.len() + RESULTS.len();
             for (number, _) in &self.watched.joints {
-                let (force, moment) = action.reaction(&system.transmissions[*number]);
+                let (force, moment) = loads.reaction(&system.joint_parts[*number]);
                 seen[place].extend(force.iter());
                 seen[place + 1].extend(moment.iter());
             }

@@ -120,10 +120,10 @@ pub(super) struct Watched {
 
 impl Watched {
     pub(super) fn new(document: &Document, system: &System, beams: Vec<Stations>) -> Self {
-        let joints = system.transmissions.iter().enumerate().filter_map(|(number, transmission)| {
+        let joints = system.joint_parts.iter().enumerate().filter_map(|(number, parts)| {
             let of_gauge = |gauge: usize| [system.gauges[gauge].a, system.gauges[gauge].b];
-            let conditions = transmission.joint.map(|joint| [system.joints[joint].a, system.joints[joint].b]);
-            let springs = || transmission.springs.first().map(|spring| of_gauge(system.springs[*spring].gauge));
+            let conditions = parts.joint.map(|joint| [system.joints[joint].a, system.joints[joint].b]);
+            let springs = || parts.springs.first().map(|spring| of_gauge(system.springs[*spring].gauge));
             conditions.or_else(springs).map(|sides| (number, sides))
         });
         let springs = system.springs[..document.springs.len()].iter();
