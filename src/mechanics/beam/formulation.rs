@@ -5,7 +5,7 @@ use super::configuration::{Configuration, Passage, TimeStep};
 use super::resultants::{SectionForces, SectionShape, SectionStrains};
 use super::{ancf14, ancf24};
 use crate::math::Vec3;
-use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, Motion};
+use crate::mechanics::geometry::marker_jacobian::{MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::{Deref, DerefMut, Range};
 
@@ -107,9 +107,9 @@ pub trait Formulation {
     fn section_pose(&self, c: &Configuration, xi: f64) -> Pose;
 
     /// How [`Self::section_pose`] moves with the element's coordinates.
-    fn section_motion(&self, c: &Configuration, xi: f64) -> Motion;
+    fn section_jacobian(&self, c: &Configuration, xi: f64) -> MarkerJacobian;
 
-    /// Adds `∂(turn_qᵀ m)/∂q` of [`Self::section_motion`] at a moment (N m) frozen in space to `sum`; a force has none, places are linear in q.
+    /// Adds `∂(turn_qᵀ m)/∂q` of [`Self::section_jacobian`] at a moment (N m) frozen in space to `sum`; a force has none, places are linear in q.
     fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix);
 
     /// Turn of the section about its tangent from [`Self::section_pose`] to what the strains make of it, rad, for outputs.

@@ -7,7 +7,7 @@ use super::configuration::Configuration;
 use crate::math::Vec3;
 use crate::math::rotation::rotation_angle;
 use crate::math::vectors::vec3;
-use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, Motion};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
@@ -68,8 +68,8 @@ impl Node {
     }
 
     /// How a point `offset` (section axes, m) away moves.
-    pub fn motion(&self, c: &Configuration, offset: &Vec3) -> Motion {
-        Motion::of_arm(&(self.pose(c).axes * offset), self.turn_q(c), self.coordinates().len())
+    pub fn jacobian(&self, c: &Configuration, offset: &Vec3) -> MarkerJacobian {
+        MarkerJacobian::of_arm(&(self.pose(c).axes * offset), self.turn_q(c), self.coordinates().len())
     }
 
     /// `∂φ/∂q`, 3×24: turn of the section.

@@ -2,7 +2,7 @@
 
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, Motion};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::{PLACE, POSE, Pose, VECTORS, axis_place, axis_vector};
 use nalgebra::SMatrix;
 
@@ -29,7 +29,7 @@ pub fn pose_q(offset: &Vec3, axes: &Mat3) -> SMatrix<f64, VECTORS, VECTORS> {
 }
 
 /// How a point tied to a body moves; a moment `m` acts on director `d` as `(m × d)/2` (MECHANICS 6).
-pub fn motion(q: &[f64], start: usize, offset: &Vec3) -> Motion {
+pub fn jacobian(q: &[f64], start: usize, offset: &Vec3) -> MarkerJacobian {
     let (mut place_q, mut turn_q) = (ByCoordinates::zeros(), ByCoordinates::zeros());
     place_q.fixed_columns_mut::<3>(0).copy_from(&Mat3::identity());
     for axis in 0..3 {
@@ -37,7 +37,7 @@ pub fn motion(q: &[f64], start: usize, offset: &Vec3) -> Motion {
         place_q.fixed_columns_mut::<3>(place).copy_from(&(Mat3::identity() * offset[axis]));
         turn_q.fixed_columns_mut::<3>(place).copy_from(&(vec3(q, start + place).cross_matrix() * 0.5));
     }
-    Motion { place_q, turn_q }
+    MarkerJacobian { place_q, turn_q }
 }
 
 /// `∂(place_qᵀ f + turn_qᵀ m)/∂q`, 12×12, of a force and a moment frozen in space.

@@ -81,8 +81,8 @@ impl Load {
     /// Generalized force of point `number` under the components `wrench`, 24×1, in the marker's coordinates.
     pub fn force(&self, c: &Configuration, number: usize, wrench: &Wrench) -> MarkerVector {
         let (force, moment) = self.in_space(c, number, wrench);
-        let motion = self.points[number].0.motion(c);
-        motion.place_q.tr_mul(&force) + motion.turn_q.tr_mul(&moment)
+        let jacobian = self.points[number].0.jacobian(c);
+        jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)
     }
 
     /// `∂(generalized force)/∂q` of point `number` under the components `wrench`, 24×24.
@@ -93,7 +93,7 @@ impl Load {
         match self.direction {
             Direction::Global => sum,
             Direction::Follower => {
-                let (motion, pose_q) = (marker.motion(c), marker.pose_q(c));
+                let (jacobian, pose_q) = (marker.jacobian(c), marker.pose_q(c));
                 let turned = |local: &Vec3| -> ByCoordinates {
                     let mut sum = ByCoordinates::zeros();
                     for number in 0..pose_q.count() {
@@ -102,8 +102,8 @@ impl Load {
                     sum
                 };
                 let share = self.points[number].1;
-                sum + motion.place_q.tr_mul(&turned(&(wrench.force * share)))
-                    + motion.turn_q.tr_mul(&turned(&(wrench.moment * share)))
+                sum + jacobian.place_q.tr_mul(&turned(&(wrench.force * share)))
+                    + jacobian.turn_q.tr_mul(&turned(&(wrench.moment * share)))
             }
         }
     }

@@ -15,14 +15,14 @@ pub type MarkerMatrix = SMatrix<f64, MARKER, MARKER>;
 
 /// How a marker moves with its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct MarkerJacobian {
     /// `∂place/∂q`, 3×24.
     pub place_q: ByCoordinates,
     /// `∂φ/∂q`, 3×24: the turn in space, rad.
     pub turn_q: ByCoordinates,
 }
 
-impl Motion {
+impl MarkerJacobian {
     /// Of a point at the end of `arm` (m, in space) on what turns by `turn_q` and is placed by the first three of `count` coordinates.
     pub fn of_arm(arm: &Vec3, turn_q: ByCoordinates, count: usize) -> Self {
         let mut place_q = ByCoordinates::zeros();

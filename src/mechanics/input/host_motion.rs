@@ -114,7 +114,7 @@ impl Targets {
         let (target, course) = (self.drives[number], &self.departure.drives[number]);
         let Some(leg) = self.leg(time) else { return Jet::constant(target) };
         let change = target - course.place;
-        let Motion { from, to, acceleration } = leg.motion(change, course.velocity, course.mean);
+        let HermitePath { from, to, acceleration } = leg.path(change, course.velocity, course.mean);
         let way = leg.cubic(change, from, to);
         // At the end the very value that was wanted.
         let value = if leg.share == 1.0 { target } else { course.place + way.value };
@@ -137,7 +137,7 @@ impl Targets {
         let (target, course) = (&self.frames[number], &self.departure.frames[number]);
         let Some(leg) = self.leg(time) else { return MovingPose::at_rest(*target) };
         let changes = way(&course.place, target);
-        let [line, spin] = [0, 1].map(|i| leg.motion(changes[i], course.velocity[i], course.mean[i]));
+        let [line, spin] = [0, 1].map(|i| leg.path(changes[i], course.velocity[i], course.mean[i]));
         let [turn, place] = {
             let ends = [[spin.from, rotation_vector_rate(&changes[1], &spin.to)], [line.from, line.to]];
             let cubics = |way: Vec3, [from, to]: [Vec3; 2]| [0, 1, 2].map(|i| leg.cubic(way[i], from[i], to[i]));
@@ -176,7 +176,7 @@ struct Leg {
 
 /// Velocities at the start and the end of a communication step, and the acceleration from the last one to it.
 #[derive(Clone, Copy, Debug)]
-struct Motion<V> {
+struct HermitePath<V> {
     from: V,
     to: V,
     acceleration: V,
@@ -184,7 +184,7 @@ struct Motion<V> {
 
 impl Leg {
     /// How what moves on by `change` in this step does so, from `velocity`; `mean` is its mean velocity in the last one.
-    fn motion<V>(&self, change: V, velocity: V, mean: V) -> Motion<V>
+    fn path<V>(&self, change: V, velocity: V, mean: V) -> HermitePath<V>
     where
         V: Copy + Add<Output = V> + Sub<Output = V> + Mul<f64, Output = V> + Div<f64, Output = V>,
     {
@@ -192,9 +192,9 @@ impl Leg {
         let acceleration = (own - mean) / (0.5 * (self.length + self.last));
         let to = own + acceleration * (0.5 * self.length);
         if self.straight {
-            Motion { from: own, to: own, acceleration }
+            HermitePath { from: own, to: own, acceleration }
         } else {
-            Motion { from: velocity, to, acceleration }
+            HermitePath { from: velocity, to, acceleration }
         }
     }
 

@@ -1,6 +1,6 @@
 //! A point and a frame that joints, loads and sensors hold on to: on the ground, a moving frame, a body, at a node, inside an element.
 //!
-//! Loads ask a marker for its pose, how it moves with the coordinates (`motion`), and how the generalized force of a wrench
+//! Loads ask a marker for its pose, how it moves with the coordinates (`jacobian`), and how the generalized force of a wrench
 //! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` (`pose_gradient`).
 
 pub mod gauge;
@@ -13,7 +13,7 @@ use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::body::kinematics::{self, BODY};
 use crate::mechanics::body::rigid_body::RigidBody;
-use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, MarkerVector, Motion};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
@@ -117,14 +117,14 @@ impl Marker {
     }
 
     /// Derivatives of place and turn by the marker's coordinates.
-    pub fn motion(&self, c: &Configuration) -> Motion {
+    pub fn jacobian(&self, c: &Configuration) -> MarkerJacobian {
         match self {
             Self::Ground(_) | Self::Frame { .. } => {
-                Motion { place_q: ByCoordinates::zeros(), turn_q: ByCoordinates::zeros() }
+                MarkerJacobian { place_q: ByCoordinates::zeros(), turn_q: ByCoordinates::zeros() }
             }
-            Self::Body { start, offset, .. } => kinematics::motion(c.q, *start, offset),
-            Self::Node { node, offset, .. } => c.mesh.nodes[*node].motion(c, offset),
-            Self::Section { element, xi } => c.mesh.elements[*element].section_motion(c, *xi),
+            Self::Body { start, offset, .. } => kinematics::jacobian(c.q, *start, offset),
+            Self::Node { node, offset, .. } => c.mesh.nodes[*node].jacobian(c, offset),
+            Self::Section { element, xi } => c.mesh.elements[*element].section_jacobian(c, *xi),
         }
     }
 
@@ -171,7 +171,7 @@ impl Marker {
             }
             Self::Section { element, xi } => {
                 let element = &c.mesh.elements[*element];
-                let Motion { place_q, turn_q } = element.section_motion(c, *xi);
+                let MarkerJacobian { place_q, turn_q } = element.section_jacobian(c, *xi);
                 let arms = Pose { place: Vec3::zeros(), axes: element.section_pose(c, *xi).axes }.vectors();
                 let count = element.coordinates().len();
                 PoseGradient::Beam(Turning { arms, place_q, turn_q, count, placing: count, turning: 0 })

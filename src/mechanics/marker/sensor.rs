@@ -47,13 +47,13 @@ impl Sensor {
     /// Velocity (m/s) and angular velocity (rad/s) in global axes.
     pub fn motion(&self, c: &Configuration, velocity: &[f64]) -> (Vec3, Vec3) {
         let range = self.marker.coordinates(c.mesh);
-        let motion = self.marker.motion(c);
+        let jacobian = self.marker.jacobian(c);
         // A moving frame has no coordinates; what has coordinates does not move without them.
         let [explicit, _] = self.marker.pose_t(c);
         let (mut linear, mut angular) = (explicit.place, angular_velocity(&self.marker.pose(c), &explicit));
         for (local, index) in range.enumerate() {
-            linear += motion.place_q.column(local) * velocity[index];
-            angular += motion.turn_q.column(local) * velocity[index];
+            linear += jacobian.place_q.column(local) * velocity[index];
+            angular += jacobian.turn_q.column(local) * velocity[index];
         }
         if let Marker::Section { element, xi } = self.marker {
             angular += self.marker.pose(c).axis(0) * c.mesh.elements[element].relaxed_spin(c, xi, velocity);
@@ -107,7 +107,7 @@ impl Sensor {
     pub fn acceleration(&self, c: &Configuration, acceleration: &[f64]) -> Vec3 {
         // Places that are watched are linear in the coordinates: on the beam's axis, at the centre of mass.
         let [_, explicit] = self.marker.pose_t(c);
-        let place_q = self.marker.motion(c).place_q;
+        let place_q = self.marker.jacobian(c).place_q;
         let own = self.marker.coordinates(c.mesh).enumerate();
         own.fold(explicit.place, |sum, (local, index)| sum + place_q.column(local) * acceleration[index])
     }

@@ -40,7 +40,7 @@ impl System {
         let nodes = (0..self.mesh.nodes.len()).map(|node| Marker::Node { node, offset, axes });
         let markers = nodes.chain(self.bodies.iter().map(|body| body.marker()));
         let moved = |marker: Marker| {
-            let by_coordinates = marker.motion(c);
+            let by_coordinates = marker.jacobian(c);
             let mut sum = PlaceMotion { displacement: Vec3::zeros(), turn: Vec3::zeros() };
             for (local, index) in marker.coordinates(&self.mesh).enumerate() {
                 sum.displacement += by_coordinates.place_q.column(local) * motion[index];
@@ -61,7 +61,7 @@ impl System {
             let range = marker.coordinates(&self.mesh);
             let own =
                 MarkerVector::from_fn(|local, _| if local < range.len() { motion[range.start + local] } else { 0.0 });
-            let (turn, turned): (Vec3, Mat3) = (marker.motion(from).turn_q * own, after * before.transpose());
+            let (turn, turned): (Vec3, Mat3) = (marker.jacobian(from).turn_q * own, after * before.transpose());
             for place in directors.step_by(3) {
                 let strain = vec3(motion, place) - turn.cross(&vec3(from.q, place));
                 set_vec3(&mut carried, place, &(turn.cross(&vec3(to.q, place)) + turned * strain));

@@ -11,7 +11,7 @@ use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::beam::formulation::Formulation;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
-use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, Motion};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
@@ -160,12 +160,12 @@ impl Formulation for Element {
         SectionPoint::new(c, self, xi).pose(c)
     }
 
-    fn section_motion(&self, c: &Configuration, xi: f64) -> Motion {
-        let (own_place, own_turn) = SectionPoint::new(c, self, xi).motion(c);
+    fn section_jacobian(&self, c: &Configuration, xi: f64) -> MarkerJacobian {
+        let (own_place, own_turn) = SectionPoint::new(c, self, xi).jacobian(c);
         let (mut place_q, mut turn_q) = (ByCoordinates::zeros(), ByCoordinates::zeros());
         place_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&own_place);
         turn_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&own_turn);
-        Motion { place_q, turn_q }
+        MarkerJacobian { place_q, turn_q }
     }
 
     fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {

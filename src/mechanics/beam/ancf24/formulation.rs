@@ -12,7 +12,7 @@ use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::beam::formulation::Formulation;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
-use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, Motion};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
@@ -179,13 +179,13 @@ impl Formulation for Element {
         Pose { place: self.axis_point(xi, c.q), axes: self.frame(c, xi).axes }
     }
 
-    fn section_motion(&self, c: &Configuration, xi: f64) -> Motion {
+    fn section_jacobian(&self, c: &Configuration, xi: f64) -> MarkerJacobian {
         let mut place_q = ByCoordinates::zeros();
         for (place, weight) in AXIS_PLACES.into_iter().zip(hermite::shape(xi, self.length)) {
             place_q.fixed_columns_mut::<3>(place).copy_from(&Mat3::from_diagonal_element(weight));
         }
         let [y, z] = sources(xi);
-        Motion { place_q, turn_q: self.frame(c, xi).turn_q([&y, &z]) }
+        MarkerJacobian { place_q, turn_q: self.frame(c, xi).turn_q([&y, &z]) }
     }
 
     fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {

@@ -82,7 +82,7 @@ impl<'a> SectionPoint<'a> {
     }
 
     /// Derivatives of place and turn by the coordinates of the element.
-    pub fn motion(&self, c: &Configuration) -> (ByElement, ByElement) {
+    pub fn jacobian(&self, c: &Configuration) -> (ByElement, ByElement) {
         let mut place_q = ByElement::zeros();
         let mut turn_q = self.t * self.spin_q(c).transpose();
         let tilt = self.t.cross_matrix() / self.stretch;
