@@ -9,7 +9,7 @@ use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::ancf24;
 use ancf14::mechanics::beam::centreline::Centreline;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements, Torsion};
-use ancf14::mechanics::beam::formulation::Element;
+use ancf14::mechanics::beam::element::AnyElement;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::constraint::joint::Joint;
@@ -36,16 +36,16 @@ pub fn ancf14(strain: Strain, twist: Twist) -> Elements {
 /// The elements of a machine that has only those of ANCF14.
 pub fn ancf14_elements(system: &System) -> impl Iterator<Item = &element::Element> {
     system.mesh.elements.iter().map(|element| match element {
-        Element::Ancf14(element) => element,
-        Element::Ancf24(_) => panic!("an element of ANCF24"),
+        AnyElement::Ancf14(element) => element,
+        AnyElement::Ancf24(_) => panic!("an element of ANCF24"),
     })
 }
 
 /// The elements of a machine that has only those of ANCF24.
 pub fn ancf24_elements(system: &System) -> impl Iterator<Item = &ancf24::element::Element> {
     system.mesh.elements.iter().map(|element| match element {
-        Element::Ancf24(element) => element,
-        Element::Ancf14(_) => panic!("an element of ANCF14"),
+        AnyElement::Ancf24(element) => element,
+        AnyElement::Ancf14(_) => panic!("an element of ANCF14"),
     })
 }
 

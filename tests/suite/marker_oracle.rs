@@ -13,7 +13,7 @@ use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::ancf24;
 use ancf14::mechanics::beam::configuration::Configuration;
-use ancf14::mechanics::beam::formulation;
+use ancf14::mechanics::beam::element::AnyElement;
 use ancf14::mechanics::beam::mesh::Mesh;
 use ancf14::mechanics::beam::node::Node;
 use ancf14::mechanics::geometry::marker_jacobian::MarkerMatrix;
@@ -73,11 +73,7 @@ impl Machine {
         let framed = (0..4).map(|frame| Node::Ancf14 { start: NODE * frame, frame });
         let unframed = (0..2).map(|node| Node::Ancf24 { start: SECTIONS + ancf24::coordinates::NODE * node });
         let nodes = framed.chain(unframed).collect();
-        let elements = vec![
-            formulation::Element::Ancf14(first),
-            formulation::Element::Ancf14(second),
-            formulation::Element::Ancf24(third),
-        ];
+        let elements = vec![AnyElement::Ancf14(first), AnyElement::Ancf14(second), AnyElement::Ancf24(third)];
         let mesh = Mesh { nodes, elements, framed: (0..4).map(|frame| NODE * frame).collect(), branches: 2 };
         let mut any = || Pose { place: random.vector(), axes: Mat3::from_fn(|_, _| random.signed()) };
         let (velocity, acceleration) = (any(), any());
@@ -158,14 +154,14 @@ impl Machine {
                 tied(vector(q, place), columns, offset, axes)
             }
             Marker::Section { element, xi } => match &self.mesh.elements[*element] {
-                formulation::Element::Ancf14(part) => {
+                AnyElement::Ancf14(part) => {
                     let own = &q[part.place.start..part.place.start + 14];
                     let triads = [self.triads[part.place.frame], self.triads[part.place.frame + 1]];
                     let (t, y, _) = oracle::inside(part, own, D::from(0.0), &triads, self.holonomy[*element], *xi);
                     let place = interpolated(own, [0, 3, 7, 10], &ancf14::math::hermite::shape(*xi, part.length));
                     [place, t, y, oracle::cross(&t, &y)]
                 }
-                formulation::Element::Ancf24(part) => {
+                AnyElement::Ancf24(part) => {
                     let own = &q[part.start..part.start + 24];
                     let axis = interpolated(own, [0, 3, 12, 15], &ancf14::math::hermite::shape(*xi, part.length));
                     let linear =

@@ -12,7 +12,7 @@ use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::over_step::STRAINS;
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
 use ancf14::mechanics::beam::configuration::{Configuration, Dissipation, Passage, TimeStep};
-use ancf14::mechanics::beam::formulation::Formulation;
+use ancf14::mechanics::beam::element::BeamElement;
 use ancf14::mechanics::beam::mesh::Mesh;
 use ancf14::mechanics::geometry::triad::Triad;
 use ancf14::mechanics::input::prescribed::Prescribed;

@@ -5,7 +5,7 @@ use crate::random::Random;
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::Causality;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::beam::formulation::Element;
+use ancf14::mechanics::beam::element::AnyElement;
 use ancf14::model::simulation::Simulation;
 use toml::{Table, Value};
 
@@ -160,9 +160,9 @@ fn results(text: &str, overrides: &[(String, String)], count: u32) -> (Vec<Vec<(
         rows.push(all(&simulation));
     }
     let system = simulation.system();
-    let axial = |element: &Element| match element {
-        Element::Ancf14(element) => element.stiffness.axial,
-        Element::Ancf24(element) => element.properties.law[(0, 0)] * element.properties.fibres.area,
+    let axial = |element: &AnyElement| match element {
+        AnyElement::Ancf14(element) => element.stiffness.axial,
+        AnyElement::Ancf24(element) => element.properties.law[(0, 0)] * element.properties.fibres.area,
     };
     let rigidity = system.mesh.elements.iter().map(axial).fold(0.0, f64::max);
     let young = system.beams.iter().map(|beam| beam.young).fold(0.0, f64::max);

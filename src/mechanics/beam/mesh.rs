@@ -3,7 +3,7 @@
 use super::ancf14::coordinates::NODE;
 use super::ancf14::frame::NodeFrame;
 use super::ancf14::over_step::STRAINS;
-use super::formulation::Element;
+use super::element::AnyElement;
 use super::node::Node;
 use crate::mechanics::geometry::triad::Triad;
 
@@ -13,7 +13,7 @@ pub struct Mesh {
     /// Nodes of all beams, in their order.
     pub nodes: Vec<Node>,
     /// Elements of all beams, in their order.
-    pub elements: Vec<Element>,
+    pub elements: Vec<AnyElement>,
     /// First coordinate of each node that has a frame, by the number of the frame.
     pub framed: Vec<usize>,
     /// Number of holonomy angles: elements between nodes that have frames.
@@ -28,7 +28,7 @@ impl Mesh {
 
     /// Whether the rates of all strains are known: elements of ANCF24 tell none.
     pub fn tells_strain_rates(&self) -> bool {
-        self.elements.iter().all(|element| matches!(element, Element::Ancf14(_)))
+        self.elements.iter().all(|element| matches!(element, AnyElement::Ancf14(_)))
     }
 
     /// Number of strains of all elements that have a numerical dissipation: ANCF14's.

@@ -6,7 +6,7 @@ pub mod centreline;
 pub mod configuration;
 pub mod design;
 pub mod division;
-pub mod formulation;
+pub mod element;
 pub mod material;
 pub mod mesh;
 pub mod node;

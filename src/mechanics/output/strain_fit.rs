@@ -11,7 +11,7 @@ use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::ancf14::strain::Strain;
 use crate::mechanics::beam::configuration::Configuration;
-use crate::mechanics::beam::formulation::Element;
+use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::resultants::SectionStrains;
 use crate::mechanics::system::System;
 
@@ -50,8 +50,8 @@ impl<'a> StrainFit<'a> {
     /// Of element `number` of `beam`, counted from the beam's start; none of ANCF24.
     pub fn of(system: &'a System, beam: &Beam, number: usize, c: &Configuration<'a>) -> Option<Self> {
         match &system.mesh.elements[beam.first_element + number] {
-            Element::Ancf14(element) => Some(Self::new(element, c)),
-            Element::Ancf24(_) => None,
+            AnyElement::Ancf14(element) => Some(Self::new(element, c)),
+            AnyElement::Ancf24(_) => None,
         }
     }
 

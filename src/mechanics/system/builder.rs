@@ -12,7 +12,7 @@ use crate::mechanics::beam::ancf24;
 use crate::mechanics::beam::centreline::Station;
 use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::design::{BeamDesign, Elements};
-use crate::mechanics::beam::formulation::Element;
+use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::rigid_body::{BodyDesign, RigidBody};
 use crate::mechanics::constraint::driven::Driven;
@@ -129,7 +129,7 @@ impl Assembly {
     }
 
     /// The element of length `length`, m, that begins at node `node`; where nodes have frames, with number `frame`.
-    fn element(&mut self, design: &BeamDesign, node: usize, frame: usize, length: f64) -> Element {
+    fn element(&mut self, design: &BeamDesign, node: usize, frame: usize, length: f64) -> AnyElement {
         let mesh = &mut self.system.mesh;
         let start = mesh.nodes[node].coordinates().start;
         let reference = &self.q[start..mesh.nodes[node + 1].coordinates().end];
@@ -145,12 +145,12 @@ impl Assembly {
                 // The holonomy of the drawing is 0: triads go from node to node by one minimal rotation.
                 let element =
                     ancf14::element::Element::new(place, length, stiffness, densities, reference, frames, 0.0);
-                Element::Ancf14(element)
+                AnyElement::Ancf14(element)
             }
             Elements::Ancf24 { poisson, shear } => {
                 let properties = design.properties(poisson, shear);
                 let reference = std::array::from_fn(|index| reference[index]);
-                Element::Ancf24(ancf24::element::Element::new(start, length, properties, &reference))
+                AnyElement::Ancf24(ancf24::element::Element::new(start, length, properties, &reference))
             }
         }
     }

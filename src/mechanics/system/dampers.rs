@@ -3,12 +3,12 @@
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
 use crate::mechanics::beam::configuration::Configuration;
-use crate::mechanics::beam::formulation::Element;
+use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::system::System;
 
 impl System {
     /// The elements whose material is damped, with their numbers.
-    fn damped_elements(&self) -> impl Iterator<Item = (usize, &Element)> + '_ {
+    fn damped_elements(&self) -> impl Iterator<Item = (usize, &AnyElement)> + '_ {
         self.mesh.elements.iter().enumerate().filter(|(_, element)| element.damping() != 0.0)
     }
 

@@ -11,7 +11,7 @@ use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, NODE, P, THETA};
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::formulation::Element;
+use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::system::System;
 
@@ -77,7 +77,7 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize,
             }
             for (element, local) in neighbours.into_iter().zip([NODE, 0]) {
                 let Some(number) = element else { continue };
-                let Element::Ancf14(element) = &system.mesh.elements[number] else { continue };
+                let AnyElement::Ancf14(element) = &system.mesh.elements[number] else { continue };
                 let block = blocks.block_mut(number);
                 for (other, column) in [THETA, NODE + THETA].into_iter().enumerate() {
                     for row in 0..3 {

@@ -22,7 +22,7 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::ancf14::kinematics::Holonomy;
 use crate::mechanics::beam::configuration::Configuration;
-use crate::mechanics::beam::formulation::Element;
+use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::kinematics::BODY;
@@ -190,7 +190,7 @@ impl System {
         }
         (state.rotations, state.readings) = (rotations, readings);
         for element in &self.mesh.elements {
-            if let Element::Ancf14(element) = element {
+            if let AnyElement::Ancf14(element) = element {
                 let [first, second] = [&frames[element.place.frame], &frames[element.place.frame + 1]];
                 let angle = &mut state.holonomy[element.place.branch];
                 *angle = Holonomy::new(first, second, *angle).angle;

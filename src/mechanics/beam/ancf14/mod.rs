@@ -2,11 +2,11 @@
 //!
 //! `#[inline]` stands on what every evaluation of an element calls: its many numbers are then made where they are used, not copied there.
 
+mod beam_element;
 pub mod coordinates;
 pub mod damping;
 pub mod element;
 pub mod energy;
-mod formulation;
 pub mod frame;
 pub mod inertia;
 pub mod kinematics;

@@ -9,7 +9,7 @@ use super::over_step::StepStart;
 use super::{damping, section};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
-use crate::mechanics::beam::formulation::Formulation;
+use crate::mechanics::beam::element::BeamElement;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
@@ -48,7 +48,7 @@ fn add_matrix(matrix: &ElementMatrix, factor: f64, block: &mut [f64]) {
     block.iter_mut().zip(matrix.as_slice()).for_each(|(target, value)| *target += factor * value);
 }
 
-impl Formulation for Element {
+impl BeamElement for Element {
     fn coordinates(&self) -> Range<usize> {
         self.place.start..self.place.start + ELEMENT
     }

@@ -1,4 +1,4 @@
-//! What the machine asks of an element, whatever its formulation: ANCF14 and ANCF24 answer alike, each in its own folder.
+//! What a system asks of an element: ANCF14 and ANCF24 answer alike, each in its own folder.
 
 use super::ancf14::over_step::StepStart;
 use super::configuration::{Configuration, Passage, TimeStep};
@@ -15,7 +15,7 @@ use std::ops::{Deref, DerefMut, Range};
     reason = "elements are read in order, the smaller ones keep their numbers elsewhere"
 )]
 #[derive(Clone, Debug, PartialEq)]
-pub enum Element {
+pub enum AnyElement {
     /// Centre-line and twist.
     Ancf14(ancf14::element::Element),
     /// Centre-line and gradients of the section.
@@ -23,7 +23,7 @@ pub enum Element {
 }
 
 /// What an element answers. Vectors of coordinates are those of the whole machine, blocks are its own, column-major.
-pub trait Formulation {
+pub trait BeamElement {
     /// Its coordinates.
     fn coordinates(&self) -> Range<usize>;
 
@@ -146,8 +146,8 @@ pub trait Formulation {
     fn distortion(&self, c: &Configuration) -> Option<&'static str>;
 }
 
-impl Deref for Element {
-    type Target = dyn Formulation;
+impl Deref for AnyElement {
+    type Target = dyn BeamElement;
 
     fn deref(&self) -> &Self::Target {
         match self {
@@ -157,7 +157,7 @@ impl Deref for Element {
     }
 }
 
-impl DerefMut for Element {
+impl DerefMut for AnyElement {
     fn deref_mut(&mut self) -> &mut Self::Target {
         match self {
             Self::Ancf14(element) => element,

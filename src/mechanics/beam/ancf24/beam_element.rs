@@ -10,7 +10,7 @@ use crate::math::rotation::carry;
 use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
-use crate::mechanics::beam::formulation::Formulation;
+use crate::mechanics::beam::element::BeamElement;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
@@ -51,7 +51,7 @@ impl Element {
     }
 }
 
-impl Formulation for Element {
+impl BeamElement for Element {
     fn coordinates(&self) -> Range<usize> {
         self.start..self.start + ELEMENT
     }
