@@ -17,7 +17,7 @@ use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::constraint::joint::Joint;
 use ancf14::mechanics::constraint::weld;
 use ancf14::mechanics::geometry::pose::Pose;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::statics::Statics;
@@ -27,22 +27,22 @@ const ANCF24: Elements = Elements::Ancf24 { poisson: false, shear: Shear::Sectio
 
 /// Displacement and turn of the end of a beam of 1 m along x of two halves welded end to end, the first one clamped, under a force and moment there.
 fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) -> (Vec3, Vec3) {
-    let mut assembly = Assembly::default();
+    let mut builder = SystemBuilder::default();
     let [first, second] = [0, 1].map(|half| {
         let from = Vec3::x() * (0.5 * half as f64);
         let line = Centreline::straight(from, from + Vec3::x() * 0.5, elements);
-        assembly.add_beam(&BeamDesign { line, elements: kinds[half], ..design(["first", "second"][half], 1) })
+        builder.add_beam(&BeamDesign { line, elements: kinds[half], ..design(["first", "second"][half], 1) })
     });
-    clamp(&mut assembly, first);
+    clamp(&mut builder, first);
     let pose = Pose { place: Vec3::x() * 0.5, axes: Mat3::identity() };
     let [a, b] =
-        [assembly.section_at(first, 1.0), assembly.section_at(second, 0.0)].map(|side| assembly.tied(&side, &pose));
-    assembly.add_joint(Joint { name: "seam".into(), a, b, primitives: weld::PRIMITIVES, drive: None });
+        [builder.section_at(first, 1.0), builder.section_at(second, 0.0)].map(|side| builder.tied(&side, &pose));
+    builder.add_joint(Joint { name: "seam".into(), a, b, primitives: weld::PRIMITIVES, drive: None });
     // What is tied is rigid: on a section that is not, a torque works on r_y alone and turns it against r_z (MECHANICS 10.7).
-    assembly.tied(&assembly.section_at(second, 1.0), &pose);
-    machines::load(&mut assembly, second, 1.0, force, moment);
-    assembly.add_sensor(second, 1.0);
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    builder.tied(&builder.section_at(second, 1.0), &pose);
+    machines::load(&mut builder, second, 1.0, force, moment);
+    builder.add_sensor(second, 1.0);
+    let (system, mut state) = builder.finish(Vec3::zeros());
     Statics::new(&system, 1e-12).find(&system, &mut state, 1.0).unwrap();
     let mut snapshot = FrameCache::default();
     let pose = system.sensors[0].marker.pose(&snapshot.of(&system, &state));

@@ -68,9 +68,9 @@ pub fn element(law: (bool, Shear), reference: &Coordinates) -> Element {
 }
 
 fn properties(law: (bool, Shear)) -> Properties {
-    let mut assembly = ancf14::mechanics::system::builder::Assembly::default();
-    assembly.add_beam(&design(law));
-    let (system, _) = assembly.finish(Vec3::zeros());
+    let mut builder = ancf14::mechanics::system::builder::SystemBuilder::default();
+    builder.add_beam(&design(law));
+    let (system, _) = builder.finish(Vec3::zeros());
     crate::machines::ancf24_elements(&system).next().unwrap().properties
 }
 

@@ -8,7 +8,7 @@ use ancf14::math::Vec3;
 use ancf14::mechanics::beam::ancf24::law::Shear;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements};
 use ancf14::mechanics::beam::section::Section;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::model::modes::Kind;
 use ancf14::solve::modes::modes;
 use nalgebra::Matrix4;
@@ -16,10 +16,10 @@ use std::f64::consts::PI;
 
 /// Natural frequencies of a cantilever, rad/s.
 fn frequencies(beam: &BeamDesign, count: usize) -> Vec<f64> {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(beam);
-    clamp(&mut assembly, number);
-    let (system, state) = assembly.finish(Vec3::zeros());
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(beam);
+    clamp(&mut builder, number);
+    let (system, state) = builder.finish(Vec3::zeros());
     let found = modes(&system, &state, count).unwrap();
     found.modes.iter().filter(|mode| mode.kind == Kind::Vibration).map(|mode| mode.eigenvalue.sqrt()).collect()
 }

@@ -11,7 +11,7 @@ use ancf14::math::Vec3;
 use ancf14::mechanics::body::rigid_body::BodyDesign;
 use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::marker::gauge::{Gauge, Measure};
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use std::f64::consts::TAU;
 
@@ -140,18 +140,18 @@ fn a_bushing_gives_way_by_load_over_stiffness() {
 fn an_anisotropic_bushing_keeps_momenta_and_energy() {
     let run = |step: f64, count: u32, every: u32| {
         let mut random = Random(131);
-        let mut assembly = Assembly::default();
+        let mut builder = SystemBuilder::default();
         let mut add = |name: &str, angular_velocity: Vec3, random: &mut Random| {
             let still = BodyDesign { angular_velocity, velocity: random.vector(), ..body(name, random) };
-            let body = assembly.add_body(&still);
-            assembly.body(body)
+            let body = builder.add_body(&still);
+            builder.body(body)
         };
         let first = add("first", Vec3::new(0.5, -1.0, 0.3), &mut random);
         let second = add("second", Vec3::new(2.0, 3.0, -2.0), &mut random);
         let pose = Pose { place: random.vector() * 0.3, axes: random.rotation() };
-        let sides = [first, second].map(|side| assembly.tied(&side, &pose));
-        cushion(&mut assembly, sides, [20.0, 40.0, 70.0], [0.3, 0.5, 0.8], 0.0);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
+        let sides = [first, second].map(|side| builder.tied(&side, &pose));
+        cushion(&mut builder, sides, [20.0, 40.0, 70.0], [0.3, 0.5, 0.8], 0.0);
+        let (system, mut state) = builder.finish(Vec3::zeros());
         let mut start = None;
         let (mut drift, mut low, mut high, mut turn, mut number) =
             (0.0_f64, f64::INFINITY, f64::NEG_INFINITY, 0.0_f64, 0);

@@ -8,7 +8,7 @@ use ancf14::math::Vec3;
 use ancf14::mechanics::constraint::joint::JointGradient;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::build::Built;
 use ancf14::solve::linear::mass_factor::MassFactor;
@@ -80,13 +80,13 @@ fn axes_share_a_factor() {
 
 #[test]
 fn dependent_conditions_are_refused() {
-    let mut assembly = Assembly::new(0.0);
-    let beam = assembly.add_beam(&design("beam", 3));
-    clamp(&mut assembly, beam);
-    let once = assembly.clone();
-    clamp(&mut assembly, beam);
-    for (assembly, held) in [(once, 1), (assembly, 2)] {
-        let (system, state) = assembly.finish(Vec3::zeros());
+    let mut builder = SystemBuilder::new(0.0);
+    let beam = builder.add_beam(&design("beam", 3));
+    clamp(&mut builder, beam);
+    let once = builder.clone();
+    clamp(&mut builder, beam);
+    for (builder, held) in [(once, 1), (builder, 2)] {
+        let (system, state) = builder.finish(Vec3::zeros());
         let mut fast = ConstrainedMass::new(&system, &masses(&system).blocks).unwrap();
         let mut right = vec![1.0; system.coordinates() + system.constraints()];
         let solved = fast.solve(&system, &gradients(&system, &state), &mut right, &mut vec![0.0; system.coordinates()]);

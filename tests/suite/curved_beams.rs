@@ -21,7 +21,7 @@ use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 use std::sync::Arc;
@@ -90,18 +90,18 @@ fn strip(strain: Strain, spacing: Spacing, curve: &Curve, elements: usize, loads
 
 /// The axes of the section at the end, as drawn.
 fn end_axes(beam: &BeamDesign) -> Mat3 {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(beam);
-    assembly.drawn(&assembly.section_at(number, 1.0)).axes
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(beam);
+    builder.drawn(&builder.section_at(number, 1.0)).axes
 }
 
 /// The strip held at `held` and loaded in full at `fraction` and along its whole length.
 fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched: &[f64]) -> (System, State) {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(beam);
-    let pose = Pose { place: assembly.drawn(&assembly.section_at(number, held)).place, axes: Mat3::identity() };
-    let b = assembly.tied(&assembly.section_at(number, held), &pose);
-    assembly.add_joint(Joint {
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(beam);
+    let pose = Pose { place: builder.drawn(&builder.section_at(number, held)).place, axes: Mat3::identity() };
+    let b = builder.tied(&builder.section_at(number, held), &pose);
+    builder.add_joint(Joint {
         name: "root".into(),
         a: Marker::Ground(pose),
         b,
@@ -111,10 +111,10 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
     let growing = |v: [f64; 3]| {
         v.map(|size| Signal::Function(Arc::new(move |time| Jet { value: size * time, first: size, second: 0.0 })))
     };
-    let point = assembly.section_at(number, fraction);
-    for (points, [force, moment]) in [(vec![(point, 1.0)], loads.point), (assembly.sections_of(number), loads.line)] {
+    let point = builder.section_at(number, fraction);
+    for (points, [force, moment]) in [(vec![(point, 1.0)], loads.point), (builder.sections_of(number), loads.line)] {
         let (force, moment) = (growing(force), growing(moment));
-        assembly.add_load(Load {
+        builder.add_load(Load {
             name: "load".into(),
             points,
             guide: LoadGuide::Signals { force, moment },
@@ -122,9 +122,9 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
         });
     }
     for fraction in watched {
-        assembly.add_sensor(number, *fraction);
+        builder.add_sensor(number, *fraction);
     }
-    let (system, mut state) = assembly.finish(Vec3::from(loads.gravity));
+    let (system, mut state) = builder.finish(Vec3::from(loads.gravity));
     Statics::new(&system, 1e-13).find(&system, &mut state, 1.0).unwrap();
     (system, state)
 }
@@ -152,13 +152,13 @@ fn curved_beams_are_free_of_stress_as_drawn() {
             if spacing == Spacing::Parameter {
                 beam.elements = ancf14(strain, Twist::Quadratic);
             }
-            let mut assembly = Assembly::default();
-            let number = assembly.add_beam(&beam);
-            clamp(&mut assembly, number);
+            let mut builder = SystemBuilder::default();
+            let number = builder.add_beam(&beam);
+            clamp(&mut builder, number);
             for k in 0..=40 {
-                assembly.add_sensor(number, f64::from(k) / 40.0);
+                builder.add_sensor(number, f64::from(k) / 40.0);
             }
-            let (system, mut state) = assembly.finish(Vec3::zeros());
+            let (system, mut state) = builder.finish(Vec3::zeros());
             let [_, elastic, _] = energies(&system, &state);
             assert_eq!(elastic, 0.0);
             let mut snapshot = FrameCache::default();
@@ -199,12 +199,12 @@ fn references_are_those_of_the_curve() {
         // Frenet's frame turns against Bishop's by the torsion: a section that is to stay on the normal is pretwisted by as much.
         let pretwist = torsion * helix.length();
         let beam = BeamDesign { line, y_axis: -Vec3::x(), pretwist, ..design("helix", elements) };
-        let mut assembly = Assembly::default();
-        let number = assembly.add_beam(&beam);
-        let tip = assembly.drawn(&assembly.section_at(number, 1.0)).axes;
+        let mut builder = SystemBuilder::default();
+        let number = builder.add_beam(&beam);
+        let tip = builder.drawn(&builder.section_at(number, 1.0)).axes;
         // The end's normal points to the axis: exact, for nodes are where the curve is.
         assert!((tip.column(1) - Vec3::new(-turns.cos(), -turns.sin(), 0.0)).norm() < 1e-12);
-        let (system, _) = assembly.finish(Vec3::zeros());
+        let (system, _) = builder.finish(Vec3::zeros());
         let points = ancf14_elements(&system).flat_map(|element| element.bending);
         let worst = points.fold(0.0, |worst: f64, point| {
             let [gamma1, gamma2, tau] = point.reference;
@@ -362,13 +362,13 @@ fn quarter_arc_unbends() {
             section,
             ..design("arc", elements)
         };
-        let mut assembly = Assembly::default();
-        let number = assembly.add_beam(&beam);
-        clamp(&mut assembly, number);
+        let mut builder = SystemBuilder::default();
+        let number = builder.add_beam(&beam);
+        clamp(&mut builder, number);
         let moment = Vec3::z() * (-quarter * beam.material.young * beam.section.second_moment_z);
-        crate::machines::load(&mut assembly, number, 1.0, Vec3::zeros(), moment);
-        let end = assembly.add_sensor(number, 1.0);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
+        crate::machines::load(&mut builder, number, 1.0, Vec3::zeros(), moment);
+        let end = builder.add_sensor(number, 1.0);
+        let (system, mut state) = builder.finish(Vec3::zeros());
         let mut statics = Statics::new(&system, 1e-12);
         for step in 1..=5 {
             statics.find(&system, &mut state, 0.2 * f64::from(step)).unwrap();

@@ -11,7 +11,7 @@ use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use std::f64::consts::PI;
 
 const KINDS: [(f64, Strain); 2] = [(1.0, Strain::Small), (0.9, Strain::Large)];
@@ -74,10 +74,10 @@ fn vibrations_decay_as_theory_says() {
         let still = BeamDesign { elements: ancf14(strain, Twist::Linear), ..design("beam", ELEMENTS) };
         for mode in modes(&still) {
             let material = Material { damping: 2.0 * RATIO / mode.omega, ..still.material };
-            let mut assembly = Assembly::default();
-            let beam = assembly.add_beam(&BeamDesign { material, ..still.clone() });
-            clamp(&mut assembly, beam);
-            let (system, mut state) = assembly.finish(Vec3::zeros());
+            let mut builder = SystemBuilder::default();
+            let beam = builder.add_beam(&BeamDesign { material, ..still.clone() });
+            clamp(&mut builder, beam);
+            let (system, mut state) = builder.finish(Vec3::zeros());
             // An amplitude of 1e-4: squares, which theory leaves out, count 1e-8.
             for node in 0..=ELEMENTS {
                 let [value, slope] = (mode.shape)(node as f64 / ELEMENTS as f64).map(|shape| shape * 1e-4 * mode.omega);
@@ -118,9 +118,9 @@ fn a_spinning_beam_is_not_damped() {
             angular_velocity: spin,
             ..base
         };
-        let mut assembly = Assembly::default();
-        assembly.add_beam(&beam);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
+        let mut builder = SystemBuilder::default();
+        builder.add_beam(&beam);
+        let (system, mut state) = builder.finish(Vec3::zeros());
         let (mut begin, mut steady) = (f64::NAN, f64::NAN);
         let (mut lost, mut drift) = (0.0_f64, 0.0_f64);
         integrate(&system, &mut state, radius, (2e-3, 2000), |state| {

@@ -13,7 +13,7 @@ use ancf14::mechanics::constraint::spherical;
 use ancf14::mechanics::constraint::weld;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::dynamics::start;
 use ancf14::solve::step::integrator::Integrator;
@@ -28,9 +28,9 @@ pub fn spinning() -> (System, State) {
 
 /// One beam, held by nothing.
 pub fn free(design: &BeamDesign) -> (System, State) {
-    let mut assembly = Assembly::default();
-    assembly.add_beam(design);
-    assembly.finish(Vec3::zeros())
+    let mut builder = SystemBuilder::default();
+    builder.add_beam(design);
+    builder.finish(Vec3::zeros())
 }
 
 pub fn spinning_design() -> BeamDesign {
@@ -79,7 +79,7 @@ fn free_spinning_beam_keeps_momentum_and_energy() {
 fn spinning_beam_shows_no_false_extension() {
     let (rate, length) = (4.0, 8.0);
     for (step, count) in [(5e-3, 2000), (2e-2, 500)] {
-        let mut assembly = Assembly::default();
+        let mut builder = SystemBuilder::default();
         let base = design("beam", 4);
         let beam = BeamDesign {
             line: Centreline::straight(Vec3::zeros(), Vec3::x() * length, 4),
@@ -87,9 +87,9 @@ fn spinning_beam_shows_no_false_extension() {
             angular_velocity: Vec3::z() * rate,
             ..base.clone()
         };
-        let number = assembly.add_beam(&beam);
-        hold(&mut assembly, "hub", number, 0.0, &Mat3::identity(), spherical::PRIMITIVES);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
+        let number = builder.add_beam(&beam);
+        hold(&mut builder, "hub", number, 0.0, &Mat3::identity(), spherical::PRIMITIVES);
+        let (system, mut state) = builder.finish(Vec3::zeros());
         let (mut sum, mut number) = (0.0, 0.0);
         integrate(&system, &mut state, 1.0, (step, count), |state| {
             sum += Vec3::from_column_slice(&state.q[28..31]).norm() - length;
@@ -129,13 +129,13 @@ fn taut_string_stays_bounded() {
     let section = Section::circle(1e-3);
     let material = Material { young: 1e9, shear: 4e8, density: 1000.0, damping: 0.0 };
     let stretch = 1e-2;
-    let mut assembly = Assembly::default();
+    let mut builder = SystemBuilder::default();
     let line = Centreline::straight(Vec3::zeros(), Vec3::x() * 2.0, 4);
-    let number = assembly.add_beam(&BeamDesign { section, material, line, ..design("string", 4) });
+    let number = builder.add_beam(&BeamDesign { section, material, line, ..design("string", 4) });
     for (name, fraction) in [("left", 0.0), ("right", 1.0)] {
-        hold(&mut assembly, name, number, fraction, &Mat3::identity(), weld::PRIMITIVES);
+        hold(&mut builder, name, number, fraction, &Mat3::identity(), weld::PRIMITIVES);
     }
-    let (mut system, mut state) = assembly.finish(Vec3::zeros());
+    let (mut system, mut state) = builder.finish(Vec3::zeros());
     // Stretch: the right end's ground point and all nodes move out in proportion.
     for node in state.q.chunks_exact_mut(7) {
         node[0] *= 1.0 + stretch;

@@ -7,7 +7,7 @@ use ancf14::mechanics::beam::configuration::Passage;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::f64::consts::PI;
@@ -26,9 +26,9 @@ fn dense(system: &System, blocks: &Blocks) -> DMatrix<f64> {
 
 /// Angular frequencies of a cantilever, ascending, rad/s. A clamp leaves only the size of the root's slope free.
 fn frequencies(beam: &BeamDesign) -> Vec<f64> {
-    let mut assembly = Assembly::default();
-    assembly.add_beam(beam);
-    let (system, state) = assembly.finish(Vec3::zeros());
+    let mut builder = SystemBuilder::default();
+    builder.add_beam(beam);
+    let (system, state) = builder.finish(Vec3::zeros());
     let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(&system, &state);
     let mut blocks = Blocks::default();

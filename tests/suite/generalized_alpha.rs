@@ -29,7 +29,7 @@ use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::marker::gauge::Measure;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::dynamics::generalized_alpha::GeneralizedAlpha;
 use ancf14::solve::step::response::{Responder, Response};
@@ -59,8 +59,8 @@ fn spun_up() -> (System, State) {
     };
     let material = Material { young: 2e6, shear: 8e7, density: 1000.0, damping: 0.0 };
     let to = Vec3::new(1.2, 0.3, -0.4);
-    let mut assembly = Assembly::default();
-    let beam = assembly.add_beam(&BeamDesign {
+    let mut builder = SystemBuilder::default();
+    let beam = builder.add_beam(&BeamDesign {
         line: Centreline::straight(Vec3::zeros(), to, 4),
         section,
         material,
@@ -74,13 +74,13 @@ fn spun_up() -> (System, State) {
             Jet { value: size * (1.0 - cos), first: rate * sin, second: 10.0 * PI * rate * cos }
         }))
     });
-    assembly.add_load(Load {
+    builder.add_load(Load {
         name: "motor".into(),
-        points: vec![(assembly.section_at(beam, 0.5), 1.0)],
+        points: vec![(builder.section_at(beam, 0.5), 1.0)],
         guide: LoadGuide::Signals { force: [0.0; 3].map(Signal::Constant), moment },
         direction: Direction::Follower,
     });
-    assembly.finish(Vec3::zeros())
+    builder.finish(Vec3::zeros())
 }
 
 /// Halving the step divides the error by four, against the midpoint rule at a fine step. Without the chart's own force the order
@@ -212,10 +212,10 @@ fn axial_vibration_is_damped_as_theory_says() {
     for radius in [0.0, 0.5, 0.8, 1.0] {
         for speed in [0.1, 1.0, 10.0, 1e3] {
             let step = speed / frequency;
-            let mut assembly = Assembly::default();
-            let number = assembly.add_beam(&bar);
-            clamp(&mut assembly, number);
-            let (system, mut state) = assembly.finish(Vec3::zeros());
+            let mut builder = SystemBuilder::default();
+            let number = builder.add_beam(&bar);
+            clamp(&mut builder, number);
+            let (system, mut state) = builder.finish(Vec3::zeros());
             // Of 1e-3 of the length.
             let rate = 1e-3 / shape[1] / step;
             for (place, index) in MODE.into_iter().enumerate() {
@@ -258,7 +258,7 @@ fn axial_vibration_is_damped_as_theory_says() {
 
 /// Two rigid bodies, one hung on the ground and one on it, with a damper between.
 fn double_pendulum() -> (System, State) {
-    let mut assembly = Assembly::default();
+    let mut builder = SystemBuilder::default();
     let body = |name: &str, position: Vec3, angular_velocity: Vec3| BodyDesign {
         name: name.into(),
         mass: 2.0,
@@ -268,35 +268,28 @@ fn double_pendulum() -> (System, State) {
         velocity: Vec3::zeros(),
         angular_velocity,
     };
-    let upper = assembly.add_body(&body("upper", Vec3::new(0.3, 0.0, 0.0), Vec3::new(1.0, 0.5, 2.0)));
-    let lower = assembly.add_body(&body("lower", Vec3::new(0.6, 0.3, 0.1), Vec3::new(0.0, -1.0, 1.0)));
+    let upper = builder.add_body(&body("upper", Vec3::new(0.3, 0.0, 0.0), Vec3::new(1.0, 0.5, 2.0)));
+    let lower = builder.add_body(&body("lower", Vec3::new(0.6, 0.3, 0.1), Vec3::new(0.0, -1.0, 1.0)));
     let ground = Marker::Ground(Pose::default());
-    let [upper, lower] = [upper, lower].map(|number| assembly.body(number));
+    let [upper, lower] = [upper, lower].map(|number| builder.body(number));
     let elbow = Pose { place: Vec3::new(0.6, 0.0, 0.0), axes: Mat3::identity() };
-    joint(&mut assembly, "hook", [&ground, &upper], &Pose::default(), spherical::PRIMITIVES);
-    let sides = joint(&mut assembly, "elbow", [&upper, &lower], &elbow, revolute::PRIMITIVES);
-    let gauge = assembly.add_gauge(sides[0], sides[1], Measure::Angle(0));
-    assembly.add_spring(Spring {
-        name: "damper".into(),
-        gauge,
-        stiffness: 2.0,
-        damping: 0.3,
-        rest: 0.2,
-        mobility: 0.0,
-    });
-    assembly.finish(Vec3::new(0.5, -9.0, 2.0))
+    joint(&mut builder, "hook", [&ground, &upper], &Pose::default(), spherical::PRIMITIVES);
+    let sides = joint(&mut builder, "elbow", [&upper, &lower], &elbow, revolute::PRIMITIVES);
+    let gauge = builder.add_gauge(sides[0], sides[1], Measure::Angle(0));
+    builder.add_spring(Spring { name: "damper".into(), gauge, stiffness: 2.0, damping: 0.3, rest: 0.2, mobility: 0.0 });
+    builder.finish(Vec3::new(0.5, -9.0, 2.0))
 }
 
 /// Ties a joint of `primitives` at `pose` to both `parts`; returns its sides.
 pub fn joint(
-    assembly: &mut Assembly,
+    builder: &mut SystemBuilder,
     name: &str,
     parts: [&Marker; 2],
     pose: &Pose,
     primitives: &'static [Primitive],
 ) -> [Marker; 2] {
-    let [a, b] = parts.map(|part| assembly.tied(part, pose));
-    assembly.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None });
+    let [a, b] = parts.map(|part| builder.tied(part, pose));
+    builder.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None });
     [a, b]
 }
 
@@ -329,8 +322,8 @@ fn double_pendulum_agrees_with_the_midpoint_rule() {
 fn pendulum_has_its_period() {
     let (mass, arm, moment, gravity, amplitude) = (2.0, 0.4, 0.1, 9.81, 1.0_f64);
     let (sin, cos) = amplitude.sin_cos();
-    let mut assembly = Assembly::default();
-    let number = assembly.add_body(&BodyDesign {
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_body(&BodyDesign {
         name: "bob".into(),
         mass,
         position: Vec3::new(sin, -cos, 0.0) * arm,
@@ -340,9 +333,9 @@ fn pendulum_has_its_period() {
         angular_velocity: Vec3::zeros(),
     });
     let axes = Mat3::from_columns(&[Vec3::z(), Vec3::x(), Vec3::y()]);
-    let (ground, bob) = (Marker::Ground(Pose::default()), assembly.body(number));
-    joint(&mut assembly, "hinge", [&ground, &bob], &Pose { place: Vec3::zeros(), axes }, revolute::PRIMITIVES);
-    let (system, mut state) = assembly.finish(Vec3::y() * -gravity);
+    let (ground, bob) = (Marker::Ground(Pose::default()), builder.body(number));
+    joint(&mut builder, "hinge", [&ground, &bob], &Pose { place: Vec3::zeros(), axes }, revolute::PRIMITIVES);
+    let (system, mut state) = builder.finish(Vec3::y() * -gravity);
     // Arithmetic-geometric mean.
     let (mut a, mut b) = (1.0_f64, (0.5 * amplitude).cos());
     while (a - b).abs() > 1e-15 {
@@ -379,14 +372,14 @@ pub fn turning(size: f64) -> Signal {
 /// A driven hinge turns a beam by exactly what the drive prescribes, over several turns; rates and multipliers follow.
 #[test]
 fn driven_hinge_follows_exactly() {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(&BeamDesign { section: Section::rectangle(0.04, 0.04), ..design("arm", 2) });
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(&BeamDesign { section: Section::rectangle(0.04, 0.04), ..design("arm", 2) });
     let axes = Mat3::from_columns(&[Vec3::z(), Vec3::x(), Vec3::y()]);
-    hold(&mut assembly, "hub", number, 0.0, &axes, revolute::PRIMITIVES);
+    hold(&mut builder, "hub", number, 0.0, &axes, revolute::PRIMITIVES);
     let ground = Marker::Ground(Pose { place: Vec3::zeros(), axes });
-    let arm = assembly.tied(&assembly.node(0), &Pose { place: Vec3::zeros(), axes });
-    let drive = assembly.add_drive("hub", [ground, arm], Driven::Angle, Guide::Value(turning(1.0)), 0.0);
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    let arm = builder.tied(&builder.node(0), &Pose { place: Vec3::zeros(), axes });
+    let drive = builder.add_drive("hub", [ground, arm], Driven::Angle, Guide::Value(turning(1.0)), 0.0);
+    let (system, mut state) = builder.finish(Vec3::zeros());
     let (mut gap, mut rate_gap) = (0.0_f64, 0.0_f64);
     march(&system, &mut state, &mut method(&system, 0.8), (1e-3, 700), |state| {
         let expected = turning(1.0).jet(state.time);
@@ -409,10 +402,10 @@ fn decrement(radius: Option<f64>, ratio: f64) -> f64 {
     let frequency = 1.875_104_068_711_961_f64.powi(2)
         * (material.young * section.second_moment_y / (material.density * section.area)).sqrt();
     let damping = 2.0 * ratio / frequency;
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(&BeamDesign { material: Material { damping, ..material }, ..base });
-    clamp(&mut assembly, number);
-    let (system, mut state) = assembly.finish(Vec3::z() * -1.0);
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(&BeamDesign { material: Material { damping, ..material }, ..base });
+    clamp(&mut builder, number);
+    let (system, mut state) = builder.finish(Vec3::z() * -1.0);
     let mut heights = Vec::new();
     let watch = |state: &State| heights.push(state.q[state.q.len() - 5]);
     let steps = (TAU / frequency / 200.0, 2000);

@@ -23,7 +23,7 @@ use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::marker::gauge::Measure;
 use ancf14::mechanics::state::{State, Statistics};
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::solve::dynamics::generalized_alpha::GeneralizedAlpha;
 use ancf14::solve::dynamics::start;
 use ancf14::solve::step::integrator::{Integrator, MOST_HALVINGS, grid_step};
@@ -32,20 +32,20 @@ use std::sync::Arc;
 /// A machine with everything: a spinning, damped beam on a moving frame, a body at its end, a driven hinge, a spring with a damper,
 /// a load that turns with the section.
 fn everything() -> (System, State) {
-    let mut assembly = Assembly::default();
+    let mut builder = SystemBuilder::default();
     let pose = Pose { place: Vec3::zeros(), axes: Mat3::identity() };
     let place = [Signal::Constant(0.0), Signal::Constant(0.0), turning(0.02)];
     let rotation = [0.3, 0.0, 0.0]
         .map(|rate| Signal::Function(Arc::new(move |time| Jet { value: rate * time, first: rate, second: 0.0 })));
-    let frame = assembly.add_frame("base", FrameGuide::Signals { place, rotation }, pose);
-    let beam = assembly.add_beam(&BeamDesign {
+    let frame = builder.add_frame("base", FrameGuide::Signals { place, rotation }, pose);
+    let beam = builder.add_beam(&BeamDesign {
         line: Centreline::straight(Vec3::zeros(), Vec3::new(1.0, 0.3, -0.2), 3),
         section: Section { polar_moment: 4e-4, torsion_constant: 1e-6, ..Section::rectangle(0.02, 0.03) },
         material: Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 2e-3 },
         angular_velocity: Vec3::new(20.0, 4.0, 3.0),
         ..design("beam", 3)
     });
-    let body = assembly.add_body(&BodyDesign {
+    let body = builder.add_body(&BodyDesign {
         name: "disk".into(),
         mass: 0.4,
         position: Vec3::new(1.1, 0.4, -0.2),
@@ -54,14 +54,14 @@ fn everything() -> (System, State) {
         velocity: Vec3::zeros(),
         angular_velocity: Vec3::new(10.0, 0.0, 5.0),
     });
-    let (frame, body) = (assembly.frame(frame), assembly.body(body));
-    let [root, tip] = [0.0, 1.0].map(|fraction| assembly.node(assembly.node_at(beam, fraction).unwrap()));
-    joint(&mut assembly, "root", [&frame, &root], &pose, spherical::PRIMITIVES);
+    let (frame, body) = (builder.frame(frame), builder.body(body));
+    let [root, tip] = [0.0, 1.0].map(|fraction| builder.node(builder.node_at(beam, fraction).unwrap()));
+    joint(&mut builder, "root", [&frame, &root], &pose, spherical::PRIMITIVES);
     let hinge = Pose { place: Vec3::new(1.0, 0.35, -0.2), axes: Mat3::identity() };
-    let sides = joint(&mut assembly, "hinge", [&tip, &body], &hinge, revolute::PRIMITIVES);
-    assembly.add_drive("hinge", sides, Driven::Angle, Guide::Value(turning(0.2)), 0.0);
-    let gauge = assembly.add_gauge(Marker::Ground(Pose { place: Vec3::z(), ..pose }), body, Measure::Length);
-    assembly.add_spring(Spring {
+    let sides = joint(&mut builder, "hinge", [&tip, &body], &hinge, revolute::PRIMITIVES);
+    builder.add_drive("hinge", sides, Driven::Angle, Guide::Value(turning(0.2)), 0.0);
+    let gauge = builder.add_gauge(Marker::Ground(Pose { place: Vec3::z(), ..pose }), body, Measure::Length);
+    builder.add_spring(Spring {
         name: "strut".into(),
         gauge,
         stiffness: 200.0,
@@ -69,16 +69,16 @@ fn everything() -> (System, State) {
         rest: 0.8,
         mobility: 0.0,
     });
-    assembly.add_load(Load {
+    builder.add_load(Load {
         name: "thrust".into(),
-        points: vec![(assembly.section_at(beam, 0.7), 1.0)],
+        points: vec![(builder.section_at(beam, 0.7), 1.0)],
         guide: LoadGuide::Signals {
             force: [3.0, 20.0, -10.0].map(Signal::Constant),
             moment: [5.0, 2.0, -3.0].map(Signal::Constant),
         },
         direction: Direction::Follower,
     });
-    assembly.finish(Vec3::new(0.0, 1.0, -9.0))
+    builder.finish(Vec3::new(0.0, 1.0, -9.0))
 }
 
 /// [`everything`] as its motion begins.
@@ -128,9 +128,9 @@ fn refused_steps_leave_no_trace() {
 /// A tangent that turns too far in a step is refused though Newton finds a solution.
 #[test]
 fn turns_are_limited() {
-    let mut assembly = Assembly::default();
-    assembly.add_beam(&BeamDesign { angular_velocity: Vec3::z() * 60.0, ..design("beam", 1) });
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    let mut builder = SystemBuilder::default();
+    builder.add_beam(&BeamDesign { angular_velocity: Vec3::z() * 60.0, ..design("beam", 1) });
+    let (system, mut state) = builder.finish(Vec3::zeros());
     let mut integrator = GeneralizedAlpha::new(&system, 0.8, 1e-8);
     start::set_motion(&system, &mut integrator, &mut state).unwrap();
     let refused = integrator.step(&system, &mut state, 0.01, 0.01).unwrap_err().to_string();

@@ -15,7 +15,7 @@ use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
 use ancf14::mechanics::input::signal::Signal;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::solve::statics::Statics;
 use std::sync::Arc;
 
@@ -79,9 +79,9 @@ fn error(elements: usize, twist: Twist) -> f64 {
         ..design("rod", elements)
     };
     let helix = Helix::of(&design);
-    let mut assembly = Assembly::default();
-    let beam = assembly.add_beam(&design);
-    clamp(&mut assembly, beam);
+    let mut builder = SystemBuilder::default();
+    let beam = builder.add_beam(&design);
+    clamp(&mut builder, beam);
     let winding = 3.0 * std::f64::consts::PI;
     let signal = |value: fn(&Helix, f64) -> Vec3| {
         [0, 1, 2].map(|i| {
@@ -91,15 +91,15 @@ fn error(elements: usize, twist: Twist) -> f64 {
     };
     let load = Load {
         name: "wrench".into(),
-        points: vec![(assembly.section_at(beam, 1.0), 1.0)],
+        points: vec![(builder.section_at(beam, 1.0), 1.0)],
         guide: LoadGuide::Signals {
             force: signal(|helix, w| helix.force(w).0),
             moment: signal(|helix, w| if w == 0.0 { Vec3::zeros() } else { helix.moment(w) }),
         },
         direction: Direction::Global,
     };
-    assembly.add_load(load);
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    builder.add_load(load);
+    let (system, mut state) = builder.finish(Vec3::zeros());
     let mut statics = Statics::new(&system, 1e-10);
     for step in 1..=STEPS {
         statics.find(&system, &mut state, f64::from(step) / f64::from(STEPS)).unwrap();

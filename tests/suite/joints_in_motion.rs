@@ -16,7 +16,7 @@ use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 
 const KINDS: [(&str, &[Primitive], usize); 3] =
@@ -24,13 +24,13 @@ const KINDS: [(&str, &[Primitive], usize); 3] =
 
 /// A beam hung on the ground by a spherical joint, and a second one on it by `primitives`, all at random.
 pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System, State) {
-    let mut assembly = Assembly::default();
+    let mut builder = SystemBuilder::default();
     let soft = Material { young: 2e9, shear: 8e8, density: 1000.0, damping: 0.0 };
     let mut beam = |name: &str, random: &mut Random| {
         let from = random.vector();
         let to = from + random.direction() * 0.8;
         let y_axis = random.direction();
-        assembly.add_beam(&BeamDesign {
+        builder.add_beam(&BeamDesign {
             line: Centreline::straight(from, to, 3),
             y_axis,
             material: soft,
@@ -39,14 +39,14 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
     };
     let (first, second) = (beam("first", random), beam("second", random));
     let axes = random.rotation();
-    let hook = assembly.drawn(&assembly.section_at(first, 0.0)).place + random.vector() * 0.1;
-    let node = |beam, fraction| assembly.node(assembly.node_at(beam, fraction).unwrap());
+    let hook = builder.drawn(&builder.section_at(first, 0.0)).place + random.vector() * 0.1;
+    let node = |beam, fraction| builder.node(builder.node_at(beam, fraction).unwrap());
     let [start, end, next] = [node(first, 0.0), node(first, 1.0), node(second, 0.0)];
     let joints = [
         Joint {
             name: "hook".into(),
             a: Marker::Ground(Pose { place: hook, axes }),
-            b: assembly.tied(&start, &Pose { place: hook, axes }),
+            b: builder.tied(&start, &Pose { place: hook, axes }),
             primitives: spherical::PRIMITIVES,
             drive: None,
         },
@@ -55,17 +55,17 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
             let place = random.vector();
             Joint {
                 name: "elbow".into(),
-                a: assembly.tied(&end, &Pose { place, axes }),
-                b: assembly.tied(&next, &Pose { place, axes }),
+                a: builder.tied(&end, &Pose { place, axes }),
+                b: builder.tied(&next, &Pose { place, axes }),
                 primitives,
                 drive: None,
             }
         },
     ];
     for joint in joints {
-        assembly.add_joint(joint);
+        builder.add_joint(joint);
     }
-    assembly.finish(Vec3::new(1.0, -2.0, -9.0))
+    builder.finish(Vec3::new(1.0, -2.0, -9.0))
 }
 
 /// Rows of the joint's gradient that are independent.

@@ -12,7 +12,7 @@ use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 
@@ -21,36 +21,36 @@ const DEAD: Direction = Direction::Global;
 /// Tip displacement and twist angle at the tip of a cantilever of 1 m along x under one load.
 fn tip(
     beam: &BeamDesign,
-    points: impl Fn(&Assembly, usize) -> Vec<(Marker, f64)>,
+    points: impl Fn(&SystemBuilder, usize) -> Vec<(Marker, f64)>,
     force: Vec3,
     moment: Vec3,
     direction: Direction,
 ) -> (Vec3, f64) {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(beam);
-    clamp(&mut assembly, number);
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(beam);
+    clamp(&mut builder, number);
     let constant = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
-    let points = points(&assembly, number);
-    assembly.add_load(Load {
+    let points = points(&builder, number);
+    builder.add_load(Load {
         name: "load".into(),
         points,
         guide: LoadGuide::Signals { force: constant(force), moment: constant(moment) },
         direction,
     });
-    assembly.add_sensor(number, 1.0);
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    builder.add_sensor(number, 1.0);
+    let (system, mut state) = builder.finish(Vec3::zeros());
     Statics::new(&system, 1e-10).find(&system, &mut state, 0.0).unwrap();
     let mut snapshot = FrameCache::default();
     let twist = system.sensors[0].twist(&system, &snapshot.of(&system, &state));
     (vec3(&state.q, state.q.len() - 7) - Vec3::x(), twist)
 }
 
-fn at(fraction: f64) -> impl Fn(&Assembly, usize) -> Vec<(Marker, f64)> {
-    move |assembly, beam| vec![(assembly.section_at(beam, fraction), 1.0)]
+fn at(fraction: f64) -> impl Fn(&SystemBuilder, usize) -> Vec<(Marker, f64)> {
+    move |builder, beam| vec![(builder.section_at(beam, fraction), 1.0)]
 }
 
-fn everywhere(assembly: &Assembly, beam: usize) -> Vec<(Marker, f64)> {
-    assembly.sections_of(beam)
+fn everywhere(builder: &SystemBuilder, beam: usize) -> Vec<(Marker, f64)> {
+    builder.sections_of(beam)
 }
 
 #[test]
@@ -137,9 +137,9 @@ fn suppressed_torsion_goes_with_every_strain_and_twist() {
 fn truncated_strain_has_its_limit() {
     let beam = crate::princeton::beam(4, Strain::LargeTruncated, Twist::Linear);
     let check = |rate: f64| {
-        let mut assembly = Assembly::default();
-        assembly.add_beam(&beam);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
+        let mut builder = SystemBuilder::default();
+        builder.add_beam(&beam);
+        let (system, mut state) = builder.finish(Vec3::zeros());
         let limit = system.beams[0].twist_limit;
         let length = beam.line.spans[0].length;
         for (node, q) in state.q.chunks_exact_mut(7).enumerate() {

@@ -21,7 +21,7 @@ use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::dynamics::start::{self, Dynamics};
@@ -66,37 +66,37 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
 
 /// A joint of `primitives` between the ground and the node of `beam` at `fraction`, at that node.
 pub fn hold(
-    assembly: &mut Assembly,
+    builder: &mut SystemBuilder,
     name: &str,
     beam: usize,
     fraction: f64,
     axes: &Mat3,
     primitives: &'static [Primitive],
 ) {
-    let node = assembly.node_at(beam, fraction).unwrap();
-    let place = assembly.drawn(&assembly.section_at(beam, fraction)).place;
+    let node = builder.node_at(beam, fraction).unwrap();
+    let place = builder.drawn(&builder.section_at(beam, fraction)).place;
     let joint = Joint {
         name: format!("joint {name}"),
         a: Marker::Ground(Pose { place, axes: *axes }),
-        b: assembly.tied(&assembly.node(node), &Pose { place, axes: *axes }),
+        b: builder.tied(&builder.node(node), &Pose { place, axes: *axes }),
         primitives,
         drive: None,
     };
-    assembly.add_joint(joint);
+    builder.add_joint(joint);
 }
 
 /// Clamps the start of `beam`.
-pub fn clamp(assembly: &mut Assembly, beam: usize) {
-    hold(assembly, "root", beam, 0.0, &Mat3::identity(), weld::PRIMITIVES);
+pub fn clamp(builder: &mut SystemBuilder, beam: usize) {
+    hold(builder, "root", beam, 0.0, &Mat3::identity(), weld::PRIMITIVES);
 }
 
 /// A dead force and moment on the section of `beam` at `fraction`; they grow in proportion to time and are there in full at 1 s.
-pub fn load(assembly: &mut Assembly, beam: usize, fraction: f64, force: Vec3, moment: Vec3) {
-    let marker = assembly.section_at(beam, fraction);
+pub fn load(builder: &mut SystemBuilder, beam: usize, fraction: f64, force: Vec3, moment: Vec3) {
+    let marker = builder.section_at(beam, fraction);
     let growing = |v: Vec3| {
         [0, 1, 2].map(|i| Signal::Function(Arc::new(move |time| Jet { value: v[i] * time, first: v[i], second: 0.0 })))
     };
-    assembly.add_load(Load {
+    builder.add_load(Load {
         name: "load".into(),
         points: vec![(marker, 1.0)],
         guide: LoadGuide::Signals { force: growing(force), moment: growing(moment) },

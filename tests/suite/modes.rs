@@ -12,17 +12,17 @@ use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::body::rigid_body::BodyDesign;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::model::modes::Kind;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::modes::{Modes, modes};
 use std::f64::consts::PI;
 
 fn cantilever(beam: &BeamDesign) -> (System, State) {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(beam);
-    clamp(&mut assembly, number);
-    assembly.finish(Vec3::zeros())
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(beam);
+    clamp(&mut builder, number);
+    builder.finish(Vec3::zeros())
 }
 
 fn frequencies(found: &Modes) -> Vec<f64> {
@@ -105,9 +105,9 @@ fn round_beams_have_pairs() {
 fn floating_beams_have_six_free_modes() {
     let beam =
         BeamDesign { line: Centreline::straight(Vec3::zeros(), Vec3::new(0.6, 0.48, 0.64), 8), ..design("beam", 8) };
-    let mut assembly = Assembly::default();
-    assembly.add_beam(&beam);
-    let (system, state) = assembly.finish(Vec3::zeros());
+    let mut builder = SystemBuilder::default();
+    builder.add_beam(&beam);
+    let (system, state) = builder.finish(Vec3::zeros());
     let found = modes(&system, &state, 1000).unwrap();
     assert_eq!(found.modes.len(), 63);
     let kinds: Vec<Kind> = found.modes.iter().map(|mode| mode.kind).collect();
@@ -129,9 +129,9 @@ fn floating_beams_have_six_free_modes() {
 /// A beam and a body that float beside each other have twelve free modes; the body, which is rigid, has nothing else.
 #[test]
 fn floating_bodies_have_free_modes_only() {
-    let mut assembly = Assembly::default();
-    assembly.add_beam(&design("beam", 4));
-    assembly.add_body(&BodyDesign {
+    let mut builder = SystemBuilder::default();
+    builder.add_beam(&design("beam", 4));
+    builder.add_body(&BodyDesign {
         name: "disk".into(),
         mass: 3.0,
         position: Vec3::y(),
@@ -140,7 +140,7 @@ fn floating_bodies_have_free_modes_only() {
         velocity: Vec3::zeros(),
         angular_velocity: Vec3::zeros(),
     });
-    let (system, state) = assembly.finish(Vec3::zeros());
+    let (system, state) = builder.finish(Vec3::zeros());
     let found = modes(&system, &state, 16).unwrap();
     let free = found.modes.iter().filter(|mode| mode.kind == Kind::Free).count();
     assert_eq!((free, found.freedoms), (12, 41));
@@ -292,11 +292,11 @@ fn a_machine_swings_in_its_modes() {
 #[test]
 fn loads_without_potential_are_told() {
     let skewness = |force: Vec3, moment: Vec3| {
-        let mut assembly = Assembly::default();
-        let beam = assembly.add_beam(&design("beam", 4));
-        clamp(&mut assembly, beam);
-        load(&mut assembly, beam, 1.0, force, moment);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
+        let mut builder = SystemBuilder::default();
+        let beam = builder.add_beam(&design("beam", 4));
+        clamp(&mut builder, beam);
+        load(&mut builder, beam, 1.0, force, moment);
+        let (system, mut state) = builder.finish(Vec3::zeros());
         state.time = 1.0;
         modes(&system, &state, 4).unwrap().skewness
     };

@@ -33,7 +33,7 @@ use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::marker::gauge::Measure;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use std::sync::Arc;
 
@@ -155,7 +155,7 @@ pub fn beam(name: &str, random: &mut Random) -> BeamDesign {
 }
 
 /// Adds a part that moves by `twist`; returns what to tie to.
-fn add(assembly: &mut Assembly, name: &str, part: Part, twist: &Twist, random: &mut Random) -> Marker {
+fn add(builder: &mut SystemBuilder, name: &str, part: Part, twist: &Twist, random: &mut Random) -> Marker {
     match part {
         Part::Ground => Marker::Ground(Pose::default()),
         Part::Frame => {
@@ -165,14 +165,14 @@ fn add(assembly: &mut Assembly, name: &str, part: Part, twist: &Twist, random: &
                 Signal::Function(Arc::new(move |time| Jet { value: start + first * time, first, second: 0.0 }))
             });
             let rotation = [0, 1, 2].map(|i| Signal::Constant(turn[i]));
-            let frame = assembly.add_frame(name, FrameGuide::Signals { place, rotation }, Pose::default());
-            assembly.frame(frame)
+            let frame = builder.add_frame(name, FrameGuide::Signals { place, rotation }, Pose::default());
+            builder.frame(frame)
         }
         Part::Body => {
             let still = body(name, random);
             let velocity = twist.at(&still.position);
-            let body = assembly.add_body(&BodyDesign { velocity, angular_velocity: twist.angular, ..still });
-            assembly.body(body)
+            let body = builder.add_body(&BodyDesign { velocity, angular_velocity: twist.angular, ..still });
+            builder.body(body)
         }
         Part::Beam | Part::Ancf24 => {
             let mut still = beam(name, random);
@@ -180,22 +180,28 @@ fn add(assembly: &mut Assembly, name: &str, part: Part, twist: &Twist, random: &
                 still.elements = Elements::Ancf24 { poisson: false, shear: Shear::Section };
             }
             let velocity = twist.at(&still.line.nodes[0].place);
-            let beam = assembly.add_beam(&BeamDesign { velocity, angular_velocity: twist.angular, ..still });
+            let beam = builder.add_beam(&BeamDesign { velocity, angular_velocity: twist.angular, ..still });
             let node = ((random.signed() + 1.0) * 1.5).floor();
-            assembly.section_at(beam, 0.5 * node)
+            builder.section_at(beam, 0.5 * node)
         }
     }
 }
 
 /// Adds a joint of `primitives` between what `a` and `b` are tied to, at `pose` as drawn.
-pub fn connect(assembly: &mut Assembly, name: &str, sides: [Marker; 2], pose: &Pose, primitives: &'static [Primitive]) {
-    let [a, b] = sides.map(|side| assembly.tied(&side, pose));
-    assembly.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None });
+pub fn connect(
+    builder: &mut SystemBuilder,
+    name: &str,
+    sides: [Marker; 2],
+    pose: &Pose,
+    primitives: &'static [Primitive],
+) {
+    let [a, b] = sides.map(|side| builder.tied(&side, pose));
+    builder.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None });
 }
 
 /// Adds the six springs and dampers of a bushing between two markers: against displacement and turning.
 pub fn cushion(
-    assembly: &mut Assembly,
+    builder: &mut SystemBuilder,
     [a, b]: [Marker; 2],
     stiffness: [f64; 3],
     rotational: [f64; 3],
@@ -203,9 +209,9 @@ pub fn cushion(
 ) {
     let measures = [0, 1, 2].map(Measure::Distance).into_iter().chain([0, 1, 2].map(Measure::Rotation));
     for (measure, stiffness) in measures.zip(stiffness.into_iter().chain(rotational)) {
-        let gauge = assembly.add_gauge(a, b, measure);
+        let gauge = builder.add_gauge(a, b, measure);
         let damping = stiffness * damping_time;
-        assembly.add_spring(Spring { name: "cushion".into(), gauge, stiffness, damping, rest: 0.0, mobility: 0.0 });
+        builder.add_spring(Spring { name: "cushion".into(), gauge, stiffness, damping, rest: 0.0, mobility: 0.0 });
     }
 }
 
@@ -219,7 +225,7 @@ pub struct Pair {
 impl Pair {
     /// Beams come first: coordinates are in this order.
     pub fn new(random: &mut Random, parts: [Part; 2], kind: &Kind) -> Self {
-        let mut assembly = Assembly::default();
+        let mut builder = SystemBuilder::default();
         let pose = Pose { place: random.vector(), axes: random.rotation() };
         let place = pose.place;
         let free = kind.free(&pose, &pose);
@@ -244,17 +250,17 @@ impl Pair {
             for side in [0, 1] {
                 if parts[side].is_beam() == beams {
                     let name = ["first", "second"][side];
-                    sides[side] = add(&mut assembly, name, parts[side], &twists[side], random);
+                    sides[side] = add(&mut builder, name, parts[side], &twists[side], random);
                 }
             }
         }
-        let sides = sides.map(|side| assembly.tied(&side, &pose));
+        let sides = sides.map(|side| builder.tied(&side, &pose));
         match kind.primitives {
-            Some(primitives) => connect(&mut assembly, kind.name, sides, &pose, primitives),
-            None => cushion(&mut assembly, sides, [200.0, 400.0, 700.0], [10.0, 16.0, 25.0], 0.0),
+            Some(primitives) => connect(&mut builder, kind.name, sides, &pose, primitives),
+            None => cushion(&mut builder, sides, [200.0, 400.0, 700.0], [10.0, 16.0, 25.0], 0.0),
         }
         let gravity = if parts.into_iter().any(held) { Vec3::new(1.0, -2.0, -9.0) } else { Vec3::zeros() };
-        let (system, state) = assembly.finish(gravity);
+        let (system, state) = builder.finish(gravity);
         Self { system, state, sides }
     }
 }

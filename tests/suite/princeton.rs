@@ -12,7 +12,7 @@ use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 
@@ -51,13 +51,13 @@ pub fn beam(elements: usize, strain: Strain, twist: Twist) -> BeamDesign {
 }
 
 fn machine(elements: usize, (strain, twist): (Strain, Twist), case: &Case) -> (System, State) {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(&beam(elements, strain, twist));
-    clamp(&mut assembly, number);
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(&beam(elements, strain, twist));
+    clamp(&mut builder, number);
     let force = Vec3::new(0.0, case.angle.sin(), case.angle.cos()) * case.load;
-    load(&mut assembly, number, 1.0, force, Vec3::zeros());
-    assembly.add_sensor(number, 1.0);
-    assembly.finish(Vec3::zeros())
+    load(&mut builder, number, 1.0, force, Vec3::zeros());
+    builder.add_sensor(number, 1.0);
+    builder.finish(Vec3::zeros())
 }
 
 /// Tip displacement, twist and rotation about x.

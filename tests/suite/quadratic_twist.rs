@@ -17,7 +17,7 @@ use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::geometry::triad::Triad;
 use ancf14::mechanics::input::excitation::Excitation;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 use nalgebra::SVector;
@@ -131,17 +131,17 @@ fn rigid_rotation() {
 fn twist_and_torsion_inside_the_elements() {
     let force = Vec3::new(0.0, 2.0, 12.0);
     let measure = |twist: Twist, elements: usize, fraction: f64| {
-        let mut assembly = Assembly::default();
+        let mut builder = SystemBuilder::default();
         let section = ancf14::mechanics::beam::section::Section::rectangle(0.004, 0.012);
-        let beam = assembly.add_beam(&BeamDesign {
+        let beam = builder.add_beam(&BeamDesign {
             elements: ancf14(Strain::Small, twist),
             section,
             ..design("beam", elements)
         });
-        clamp(&mut assembly, beam);
-        load(&mut assembly, beam, 1.0, force, Vec3::zeros());
-        assembly.add_sensor(beam, fraction);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
+        clamp(&mut builder, beam);
+        load(&mut builder, beam, 1.0, force, Vec3::zeros());
+        builder.add_sensor(beam, fraction);
+        let (system, mut state) = builder.finish(Vec3::zeros());
         Statics::new(&system, 1e-10).find(&system, &mut state, 1.0).unwrap();
         let mut snapshot = FrameCache::default();
         let configuration = snapshot.of(&system, &state);
@@ -171,14 +171,14 @@ fn twist_and_torsion_inside_the_elements() {
 /// The angular velocity of a section inside an element is the rate of its turn, the internal coordinate's share included.
 #[test]
 fn angular_velocity_inside_the_elements() {
-    let mut assembly = Assembly::default();
-    let beam = assembly.add_beam(&BeamDesign {
+    let mut builder = SystemBuilder::default();
+    let beam = builder.add_beam(&BeamDesign {
         elements: ancf14(Strain::Small, Twist::Quadratic),
         pretwist: 0.7,
         ..design("beam", 1)
     });
-    assembly.add_sensor(beam, 0.3);
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    builder.add_sensor(beam, 0.3);
+    let (system, mut state) = builder.finish(Vec3::zeros());
     let mut random = Random(16);
     // Bent by half a radian in both directions.
     (state.q[4], state.q[5], state.q[11], state.q[12]) = (0.3, -0.2, -0.4, 0.5);
@@ -197,10 +197,10 @@ fn angular_velocity_inside_the_elements() {
     let difference = Vec3::new(rate[(2, 1)], rate[(0, 2)], rate[(1, 0)]) - angular;
     assert!(difference.norm() < 1e-8, "{difference}");
     let linear = BeamDesign { elements: ancf14(Strain::Small, Twist::Linear), pretwist: 0.7, ..design("beam", 1) };
-    let mut assembly = Assembly::default();
-    let beam = assembly.add_beam(&linear);
-    assembly.add_sensor(beam, 0.3);
-    let (system, _) = assembly.finish(Vec3::zeros());
+    let mut builder = SystemBuilder::default();
+    let beam = builder.add_beam(&linear);
+    builder.add_sensor(beam, 0.3);
+    let (system, _) = builder.finish(Vec3::zeros());
     let (_, without) = system.sensors[0].motion(&snapshot.of(&system, &state), &velocity);
     assert!((without - angular).norm() > 1e-3, "the internal coordinate's share is too small to be seen");
 }
@@ -211,14 +211,14 @@ fn damping_is_that_of_the_linear_twist() {
     let mut random = Random(17);
     let material = Material { damping: 1e-3, ..design("beam", 1).material };
     let machine = |twist| {
-        let mut assembly = Assembly::default();
-        assembly.add_beam(&BeamDesign {
+        let mut builder = SystemBuilder::default();
+        builder.add_beam(&BeamDesign {
             elements: ancf14(Strain::Small, twist),
             material,
             pretwist: 0.7,
             ..design("beam", 1)
         });
-        assembly.finish(Vec3::zeros())
+        builder.finish(Vec3::zeros())
     };
     let (_, mut state) = machine(Twist::Linear);
     // Bent by half a radian in both directions.

@@ -17,7 +17,7 @@ use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::output::joint_loads::JointLoads;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::mechanics::system::joint_parts::JointParts;
 use ancf14::solve::dynamics::midpoint::Midpoint;
@@ -317,14 +317,14 @@ fn order(what: &str, system: &System, state: &State, step: f64, duration: f64) -
 #[test]
 fn multipliers_of_steps_come_to_those_of_instants() {
     let mut random = Random(122);
-    let mut assembly = Assembly::default();
+    let mut builder = SystemBuilder::default();
     let mut design = |name: &str| body(name, &mut random);
     let (first, second) = (design("first"), design("second"));
-    let bodies = [first, second].map(|design| assembly.add_body(&design)).map(|body| assembly.body(body));
+    let bodies = [first, second].map(|design| builder.add_body(&design)).map(|body| builder.body(body));
     let mut pose = || Pose { place: random.vector(), axes: random.rotation() };
-    connect(&mut assembly, "hook", [Marker::Ground(Pose::default()), bodies[0]], &pose(), revolute::PRIMITIVES);
-    connect(&mut assembly, "elbow", bodies, &pose(), spherical::PRIMITIVES);
-    let (system, state) = assembly.finish(Vec3::new(1.0, -2.0, -9.0));
+    connect(&mut builder, "hook", [Marker::Ground(Pose::default()), bodies[0]], &pose(), revolute::PRIMITIVES);
+    connect(&mut builder, "elbow", bodies, &pose(), spherical::PRIMITIVES);
+    let (system, state) = builder.finish(Vec3::new(1.0, -2.0, -9.0));
     let (errors, order) = order("two bodies", &system, &state, 2e-3, 0.4);
     assert!(errors[1] < 1e-3 && order > 0.8, "{errors:?}");
 }
@@ -334,18 +334,18 @@ fn multipliers_of_steps_come_to_those_of_instants() {
 #[test]
 fn multipliers_on_beams() {
     let mut random = Random(123);
-    let mut assembly = Assembly::default();
+    let mut builder = SystemBuilder::default();
     let design = beam("arm", &mut random);
-    let arm = assembly.add_beam(&design);
-    let [start, end] = [0.0, 1.0].map(|fraction| assembly.section_at(arm, fraction));
-    let block = assembly.add_body(&body("block", &mut random));
-    let block = assembly.body(block);
+    let arm = builder.add_beam(&design);
+    let [start, end] = [0.0, 1.0].map(|fraction| builder.section_at(arm, fraction));
+    let block = builder.add_body(&body("block", &mut random));
+    let block = builder.body(block);
     let axes = random.rotation();
     let root = Pose { place: design.line.nodes[0].place, axes };
     let tip = Pose { place: design.line.place(1.0), axes };
-    connect(&mut assembly, "root", [Marker::Ground(Pose::default()), start], &root, weld::PRIMITIVES);
-    connect(&mut assembly, "wrist", [end, block], &tip, revolute::PRIMITIVES);
-    let (system, state) = assembly.finish(Vec3::new(1.0, -2.0, -9.0));
+    connect(&mut builder, "root", [Marker::Ground(Pose::default()), start], &root, weld::PRIMITIVES);
+    connect(&mut builder, "wrist", [end, block], &tip, revolute::PRIMITIVES);
+    let (system, state) = builder.finish(Vec3::new(1.0, -2.0, -9.0));
     for step in [2e-3, 5e-4, 1.25e-4] {
         let (errors, order) = order(&format!("h = {step}"), &system, &state, step, 0.03);
         assert!(errors[1] < 1e-3 && order > 0.8, "{errors:?}");

@@ -3,7 +3,7 @@
 
 use crate::machines::{clamp, design, integrate};
 use ancf14::math::Vec3;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use std::f64::consts::PI;
 
 /// Roots of cos x cosh x = −1; from the fourth on they are odd multiples of pi/2 to 1e-4.
@@ -28,10 +28,10 @@ fn tip_follows_the_modal_series() {
     let bending = material.young * section.second_moment_y;
     let gravity = 8.0 * bending / line_density * 1e-3;
     let frequency = |root: f64| root * root * (bending / line_density).sqrt();
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(&beam);
-    clamp(&mut assembly, number);
-    let (system, mut state) = assembly.finish(Vec3::z() * -gravity);
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(&beam);
+    clamp(&mut builder, number);
+    let (system, mut state) = builder.finish(Vec3::z() * -gravity);
     let period = 2.0 * PI / frequency(ROOTS[0]);
     let (mut largest, mut amplitude) = (0.0_f64, 0.0_f64);
     // 400 steps a period: the phase of the first mode errs by (2 pi/400)^2/12 of its angle, 4e-4 rad after 3 periods.

@@ -10,13 +10,13 @@ use ancf14::mechanics::body::kinematics;
 use ancf14::mechanics::body::rigid_body::BodyDesign;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use std::f64::consts::TAU;
 
 /// A free body with these principal moments, axes along the global ones, that turns by `angular_velocity`.
 fn free(moments: [f64; 3], angular_velocity: Vec3) -> (System, State) {
-    let mut assembly = Assembly::default();
-    assembly.add_body(&BodyDesign {
+    let mut builder = SystemBuilder::default();
+    builder.add_body(&BodyDesign {
         name: "body".into(),
         mass: 2.0,
         position: Vec3::new(0.3, -0.2, 0.1),
@@ -25,7 +25,7 @@ fn free(moments: [f64; 3], angular_velocity: Vec3) -> (System, State) {
         velocity: Vec3::new(0.1, 0.2, -0.3),
         angular_velocity,
     });
-    assembly.finish(Vec3::zeros())
+    builder.finish(Vec3::zeros())
 }
 
 fn axes(state: &State) -> Mat3 {

@@ -12,7 +12,7 @@ use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::resultants::{SectionForces, SectionStrains, largest_stress};
 use ancf14::mechanics::beam::section::{Outline, Section};
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 use nalgebra::{SVector, Vector4};
@@ -23,14 +23,14 @@ const STRAINS: [Strain; 3] = [Strain::Small, Strain::Large, Strain::LargeTruncat
 /// Section forces at `fraction` of the cantilever `beam` with a dead force and moment at its end, beside force and moment that the
 /// loads demand there, in section axes of the deformed beam: `[N, T, M_y, M_z]` each.
 fn found_and_demanded(beam: &BeamDesign, fraction: f64, force: Vec3, moment: Vec3) -> (Vector4<f64>, Vector4<f64>) {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(beam);
-    clamp(&mut assembly, number);
-    load(&mut assembly, number, 1.0, force, moment);
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(beam);
+    clamp(&mut builder, number);
+    load(&mut builder, number, 1.0, force, moment);
     for fraction in [fraction, 1.0] {
-        assembly.add_sensor(number, fraction);
+        builder.add_sensor(number, fraction);
     }
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    let (system, mut state) = builder.finish(Vec3::zeros());
     let mut statics = Statics::new(&system, 1e-10);
     for share in [0.25, 0.5, 0.75, 1.0] {
         statics.find(&system, &mut state, share).unwrap();

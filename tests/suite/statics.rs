@@ -10,7 +10,7 @@ use ancf14::mechanics::constraint::revolute;
 use ancf14::mechanics::constraint::spherical;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::solve::statics::Statics;
 
 /// A beam of 1 m so thin (height 1/1000 of the length) that it does not stretch.
@@ -20,11 +20,11 @@ fn thin(elements: usize) -> BeamDesign {
 }
 
 fn cantilever(beam: &BeamDesign, force: Vec3, moment: Vec3) -> (System, State) {
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(beam);
-    clamp(&mut assembly, number);
-    load(&mut assembly, number, 1.0, force, moment);
-    assembly.finish(Vec3::zeros())
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(beam);
+    clamp(&mut builder, number);
+    load(&mut builder, number, 1.0, force, moment);
+    builder.finish(Vec3::zeros())
 }
 
 fn tip(state: &State) -> Vec3 {
@@ -94,33 +94,33 @@ fn bar_in_tension_is_exact() {
 /// nothing moves, and a load that does no work in the free direction does not stir it.
 #[test]
 fn free_motions_and_double_holds_are_named() {
-    let message = |prepare: &dyn Fn(&mut Assembly, usize)| {
-        let mut assembly = Assembly::default();
-        let number = assembly.add_beam(&design("arm", 8));
-        prepare(&mut assembly, number);
-        let (system, mut state) = assembly.finish(Vec3::zeros());
+    let message = |prepare: &dyn Fn(&mut SystemBuilder, usize)| {
+        let mut builder = SystemBuilder::default();
+        let number = builder.add_beam(&design("arm", 8));
+        prepare(&mut builder, number);
+        let (system, mut state) = builder.finish(Vec3::zeros());
         Statics::new(&system, 1e-8).find(&system, &mut state, 1.0).map_err(|error| error.to_string())
     };
     let floating = message(&|_, _| {}).unwrap_err();
     assert!(floating.contains("arm.") && floating.contains("can move freely"), "{floating}");
-    let hinged = message(&|assembly, beam| {
-        hold(assembly, "hinge", beam, 0.0, &Mat3::identity(), revolute::PRIMITIVES);
-        load(assembly, beam, 1.0, Vec3::x(), Vec3::zeros());
+    let hinged = message(&|builder, beam| {
+        hold(builder, "hinge", beam, 0.0, &Mat3::identity(), revolute::PRIMITIVES);
+        load(builder, beam, 1.0, Vec3::x(), Vec3::zeros());
     })
     .unwrap_err();
     assert!(hinged.contains("turning about the beam") && hinged.contains("can move freely"), "{hinged}");
-    let twice = message(&|assembly, beam| {
-        clamp(assembly, beam);
-        hold(assembly, "again", beam, 0.0, &Mat3::identity(), spherical::PRIMITIVES);
-        load(assembly, beam, 1.0, Vec3::z(), Vec3::zeros());
+    let twice = message(&|builder, beam| {
+        clamp(builder, beam);
+        hold(builder, "again", beam, 0.0, &Mat3::identity(), spherical::PRIMITIVES);
+        load(builder, beam, 1.0, Vec3::z(), Vec3::zeros());
     })
     .unwrap_err();
     assert!(twice.contains("joint ") && twice.contains("held already"), "{twice}");
     // A soft machine is no free one.
-    let mut assembly = Assembly::default();
-    let number = assembly.add_beam(&thin(3000));
-    clamp(&mut assembly, number);
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    let mut builder = SystemBuilder::default();
+    let number = builder.add_beam(&thin(3000));
+    clamp(&mut builder, number);
+    let (system, mut state) = builder.finish(Vec3::zeros());
     Statics::new(&system, 1e-8).find(&system, &mut state, 1.0).unwrap();
 }
 

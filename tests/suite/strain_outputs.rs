@@ -4,18 +4,18 @@
 use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::resultants::SectionStrains;
-use ancf14::mechanics::system::builder::Assembly;
+use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 
 /// Strains at a fraction of a cantilever along x under a small force and moment at its end.
 fn strains(fraction: f64, force: Vec3, moment: Vec3) -> SectionStrains {
-    let mut assembly = Assembly::default();
-    let beam = assembly.add_beam(&design("beam", 4));
-    clamp(&mut assembly, beam);
-    load(&mut assembly, beam, 1.0, force, moment);
-    assembly.add_sensor(beam, fraction);
-    let (system, mut state) = assembly.finish(Vec3::zeros());
+    let mut builder = SystemBuilder::default();
+    let beam = builder.add_beam(&design("beam", 4));
+    clamp(&mut builder, beam);
+    load(&mut builder, beam, 1.0, force, moment);
+    builder.add_sensor(beam, fraction);
+    let (system, mut state) = builder.finish(Vec3::zeros());
     Statics::new(&system, 1e-10).find(&system, &mut state, 1.0).unwrap();
     let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(&system, &state);

@@ -38,7 +38,7 @@ use crate::mechanics::state::{Accelerations, Prediction, State, Statistics};
 ///
 /// Beams come first, then bodies: coordinates are in this order. Drives come after all joints.
 #[derive(Clone, Debug, Default)]
-pub struct Assembly {
+pub struct SystemBuilder {
     /// Its parts so far; joints without inner ones, bodies' and drives'.
     system: System,
     start: f64,
@@ -54,7 +54,7 @@ pub struct Assembly {
     targets: Targets,
 }
 
-impl Assembly {
+impl SystemBuilder {
     /// That is drawn as it is at the time `start`, s.
     pub fn new(start: f64) -> Self {
         let departure = Departure { time: start, ..Departure::default() };

@@ -31,11 +31,11 @@ impl Builder<'_> {
         let joint = conditions(written.kind).map(|primitives| {
             let [a, b] = sides;
             let name = format!("joint {}", written.name);
-            self.assembly.add_joint(joint::Joint { name, a, b, primitives, drive: None })
+            self.system.add_joint(joint::Joint { name, a, b, primitives, drive: None })
         });
         let mut gauge = |present: bool, measure| {
             let [a, b] = sides;
-            present.then(|| self.assembly.add_gauge(a, b, measure))
+            present.then(|| self.system.add_gauge(a, b, measure))
         };
         let angle = gauge(written.angle.is_some(), Measure::Angle(0));
         let distance = gauge(written.distance.is_some(), Measure::Distance(0));
@@ -47,18 +47,18 @@ impl Builder<'_> {
                 Measure::Distance(_) if distance.is_some() => distance,
                 _ => None,
             };
-            let gauge = gauge.unwrap_or_else(|| self.assembly.add_gauge(a, b, measure));
+            let gauge = gauge.unwrap_or_else(|| self.system.add_gauge(a, b, measure));
             // As drawn, joints are at rest.
             parts.springs.push(self.spring(&written.name, gauge, &tuned, 0.0));
         }
-        self.assembly.add_joint_parts(parts);
+        self.system.add_joint_parts(parts);
     }
 
     /// The two sides of a joint: at its place, with its axes.
     fn sides(&mut self, written: &Joint) -> [Marker; 2] {
         let document = self.document;
         let own = if written.b.spot == Spot::Ground { &written.a } else { &written.b };
-        let place = written.at.map_or_else(|| self.assembly.drawn(&self.anchored(own)).place, |at| self.position(at));
+        let place = written.at.map_or_else(|| self.system.drawn(&self.anchored(own)).place, |at| self.position(at));
         let axis = written.axis.map(|axis| vector(document, axis));
         let axes = match (axis, written.axis2.map(|axis| vector(document, axis))) {
             (None, _) => Mat3::identity(),
@@ -67,7 +67,7 @@ impl Builder<'_> {
         };
         [&written.a, &written.b].map(|anchor| {
             let anchored = self.anchored(anchor);
-            self.assembly.tied(&anchored, &Pose { place, axes })
+            self.system.tied(&anchored, &Pose { place, axes })
         })
     }
 
@@ -84,19 +84,19 @@ impl Builder<'_> {
             (Motion::Value(number), true) => (Guide::HostValue, document.value(number)),
             (Motion::Rate(number), true) => (Guide::HostRate, document.value(number)),
         };
-        let drive = self.assembly.add_drive(&written.name, sides, driven, guide, target);
-        self.assembly.add_drive_of(written.joint, drive);
+        let drive = self.system.add_drive(&written.name, sides, driven, guide, target);
+        self.system.add_drive_of(written.joint, drive);
     }
 
     pub(super) fn add_spring(&mut self, written: &Spring) {
         let (a, b) = (self.anchored(&written.a), self.anchored(&written.b));
-        let length = (self.assembly.drawn(&b).place - self.assembly.drawn(&a).place).norm();
+        let length = (self.system.drawn(&b).place - self.system.drawn(&a).place).norm();
         if length == 0.0 {
             let message = format!("the ends of spring {} are at the same place at the start", written.name);
             let label = "another place was expected: a spring needs a direction";
             self.mistakes.push(self.document.diagnostic(written.b.place, &message, label, ""));
         }
-        let gauge = self.assembly.add_gauge(a, b, Measure::Length);
+        let gauge = self.system.add_gauge(a, b, Measure::Length);
         self.spring(&written.name, gauge, &tune::spring(written), length);
     }
 
@@ -110,7 +110,7 @@ impl Builder<'_> {
             rest: tuned.rest.map_or(drawn, value),
             mobility: 0.0,
         };
-        self.assembly.add_spring(spring)
+        self.system.add_spring(spring)
     }
 }
 

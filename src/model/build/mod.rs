@@ -22,7 +22,7 @@ use crate::mechanics::input::signal::{Pieces, Signal};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::builder::Assembly;
+use crate::mechanics::system::builder::SystemBuilder;
 use crate::solve::step::mobility::set_mobilities;
 use std::sync::Arc;
 
@@ -54,7 +54,8 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
         return Err(Diagnostics(mistakes));
     }
     let origin = origin::of(document, &lines);
-    let mut builder = Builder { document, lines: &lines, origin, assembly: Assembly::new(start), mistakes: Vec::new() };
+    let mut builder =
+        Builder { document, lines: &lines, origin, system: SystemBuilder::new(start), mistakes: Vec::new() };
     for (number, beam) in document.beams.iter().enumerate() {
         builder.add_beam(beam, lines.line(number).expect("without mistakes every beam is drawn"));
     }
@@ -68,7 +69,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     if !builder.mistakes.is_empty() {
         return Err(Diagnostics(builder.mistakes));
     }
-    let (mut system, state) = builder.assembly.finish(vector(document, document.model.gravity));
+    let (mut system, state) = builder.system.finish(vector(document, document.model.gravity));
     system.origin = origin;
     set_mobilities(&mut system, &state, document.largest_step());
     Ok(Built { system, state })
@@ -106,7 +107,7 @@ struct Builder<'a> {
     lines: &'a Lines,
     /// See [`System::origin`].
     origin: Vec3,
-    assembly: Assembly,
+    system: SystemBuilder,
     /// What only the start time shows to be wrong.
     mistakes: Vec<Diagnostic>,
 }
@@ -126,9 +127,9 @@ impl Builder<'_> {
     fn anchored(&self, anchor: &Anchor) -> Marker {
         match anchor.spot {
             Spot::Ground => Marker::Ground(Pose { place: Vec3::zeros() - self.origin, ..Pose::default() }),
-            Spot::Beam { beam, along } => self.assembly.section_at(beam, self.fraction(beam, along)),
-            Spot::Body(body) => self.assembly.body(body),
-            Spot::Frame(frame) => self.assembly.frame(frame),
+            Spot::Beam { beam, along } => self.system.section_at(beam, self.fraction(beam, along)),
+            Spot::Body(body) => self.system.body(body),
+            Spot::Frame(frame) => self.system.frame(frame),
         }
     }
 
@@ -137,14 +138,14 @@ impl Builder<'_> {
         match target {
             output::Target::At(anchor) => {
                 if let Spot::Beam { beam, along } = anchor.spot {
-                    self.assembly.add_sensor(beam, self.fraction(beam, along));
+                    self.system.add_sensor(beam, self.fraction(beam, along));
                 } else {
-                    self.assembly.watch(self.anchored(anchor), None);
+                    self.system.watch(self.anchored(anchor), None);
                 }
             }
             output::Target::On { beam, stations } => {
                 for station in 0..*stations {
-                    self.assembly.add_sensor(*beam, station as f64 / (stations - 1) as f64);
+                    self.system.add_sensor(*beam, station as f64 / (stations - 1) as f64);
                 }
             }
             output::Target::Joint(_) | output::Target::Drive(_) => {}

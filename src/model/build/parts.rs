@@ -29,7 +29,7 @@ impl Builder<'_> {
             Lateral::Shear(shear) => document.value(shear),
         };
         let (density, damping) = (document.value(material.density), document.value(material.damping));
-        let number = self.assembly.add_beam(&BeamDesign {
+        let number = self.system.add_beam(&BeamDesign {
             name: beam.name.clone(),
             line: line.moved(&-self.origin),
             y_axis: vector(document, beam.y_axis),
@@ -40,7 +40,7 @@ impl Builder<'_> {
             velocity: vector(document, beam.velocity),
             angular_velocity: vector(document, beam.angular_velocity),
         });
-        if let Some(element) = self.assembly.impossible_element(number) {
+        if let Some(element) = self.system.impossible_element(number) {
             let message = format!("beam {} is bent or pretwisted too sharply for a solid section", beam.name);
             let label = format!("element {element}, counted from 0, has fibres without length");
             let help =
@@ -100,7 +100,7 @@ impl Builder<'_> {
             let written = Mat3::from_columns(&rows.map(|row| vector(document, row)));
             *Rotation3::from_matrix(&written).matrix()
         });
-        self.assembly.add_body(&BodyDesign {
+        self.system.add_body(&BodyDesign {
             name: body.name.clone(),
             mass: document.value(body.mass),
             position: self.position(body.position),
@@ -127,7 +127,7 @@ impl Builder<'_> {
                 (FrameGuide::Host, Pose { place, axes: axes.unwrap_or_else(Mat3::identity) })
             }
         };
-        self.assembly.add_frame(&frame.name, guide, target);
+        self.system.add_frame(&frame.name, guide, target);
     }
 
     pub(super) fn add_load(&mut self, written: &Load) {
@@ -140,14 +140,14 @@ impl Builder<'_> {
                     function.is_constant() && function.value(0.0) == 0.0
                 };
                 if written.input || !written.moment.iter().all(is_zero) {
-                    self.assembly.stiffen(&marker);
+                    self.system.stiffen(&marker);
                 }
                 vec![(marker, 1.0)]
             }
-            Target::On(beam) => self.assembly.sections_of(*beam),
+            Target::On(beam) => self.system.sections_of(*beam),
         };
         let signals = |numbers: [Number; 3]| numbers.map(|number| signal(self.document, number));
-        self.assembly.add_load(load::Load {
+        self.system.add_load(load::Load {
             name: written.name.clone(),
             points,
             guide: if written.input {
