@@ -301,15 +301,16 @@ impl Table {
                         Quantity::Effort => values.push(parts.drives.iter().map(|d| loads.effort(*d)).sum()),
                         _ => {
                             let is_angle = *quantity == Quantity::Angle;
-                            let gauge = if is_angle { parts.angle } else { parts.distance };
-                            let gauge = gauge.expect("the file is refused: the joint leaves no such coordinate free");
-                            values.push(state.readings[gauge]);
+                            let coordinate = if is_angle { parts.angle } else { parts.distance };
+                            let coordinate =
+                                coordinate.expect("the file is refused: the joint leaves no such coordinate free");
+                            values.push(state.relative_values[coordinate]);
                         }
                     }
                 }
                 Measure::Drive(number, quantity) => match quantity {
                     Quantity::Effort => values.push(loads.effort(*number)),
-                    _ => values.push(state.readings[system.drives[*number].gauge]),
+                    _ => values.push(state.relative_values[system.drives[*number].coordinate]),
                 },
                 Measure::Energy => {
                     let parts = [

@@ -10,7 +10,8 @@ use crate::running::{run, start, value, vector};
 use ancf14::math::Vec3;
 use ancf14::mechanics::body::rigid_body::BodyDesign;
 use ancf14::mechanics::geometry::pose::Pose;
-use ancf14::mechanics::marker::gauge::{Gauge, Measure};
+use ancf14::mechanics::marker::relative_coordinate::Measure;
+use ancf14::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use std::f64::consts::TAU;
@@ -163,7 +164,8 @@ fn an_anisotropic_bushing_keeps_momenta_and_energy() {
             drift = drift.max((angular - angular_0).norm() / angular_0.norm());
             let mut snapshot = FrameCache::default();
             let c = snapshot.of(&system, state);
-            let components = [0, 1, 2].map(|axis| Gauge { a, b, measure: Measure::Rotation(axis) }.reading(&c, 0.0));
+            let components =
+                [0, 1, 2].map(|axis| RelativeCoordinate { a, b, measure: Measure::Rotation(axis) }.value(&c, 0.0));
             turn = turn.max(Vec3::from(components).norm());
             if number % every == 0 {
                 let energy: f64 = energies(&system, state).iter().sum();

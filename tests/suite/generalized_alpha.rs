@@ -26,7 +26,7 @@ use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::input::prescribed::Guide;
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::marker::gauge::Measure;
+use ancf14::mechanics::marker::relative_coordinate::Measure;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
@@ -275,8 +275,15 @@ fn double_pendulum() -> (System, State) {
     let elbow = Pose { place: Vec3::new(0.6, 0.0, 0.0), axes: Mat3::identity() };
     joint(&mut builder, "hook", [&ground, &upper], &Pose::default(), spherical::PRIMITIVES);
     let sides = joint(&mut builder, "elbow", [&upper, &lower], &elbow, revolute::PRIMITIVES);
-    let gauge = builder.add_gauge(sides[0], sides[1], Measure::Angle(0));
-    builder.add_spring(Spring { name: "damper".into(), gauge, stiffness: 2.0, damping: 0.3, rest: 0.2, mobility: 0.0 });
+    let coordinate = builder.add_relative_coordinate(sides[0], sides[1], Measure::Angle(0));
+    builder.add_spring(Spring {
+        name: "damper".into(),
+        coordinate,
+        stiffness: 2.0,
+        damping: 0.3,
+        rest: 0.2,
+        mobility: 0.0,
+    });
     builder.finish(Vec3::new(0.5, -9.0, 2.0))
 }
 
@@ -383,13 +390,13 @@ fn driven_hinge_follows_exactly() {
     let (mut gap, mut rate_gap) = (0.0_f64, 0.0_f64);
     march(&system, &mut state, &mut method(&system, 0.8), (1e-3, 700), |state| {
         let expected = turning(1.0).jet(state.time);
-        gap = gap.max((state.readings[drive] - expected.value).abs());
+        gap = gap.max((state.relative_values[drive] - expected.value).abs());
         let slope_rate = Vec3::from_column_slice(&state.velocity[3..6]).norm();
         rate_gap = rate_gap.max((slope_rate - expected.first.abs()).abs());
     })
     .unwrap();
-    println!("{:.2} turns, gap {gap:.1e} rad, rate {rate_gap:.1e}", state.readings[drive] / TAU);
-    assert!(state.readings[drive] > 3.0 * TAU);
+    println!("{:.2} turns, gap {gap:.1e} rad, rate {rate_gap:.1e}", state.relative_values[drive] / TAU);
+    assert!(state.relative_values[drive] > 3.0 * TAU);
     assert!(gap < 1e-13, "{gap:e}");
     // Of 40 rad/s: rates come from the equation of the step, to its order; and the arm bends a little.
     assert!(rate_gap < 0.05, "{rate_gap:e}");

@@ -20,7 +20,7 @@ use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::input::prescribed::{FrameGuide, Guide};
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::marker::gauge::Measure;
+use ancf14::mechanics::marker::relative_coordinate::Measure;
 use ancf14::mechanics::state::{State, Statistics};
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
@@ -60,10 +60,11 @@ fn everything() -> (System, State) {
     let hinge = Pose { place: Vec3::new(1.0, 0.35, -0.2), axes: Mat3::identity() };
     let sides = joint(&mut builder, "hinge", [&tip, &body], &hinge, revolute::PRIMITIVES);
     builder.add_drive("hinge", sides, Driven::Angle, Guide::Value(turning(0.2)), 0.0);
-    let gauge = builder.add_gauge(Marker::Ground(Pose { place: Vec3::z(), ..pose }), body, Measure::Length);
+    let coordinate =
+        builder.add_relative_coordinate(Marker::Ground(Pose { place: Vec3::z(), ..pose }), body, Measure::Length);
     builder.add_spring(Spring {
         name: "strut".into(),
-        gauge,
+        coordinate,
         stiffness: 200.0,
         damping: 20.0,
         rest: 0.8,

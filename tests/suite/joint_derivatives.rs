@@ -17,7 +17,7 @@ use ancf14::mechanics::constraint::spherical;
 use ancf14::mechanics::constraint::universal;
 use ancf14::mechanics::constraint::weld;
 use ancf14::mechanics::geometry::marker_jacobian::MarkerMatrix;
-use ancf14::mechanics::marker::gauge::Measure;
+use ancf14::mechanics::marker::relative_coordinate::Measure;
 use nalgebra::SVector;
 
 /// lambda · phi of a joint over any dual number.

@@ -21,7 +21,7 @@ use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::geometry::triad::Triad;
 use ancf14::mechanics::input::prescribed::{MovingPose, Prescribed};
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::marker::gauge::Measure;
+use ancf14::mechanics::marker::relative_coordinate::Measure;
 use nalgebra::{SMatrix, SVector};
 use num_dual::Dual2SVec64;
 
@@ -90,7 +90,7 @@ impl Machine {
             q: self.q.as_slice(),
             frames: &self.frames,
             holonomy: &self.holonomy,
-            readings: &[0.0],
+            relative_values: &[0.0],
             prescribed: &self.prescribed,
             mesh: &self.mesh,
         }

@@ -68,7 +68,7 @@ impl Case {
             q: states[i].as_slice(),
             frames: &frames[i],
             holonomy: &holonomy,
-            readings: &[],
+            relative_values: &[],
             prescribed: &prescribed,
             mesh: &mesh,
         };
@@ -234,7 +234,7 @@ fn rates_of_an_instant_are_those_of_a_short_step() {
             q: case.start.as_slice(),
             frames: &frames,
             holonomy: &holonomy,
-            readings: &[],
+            relative_values: &[],
             prescribed: &prescribed,
             mesh: &mesh,
         };

@@ -30,7 +30,7 @@ use ancf14::mechanics::geometry::pose::{Pose, axis_place};
 use ancf14::mechanics::input::prescribed::FrameGuide;
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
-use ancf14::mechanics::marker::gauge::Measure;
+use ancf14::mechanics::marker::relative_coordinate::Measure;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
@@ -209,9 +209,9 @@ pub fn cushion(
 ) {
     let measures = [0, 1, 2].map(Measure::Distance).into_iter().chain([0, 1, 2].map(Measure::Rotation));
     for (measure, stiffness) in measures.zip(stiffness.into_iter().chain(rotational)) {
-        let gauge = builder.add_gauge(a, b, measure);
+        let coordinate = builder.add_relative_coordinate(a, b, measure);
         let damping = stiffness * damping_time;
-        builder.add_spring(Spring { name: "cushion".into(), gauge, stiffness, damping, rest: 0.0, mobility: 0.0 });
+        builder.add_spring(Spring { name: "cushion".into(), coordinate, stiffness, damping, rest: 0.0, mobility: 0.0 });
     }
 }
 

@@ -182,8 +182,8 @@ fn reactions_are_what_newton_and_euler_demand() {
             let (a, b) = match parts.joint {
                 Some(joint) => (system.joints[joint].a, system.joints[joint].b),
                 None => {
-                    let gauge = &system.gauges[system.springs[parts.springs[0]].gauge];
-                    (gauge.a, gauge.b)
+                    let coordinate = &system.relative_coordinates[system.springs[parts.springs[0]].coordinate];
+                    (coordinate.a, coordinate.b)
                 }
             };
             // What b receives acts at b's place; a gets the opposite at the same place.
@@ -200,8 +200,11 @@ fn reactions_are_what_newton_and_euler_demand() {
         assert_eq!(seen, 4);
         // The spring between two points: a pull towards the other end.
         let tie = &system.springs[0];
-        let (a, b) = (system.gauges[tie.gauge].a.pose(&c).place, system.gauges[tie.gauge].b.pose(&c).place);
-        let tension = tie.tension(&system.gauges[tie.gauge], &c, &passage);
+        let (a, b) = (
+            system.relative_coordinates[tie.coordinate].a.pose(&c).place,
+            system.relative_coordinates[tie.coordinate].b.pose(&c).place,
+        );
+        let tension = tie.tension(&system.relative_coordinates[tie.coordinate], &c, &passage);
         add(b, (a - b).normalize() * tension, Vec3::zeros());
         let axes = system.bodies[0].marker().pose(&c).axes;
         for (number, turn) in [axes, ancf14::math::Mat3::identity()].into_iter().enumerate() {

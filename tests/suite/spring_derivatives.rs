@@ -1,4 +1,4 @@
-//! Springs and dampers: forces and their derivatives against automatic differentiation of energy and reading, on every measure.
+//! Springs and dampers: forces and their derivatives against automatic differentiation of energy and measure, on every kind of measure.
 
 use crate::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};
 use crate::random::Random;
@@ -7,7 +7,8 @@ use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::configuration::{Dissipation, Passage, TimeStep};
 use ancf14::mechanics::force::spring::{self, Spring};
 use ancf14::mechanics::geometry::marker_jacobian::MarkerVector;
-use ancf14::mechanics::marker::gauge::{Gauge, Measure};
+use ancf14::mechanics::marker::relative_coordinate::Measure;
+use ancf14::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use nalgebra::SVector;
 
 /// Springs and dampers on every measure: at rest the gradient and Hessian of the energy; at an instant and over a step the damper's too.
@@ -39,10 +40,10 @@ fn check_spring_derivatives() {
                     break (machine, a, b);
                 }
             };
-            let gauge = Gauge { a, b, measure: kind };
+            let coordinate = RelativeCoordinate { a, b, measure: kind };
             let spring = Spring {
                 name: "spring".into(),
-                gauge: 0,
+                coordinate: 0,
                 stiffness: 0.7,
                 damping: 0.3,
                 rest: random.signed(),
@@ -54,7 +55,7 @@ fn check_spring_derivatives() {
                 (value - spring.rest) * (value - spring.rest) * 0.35
             };
             let (value, gradient, hessian) = num_dual::hessian(energy, &machine.all());
-            assert!((spring.energy(&gauge, &c) - value).abs() < ROUNDING, "{kind:?} {sides:?}: {value}");
+            assert!((spring.energy(&coordinate, &c) - value).abs() < ROUNDING, "{kind:?} {sides:?}: {value}");
             let scatter = |parts: [MarkerVector; 2]| {
                 let mut sum = SVector::<f64, COUNT>::zeros();
                 for (marker, part) in [&a, &b].into_iter().zip(&parts) {
@@ -64,16 +65,16 @@ fn check_spring_derivatives() {
                 }
                 sum
             };
-            let closed = scatter(spring.gradient(&gauge, &c, &Passage::Rest));
+            let closed = scatter(spring.gradient(&coordinate, &c, &Passage::Rest));
             assert!(
                 (closed - gradient.fixed_rows::<COUNT>(0)).amax() < ROUNDING * gradient.amax().max(1.0),
                 "{kind:?}"
             );
-            let at_rest = spread(&machine, [&a, &b], &spring.hessian(&gauge, &c, &Passage::Rest));
+            let at_rest = spread(&machine, [&a, &b], &spring.hessian(&coordinate, &c, &Passage::Rest));
             let error = (at_rest - hessian.fixed_view::<COUNT, COUNT>(0, 0)).amax() / hessian.amax().max(1.0);
             assert!(error < ROUNDING, "{kind:?}: {error:e}");
 
-            // The rate is the derivative of the reading along (v, 1), and so is what it changes by with q.
+            // The rate is the derivative of the coordinate along (v, 1), and so is what it changes by with q.
             let reading =
                 |q: All<Dual>| measure(kind, &machine.pose(&a, q.as_slice()), &machine.pose(&b, q.as_slice()));
             let (_, by_all, by_all_twice) = num_dual::hessian(reading, &machine.all());
@@ -83,20 +84,20 @@ fn check_spring_derivatives() {
             let rate = by_all.dot(&along);
             let rate_q = (by_all_twice * along).fixed_rows::<COUNT>(0).into_owned();
             let velocity = machine.velocity.as_slice();
-            assert!((spring::reading_rate(&gauge, &c, velocity) - rate).abs() < ROUNDING * rate.abs().max(1.0));
+            assert!((spring::coordinate_rate(&coordinate, &c, velocity) - rate).abs() < ROUNDING * rate.abs().max(1.0));
             let moving = Passage::Instant(velocity);
-            let damped = scatter(spring.gradient(&gauge, &c, &moving));
+            let damped = scatter(spring.gradient(&coordinate, &c, &moving));
             let by_q = by_all.fixed_rows::<COUNT>(0).into_owned();
             let size = by_all_twice.amax().max(1.0) * 10.0;
             assert!((damped - closed - by_q * (0.3 * rate)).amax() < ROUNDING * size);
-            let tangent = spread(&machine, [&a, &b], &spring.hessian(&gauge, &c, &moving)) - at_rest;
+            let tangent = spread(&machine, [&a, &b], &spring.hessian(&coordinate, &c, &moving)) - at_rest;
             let expected =
                 by_all_twice.fixed_view::<COUNT, COUNT>(0, 0) * (0.3 * rate) + by_q * rate_q.transpose() * 0.3;
             assert!((tangent - expected).amax() < ROUNDING * size * size, "{kind:?}");
-            let by_v = spread(&machine, [&a, &b], &spring.damping_matrix(&gauge, &c));
+            let by_v = spread(&machine, [&a, &b], &spring.damping_matrix(&coordinate, &c));
             assert!((by_v - by_q * by_q.transpose() * 0.3).amax() < ROUNDING * size);
 
-            // Over a step: rates are differences of the readings at its ends. Here the machine in the middle is the one at the start.
+            // Over a step: rates are differences of the relative coordinates at its ends. Here the machine in the middle is the one at the start.
             let other = Machine { q: machine.q + machine.velocity * 0.05, ..Machine::new(&mut random) };
             let other = Machine {
                 triads: machine.triads,
@@ -126,13 +127,13 @@ fn check_spring_derivatives() {
                 measure(kind, &machine.pose(&a, machine.all().as_slice()), &machine.pose(&b, machine.all().as_slice()));
             // Angles of both ends are read near the last accepted one, 0.
             let rate = (end_value - here) / 0.1;
-            // The elastic force is that of the mean reading; a distance pulls along the mean direction, which is shorter than 1.
+            // The elastic force is that of the mean coordinate; a distance pulls along the mean direction, which is shorter than 1.
             let mean = 0.5 * (end_value + here);
-            let shortening = if gauge.measure == Measure::Length { here / mean } else { 1.0 };
+            let shortening = if coordinate.measure == Measure::Length { here / mean } else { 1.0 };
             let tension = (spring.stiffness * (mean - spring.rest) + 0.3 * rate) * shortening;
-            let over = scatter(spring.gradient(&gauge, &c, &passage));
+            let over = scatter(spring.gradient(&coordinate, &c, &passage));
             assert!((over - by_q * tension).amax() < ROUNDING * size * rate.abs().max(1.0), "{kind:?}");
-            let tangent = spread(&machine, [&a, &b], &spring.hessian(&gauge, &c, &passage));
+            let tangent = spread(&machine, [&a, &b], &spring.hessian(&coordinate, &c, &passage));
             let end_q = end_q.fixed_rows::<COUNT>(0).into_owned();
             let expected = by_all_twice.fixed_view::<COUNT, COUNT>(0, 0) * tension
                 + by_q * end_q.transpose() * (spring.stiffness + 0.3 * 2.0 / 0.1);

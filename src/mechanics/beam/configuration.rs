@@ -14,8 +14,8 @@ pub struct Configuration<'a> {
     pub frames: &'a [NodeFrame],
     /// Holonomy angles of all elements that have one at the last accepted state, rad.
     pub holonomy: &'a [f64],
-    /// Readings of all gauges at the last accepted state: angles go on from there.
-    pub readings: &'a [f64],
+    /// Values of all relative coordinates at the last accepted state: angles go on from there.
+    pub relative_values: &'a [f64],
     /// What drives and moving frames prescribe.
     pub prescribed: &'a Prescribed,
     /// All nodes and elements.
@@ -48,7 +48,7 @@ pub struct TimeStep<'a> {
     pub velocity: &'a [f64],
     /// Numerical dissipation.
     pub dissipation: Dissipation,
-    /// Rates of all strains and readings over the last step, as [`crate::mechanics::state::State::strain_rates`].
+    /// Rates of all strains and relative coordinates over the last step, as [`crate::mechanics::state::State::strain_rates`].
     pub strain_rates: &'a [f64],
     /// The same at the start, with its velocities.
     pub start_rates: &'a [f64],
@@ -57,7 +57,7 @@ pub struct TimeStep<'a> {
 }
 
 impl TimeStep<'_> {
-    /// What a strain or a reading, number `number` in [`Self::strain_rates`], that changes with `rate` over the step has of it that was not predicted, weighted
+    /// What a strain or a relative coordinate, number `number` in [`Self::strain_rates`], that changes with `rate` over the step has of it that was not predicted, weighted
     /// by the dissipation.
     #[inline]
     pub fn unpredicted(&self, rate: f64, number: usize) -> f64 {

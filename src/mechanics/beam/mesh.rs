@@ -36,9 +36,9 @@ impl Mesh {
         STRAINS * self.branches
     }
 
-    /// Where the rate of gauge `gauge` is among the rates of strains and readings.
-    pub fn gauge_rate(&self, gauge: usize) -> usize {
-        self.strains() + gauge
+    /// Where the rate of relative coordinate number `coordinate` is among the rates of strains and relative coordinates.
+    pub fn relative_rate_index(&self, coordinate: usize) -> usize {
+        self.strains() + coordinate
     }
 
     /// The number of the node that coordinate `index` belongs to.

@@ -1,7 +1,7 @@
 //! Cylindrical joint:  first axes are one line; b turns about it and slides along it relative to a. 4 conditions.
 
 use super::primitive::Primitive;
-use crate::mechanics::marker::gauge::Measure;
+use crate::mechanics::marker::relative_coordinate::Measure;
 
 /// Conditions of a cylindrical joint along the first axis.
 pub const PRIMITIVES: &[Primitive] =

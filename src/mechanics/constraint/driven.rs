@@ -1,7 +1,7 @@
 //! A driven coordinate: angle or distance of b against a, about or along the first axis, is what a drive prescribes. 1 condition.
 
 use super::primitive::Primitive;
-use crate::mechanics::marker::gauge::Measure;
+use crate::mechanics::marker::relative_coordinate::Measure;
 
 /// Which coordinate a drive prescribes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

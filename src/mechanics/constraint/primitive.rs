@@ -5,7 +5,7 @@
 
 use crate::mechanics::geometry::pose::{Pose, VECTORS, axis_vector};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
-use crate::mechanics::marker::gauge::{Measure, near};
+use crate::mechanics::marker::relative_coordinate::{Measure, near};
 
 /// Most rows a primitive has.
 pub const MOST_ROWS: usize = 3;

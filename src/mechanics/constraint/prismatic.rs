@@ -1,7 +1,7 @@
 //! Prismatic joint:  b slides along the first axis of a and does not turn against it. 5 conditions.
 
 use super::primitive::Primitive;
-use crate::mechanics::marker::gauge::Measure;
+use crate::mechanics::marker::relative_coordinate::Measure;
 
 /// Conditions of a prismatic joint along the first axis.
 pub const PRIMITIVES: &[Primitive] = &[

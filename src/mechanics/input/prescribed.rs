@@ -43,13 +43,13 @@ pub enum Guide {
     HostRate,
 }
 
-/// A drive: prescribes the reading of a gauge.
+/// A drive: prescribes a relative coordinate.
 #[derive(Clone, Debug)]
 pub struct Drive {
     /// Name in the model file.
     pub name: String,
-    /// What it prescribes, by the number of the gauge.
-    pub gauge: usize,
+    /// What it prescribes, by the number of the relative coordinate.
+    pub coordinate: usize,
     /// Where its motion comes from.
     pub guide: Guide,
 }

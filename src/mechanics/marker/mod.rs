@@ -3,8 +3,8 @@
 //! Loads ask a marker for its pose, how it moves with the coordinates (`jacobian`), and how the generalized force of a wrench
 //! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` (`pose_gradient`).
 
-pub mod gauge;
 pub mod pose_gradient;
+pub mod relative_coordinate;
 pub mod sensor;
 
 use self::pose_gradient::{PoseGradient, Turning};

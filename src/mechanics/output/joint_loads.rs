@@ -8,12 +8,12 @@ use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::geometry::pose::{PLACE, moment};
 use crate::mechanics::geometry::pose_pair::PairVector;
 use crate::mechanics::marker::Marker;
-use crate::mechanics::marker::gauge::Gauge;
 use crate::mechanics::marker::pose_gradient::of_side;
+use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::system::System;
 use crate::mechanics::system::joint_parts::JointParts;
 
-/// Which side of a joint or gauge.
+/// Which side of a joint or relative coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     A,
@@ -75,7 +75,7 @@ impl JointLoads<'_> {
             }
         }
         for (number, spring) in self.system.springs.iter().enumerate() {
-            let Gauge { a, b, .. } = &self.system.gauges[spring.gauge];
+            let RelativeCoordinate { a, b, .. } = &self.system.relative_coordinates[spring.coordinate];
             for (marker, side) in [(a, Side::A), (b, Side::B)] {
                 if is_own(marker) {
                     give(self.of_spring(number, side));
@@ -103,8 +103,8 @@ impl JointLoads<'_> {
 
     fn of_spring(&self, number: usize, side: Side) -> Acting {
         let spring = &self.system.springs[number];
-        let gauge = &self.system.gauges[spring.gauge];
-        self.acting([&gauge.a, &gauge.b], side, &-spring.tension_x(gauge, self.c, self.passage))
+        let coordinate = &self.system.relative_coordinates[spring.coordinate];
+        self.acting([&coordinate.a, &coordinate.b], side, &-spring.tension_x(coordinate, self.c, self.passage))
     }
 
     /// Forces on the vectors of both poses as force and moment on one side.

@@ -38,14 +38,14 @@ pub struct State {
     /// What the momentum has beside that of velocities which the constraints allow, by their conditions: `P = M v + Gᵀ stray`, N s or N m s.
     pub strays: Vec<f64>,
     /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then `g1`, `g2`, `tau` of each bending
-    /// point (1/m/s, rad/m/s); then of the readings of all gauges that have a spring (m/s, rad/s).
+    /// point (1/m/s, rad/m/s); then of the rates of all relative coordinates that have a spring (m/s, rad/s).
     pub strain_rates: Vec<f64>,
     /// Reference triads of the nodes.
     pub triads: Vec<Triad>,
     /// Holonomy angles of the elements, rad: the branch that the next one continues.
     pub holonomy: Vec<f64>,
-    /// Readings of the gauges: the turns that the next ones continue, m or rad.
-    pub readings: Vec<f64>,
+    /// Values of the relative coordinates: the turns that the next ones continue, m or rad.
+    pub relative_values: Vec<f64>,
     /// What drives and moving frames prescribe at `time`.
     pub prescribed: Prescribed,
     /// What a host wants drives and frames to reach.
@@ -68,9 +68,12 @@ impl State {
     /// Whether all its lists are as long as those of another state of the same machine.
     pub fn has_the_shape_of(&self, other: &Self) -> bool {
         let lengths = |state: &Self| {
-            let Self { q, velocity, momentum, multipliers, strays, triads, holonomy, readings, rotations, .. } = state;
+            let Self {
+                q, velocity, momentum, multipliers, strays, triads, holonomy, relative_values, rotations, ..
+            } = state;
             let State { strain_rates, prescribed, targets, .. } = state;
-            let lists = [q, velocity, momentum, multipliers, strays, strain_rates, holonomy, readings].map(Vec::len);
+            let lists =
+                [q, velocity, momentum, multipliers, strays, strain_rates, holonomy, relative_values].map(Vec::len);
             let motions =
                 [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
             let departure = [targets.departure.drives.len(), targets.departure.frames.len()];
@@ -103,7 +106,7 @@ impl Clone for State {
             strain_rates: self.strain_rates.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
-            readings: self.readings.clone(),
+            relative_values: self.relative_values.clone(),
             prescribed: self.prescribed.clone(),
             targets: self.targets.clone(),
             excitation: self.excitation.clone(),
@@ -114,7 +117,7 @@ impl Clone for State {
 
     /// Keeps the memory that is there: a step that makes a backup must not allocate.
     fn clone_from(&mut self, source: &Self) {
-        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, readings, rotations, .. } = self;
+        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, relative_values, rotations, .. } = self;
         *time = source.time;
         q.clone_from(&source.q);
         velocity.clone_from(&source.velocity);
@@ -124,7 +127,7 @@ impl Clone for State {
         holonomy.clone_from(&source.holonomy);
         self.strays.clone_from(&source.strays);
         self.strain_rates.clone_from(&source.strain_rates);
-        readings.clone_from(&source.readings);
+        relative_values.clone_from(&source.relative_values);
         rotations.clone_from(&source.rotations);
         self.prediction.copy_from(&source.prediction);
         self.time_error.copy_from(&source.time_error);

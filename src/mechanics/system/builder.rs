@@ -27,7 +27,8 @@ use crate::mechanics::input::excitation::{Excitation, HostWrench};
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed};
 use crate::mechanics::marker::Marker;
-use crate::mechanics::marker::gauge::{Gauge, Measure};
+use crate::mechanics::marker::relative_coordinate::Measure;
+use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::energy_balance::EnergyBalance;
 use crate::mechanics::state::pace::Pace;
@@ -277,20 +278,20 @@ impl SystemBuilder {
         self.system.joints.len() - 1
     }
 
-    /// Adds a gauge and returns its number.
-    pub fn add_gauge(&mut self, a: Marker, b: Marker, measure: Measure) -> usize {
-        self.system.gauges.push(Gauge { a, b, measure });
-        self.system.gauges.len() - 1
+    /// Adds a relative coordinate and returns its number.
+    pub fn add_relative_coordinate(&mut self, a: Marker, b: Marker, measure: Measure) -> usize {
+        self.system.relative_coordinates.push(RelativeCoordinate { a, b, measure });
+        self.system.relative_coordinates.len() - 1
     }
 
     /// Adds a drive of b against a along or about their first axis and returns its number; `target` is its value or rate at the
     /// start, where a host gives it.
     pub fn add_drive(&mut self, name: &str, [a, b]: [Marker; 2], driven: Driven, guide: Guide, target: f64) -> usize {
         let number = self.system.drives.len();
-        let gauge = self.add_gauge(a, b, driven.measure());
+        let coordinate = self.add_relative_coordinate(a, b, driven.measure());
         let primitives = driven.primitives();
         self.drive_joints.push(Joint { name: format!("drive {name}"), a, b, primitives, drive: Some(number) });
-        self.system.drives.push(Drive { name: name.into(), gauge, guide });
+        self.system.drives.push(Drive { name: name.into(), coordinate, guide });
         self.targets.drives.push(target);
         number
     }
@@ -359,7 +360,7 @@ impl SystemBuilder {
             q: &self.q,
             frames,
             holonomy,
-            readings: &[],
+            relative_values: &[],
             prescribed: &self.prescribed,
             mesh: &self.system.mesh,
         }
@@ -397,13 +398,13 @@ impl SystemBuilder {
             momentum: vec![0.0; q.len()],
             multipliers: vec![0.0; system.constraints()],
             strays: vec![0.0; system.constraints()],
-            strain_rates: vec![0.0; system.mesh.strains() + system.gauges.len()],
+            strain_rates: vec![0.0; system.mesh.strains() + system.relative_coordinates.len()],
             prediction: Prediction::default(),
             time_error: TimeError::default(),
             pace: Pace::default(),
             accelerations: Accelerations::default(),
             holonomy: vec![0.0; system.mesh.branches],
-            readings: vec![0.0; system.gauges.len()],
+            relative_values: vec![0.0; system.relative_coordinates.len()],
             rotations: vec![Vec3::zeros(); system.sensors.len()],
             q,
             velocity,

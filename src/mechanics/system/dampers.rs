@@ -46,8 +46,10 @@ impl System {
         let points: usize = self.loads.iter().map(|load| load.points.len()).sum();
         let first = self.mesh.elements.len() + self.bodies.len() + points;
         for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.damping != 0.0) {
-            let counts = self.sides(spring.gauge).map(|marker| marker.coordinates(&self.mesh).len());
-            for (place, part) in spring.damping_matrix(&self.gauges[spring.gauge], c).iter().enumerate() {
+            let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
+            for (place, part) in
+                spring.damping_matrix(&self.relative_coordinates[spring.coordinate], c).iter().enumerate()
+            {
                 add_corner(tangent.block_mut(first + 4 * number + place), counts[place / 2], part, factor);
             }
         }

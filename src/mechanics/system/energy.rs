@@ -11,7 +11,9 @@ impl System {
     /// Strain energy of beams and energy of springs, J.
     pub fn elastic_energy(&self, c: &Configuration) -> f64 {
         let beams: f64 = self.mesh.elements.iter().map(|element| element.energy(c)).sum();
-        self.springs.iter().fold(beams, |sum, spring| sum + spring.energy(&self.gauges[spring.gauge], c))
+        self.springs
+            .iter()
+            .fold(beams, |sum, spring| sum + spring.energy(&self.relative_coordinates[spring.coordinate], c))
     }
 
     /// `vᵀ M v / 2`, J.

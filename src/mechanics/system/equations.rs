@@ -27,16 +27,16 @@ impl System {
             push(range.clone(), range);
         }
         for spring in &self.springs {
-            let sides = self.sides(spring.gauge);
+            let sides = self.sides(spring.coordinate);
             for number in 0..4 {
                 push(sides[number / 2].coordinates(&self.mesh), sides[number % 2].coordinates(&self.mesh));
             }
         }
     }
 
-    /// The two sides of a gauge.
-    pub(super) fn sides(&self, gauge: usize) -> [&Marker; 2] {
-        [&self.gauges[gauge].a, &self.gauges[gauge].b]
+    /// The two sides of a relative coordinate.
+    pub(super) fn sides(&self, coordinate: usize) -> [&Marker; 2] {
+        [&self.relative_coordinates[coordinate].a, &self.relative_coordinates[coordinate].b]
     }
 
     /// `∂U/∂q − F`: internal minus external forces, as `passage` says.
@@ -90,8 +90,8 @@ impl System {
                 block += 4;
                 continue;
             }
-            let counts = self.sides(spring.gauge).map(|marker| marker.coordinates(&self.mesh).len());
-            let parts = spring.hessian(&self.gauges[spring.gauge], c, passage);
+            let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
+            let parts = spring.hessian(&self.relative_coordinates[spring.coordinate], c, passage);
             for (number, part) in parts.iter().enumerate() {
                 copy_corner(tangent.block_mut(block), counts[number / 2], part, scale);
                 block += 1;
@@ -101,8 +101,8 @@ impl System {
 
     pub(super) fn add_springs(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
-            let parts = spring.gradient(&self.gauges[spring.gauge], c, passage);
-            for (marker, part) in self.sides(spring.gauge).into_iter().zip(&parts) {
+            let parts = spring.gradient(&self.relative_coordinates[spring.coordinate], c, passage);
+            for (marker, part) in self.sides(spring.coordinate).into_iter().zip(&parts) {
                 let range = marker.coordinates(&self.mesh);
                 add(forces, range.start, &part.as_slice()[..range.len()]);
             }

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::math::rotation::rotation_angle;
 use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::body::kinematics;
-use crate::mechanics::marker::gauge::Measure;
+use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
@@ -122,28 +122,28 @@ impl System {
         if let Some(joint) = self.joints.iter().find(|joint| !joint.is_upright(c)) {
             return Err(Error::Flipped { time, joint: joint.name.clone() });
         }
-        for (gauge, previous) in self.gauges.iter().zip(&state.readings) {
-            if !matches!(gauge.measure, Measure::Angle(_)) {
+        for (coordinate, previous) in self.relative_coordinates.iter().zip(&state.relative_values) {
+            if !matches!(coordinate.measure, Measure::Angle(_)) {
                 continue;
             }
-            let angle = (gauge.reading(c, *previous) - previous).abs();
+            let angle = (coordinate.value(c, *previous) - previous).abs();
             if angle > LARGEST_ANGLE_CHANGE {
-                let place = self.describe_gauge(gauge);
+                let place = self.describe_relative_coordinate(coordinate);
                 return Err(Error::Turned { time, place, angle, limit: LARGEST_ANGLE_CHANGE });
             }
         }
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
-            let gauge = &self.gauges[spring.gauge];
-            if !matches!(gauge.measure, Measure::Rotation(_)) {
+            let coordinate = &self.relative_coordinates[spring.coordinate];
+            if !matches!(coordinate.measure, Measure::Rotation(_)) {
                 continue;
             }
-            let angle = rotation_angle(&gauge.a.pose(c).axes, &gauge.b.pose(c).axes).to_degrees();
+            let angle = rotation_angle(&coordinate.a.pose(c).axes, &coordinate.b.pose(c).axes).to_degrees();
             if angle > LARGEST_BUSHING_ANGLE {
                 return Err(Error::BushingTurned { time, bushing: spring.name.clone(), angle });
             }
         }
         for (drive, prescribed) in self.drives.iter().zip(&c.prescribed.drives) {
-            let reading = self.gauges[drive.gauge].reading(c, state.readings[drive.gauge]);
+            let reading = self.relative_coordinates[drive.coordinate].value(c, state.relative_values[drive.coordinate]);
             if (reading - prescribed.value).abs() > DRIVE_GAP {
                 let prescribed = prescribed.value;
                 return Err(Error::DriveMissed { time, drive: drive.name.clone(), prescribed, reading });

@@ -35,7 +35,7 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::{Drive, MovingFrame, Prescribed};
 use crate::mechanics::marker::Marker;
-use crate::mechanics::marker::gauge::Gauge;
+use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::State;
 use std::ops::Range;
@@ -57,7 +57,7 @@ pub struct System {
     /// Everything that holds the machine together: joints, the rigidity of bodies, drives, each in file order.
     pub joints: Vec<Joint>,
     /// What is measured between two markers: by springs, drives, outputs.
-    pub gauges: Vec<Gauge>,
+    pub relative_coordinates: Vec<RelativeCoordinate>,
     /// Drives in file order.
     pub drives: Vec<Drive>,
     /// Springs in file order, then those of joints.
@@ -171,24 +171,24 @@ impl System {
         state: &'a State,
         prescribed: &'a Prescribed,
     ) -> Configuration<'a> {
-        let (holonomy, readings) = (&state.holonomy, &state.readings);
-        Configuration { q, frames, holonomy, readings, prescribed, mesh: &self.mesh }
+        let (holonomy, relative_values) = (&state.holonomy, &state.relative_values);
+        Configuration { q, frames, holonomy, relative_values, prescribed, mesh: &self.mesh }
     }
 
     /// Ends a step at the coordinates and the prescribed motion in `state`: references and holonomy angles (2.6, 2.7), the
-    /// sensors' rotation vectors and the gauges' readings follow. `frames` belong to `state.q`.
+    /// sensors' rotation vectors and the relative coordinates follow. `frames` belong to `state.q`.
     pub fn carry_references(&self, state: &mut State, frames: &[NodeFrame]) {
         // Out of the state while the configuration looks at the rest of it.
         let mut rotations = std::mem::take(&mut state.rotations);
-        let mut readings = std::mem::take(&mut state.readings);
+        let mut relative_values = std::mem::take(&mut state.relative_values);
         let configuration = self.configuration(&state.q, frames, state, &state.prescribed);
         for (sensor, rotation) in self.sensors.iter().zip(&mut rotations) {
             *rotation = sensor.rotation(&configuration, rotation);
         }
-        for (gauge, reading) in self.gauges.iter().zip(&mut readings) {
-            *reading = gauge.reading(&configuration, *reading);
+        for (coordinate, value) in self.relative_coordinates.iter().zip(&mut relative_values) {
+            *value = coordinate.value(&configuration, *value);
         }
-        (state.rotations, state.readings) = (rotations, readings);
+        (state.rotations, state.relative_values) = (rotations, relative_values);
         for element in &self.mesh.elements {
             if let AnyElement::Ancf14(element) = element {
                 let [first, second] = [&frames[element.place.frame], &frames[element.place.frame + 1]];
@@ -201,9 +201,9 @@ impl System {
         }
     }
 
-    /// A gauge in words.
-    fn describe_gauge(&self, gauge: &Gauge) -> String {
-        let named = self.joints.iter().find(|joint| joint.a == gauge.a && joint.b == gauge.b);
+    /// A relative coordinate in words.
+    fn describe_relative_coordinate(&self, coordinate: &RelativeCoordinate) -> String {
+        let named = self.joints.iter().find(|joint| joint.a == coordinate.a && joint.b == coordinate.b);
         named.map_or_else(|| String::from("a spring"), |joint| joint.name.clone())
     }
 
@@ -256,7 +256,7 @@ impl System {
     pub fn find_held_nodes(&mut self) {
         let loads = self.loads.iter().flat_map(|load| load.points.iter().map(|(marker, _)| marker));
         let joints = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
-        let springs = self.springs.iter().flat_map(|spring| self.sides(spring.gauge));
+        let springs = self.springs.iter().flat_map(|spring| self.sides(spring.coordinate));
         let mut held = vec![false; self.mesh.nodes.len()];
         for marker in loads.chain(joints).chain(springs) {
             if let Marker::Node { node, .. } = marker {

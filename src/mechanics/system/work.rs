@@ -4,7 +4,7 @@ use crate::math::Vec3;
 use crate::mechanics::beam::ancf14::over_step::StepStart;
 use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
-use crate::mechanics::force::spring::reading_rate;
+use crate::mechanics::force::spring::coordinate_rate;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::state::energy_balance::{Energies, LIFT_ROUND_OFF};
@@ -50,16 +50,16 @@ impl System {
         let passage = Passage::Step(*step);
         self.add_springs(c, &passage, forces);
         for spring in &self.springs {
-            let gauge = &self.gauges[spring.gauge];
-            elastic += spring.energy(gauge, step.end);
-            strain_rates[self.mesh.gauge_rate(spring.gauge)] = spring.step_rate(gauge, step);
-            work += spring.step_work(gauge, c, step);
+            let coordinate = &self.relative_coordinates[spring.coordinate];
+            elastic += spring.energy(coordinate, step.end);
+            strain_rates[self.mesh.relative_rate_index(spring.coordinate)] = spring.step_rate(coordinate, step);
+            work += spring.step_work(coordinate, c, step);
         }
         [elastic, work]
     }
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates` to the rates there of all strains, and of the
-    /// readings of springs.
+    /// relative coordinates of springs.
     pub fn begin_step(
         &self,
         c: &Configuration,
@@ -70,8 +70,8 @@ impl System {
         starts.resize(self.mesh.branches, StepStart::default());
         self.mesh.elements.iter().for_each(|element| element.begin_step(c, velocity, starts, strain_rates));
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
-            let rate = reading_rate(&self.gauges[spring.gauge], c, velocity);
-            strain_rates[self.mesh.gauge_rate(spring.gauge)] = rate;
+            let rate = coordinate_rate(&self.relative_coordinates[spring.coordinate], c, velocity);
+            strain_rates[self.mesh.relative_rate_index(spring.coordinate)] = rate;
         }
     }
 
@@ -87,7 +87,8 @@ impl System {
         } else {
             0.0
         };
-        let springs = self.springs.iter().map(|spring| spring.power(&self.gauges[spring.gauge], c, velocity));
+        let springs =
+            self.springs.iter().map(|spring| spring.power(&self.relative_coordinates[spring.coordinate], c, velocity));
         springs.fold([external, viscous], |[given, taken], own| [given + own[0], taken + own[1]])
     }
 

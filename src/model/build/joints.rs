@@ -1,4 +1,4 @@
-//! Joints, drives and springs of the file as conditions, gauges and springs of the machine.
+//! Joints, drives and springs of the file as conditions, relative coordinates and springs of the machine.
 
 use super::tune::{self, Tuned};
 use super::{Builder, signal, vector};
@@ -18,7 +18,7 @@ use crate::mechanics::force::spring;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::prescribed::Guide;
 use crate::mechanics::marker::Marker;
-use crate::mechanics::marker::gauge::Measure;
+use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::joint_parts::JointParts;
 use crate::model::entries::anchor::Spot;
 use crate::model::entries::drive::{Drive, Motion};
@@ -33,23 +33,23 @@ impl Builder<'_> {
             let name = format!("joint {}", written.name);
             self.system.add_joint(joint::Joint { name, a, b, primitives, drive: None })
         });
-        let mut gauge = |present: bool, measure| {
+        let mut coordinate = |present: bool, measure| {
             let [a, b] = sides;
-            present.then(|| self.system.add_gauge(a, b, measure))
+            present.then(|| self.system.add_relative_coordinate(a, b, measure))
         };
-        let angle = gauge(written.angle.is_some(), Measure::Angle(0));
-        let distance = gauge(written.distance.is_some(), Measure::Distance(0));
+        let angle = coordinate(written.angle.is_some(), Measure::Angle(0));
+        let distance = coordinate(written.distance.is_some(), Measure::Distance(0));
         let mut parts = JointParts { joint, angle, distance, ..JointParts::default() };
         for (measure, tuned) in tune::springs_of(written) {
             let [a, b] = sides;
-            let gauge = match measure {
+            let coordinate = match measure {
                 Measure::Angle(_) => angle,
                 Measure::Distance(_) if distance.is_some() => distance,
                 _ => None,
             };
-            let gauge = gauge.unwrap_or_else(|| self.system.add_gauge(a, b, measure));
+            let coordinate = coordinate.unwrap_or_else(|| self.system.add_relative_coordinate(a, b, measure));
             // As drawn, joints are at rest.
-            parts.springs.push(self.spring(&written.name, gauge, &tuned, 0.0));
+            parts.springs.push(self.spring(&written.name, coordinate, &tuned, 0.0));
         }
         self.system.add_joint_parts(parts);
     }
@@ -96,15 +96,15 @@ impl Builder<'_> {
             let label = "another place was expected: a spring needs a direction";
             self.mistakes.push(self.document.diagnostic(written.b.place, &message, label, ""));
         }
-        let gauge = self.system.add_gauge(a, b, Measure::Length);
-        self.spring(&written.name, gauge, &tune::spring(written), length);
+        let coordinate = self.system.add_relative_coordinate(a, b, Measure::Length);
+        self.spring(&written.name, coordinate, &tune::spring(written), length);
     }
 
-    fn spring(&mut self, name: &str, gauge: usize, tuned: &Tuned, drawn: f64) -> usize {
+    fn spring(&mut self, name: &str, coordinate: usize, tuned: &Tuned, drawn: f64) -> usize {
         let value = |number| self.document.value(number);
         let spring = spring::Spring {
             name: name.to_owned(),
-            gauge,
+            coordinate,
             stiffness: value(tuned.stiffness),
             damping: value(tuned.damping),
             rest: tuned.rest.map_or(drawn, value),

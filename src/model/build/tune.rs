@@ -8,7 +8,7 @@ use crate::mechanics::force::load::LoadGuide;
 use crate::mechanics::geometry::pose::{Pose, angular_velocity};
 use crate::mechanics::input::excitation::{HostWrench, Wrench};
 use crate::mechanics::input::host_motion::Targets;
-use crate::mechanics::marker::gauge::Measure;
+use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::System;
 use crate::model::document::Document;
 use crate::model::entries::drive::Motion;
@@ -22,7 +22,7 @@ use nalgebra::Quaternion;
 pub(super) struct Tuned {
     pub stiffness: Number,
     pub damping: Number,
-    /// The reading at which it is free of force; none: the one as drawn.
+    /// The value of the coordinate at which it is free of force; none: the one as drawn.
     pub rest: Option<Number>,
 }
 

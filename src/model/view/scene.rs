@@ -121,13 +121,17 @@ pub(super) struct Watched {
 impl Watched {
     pub(super) fn new(document: &Document, system: &System, beams: Vec<Stations>) -> Self {
         let joints = system.joint_parts.iter().enumerate().filter_map(|(number, parts)| {
-            let of_gauge = |gauge: usize| [system.gauges[gauge].a, system.gauges[gauge].b];
+            let sides_of = |coordinate: usize| {
+                [system.relative_coordinates[coordinate].a, system.relative_coordinates[coordinate].b]
+            };
             let conditions = parts.joint.map(|joint| [system.joints[joint].a, system.joints[joint].b]);
-            let springs = || parts.springs.first().map(|spring| of_gauge(system.springs[*spring].gauge));
+            let springs = || parts.springs.first().map(|spring| sides_of(system.springs[*spring].coordinate));
             conditions.or_else(springs).map(|sides| (number, sides))
         });
         let springs = system.springs[..document.springs.len()].iter();
-        let springs = springs.map(|spring| [system.gauges[spring.gauge].a, system.gauges[spring.gauge].b]);
+        let springs = springs.map(|spring| {
+            [system.relative_coordinates[spring.coordinate].a, system.relative_coordinates[spring.coordinate].b]
+        });
         let arrows = system.loads.iter().enumerate().flat_map(|(number, load)| {
             let every = load.points.len().div_ceil(LINE_ARROWS).max(1);
             load.points.iter().skip(every / 2).step_by(every).map(move |(marker, _)| (number, *marker))

@@ -1,8 +1,8 @@
 //! The state at the start: joints hold as drawn, velocities are what the joints allow.
 
 use crate::error::Error;
-use crate::mechanics::force::spring::{Spring, reading_rate};
-use crate::mechanics::marker::gauge::Measure;
+use crate::mechanics::force::spring::{Spring, coordinate_rate};
+use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -99,9 +99,9 @@ pub fn unresolved_dampers(system: &System, state: &State, step: f64) -> Vec<Stri
     let mut cache = FrameCache::default();
     let configuration = cache.of(system, state);
     let begins = |spring: &&Spring| {
-        let gauge = &system.gauges[spring.gauge];
-        let moved = step * reading_rate(gauge, &configuration, &state.velocity).abs();
-        let unit = if matches!(gauge.measure, Measure::Distance(_) | Measure::Length) { system.size } else { 1.0 };
+        let coordinate = &system.relative_coordinates[spring.coordinate];
+        let moved = step * coordinate_rate(coordinate, &configuration, &state.velocity).abs();
+        let unit = if matches!(coordinate.measure, Measure::Distance(_) | Measure::Length) { system.size } else { 1.0 };
         spring.decay_rate() * UNRESOLVED * step > 1.0 && moved > MOVED * unit
     };
     let told = system.springs.iter().filter(begins).map(|spring| {

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::mechanics::input::prescribed::Prescribed;
-use crate::mechanics::marker::gauge::Measure;
+use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
@@ -25,7 +25,9 @@ pub fn check_drives(system: &System, state: &State, end: f64, count: u64) -> Res
     system.prescribe(state, end, &mut prescribed);
     for ((drive, to), from) in system.drives.iter().zip(&prescribed.drives).zip(&state.prescribed.drives) {
         let turns = (to.value - from.value).abs() / std::f64::consts::TAU;
-        if matches!(system.gauges[drive.gauge].measure, Measure::Angle(_)) && turns > MOST_TURNS * count as f64 {
+        if matches!(system.relative_coordinates[drive.coordinate].measure, Measure::Angle(_))
+            && turns > MOST_TURNS * count as f64
+        {
             let (drive, from) = (drive.name.clone(), state.time);
             return Err(Error::DriveTooFast { drive, turns, from, to: end, limit: MOST_TURNS });
         }

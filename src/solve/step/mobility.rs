@@ -2,7 +2,7 @@
 //! the moment of inertia, that a damper has to stop within a step; the stiffness of a beam holds the little inertia of its end.
 
 use crate::mechanics::beam::configuration::Passage;
-use crate::mechanics::force::spring::{Spring, reading_q};
+use crate::mechanics::force::spring::{Spring, coordinate_q};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -31,9 +31,9 @@ pub fn set_mobilities(system: &mut System, state: &State, step: f64) {
         return;
     }
     let mobility = |spring: &Spring| {
-        let gauge = &system.gauges[spring.gauge];
-        let sides = [&gauge.a, &gauge.b].map(|side| side.coordinates(&system.mesh));
-        let by_sides = reading_q(gauge, &configuration);
+        let coordinate = &system.relative_coordinates[spring.coordinate];
+        let sides = [&coordinate.a, &coordinate.b].map(|side| side.coordinates(&system.mesh));
+        let by_sides = coordinate_q(coordinate, &configuration);
         let mut vector = vec![0.0; size];
         for (side, own) in sides.iter().zip(&by_sides) {
             vector[side.clone()].iter_mut().zip(own).for_each(|(target, value)| *target += value);

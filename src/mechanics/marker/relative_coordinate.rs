@@ -24,7 +24,7 @@ pub enum Measure {
 
 /// A measure between two markers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Gauge {
+pub struct RelativeCoordinate {
     /// One side.
     pub a: Marker,
     /// The other side.
@@ -33,9 +33,9 @@ pub struct Gauge {
     pub measure: Measure,
 }
 
-impl Gauge {
-    /// Its reading: an angle near `previous`, rad or m.
-    pub fn reading(&self, c: &Configuration, previous: f64) -> f64 {
+impl RelativeCoordinate {
+    /// Its value: an angle near `previous`, rad or m.
+    pub fn value(&self, c: &Configuration, previous: f64) -> f64 {
         self.measure.value(&self.a.pose(c), &self.b.pose(c), previous)
     }
 }
