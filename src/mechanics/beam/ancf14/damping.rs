@@ -11,8 +11,8 @@
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, complete, spread};
 use super::element::{Element, Evaluation};
-use super::kinematics::pullback::{Couplings, Forces, Gradients};
-use super::kinematics::relative::RELATIVE;
+use super::kinematics::corotated::COROTATED;
+use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
 use super::over_step::STRAINS;
 use super::strain::{Resultants, Rigidities, Strain};
 use nalgebra::{SMatrix, SVector};
@@ -79,7 +79,7 @@ pub fn stress_hessian(evaluation: &Evaluation, resultants: &StrainVector) -> Ele
     let of_sections: [Resultants; 3] = std::array::from_fn(|g| resultants.fixed_rows::<3>(first_strain(g)).push(0.0));
     let (element, kinematics) = (evaluation.element, &evaluation.kinematics);
     let (forces, gradients) = (Forces::new(evaluation, &of_sections, &[0.0; 3]), Gradients::new(element, kinematics));
-    let mut second = [[0.0; RELATIVE]; RELATIVE];
+    let mut second = [[0.0; COROTATED]; COROTATED];
     gradients.add_frozen(&forces.factors(element), element, &mut second);
     let frozen = [Rigidities::default(); 3];
     let couplings = Couplings::new(evaluation, &of_sections, &frozen, 0.0);

@@ -1,7 +1,7 @@
 //! One ANCF14 element: its quadrature points, its strains, and the energy by the 14 coordinates (MECHANICS 3, 8).
 //!
 //! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
-//! coordinates in pullback.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
+//! coordinates in strain_derivatives.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
 use super::coordinates::{
     ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slope as slope_at,
@@ -15,9 +15,9 @@ use super::energy::torsion;
 use super::frame::NodeFrame;
 use super::inertia::{self, Mass};
 use super::kinematics::Kinematics;
+use super::kinematics::corotated::{COROTATED, CorotatedVector};
 use super::kinematics::points::{AxialPoint, BendingPoint};
-use super::kinematics::pullback::{Couplings, Forces, Gradients};
-use super::kinematics::relative::{RELATIVE, RelativeVector};
+use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
 use super::over_step::{Added, Turn};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
@@ -341,7 +341,7 @@ impl<'a> Evaluation<'a> {
         // At fixed Green strains of the axial points.
         let factors = first.forces.factors(element);
         let by_shape = gradients.weighted(&factors, element);
-        let mut second = [[0.0; RELATIVE]; RELATIVE];
+        let mut second = [[0.0; COROTATED]; COROTATED];
         gradients.add_frozen(&factors, element, &mut second);
         gradients.add_couplings(&couplings, &mut second);
         let condensation = (element.stiffness.twist == Twist::Quadratic)
@@ -441,9 +441,9 @@ impl<'a> Evaluation<'a> {
         FirstOrder { resultants, forces: Forces::new(self, &resultants, &torques) }
     }
 
-    /// The whole gradient, of which `by_shape` is the part of bending and torsion by the relative shape.
+    /// The whole gradient, of which `by_shape` is the part of bending and torsion by the corotated shape.
     #[inline]
-    fn with_axial_forces(&self, by_shape: &RelativeVector, resultants: &[Resultants; 3]) -> ElementVector {
+    fn with_axial_forces(&self, by_shape: &CorotatedVector, resultants: &[Resultants; 3]) -> ElementVector {
         let mut sum = self.kinematics.shape.gradient(by_shape);
         for (m, point) in self.element.axial.iter().enumerate() {
             add_slope_force(&point.shape_x, &self.axial_force(m, resultants), &mut sum);

@@ -7,9 +7,9 @@
 
 use crate::mechanics::beam::ancf14::coordinates::{ElementVector, spread};
 use crate::mechanics::beam::ancf14::element::Evaluation;
+use crate::mechanics::beam::ancf14::kinematics::corotated::{CorotatedMatrix, CorotatedVector};
 use crate::mechanics::beam::ancf14::kinematics::points::BendingPoint;
-use crate::mechanics::beam::ancf14::kinematics::pullback::{Couplings, Forces, Gradients, PointCouplings};
-use crate::mechanics::beam::ancf14::kinematics::relative::{RelativeMatrix, RelativeVector};
+use crate::mechanics::beam::ancf14::kinematics::strain_derivatives::{Couplings, Forces, Gradients, PointCouplings};
 use crate::mechanics::beam::ancf14::strain::Rigidities;
 
 /// How the twist runs inside an element.
@@ -84,8 +84,8 @@ fn torsion_stiffness(evaluation: &Evaluation) -> f64 {
 /// Second derivatives of the energy by `b` and everything else: what is condensed.
 #[derive(Clone, Copy, Debug)]
 pub struct Condensation {
-    /// `∂²U/∂x∂b` by the relative shape.
-    pub by_shape: RelativeVector,
+    /// `∂²U/∂x∂b` by the corotated shape.
+    pub by_shape: CorotatedVector,
     /// `∂²U/∂b²`, J.
     pub by_b: f64,
     /// `∂²U/∂e∂b` by the Green strain of each axial point, J; 0 for small strain.
@@ -128,15 +128,15 @@ impl Condensation {
         -by_q / self.by_b
     }
 
-    /// Takes off `by`, derivatives by the relative shape of what changes by `share` with `b`, what `b` gives way.
+    /// Takes off `by`, derivatives by the corotated shape of what changes by `share` with `b`, what `b` gives way.
     #[inline]
-    pub fn take_off(&self, share: f64, by: &mut RelativeVector) {
+    pub fn take_off(&self, share: f64, by: &mut CorotatedVector) {
         let factor = share / self.by_b;
         by.iter_mut().zip(&self.by_shape).for_each(|(by, by_shape)| *by -= by_shape * factor);
     }
 
-    /// Takes off `second`, the second derivatives by the relative shape, what `b` gives way.
-    pub fn condense(&self, second: &mut RelativeMatrix) {
+    /// Takes off `second`, the second derivatives by the corotated shape, what `b` gives way.
+    pub fn condense(&self, second: &mut CorotatedMatrix) {
         for (column, by_shape) in second.iter_mut().zip(self.by_shape) {
             self.take_off(by_shape, column);
         }

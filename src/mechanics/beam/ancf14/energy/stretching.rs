@@ -7,7 +7,7 @@ use crate::mechanics::beam::ancf14::coordinates::{
     ElementColumns, ElementVector, add_between, add_product, add_spread, spread,
 };
 use crate::mechanics::beam::ancf14::element::Evaluation;
-use crate::mechanics::beam::ancf14::kinematics::pullback::{Forces, Gradients};
+use crate::mechanics::beam::ancf14::kinematics::strain_derivatives::{Forces, Gradients};
 use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities, Strain};
 
 /// `∂²U/∂T²` of the axial points, N m: what Wagner's term has.
@@ -67,7 +67,7 @@ impl Large<'_> {
             let density =
                 axial::large::hessian(&element.stiffness, self.evaluation.green[m], self.evaluation.mean_torsion[m])
                     * point.weight;
-            // By this Green strain, of the gradient by the relative shape.
+            // By this Green strain, of the gradient by the corotated shape.
             let mut by_green = self.gradients.sum(&self.forces(m, density[(0, 1)] * point.torsion_by_twist));
             let green_p = slope.green_strain_p();
             // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.

@@ -1,7 +1,7 @@
 //! One point of the curve inside the element: curvatures and twist rate of the frame carried there from the first node, as functions
 //! of `P = r'` and `W = r''` in the components of that node's frame, with two derivatives (MECHANICS 2.15, 8).
 
-use super::relative::RelativeShape;
+use super::corotated::CorotatedShape;
 use crate::math::{Mat3, Vec3};
 
 /// `κ1`, `κ2` (1/m) and the twist rate `ω` (rad/m) of the frame carried to one point of the curve (2.15).
@@ -34,7 +34,7 @@ pub struct CurveGradients<'a> {
 impl CurvePoint {
     /// The point of the element `shape` where the shape functions have the derivatives `shape_x` and `shape_xx`.
     #[inline]
-    pub fn new(shape: &RelativeShape, shape_x: &[f64; 4], shape_xx: &[f64; 4]) -> Self {
+    pub fn new(shape: &CorotatedShape, shape_x: &[f64; 4], shape_xx: &[f64; 4]) -> Self {
         let (p, w) = (shape.interpolate(shape_x), shape.interpolate(shape_xx));
         let stretch = p.norm();
         let (per_stretch, depth) = (1.0 / stretch, stretch + p[0]);

@@ -1,14 +1,14 @@
 //! The frame inside the element: one minimal rotation from the first node, plus the integral of its twist rate (MECHANICS 2.7-2.15, 8).
 
+pub mod corotated;
 pub mod curve_point;
 pub mod points;
-pub mod pullback;
-pub mod relative;
 pub mod section_point;
+pub mod strain_derivatives;
 
+use self::corotated::CorotatedShape;
 use self::curve_point::CurvePoint;
 use self::points::BendingPoint;
-use self::relative::RelativeShape;
 use super::coordinates::THETA;
 use super::element::Element;
 use super::frame::NodeFrame;
@@ -98,7 +98,7 @@ pub struct LocalHolonomy {
 #[derive(Clone, Debug)]
 pub struct Kinematics<'a> {
     /// The element as its first node sees it.
-    pub shape: RelativeShape<'a>,
+    pub shape: CorotatedShape<'a>,
     /// The three bending points.
     pub points: [CurvePoint; 3],
     /// Total twist `T`, rad (2.12).
@@ -111,7 +111,7 @@ impl<'a> Kinematics<'a> {
     /// Of the element with coordinates `q` (14), nodes' frames and last accepted holonomy angle `previous`, rad.
     #[inline]
     pub fn new(element: &Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
-        let shape = RelativeShape::new(q, frames, previous);
+        let shape = CorotatedShape::new(q, frames, previous);
         let [first, middle, last] = &element.bending;
         let point = |rule: &BendingPoint| CurvePoint::new(&shape, &rule.shape_x, &rule.shape_xx);
         let points = [point(first), point(middle), point(last)];

@@ -1,8 +1,8 @@
 //! A section inside an element, as a point to hold on to (MECHANICS 2.13, 2.17).
 
 use super::Kinematics;
-use super::pullback::{Factors, Gradients};
-use super::relative::RELATIVE;
+use super::corotated::COROTATED;
+use super::strain_derivatives::{Factors, Gradients};
 use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second, normal_projector};
 use crate::math::{Mat3, Vec3, hermite, quadrature};
 use crate::mechanics::beam::ancf14::coordinates::{
@@ -104,7 +104,7 @@ impl<'a> SectionPoint<'a> {
         let tilt_p = (moment.cross_matrix() * t_p - tilt * self.t.transpose()) / self.stretch;
         // Second derivatives of the spin's exact part, α.
         let angle = self.angle(along);
-        let (mut second, mut sum) = ([[0.0; RELATIVE]; RELATIVE], ElementMatrix::zeros());
+        let (mut second, mut sum) = ([[0.0; COROTATED]; COROTATED], ElementMatrix::zeros());
         Gradients::new(element, kinematics).add_frozen(&angle, element, &mut second);
         let by_shape = angle.gradient(element, kinematics);
         kinematics.shape.set_hessian(&by_shape, &mut second, 1.0, &mut sum.data.0);

@@ -21,16 +21,16 @@ pub const TWIST: usize = 7;
 /// Place of the first node's angle `θ_0`, rad.
 pub const ANGLE: usize = 8;
 /// Nine and one that stays 0: processors take numbers in pairs.
-pub const RELATIVE: usize = 10;
+pub const COROTATED: usize = 10;
 
-/// One number per number of the relative shape, and a 0.
-pub type RelativeVector = [f64; RELATIVE];
-/// One number per pair of numbers of the relative shape, by columns; all are symmetric, and the lower triangle counts.
-pub type RelativeMatrix = [[f64; RELATIVE]; RELATIVE];
+/// One number per number of the corotated shape, and a 0.
+pub type CorotatedVector = [f64; COROTATED];
+/// One number per pair of numbers of the corotated shape, by columns; all are symmetric, and the lower triangle counts.
+pub type CorotatedMatrix = [[f64; COROTATED]; COROTATED];
 
 /// The shape of an element as its first node sees it.
 #[derive(Clone, Debug)]
-pub struct RelativeShape<'a> {
+pub struct CorotatedShape<'a> {
     /// Frames of the two nodes.
     pub frames: [&'a NodeFrame; 2],
     /// Holonomy between them.
@@ -42,9 +42,9 @@ pub struct RelativeShape<'a> {
     slope_local: Vec3,
 }
 
-/// A small change of a relative shape.
+/// A small change of a corotated shape.
 #[derive(Clone, Copy, Debug)]
-pub struct RelativeChange {
+pub struct CorotatedChange {
     /// Of chord and second slope in the first node's frame, m and 1.
     chord: Vec3,
     slope: Vec3,
@@ -56,8 +56,8 @@ pub struct RelativeChange {
     pub angle: f64,
 }
 
-impl RelativeChange {
-    /// As [`RelativeShape::interpolate`].
+impl CorotatedChange {
+    /// As [`CorotatedShape::interpolate`].
     #[inline]
     pub fn interpolate(&self, weights: &[f64; 4]) -> Vec3 {
         let mut sum = self.chord * weights[2] + self.slope * weights[3];
@@ -66,7 +66,7 @@ impl RelativeChange {
     }
 }
 
-impl<'a> RelativeShape<'a> {
+impl<'a> CorotatedShape<'a> {
     /// At the element's coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last accepted
     /// state, rad.
     #[inline]
@@ -92,7 +92,7 @@ impl<'a> RelativeShape<'a> {
 
     /// What it changes by with small changes `change` (14) of the coordinates.
     #[inline]
-    pub fn along(&self, change: &[f64]) -> RelativeChange {
+    pub fn along(&self, change: &[f64]) -> CorotatedChange {
         let [first, second] = self.frames;
         let (p0, p1) = (vec3(change, P), vec3(change, NODE + P));
         let moved = first.components(&p0);
@@ -100,7 +100,7 @@ impl<'a> RelativeShape<'a> {
         let turn = Vec3::new(-k_u * moved[1] - k_v * moved[2], -moved[2], moved[1]) / first.stretch;
         let chord = first.components(&(vec3(change, NODE + R) - vec3(change, R)));
         let (twist_p0, twist_p1) = self.holonomy.gradient(first, second);
-        RelativeChange {
+        CorotatedChange {
             chord: chord + self.chord_local.cross(&turn),
             slope: first.components(&p1) + self.slope_local.cross(&turn),
             stretch: moved[0],
@@ -109,8 +109,8 @@ impl<'a> RelativeShape<'a> {
         }
     }
 
-    /// `∂F/∂q`, 14×1, of what has the derivatives `by` by the relative shape.
-    pub fn gradient(&self, by: &RelativeVector) -> ElementVector {
+    /// `∂F/∂q`, 14×1, of what has the derivatives `by` by the corotated shape.
+    pub fn gradient(&self, by: &CorotatedVector) -> ElementVector {
         let [first, second] = self.frames;
         let (by_chord, by_slope) = (block(by, CHORD), block(by, SLOPE));
         let (twist_p0, twist_p1) = self.holonomy.gradient(first, second);
@@ -131,10 +131,16 @@ impl<'a> RelativeShape<'a> {
     }
 
     /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`crate::mechanics::beam::ancf14::coordinates::complete`]), of what has the
-    /// derivatives `by` and the second derivatives `second` by the relative shape; fills in the upper triangle of `second`.
+    /// derivatives `by` and the second derivatives `second` by the corotated shape; fills in the upper triangle of `second`.
     ///
     /// All of it is done in the axes `[t u v]` of the first frame, in which `∂φ/∂p_0` and all that has to do with `t` are mostly zeros.
-    pub fn set_hessian(&self, by: &RelativeVector, second: &mut RelativeMatrix, scale: f64, sum: &mut ElementColumns) {
+    pub fn set_hessian(
+        &self,
+        by: &CorotatedVector,
+        second: &mut CorotatedMatrix,
+        scale: f64,
+        sum: &mut ElementColumns,
+    ) {
         mirror(second);
         let [start, end] = self.frames;
         let (by_chord, by_slope, by_twist) = (block(by, CHORD), block(by, SLOPE), by[TWIST]);
@@ -149,7 +155,7 @@ impl<'a> RelativeShape<'a> {
         let along = &second[STRETCH];
         let (shape_u, u) = self.by_turn(&turns[0], b0[1], second, [&by_chord, &by_slope]);
         let (shape_v, v) = self.by_turn(&turns[1], b0[2], second, [&by_chord, &by_slope]);
-        let dot = |a: &RelativeVector, b: &RelativeVector| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let dot = |a: &CorotatedVector, b: &CorotatedVector| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let moment = self.moment(&by_chord, &by_slope);
         let force_u = (moment[2] - k_u * moment[0]) * per_stretch;
         let force_v = (-moment[1] - k_v * moment[0]) * per_stretch;
@@ -217,23 +223,23 @@ impl<'a> RelativeShape<'a> {
         sum[NODE + THETA][NODE + THETA] = stiffness * scale;
     }
 
-    /// What the relative shape changes by with a first slope that makes the frame turn by `turn` and the holonomy change by `twist`; and
+    /// What the corotated shape changes by with a first slope that makes the frame turn by `turn` and the holonomy change by `twist`; and
     /// what the derivatives `by`, in the axes of the frame, change by with it.
     #[inline]
     fn by_turn(
         &self,
         turn: &Vec3,
         twist: f64,
-        second: &RelativeMatrix,
+        second: &CorotatedMatrix,
         [by_chord, by_slope]: [&Vec3; 2],
-    ) -> (RelativeVector, RelativeVector) {
+    ) -> (CorotatedVector, CorotatedVector) {
         let (chord, slope) = (self.chord_local.cross(turn), self.slope_local.cross(turn));
         let shape = [chord[0], chord[1], chord[2], slope[0], slope[1], slope[2], 0.0, twist, 0.0, 0.0];
         let (of_chord, of_slope) = (turn.cross(by_chord), turn.cross(by_slope));
         let mut change =
             [of_chord[0], of_chord[1], of_chord[2], of_slope[0], of_slope[1], of_slope[2], 0.0, 0.0, 0.0, 0.0];
         for (column, moved) in [0, 1, 2, 3, 4, 5, TWIST].map(|place| (&second[place], shape[place])) {
-            for row in 0..RELATIVE {
+            for row in 0..COROTATED {
                 change[row] += column[row] * moved;
             }
         }
@@ -248,9 +254,9 @@ impl<'a> RelativeShape<'a> {
 }
 
 /// By chord, second slope and first stretch, of what has the derivatives `by_p` and `by_w` by `r'` and `r''`, components in the first
-/// node's frame; the weights are those of [`RelativeShape::interpolate`].
+/// node's frame; the weights are those of [`CorotatedShape::interpolate`].
 #[inline]
-pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3) -> RelativeVector {
+pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3) -> CorotatedVector {
     let of = |i: usize, a: usize| by_p[i] * shape_x[a] + by_w[i] * shape_xx[a];
     [of(0, 2), of(1, 2), of(2, 2), of(0, 3), of(1, 3), of(2, 3), of(0, 1), 0.0, 0.0, 0.0]
 }
@@ -258,7 +264,7 @@ pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3)
 /// Adds to the lower triangle of `sum` what has the second derivatives `pp` by `r'`, of which the lower triangle counts, and `pw` by `r'`
 /// and `r''`, none by `r''` twice.
 #[inline]
-pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3, sum: &mut RelativeMatrix) {
+pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3, sum: &mut CorotatedMatrix) {
     let (square, both) = (|a: usize| shape_x[a] * shape_x[a], |a: usize| shape_x[a] * shape_xx[a]);
     for j in 0..3 {
         for i in j..3 {
@@ -286,13 +292,13 @@ pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3,
 }
 
 /// The three numbers of `vector` from `place` on.
-fn block(vector: &RelativeVector, place: usize) -> Vec3 {
+fn block(vector: &CorotatedVector, place: usize) -> Vec3 {
     Vec3::new(vector[place], vector[place + 1], vector[place + 2])
 }
 
 /// Fills in the upper triangle of a symmetric matrix; a column at a time, whose places the compiler knows.
 #[inline]
-fn mirror(matrix: &mut RelativeMatrix) {
+fn mirror(matrix: &mut CorotatedMatrix) {
     mirror_column::<0>(matrix);
     mirror_column::<1>(matrix);
     mirror_column::<2>(matrix);
@@ -305,7 +311,7 @@ fn mirror(matrix: &mut RelativeMatrix) {
 
 #[inline]
 #[expect(clippy::needless_range_loop, reason = "of iterators over columns the compiler does not know the places")]
-fn mirror_column<const COLUMN: usize>(matrix: &mut RelativeMatrix) {
+fn mirror_column<const COLUMN: usize>(matrix: &mut CorotatedMatrix) {
     for row in COLUMN + 1..=ANGLE {
         matrix[row][COLUMN] = matrix[COLUMN][row];
     }

@@ -1,10 +1,10 @@
-//! The way back from the strains of the bending points to the element's relative shape (MECHANICS 8). Strains are functions of `κ1`, `κ2`,
+//! The way back from the strains of the bending points to the element's corotated shape (MECHANICS 8). Strains are functions of `κ1`, `κ2`,
 //! `α` of each bending point and of `T`: their derivatives by these ([`Forces`], [`Couplings`]) and those of these by the shape
 //! ([`Gradients`]) are all there is. Elastic and viscous resultants go the same way.
 
 use super::Kinematics;
+use super::corotated::{self, ANGLE, COROTATED, CorotatedMatrix, CorotatedVector, TWIST};
 use super::curve_point::CurveGradients;
-use super::relative::{self, ANGLE, RELATIVE, RelativeMatrix, RelativeVector, TWIST};
 use crate::mechanics::beam::ancf14::element::{Element, Evaluation};
 use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities};
 
@@ -13,11 +13,11 @@ const PARTS: usize = 10;
 /// Place of `T` among them.
 const TOTAL: usize = 9;
 
-/// First derivatives, by the relative shape, of what strains are made of.
+/// First derivatives, by the corotated shape, of what strains are made of.
 #[derive(Clone, Debug)]
 pub struct Gradients<'a> {
     curves: [CurveGradients<'a>; 3],
-    parts: [RelativeVector; PARTS],
+    parts: [CorotatedVector; PARTS],
 }
 
 impl<'a> Gradients<'a> {
@@ -27,17 +27,17 @@ impl<'a> Gradients<'a> {
         let [first, middle, last] = &kinematics.points;
         let curves = [first.gradients(), middle.gradients(), last.gradients()];
         let rules = &element.bending;
-        let spread = |g: usize, (by_p, by_w)| relative::spread(&rules[g].shape_x, &rules[g].shape_xx, &by_p, &by_w);
+        let spread = |g: usize, (by_p, by_w)| corotated::spread(&rules[g].shape_x, &rules[g].shape_xx, &by_p, &by_w);
         let kappa = |g: usize, q: usize| spread(g, curves[g].curvature(q));
         let rate = |g: usize| spread(g, curves[g].twist_rate());
         let rates = [rate(0), rate(1), rate(2)];
-        let with_rates = |mut sum: RelativeVector, weights: &[f64; 3], sign: f64| {
+        let with_rates = |mut sum: CorotatedVector, weights: &[f64; 3], sign: f64| {
             for (rate, weight) in rates.iter().zip(weights) {
                 add_times(&mut sum, sign * weight, rate);
             }
             sum
         };
-        let mut between = [0.0; RELATIVE];
+        let mut between = [0.0; COROTATED];
         between[TWIST] = 1.0;
         let twist = with_rates(between, &element.rate_weights, 1.0);
         let alpha = |g: usize| {
@@ -62,13 +62,13 @@ impl<'a> Gradients<'a> {
 
     /// Gradient of the weighted sum `factors`: the same to the last bit as [`Factors::gradient`].
     #[inline]
-    pub fn weighted(&self, factors: &Factors, element: &Element) -> RelativeVector {
+    pub fn weighted(&self, factors: &Factors, element: &Element) -> CorotatedVector {
         factors.gradient_on(element, &self.curves)
     }
 
     /// Gradient of what has the derivatives `forces`.
     #[inline]
-    pub fn sum(&self, forces: &Forces) -> RelativeVector {
+    pub fn sum(&self, forces: &Forces) -> CorotatedVector {
         let mut sum = times(forces.twist, &self.parts[TOTAL]);
         for g in 0..3 {
             let ([by_1, by_2], by_alpha) = (forces.curvatures[g], forces.alpha[g]);
@@ -80,7 +80,7 @@ impl<'a> Gradients<'a> {
     }
 
     /// Of `g1`, `g2`, `tau` of bending point `g`.
-    pub fn strains(&self, evaluation: &Evaluation, g: usize) -> [RelativeVector; 3] {
+    pub fn strains(&self, evaluation: &Evaluation, g: usize) -> [CorotatedVector; 3] {
         let ([cos, sin], [gamma1, gamma2]) = (evaluation.turn[g], evaluation.gammahat[g]);
         let strain = |[by_1, by_2]: [f64; 2], by_alpha: f64, by_twist: f64| {
             let mut forces = Forces { twist: by_twist, ..Forces::default() };
@@ -93,16 +93,16 @@ impl<'a> Gradients<'a> {
 
     /// Adds to the lower triangle of `sum` the Hessian of the weighted sum `factors`, at frozen factors; with [`Self::add_couplings`] it is all of it.
     #[inline]
-    pub fn add_frozen(&self, factors: &Factors, element: &Element, sum: &mut RelativeMatrix) {
+    pub fn add_frozen(&self, factors: &Factors, element: &Element, sum: &mut CorotatedMatrix) {
         for (g, rule) in element.bending.iter().enumerate() {
             let (pp, pw) = self.curves[g].hessian(&factors.points[g]);
-            relative::add_spread(&rule.shape_x, &rule.shape_xx, &pp, &pw, sum);
+            corotated::add_spread(&rule.shape_x, &rule.shape_xx, &pp, &pw, sum);
         }
     }
 
     /// Adds to the lower triangle of `sum` the part of the Hessian in which the factors change, by `couplings`.
     #[inline]
-    pub fn add_couplings(&self, couplings: &Couplings, sum: &mut RelativeMatrix) {
+    pub fn add_couplings(&self, couplings: &Couplings, sum: &mut CorotatedMatrix) {
         let parts = &self.parts;
         // How the derivative by each of what strains are made of changes with the shape.
         let change = |g: usize, i: usize| {
@@ -137,18 +137,18 @@ impl<'a> Gradients<'a> {
 /// processor keeps them at hand.
 #[inline]
 fn add_products<const FIRST: usize>(
-    parts: &[RelativeVector; PARTS],
-    changes: &[RelativeVector; PARTS],
-    sum: &mut RelativeMatrix,
+    parts: &[CorotatedVector; PARTS],
+    changes: &[CorotatedVector; PARTS],
+    sum: &mut CorotatedMatrix,
 ) {
-    let mut gathered = [[0.0; RELATIVE]; 2];
+    let mut gathered = [[0.0; COROTATED]; 2];
     for (part, change) in parts.iter().zip(changes) {
-        for row in FIRST..RELATIVE {
+        for row in FIRST..COROTATED {
             gathered[0][row] += part[row] * change[FIRST];
             gathered[1][row] += part[row] * change[FIRST + 1];
         }
     }
-    for row in FIRST..RELATIVE {
+    for row in FIRST..COROTATED {
         sum[FIRST][row] += gathered[0][row];
         sum[FIRST + 1][row] += gathered[1][row];
     }
@@ -222,17 +222,17 @@ pub struct Factors {
 impl Factors {
     /// Gradient of the sum; it takes less than [`Gradients::new`].
     #[inline]
-    pub fn gradient(&self, element: &Element, kinematics: &Kinematics) -> RelativeVector {
+    pub fn gradient(&self, element: &Element, kinematics: &Kinematics) -> CorotatedVector {
         let [first, middle, last] = &kinematics.points;
         self.gradient_on(element, &[first.gradients(), middle.gradients(), last.gradients()])
     }
 
     #[inline]
-    fn gradient_on(&self, element: &Element, curves: &[CurveGradients; 3]) -> RelativeVector {
-        let mut sum = [0.0; RELATIVE];
+    fn gradient_on(&self, element: &Element, curves: &[CurveGradients; 3]) -> CorotatedVector {
+        let mut sum = [0.0; COROTATED];
         for (g, rule) in element.bending.iter().enumerate() {
             let (by_p, by_w) = curves[g].gradient(&self.points[g]);
-            add_times(&mut sum, 1.0, &relative::spread(&rule.shape_x, &rule.shape_xx, &by_p, &by_w));
+            add_times(&mut sum, 1.0, &corotated::spread(&rule.shape_x, &rule.shape_xx, &by_p, &by_w));
         }
         sum[TWIST] = self.twist;
         sum[ANGLE] = self.alpha;
@@ -315,7 +315,7 @@ impl PointCouplings {
 
 /// `factor values`.
 #[inline]
-fn times(factor: f64, values: &RelativeVector) -> RelativeVector {
+fn times(factor: f64, values: &CorotatedVector) -> CorotatedVector {
     let mut product = *values;
     product.iter_mut().for_each(|value| *value *= factor);
     product
@@ -323,7 +323,7 @@ fn times(factor: f64, values: &RelativeVector) -> RelativeVector {
 
 /// `sum += factor values`.
 #[inline]
-fn add_times(sum: &mut RelativeVector, factor: f64, values: &RelativeVector) {
+fn add_times(sum: &mut CorotatedVector, factor: f64, values: &CorotatedVector) {
     for (sum, value) in sum.iter_mut().zip(values) {
         *sum += factor * value;
     }
