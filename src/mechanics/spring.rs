@@ -49,7 +49,8 @@ impl Spring {
             Passage::Step(step) => {
                 let [start, end] = [step.start, step.end].map(|end| self.reading(gauge, end));
                 let rate = (end - start) / step.duration;
-                0.5 * (start + end) - self.rest + step.duration * step.unpredicted(rate, c.mesh.gauge_rate(self.gauge))
+                let unpredicted = step.unpredicted(step.dissipation, rate, c.mesh.gauge_rate(self.gauge));
+                0.5 * (start + end) - self.rest + step.duration * unpredicted
             }
         };
         self.stiffness * elastic + self.damping * self.rate(gauge, c, passage)
