@@ -116,5 +116,20 @@ def test_commands_of_the_table_run(home, tmp_path):
         assert ran.returncode == 0, f"{command}: {ran.stdout}"
 
 
+def test_key_numbers_are_those_of_the_tables():
+    readme = (ROOT / "README.md").read_text()
+    chapter = readme.split("## How accurate, how fast")[1].split("\n## ")[0].replace("\n", " ")
+    table, text = chapter.split("On one thread")
+    summary = (ROOT / "docs/validation.md").read_text().split("## Summary")[1].split("\n## ")[0]
+    errors = re.findall(r"\d\.\d+(?: %|e-\d+)|\de-\d+", table)
+    assert len(errors) == 6
+    for error in errors:
+        assert error.removesuffix(" %") in summary, f"{error} is not in docs/validation.md"
+    rows = [line.split(" | ") for line in (ROOT / "docs/performance.md").read_text().splitlines() if line.startswith("| ")]
+    for case, words in [("rotating shaft, 2.5 s", "rotating shaft"), ("lateral buckling", "lateral buckling"), ("Princeton beam", "Princeton beam")]:
+        ratios = [float(row[3]) for row in rows if row[0].startswith(f"| {case}")]
+        assert f"{min(ratios):.0f} to {max(ratios):.0f} times less " in text.split(words)[0][-40:], f"{case}: {ratios}"
+
+
 def test_sections_are_replaced():
     assert replaced("a = 1\n\n[b]\nc = 2\n\n[d]\ne = 3\n", "[b]\nc = 4\n") == "a = 1\n\n[b]\nc = 4\n\n[d]\ne = 3\n"
