@@ -131,5 +131,17 @@ def test_key_numbers_are_those_of_the_tables():
         assert f"{min(ratios):.0f} to {max(ratios):.0f} times less " in text.split(words)[0][-40:], f"{case}: {ratios}"
 
 
+@pytest.mark.parametrize("page", sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]), ids=lambda page: page.name)
+def test_links_lead_somewhere(page):
+    text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    for link in re.findall(r"\]\(([^)\s]+)\)", text):
+        path, _, anchor = link.partition("#")
+        target = page.parent / path if path else page
+        assert link.startswith("https://") or target.exists(), f"{page.name} links to {link}, which is not there"
+        if anchor and not link.startswith("https://"):
+            titles = re.findall(r"^#+ (.*)$", target.read_text(), re.MULTILINE)
+            assert anchor in [re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles], link
+
+
 def test_sections_are_replaced():
     assert replaced("a = 1\n\n[b]\nc = 2\n\n[d]\ne = 3\n", "[b]\nc = 4\n") == "a = 1\n\n[b]\nc = 4\n\n[d]\ne = 3\n"
