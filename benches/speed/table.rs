@@ -1,4 +1,4 @@
-//! The table that is printed, in Markdown: as README would hold it.
+//! The table that is printed, in Markdown: docs/performance.md holds it.
 
 /// A row.
 #[derive(Default)]

@@ -44,19 +44,19 @@ struct Arguments {
 enum Command {
     /// Simulate a model: results.csv and one plot per quantity
     ///
-    /// While the run goes on, its rows are in results.part.csv, which becomes results.csv at the end. A run that fails or is
-    /// interrupted leaves its rows there. Files of the last run in the same folder are replaced.
+    /// During the run its rows are in results.part.csv, which becomes results.csv at the end. A run that fails or is
+    /// interrupted leaves its rows there. Files of the previous run in the same folder are replaced.
     Run {
         #[command(flatten)]
         model: ModelArguments,
-        /// Estimate the error of every column by more runs with other steps and meshes: errors.csv and errors.svg. ACCURACY is the error
-        /// to be reached, of each column's range [default: 0.001]
+        /// Estimate the error of every column from further runs with other steps and meshes: errors.csv and errors.svg. ACCURACY is the
+        /// wanted error as a share of each column's range [default: 0.001]
         #[arg(long, value_name = "ACCURACY", num_args = 0..=1, require_equals = true, value_parser = verify::accuracy)]
         verify: Option<Option<f64>>,
-        /// Write a page that shows the mechanism move too: view.html
+        /// Also write view.html, a page that shows the moving mechanism
         #[arg(long)]
         view: bool,
-        /// Folder of the results, relative to the current one [default: <file stem>-results, in the current folder]
+        /// Folder for the results [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
@@ -64,7 +64,7 @@ enum Command {
     Check {
         #[command(flatten)]
         model: ModelArguments,
-        /// Draw the mechanism: an SVG picture, or a PNG picture without names
+        /// Draw the mechanism: an SVG picture with names, or a PNG picture without
         #[arg(long, value_name = "FILE.svg")]
         draw: Option<PathBuf>,
     },
@@ -74,20 +74,20 @@ enum Command {
         model: ModelArguments,
         #[command(flatten)]
         wishes: modes::Wishes,
-        /// Folder of the results, relative to the current one [default: <file stem>-results, in the current folder]
+        /// Folder for the results [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
-    /// Simulate a model and write a page that shows it move: one HTML file, in three dimensions, with charts
+    /// Simulate a model and write a page that shows it in motion: one HTML file, in three dimensions, with charts
     ///
-    /// The page opens from the disk in any browser and loads nothing: it can be mailed. A run that fails is shown as far as it came.
+    /// The page opens in any browser, from the disk, without loading anything else. If the run fails, the page shows it up to the failure.
     View {
         #[command(flatten)]
         model: ModelArguments,
-        /// Page to write [default: <file stem>.html, in the current folder]
+        /// The page [default: <file stem>.html, in the current folder]
         #[arg(short, long, value_name = "PAGE.html")]
         output: Option<PathBuf>,
-        /// Show the N lowest natural modes about the initial state too [default of N: 10]
+        /// Also show the N lowest natural modes about the initial state [default of N: 10]
         #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = modes::count)]
         modes: Option<Option<u16>>,
     },
@@ -96,13 +96,13 @@ enum Command {
         /// Model file
         #[arg(value_name = "MODEL.toml")]
         file: PathBuf,
-        /// FMU to write
+        /// The FMU
         #[arg(short, long, value_name = "MODEL.fmu")]
         output: PathBuf,
-        /// Shared library to pack [default: beside this program, or in ../lib]
+        /// Shared library to pack [default: next to this program, or in ../lib]
         #[arg(long, value_name = "PATH")]
         library: Option<PathBuf>,
-        /// Library of another platform to pack too: --binary win64=ancf14.dll
+        /// Also pack a library for another platform: --binary win64=ancf14.dll
         #[arg(long = "binary", value_name = "PLATFORM=PATH", value_parser = export::platform_and_path)]
         binaries: Vec<(Platform, PathBuf)>,
     },
@@ -111,14 +111,14 @@ enum Command {
         /// Model file
         #[arg(value_name = "MODEL.toml")]
         file: PathBuf,
-        /// Header to write
+        /// The header
         #[arg(short, long, value_name = "MODEL.h")]
         output: PathBuf,
-        /// What its names begin with [default: the model's identifier]
+        /// Prefix of its names [default: the model's identifier]
         #[arg(long, value_name = "NAME")]
         prefix: Option<String>,
     },
-    /// Simulate a flexible double pendulum, results in ./ancf14-demo-results
+    /// Simulate a flexible double pendulum into ./ancf14-demo-results
     Demo,
 }
 
@@ -127,7 +127,7 @@ struct ModelArguments {
     /// Model file
     #[arg(value_name = "MODEL.toml")]
     file: PathBuf,
-    /// Change a number or word of the model: --set steel.young=2.1e11 --set arm.strain=small
+    /// Change a number or a word of the model: --set steel.young=2.1e11 --set arm.strain=small
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = key_and_value)]
     overrides: Vec<(String, String)>,
 }

@@ -14,13 +14,13 @@ use std::path::Path;
 /// What is asked for.
 #[derive(clap::Args, Clone, Copy, Debug)]
 pub struct Wishes {
-    /// Number of modes, from the lowest [default: 10]
+    /// Number of lowest modes [default: 10]
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     count: Option<u16>,
-    /// Of a static analysis: the time whose equilibrium is meant, s [default: the start]
+    /// Time of the equilibrium, s; only for a static analysis [default: the start]
     #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     time: Option<f64>,
-    /// Write a page in which the shapes swing too: modes.html
+    /// Also write modes.html, a page with the vibrating shapes
     #[arg(long)]
     view: bool,
 }

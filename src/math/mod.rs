@@ -6,6 +6,7 @@ pub mod blocks;
 pub mod curve;
 pub mod flaw;
 pub mod hermite;
+pub mod histogram;
 pub mod integral;
 pub mod jet;
 pub mod quadrature;

@@ -1,16 +1,17 @@
 //! How far the results are off because of the lengths of the steps: the error that the state carries along, as each result shows it.
-//!
-//! Results of positions and velocities only: accelerations and reactions are not followed.
 
+use super::quantity::Quantity;
 use super::schema::FINEST_ACCURACY;
 use super::variables::{Moment, Source, Table};
 use super::verification::scale::{self, Measures, Span};
+use crate::math::histogram::Histogram;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::state::State;
 use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::variation::Variation;
+use crate::solve::step::response::{Responder, Response};
 use serde::{Deserialize, Serialize};
 
 /// Results are looked at again after this many steps: what a look costs is little beside them.
@@ -23,6 +24,10 @@ const REACH: f64 = 1e-6;
 const LARGEST_MULTIPLE: f64 = 1e3;
 /// Share of its range that a reader expects a result to be right to.
 const EXPECTED: f64 = 0.005;
+/// Share of the looks in which a force, a strain or an acceleration may be off by more: it jumps where the motion only bends.
+const ROUGH_SHARE: f64 = 0.05;
+/// A force or moment is compared with this share of the largest one of the machine at least.
+const SMALL_FORCE: f64 = 0.1;
 /// The share that a proposed step is chosen for.
 const PROPOSED: f64 = 0.002;
 
@@ -49,13 +54,17 @@ struct Column {
 struct Family {
     name: String,
     unit: String,
+    /// It may be off by more in some looks: [`Quantity::is_rough`].
+    is_rough: bool,
 }
 
 /// What has been seen of the results so far.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
-    /// Lowest and highest value of each column, and its largest error.
-    seen: Vec<[f64; 3]>,
+    /// Lowest and highest value of each column.
+    ranges: Vec<[f64; 2]>,
+    /// The errors of each family, of each look the largest one among its columns.
+    errors: Vec<Histogram>,
     /// Steps at the last look.
     looked: u64,
 }
@@ -66,8 +75,10 @@ pub struct Looker {
     moved: Option<State>,
     variation: Variation,
     frames: Vec<NodeFrame>,
+    response: Response,
     snapshot: FrameCache,
     values: Vec<f64>,
+    largest: Vec<f64>,
 }
 
 /// A family of results and its estimated error.
@@ -85,12 +96,14 @@ impl Columns {
         let (mut columns, mut families) = (Vec::new(), Vec::<Family>::new());
         for (variable, source) in table.variables.iter().zip(&table.sources) {
             let Source::Result(result) = *source else { continue };
-            if !table.follows_from_motion(result) {
+            let quantity = table.quantity_of(result);
+            let name = scale::family(&variable.name);
+            if quantity.is_none() && name != scale::ENERGY {
                 continue;
             }
-            let name = scale::family(&variable.name);
             let family = families.iter().position(|own| own.name == name).unwrap_or_else(|| {
-                families.push(Family { name: name.to_owned(), unit: variable.quantity.unit.clone() });
+                let is_rough = quantity.is_some_and(Quantity::is_rough);
+                families.push(Family { name: name.to_owned(), unit: variable.quantity.unit.clone(), is_rough });
                 families.len() - 1
             });
             columns.push(Column { result, family, from_zero: scale::counts_from_zero(&variable.name) });
@@ -102,8 +115,8 @@ impl Columns {
 impl Accuracy {
     /// Includes `results` in the ranges.
     pub fn include(&mut self, columns: &Columns, results: &[f64]) {
-        self.seen.resize(columns.columns.len(), [f64::INFINITY, f64::NEG_INFINITY, 0.0]);
-        for (column, [low, high, _]) in columns.columns.iter().zip(&mut self.seen) {
+        self.ranges.resize(columns.columns.len(), [f64::INFINITY, f64::NEG_INFINITY]);
+        for (column, [low, high]) in columns.columns.iter().zip(&mut self.ranges) {
             (*low, *high) = (low.min(results[column.result]), high.max(results[column.result]));
         }
     }
@@ -113,11 +126,12 @@ impl Accuracy {
         steps <= FIRST_STEPS || steps >= self.looked + STEPS
     }
 
-    /// Looks at the errors of the `results` of a moment, which have been included.
+    /// Looks at the errors of the `results` of `state`, which have been included; `responder` is there if results ask for a response.
     pub fn look(
         &mut self,
         (columns, table): (&Columns, &Table),
-        Moment { system, state, response, .. }: Moment<'_>,
+        (system, state): (&System, &State),
+        responder: Option<&mut Responder>,
         results: &[f64],
         looker: &mut Looker,
     ) {
@@ -126,30 +140,44 @@ impl Accuracy {
         }
         self.looked = state.statistics.steps;
         let Some(multiple) = looker.move_along(system, state) else { return };
-        let Looker { moved: Some(moved), snapshot, values, .. } = looker else { return };
-        table.measure(&Moment { system, state: moved, response, fibres: &[] }, snapshot, values);
-        for (column, [_, _, error]) in columns.columns.iter().zip(&mut self.seen) {
-            *error = error.max((values[column.result] - results[column.result]).abs() / multiple);
+        let Looker { moved: Some(moved), response, snapshot, values, largest, .. } = looker else { return };
+        if responder.is_some_and(|responder| responder.respond(system, moved, response).is_err()) {
+            return;
         }
+        table.measure(&Moment { system, state: moved, response, fibres: &[] }, snapshot, values);
+        largest.clear();
+        largest.resize(columns.families.len(), 0.0);
+        for column in &columns.columns {
+            let error = (values[column.result] - results[column.result]).abs() / multiple;
+            largest[column.family] = error.max(largest[column.family]);
+        }
+        self.errors.resize(columns.families.len(), Histogram::default());
+        self.errors.iter_mut().zip(largest).for_each(|(errors, largest)| errors.add(*largest));
     }
 
     /// All families of results with their errors, after `duration` s; none of quantities that are zero.
     pub fn errors(&self, columns: &Columns, system: &System, duration: f64) -> Vec<Inexact> {
-        let mut spans = vec![<(Span, f64)>::default(); columns.families.len()];
+        let mut spans = vec![Span::default(); columns.families.len()];
         let mut energy = 0.0_f64;
-        for (column, [low, high, error]) in columns.columns.iter().zip(&self.seen) {
-            let (span, largest) = &mut spans[column.family];
+        for (column, [low, high]) in columns.columns.iter().zip(&self.ranges) {
+            let span = &mut spans[column.family];
             let size = low.abs().max(high.abs());
             span.include(if column.from_zero { size } else { high - low }, size);
-            *largest = largest.max(*error);
             if columns.families[column.family].name == scale::ENERGY {
                 energy = energy.max(span.range);
             }
         }
         let measures = Measures { size: system.size, duration, energy, gravity: system.gravity.norm() };
-        let found = columns.families.iter().zip(spans).filter_map(|(Family { name, unit }, (span, error))| {
+        let families = || columns.families.iter().zip(&spans);
+        let largest_force = |unit: &str| {
+            let alike = families().filter(|(family, _)| family.unit == unit && matches!(unit, "N" | "N.m"));
+            alike.map(|(_, span)| span.size).fold(0.0, f64::max)
+        };
+        let found = families().zip(&self.errors).filter_map(|((Family { name, unit, is_rough }, span), errors)| {
             let scale = span.scale(measures.natural(unit));
-            (scale > 0.0).then(|| Inexact { name: name.clone(), error: error / scale })
+            let error = errors.exceeded_by(if *is_rough { ROUGH_SHARE } else { 0.0 });
+            let error = error / scale.max(SMALL_FORCE * largest_force(unit));
+            (scale > 0.0).then(|| Inexact { name: name.clone(), error })
         });
         found.collect()
     }

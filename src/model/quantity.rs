@@ -199,6 +199,14 @@ impl Quantity {
         matches!(self, ReactionForce | ReactionMoment | AppliedForce | AppliedMoment)
     }
 
+    /// Whether it holds the fast oscillations that a step does not resolve, and jumps where the motion only bends: strains, forces, accelerations.
+    pub fn is_rough(self) -> bool {
+        use Quantity::*;
+        let is_strain = matches!(self, AxialStrain | Curvature | Torsion | Stress);
+        let is_force = matches!(self, SectionForce | SectionMoment | Effort) || self.is_transmitted();
+        is_strain || is_force || self == Acceleration
+    }
+
     /// Its row of the table.
     pub fn row(self) -> &'static Row {
         QUANTITIES.iter().find(|row| row.quantity == self).expect("every quantity has a row")

@@ -206,9 +206,9 @@ impl Simulation {
 
     /// Looks how far the results of the state that is reached are off.
     fn look(&mut self) {
-        let Machine { system, state, response, .. } = &self.machine;
-        let moment = Moment { system, state, response, fibres: &[] };
-        self.accuracy.look((&self.columns, &self.table), moment, &self.results, &mut self.looker);
+        let Machine { system, state, responder, .. } = &mut self.machine;
+        let responder = responder.as_deref_mut();
+        self.accuracy.look((&self.columns, &self.table), (system, state), responder, &self.results, &mut self.looker);
     }
 
     /// What is wrong with result `number`.

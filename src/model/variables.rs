@@ -213,6 +213,17 @@ impl Table {
         })
     }
 
+    /// The quantity that a result belongs to; none: an energy, a momentum, a count.
+    pub fn quantity_of(&self, result: usize) -> Option<Quantity> {
+        match self.measure_of(result)? {
+            Measure::Sensors(_, quantity)
+            | Measure::Joint(_, quantity)
+            | Measure::Drive(_, quantity)
+            | Measure::Frame(_, quantity) => Some(*quantity),
+            Measure::Energy | Measure::Momentum | Measure::Statistics => None,
+        }
+    }
+
     /// The fibres of all sensors that bear most at a moment, for [`Moment::fibres`]; none where no stress is told.
     pub fn fibres(&self, moment: &Moment, snapshot: &mut FrameCache) -> Vec<Fibre> {
         let tells_stress = |measure: &Measure| matches!(measure, Measure::Sensors(_, Quantity::Stress));

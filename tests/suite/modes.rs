@@ -155,7 +155,7 @@ fn shaft(overrides: &[(&str, &str)], count: usize) -> Vec<f64> {
     simulation.modes(count).unwrap().modes.iter().map(|mode| mode.angular_frequency()).collect()
 }
 
-/// The paper's shaft at rest: MECHANICS 9, to its last printed digit; about the equilibrium under gravity with 6 elements the README's.
+/// The paper's shaft at rest: MECHANICS 9, to its last printed digit; and about the equilibrium under gravity, with 6 elements.
 #[test]
 fn the_shaft_has_the_frequencies_of_its_table() {
     let straight = shaft(&[("gravity[3]", "0"), ("shaft.elements", "24")], 6);

@@ -72,6 +72,42 @@ fn the_error_of_a_whirling_shaft_is_known() {
     assert!((64.0 * fine / truth - 1.0).abs() < 0.2, "64 times {fine} instead of {truth}");
 }
 
+/// A rigid bar of 1 m on a hinge, let go as it lies.
+fn pendulum(step: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Pendulum\"\ngravity = [0, 0, -9.81]\n[body.bar]\nmass = 2\nposition = [0.5, 0, 0]\n\
+         inertia = [0.001, 0.17, 0.17]\n[joint.hinge]\ntype = \"revolute\"\na = \"ground\"\nb = \"bar\"\nat = [0, 0, 0]\n\
+         axis = [0, 1, 0]\n[output.hinge_load]\nat = \"hinge\"\nquantities = [\"reaction_force\"]\n[output.motion]\n\
+         at = \"bar\"\nquantities = [\"acceleration\"]\n[simulation]\nstop = 4\nstep = {step}\noutput_step = 0.04\n"
+    )
+}
+
+/// Forces and accelerations at an instant are those of a motion that is off. What is told is the error that 5 % of the looks exceed; a sixteenth of it is the width of a bin.
+#[test]
+fn the_errors_of_reactions_and_accelerations_are_known() {
+    for name in ["hinge_load.reaction_force", "motion.acceleration"] {
+        let row = |step: &str| {
+            let (columns, mut runs): (Vec<_>, Vec<_>) =
+                (1..=3).map(|component| rows(&pendulum(step), &format!("{name}[{component}]"), 0.04, 4.0)).unzip();
+            (columns, runs.pop().expect("three runs"))
+        };
+        let ((found, simulation), (exact, _)) = (row("5e-3"), row("6.25e-4"));
+        let range = |column: &Vec<f64>| {
+            let (low, high) = column.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+            high - low
+        };
+        let range = exact.iter().map(range).fold(0.0, f64::max);
+        let mut errors: Vec<f64> = (0..found[0].len())
+            .map(|row| found.iter().zip(&exact).map(|(own, other)| (own[row] - other[row]).abs()).fold(0.0, f64::max))
+            .collect();
+        errors.sort_by(f64::total_cmp);
+        let truth = errors[errors.len() - 1 - errors.len() / 20] / range;
+        let told = estimate(&simulation, name);
+        println!("{name}: {told} instead of {truth}");
+        assert!((told / truth - 1.0).abs() < 0.15, "{name}: {told} instead of {truth}");
+    }
+}
+
 /// A run tells when its results are off by more than 0.5 %, and which step would do; with that step it is silent.
 #[test]
 fn inexact_results_are_told() {

@@ -51,8 +51,9 @@ impl Spring {
             Passage::Step(step) => {
                 let [start, end] = [step.start, step.end].map(|end| self.value(coordinate, end));
                 let rate = (end - start) / step.duration;
-                0.5 * (start + end) - self.rest
-                    + step.duration * step.unpredicted(rate, c.mesh.relative_rate_index(self.coordinate))
+                let number = c.mesh.relative_rate_index(self.coordinate);
+                let unpredicted = step.unpredicted(step.dissipation, rate, number);
+                0.5 * (start + end) - self.rest + step.duration * unpredicted
             }
         };
         self.stiffness * elastic + self.damping * self.rate(coordinate, c, passage)

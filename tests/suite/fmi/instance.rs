@@ -430,7 +430,7 @@ fn states_of_the_initialization() {
 
 // --- logging and status
 
-/// Debug messages come when switched on; the tolerance of the host is mentioned, not used.
+/// Debug messages come when switched on; one names the tolerance of the host, which this model does not use.
 #[test]
 fn debug_messages() {
     let mut instance = fresh();
@@ -440,7 +440,7 @@ fn debug_messages() {
     instance.setup_experiment(Some(1e-4), 0.0, None).unwrap();
     let messages: Vec<String> = instance.take_entries().into_iter().map(|entry| entry.message).collect();
     assert_eq!(messages.len(), 2);
-    assert!(messages[1].contains("0.0001 is not used"), "{messages:?}");
+    assert!(messages[1].contains("does not use the host's tolerance 0.0001"), "{messages:?}");
     instance.set_debug_logging(true, &["logStatusError", "nonsense"]).unwrap();
     let entries = instance.take_entries();
     assert!(entries.len() == 1 && entries[0].message.contains("`nonsense`"));

@@ -1,6 +1,6 @@
-//! Is every program of docs/programming.md the file that the tests run? A program that was only printed would rot.
+//! Is every program of docs/programming.md and README.md the file that the tests run? A program that was only printed would rot.
 //!
-//! The line before each listing names its file: `ANCF14_BLESS=1 cargo test programming` writes the listings from the files.
+//! The line before each listing names its file: `ANCF14_BLESS=1 cargo test front::page` writes the listings from the files.
 
 use std::fs;
 
@@ -8,6 +8,7 @@ use super::root;
 use crate::golden;
 
 pub const PAGE: &str = "docs/programming.md";
+pub const README: &str = "README.md";
 const FILES: [&str; 6] = [
     "c-examples/simulate.c",
     "c-examples/simulate.cpp",
@@ -19,29 +20,39 @@ const FILES: [&str; 6] = [
 
 #[test]
 fn the_page_on_programming_has_the_files() {
-    let mut page = fs::read_to_string(root().join(PAGE)).unwrap();
-    for file in FILES {
-        let text = fs::read_to_string(root().join(file)).unwrap();
-        let language = file.rsplit('.').next().unwrap().replace("rs", "rust");
-        let opening = format!("[{file}](../{file}):\n\n```{language}\n");
-        let begin = page.find(&opening).unwrap_or_else(|| panic!("{PAGE} has no listing of {file}")) + opening.len();
-        let end = begin + page[begin..].find("```").unwrap();
-        page.replace_range(begin..end, &text);
-    }
-    golden::assert_current(PAGE, &page);
+    assert_has_files(PAGE, "../", &FILES);
 }
 
-/// The commands of the page's shell listings, in order.
-pub fn commands() -> Vec<String> {
-    let page = fs::read_to_string(root().join(PAGE)).unwrap();
+#[test]
+fn the_readme_has_its_program() {
+    assert_has_files(README, "", &["examples/first.rs"]);
+}
+
+/// The listings of `page`, which names files by links that begin with `up`, are the files.
+fn assert_has_files(page: &str, up: &str, files: &[&str]) {
+    let mut text = fs::read_to_string(root().join(page)).unwrap();
+    for file in files {
+        let program = fs::read_to_string(root().join(file)).unwrap();
+        let language = file.rsplit('.').next().unwrap().replace("rs", "rust");
+        let opening = format!("[{file}]({up}{file}):\n\n```{language}\n");
+        let begin = text.find(&opening).unwrap_or_else(|| panic!("{page} has no listing of {file}")) + opening.len();
+        let end = begin + text[begin..].find("```").unwrap();
+        text.replace_range(begin..end, &program);
+    }
+    golden::assert_current(page, &text);
+}
+
+/// The commands of the shell listings of `page`, in order.
+pub fn commands(page: &str) -> Vec<String> {
+    let page = fs::read_to_string(root().join(page)).unwrap();
     let listings = page.split("```sh\n").skip(1).map(|rest| rest.split("```").next().unwrap_or_default());
     listings.flat_map(str::lines).map(str::to_owned).collect()
 }
 
-/// What the page says that the command `line` prints: the listing behind that of the command.
-pub fn printed_by(line: &str) -> String {
-    let page = fs::read_to_string(root().join(PAGE)).unwrap();
-    let rest = page.split(&format!("\n{line}\n")).nth(1).unwrap_or_else(|| panic!("{PAGE} has no command {line}"));
+/// What `page` says that the command `line` prints: the listing after that of the command.
+pub fn printed_by(page: &str, line: &str) -> String {
+    let text = fs::read_to_string(root().join(page)).unwrap();
+    let rest = text.split(&format!("\n{line}\n")).nth(1).unwrap_or_else(|| panic!("{page} has no command {line}"));
     let listing = rest.split("```text\n").nth(1).unwrap();
     listing.split("```").next().unwrap().to_owned()
 }

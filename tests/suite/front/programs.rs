@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
-use super::page::{commands, printed_by};
+use super::page::{PAGE, README, commands, printed_by};
 use super::{printed, program, root};
 use crate::fmi::ffi::library_path;
 
@@ -51,7 +51,7 @@ impl Workplace {
             version.is_ok(),
             "pkg-config is missing, which this test needs: install it with this system's package manager"
         );
-        let line = commands().into_iter().find(|line| line.contains("install.sh")).unwrap();
+        let line = commands(PAGE).into_iter().find(|line| line.contains("install.sh")).unwrap();
         assert_eq!(printed(&self.shell(&line)), "");
     }
 }
@@ -61,19 +61,19 @@ impl Workplace {
 fn programs_in_c_and_c_plus_plus_run() {
     let place = Workplace::new();
     place.install();
-    let lines = commands();
+    let lines = commands(PAGE);
     let mut ran = 0;
     for compiler in ["cc -std", "c++ -std"] {
         let at = lines.iter().position(|line| line.starts_with(compiler)).unwrap();
         assert_eq!(printed(&place.shell(&lines[at])), "");
-        assert_eq!(printed(&place.shell(&lines[at + 1])), printed_by(&lines[at + 1]), "{}", lines[at + 1]);
+        assert_eq!(printed(&place.shell(&lines[at + 1])), printed_by(PAGE, &lines[at + 1]), "{}", lines[at + 1]);
         ran += 1;
     }
     assert_eq!(ran, 2);
     fs::rename(place.prefix(), place.path().join("moved")).unwrap();
     let moved = lines.iter().find(|line| line.starts_with("cc -std")).unwrap();
     let shell = format!("PKG_CONFIG_PATH=\"$PWD/moved/lib/pkgconfig\"\n{moved}\n./simulate c-examples/arm.toml");
-    assert_eq!(printed(&place.shell(&shell)), printed_by("./simulate c-examples/arm.toml"));
+    assert_eq!(printed(&place.shell(&shell)), printed_by(PAGE, "./simulate c-examples/arm.toml"));
 }
 
 /// Both say what is wrong and fail, with a missing file, a bad model, an unknown variable.
@@ -81,7 +81,7 @@ fn programs_in_c_and_c_plus_plus_run() {
 fn programs_report_mistakes() {
     let place = Workplace::new();
     place.install();
-    let lines = commands();
+    let lines = commands(PAGE);
     for line in lines.iter().filter(|line| line.starts_with("cc -std") || line.starts_with("c++ -std")) {
         printed(&place.shell(line));
     }
@@ -140,15 +140,17 @@ fn the_installation_is_whole() {
 fn programs_in_rust_run() {
     let is_release = std::env::current_exe().unwrap().components().any(|part| part.as_os_str() == "release");
     let mut ran = 0;
-    for line in commands().iter().filter(|line| line.starts_with("cargo run")) {
-        let (_, name) = line.split_once("--release --example ").unwrap();
-        let mut cargo = Command::new(env!("CARGO"));
-        cargo.current_dir(root()).args(["run", "--quiet", "--locked", "--offline", "--example", name]);
-        if is_release {
-            cargo.arg("--release");
+    for page in [PAGE, README] {
+        for line in commands(page).iter().filter(|line| line.starts_with("cargo run")) {
+            let (_, name) = line.split_once("--release --example ").unwrap();
+            let mut cargo = Command::new(env!("CARGO"));
+            cargo.current_dir(root()).args(["run", "--quiet", "--locked", "--offline", "--example", name]);
+            if is_release {
+                cargo.arg("--release");
+            }
+            assert_eq!(printed(&cargo.output().unwrap()), printed_by(page, line), "{line}");
+            ran += 1;
         }
-        assert_eq!(printed(&cargo.output().unwrap()), printed_by(line), "{line}");
-        ran += 1;
     }
-    assert_eq!(ran, 4);
+    assert_eq!(ran, 5);
 }
