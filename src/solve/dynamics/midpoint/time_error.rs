@@ -52,6 +52,9 @@ pub struct Estimator {
     gradients: Vec<JointGradient>,
     /// The start of the neighboring motion.
     start: Option<State>,
+    /// The neighboring motion at the middle of the time, and its frames.
+    at_middle: Vec<f64>,
+    frames: Vec<NodeFrame>,
     scratch: Scratch,
 }
 
@@ -88,6 +91,8 @@ impl Estimator {
             targets: vec![0.0; conditions],
             gradients: Vec::new(),
             start: None,
+            at_middle: vec![0.0; coordinates],
+            frames: Vec::new(),
             scratch: Scratch::new(system),
         }
     }
@@ -140,12 +145,23 @@ impl Estimator {
         self.find_source(taken, error, mean);
         let Some(multiple) = self.multiple(system, error, h) else { return Ok(()) };
         self.depart(system, taken, error, multiple, mean);
-        let Self { right, scratch, start: Some(start), .. } = self else { return Ok(()) };
+        let Self { right, scratch, start: Some(start), at_middle, frames, .. } = self else { return Ok(()) };
         // All that the step adds to its dissipation is in the strain rates of the neighboring motion, which `depart` sets.
         let dissipation = taken.dissipation;
         scratch.place(system, start);
         scratch.act(system, start, dissipation, h);
-        scratch.differentiate(system, start);
+        if error.known > 0 {
+            // Joints act where they are at the mean of both ends, (h²/8)·acceleration from where they are at the middle of the time.
+            let own = taken.solution.increment.iter().zip(&taken.state.velocity);
+            for (value, (mean, (increment, velocity))) in at_middle.iter_mut().zip(scratch.q_middle.iter().zip(own)) {
+                *value = mean - multiple * 2.0 * MEAN * h * (increment / h - velocity);
+            }
+            system.frames(at_middle, &start.triads, frames);
+            let configuration = system.configuration(at_middle, frames, start, &scratch.prescribed_middle);
+            system.constraint_gradients(&configuration, &mut scratch.gradients_middle);
+        } else {
+            scratch.differentiate(system, start);
+        }
         Step { system, state: start, dissipation, step: h, scratch }.balance(right);
         system.mass_times(&self.source, &mut self.mass);
         for (right, source) in right.iter_mut().zip(&self.mass) {
