@@ -59,9 +59,9 @@ mod tests {
         let mut histogram = Histogram::default();
         assert_eq!(histogram.exceeded_by(0.05), 0.0);
         for number in 1..=100_u32 {
-            histogram.add(1e-6 * f64::from(number));
+            histogram.add(f64::from(number));
         }
-        for (share, size) in [(0.0, 100e-6), (0.05, 95e-6), (0.5, 50e-6)] {
+        for (share, size) in [(0.0, 100.0), (0.05, 95.0), (0.5, 50.0)] {
             let found = histogram.exceeded_by(share);
             assert!((found / size - 1.0).abs() <= if share == 0.0 { 0.0 } else { 1.0 / 16.0 }, "{share}: {found}");
         }
