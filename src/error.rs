@@ -101,7 +101,7 @@ t = decimal(*.time)
     },
     /// A joint has come to stand the other way round: another root of its conditions (MECHANICS 6).
     #[error(
-        "{joint} stands the wrong way round at t = {t} s: its parts turned by more than a quarter turn in a step; try a smaller step",
+        "{joint} flipped at t = {t} s: its parts turned by more than 90 degrees in a step; try a smaller step",
 t = decimal(*.time)
 )]
     Flipped {
@@ -112,7 +112,7 @@ t = decimal(*.time)
     },
     /// A bushing is turned so far that its rotation vector ends.
     #[error(
-        "the bushing {bushing} is turned by {angle:.0} degrees at t = {t} s: bushings hold to 170 degrees; use a joint that turns",
+        "the bushing {bushing} is turned by {angle:.0} degrees at t = {t} s: a bushing is valid up to 170 degrees; use a joint with a free rotation",
 t = decimal(*.time)
 )]
     BushingTurned {
@@ -159,7 +159,7 @@ end = decimal(*.to)
     },
     /// A drive does not begin where the machine is drawn.
     #[error(
-        "the drive {drive} begins at {value}, but the coordinates of joints are 0 as drawn; let it begin at 0, draw the machine \
+        "the drive {drive} begins at {value}, but the coordinates of joints are 0 as drawn; let it begin at 0, draw the mechanism \
          there, or take initial = \"equilibrium\", which assembles it there"
     )]
     DriveNotAtZero {
@@ -217,9 +217,9 @@ t = decimal(*.time)
     },
     /// The ramp to an equilibrium did not reach its end.
     #[error(
-        "the way to the equilibrium of t = {t} s ends at {share:.4} of the change of loads: a limit point, beyond which no \
-         equilibrium is near, or too coarse a mesh; there: {reason}",
-t = decimal(*.time)
+        "no equilibrium was found at t = {t} s: load stepping stopped at {percent:.2} % of the change of the loads ({reason}); this is a limit point \
+         (snap-through), where a drive that prescribes the displacement can follow, or the mesh is too coarse",
+t = decimal(*.time), percent = 100.0 * .share
 )]
     RampStuck {
         /// Time, s.
@@ -231,7 +231,7 @@ t = decimal(*.time)
     },
     /// The iteration for natural modes did not come to an end.
     #[error(
-        "the natural modes at t = {t} s were not found: shapes still change by {error:.1e} of themselves; ask for fewer or more of them",
+        "the natural modes at t = {t} s did not converge: their shapes still change by {error:.1e}; ask for fewer or for more modes",
 t = decimal(*.time)
 )]
     ModesNotFound {
@@ -242,7 +242,7 @@ t = decimal(*.time)
     },
     /// The solver would have to choose the steps of a machine whose errors it does not know.
     #[error(
-        "the solver cannot choose the steps of this machine: it knows the error of a step only with integrator = \"conserving\", a spectral_radius of at most 0.95 and \
+        "the solver cannot choose the steps of this mechanism: it knows the error of a step only with integrator = \"conserving\", a spectral_radius of at most 0.95 and \
          no beam of ANCF24; give simulation.step"
     )]
     StepNotGiven,
@@ -266,7 +266,7 @@ end = decimal(*.to)
         to: f64,
     },
     /// The drawn machine does not satisfy its joints.
-    #[error("{joint} does not hold as drawn: its sides are {gap:.3e} apart; draw the machine closed")]
+    #[error("{joint} is not satisfied as drawn: its two sides are {gap:.3e} apart; move the parts so that they meet")]
     NotAssembled {
         /// The joint.
         joint: String,

@@ -69,7 +69,7 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
     let found = simulation.modes(usize::from(wishes.count.unwrap_or(COUNT)));
     let found = found.map_err(|failure| failed(&simulation, &failure))?;
     if let Some(count) = wishes.count.filter(|count| usize::from(*count) > found.modes.len()) {
-        complain(&format!("warning: {count} modes were asked for, but the machine has only {}", found.modes.len()));
+        complain(&format!("warning: {count} modes were asked for, but the mechanism has only {}", found.modes.len()));
     }
     found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
     let texts = [modes_csv(&found), shapes_csv(&found), shapes::svg(&found, &simulation.about().name)];

@@ -138,18 +138,19 @@ impl Accuracy {
         if !state.time_error.is_known() {
             return;
         }
-        self.looked = state.statistics.steps;
         let Some(multiple) = looker.move_along(system, state) else { return };
         let Looker { moved: Some(moved), response, snapshot, values, largest, .. } = looker else { return };
         if responder.is_some_and(|responder| responder.respond(system, moved, response).is_err()) {
             return;
         }
+        self.looked = state.statistics.steps;
         table.measure(&Moment { system, state: moved, response, fibres: &[] }, snapshot, values);
         largest.clear();
         largest.resize(columns.families.len(), 0.0);
         for column in &columns.columns {
             let error = (values[column.result] - results[column.result]).abs() / multiple;
-            largest[column.family] = error.max(largest[column.family]);
+            let worst = &mut largest[column.family];
+            *worst = if error.is_nan() { f64::INFINITY } else { error.max(*worst) };
         }
         self.errors.resize(columns.families.len(), Histogram::default());
         self.errors.iter_mut().zip(largest).for_each(|(errors, largest)| errors.add(*largest));

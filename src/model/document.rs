@@ -365,7 +365,7 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
         let mut named = Named { name: name.clone(), kind, index, place: thing.key_place };
         if !is_legal(name) {
             let help = "a name is a letter, then letters, digits and _";
-            report.error(thing.key_place, &format!("`{name}` is no legal name"), "", help);
+            report.error(thing.key_place, &format!("`{name}` is not a valid name"), "", help);
         } else if is_reserved(name) {
             report.error(thing.key_place, &format!("the name `{name}` is reserved"), "another name was expected", "");
         } else if let Some(first) = names.find(name) {

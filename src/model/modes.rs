@@ -145,13 +145,13 @@ fn warnings(system: &System, found: &modes::Modes, moving: bool) -> Vec<String> 
     let mut warnings = Vec::new();
     if found.imbalance.is_nan() || found.imbalance > BALANCED {
         warnings.push(String::from(
-            "the machine does not stay where it is: these are the modes of its stiffness there; for those about its equilibrium \
+            "the mechanism is not in equilibrium: these are the modes of its stiffness in this position; for those about its equilibrium \
              take simulation.initial = \"equilibrium\"",
         ));
     }
     if found.skewness > SYMMETRIC {
         warnings.push(format!(
-            "loads that turn with the machine, or moments about axes that stand still, have no potential: the skew part of the stiffness, \
+            "loads that turn with the mechanism, or moments about axes that stand still, have no potential: the skew part of the stiffness, \
              {:.2e} of it in the softest motions, is left out. Frequencies and kinds of the modes that these loads change are not to be trusted: \
              what is called unstable may be stable, and flutter is not found; a run in time shows both",
             found.skewness
@@ -159,10 +159,10 @@ fn warnings(system: &System, found: &modes::Modes, moving: bool) -> Vec<String> 
     }
     warnings.extend(lonely_elements(system, &found.modes));
     if moving {
-        warnings.push(String::from("velocities are left out: the modes are those of the machine at rest"));
+        warnings.push(String::from("velocities are left out: the modes are those of the mechanism at rest"));
     }
     if system.is_damped() {
-        warnings.push(String::from("damping is left out: the modes are those of the undamped machine"));
+        warnings.push(String::from("damping is left out: the modes are those of the undamped mechanism"));
     }
     warnings
 }

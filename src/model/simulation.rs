@@ -216,7 +216,7 @@ impl Simulation {
         let name = self.table.result_name(number);
         let (value, time) = (self.results[number], self.machine.state.time);
         format!(
-            "{name} is {value} at t = {time} s: a parameter or an input is far too large or too small for this machine; set \
+            "{name} is {value} at t = {time} s: a parameter or an input is far too large or too small for this mechanism; set \
              a reasonable value"
         )
     }

@@ -23,7 +23,7 @@ const SMALL: [&str; 13] = [
     "slack_chain_4",
     "redundant_rigid_1",
     "late_table_4",
-    "pendulums_rigid_6",
+    "statics_portal_1",
     "statics_arch_2",
     "statics_column_2",
 ];

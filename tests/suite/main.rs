@@ -88,7 +88,6 @@ mod static_buckling;
 mod static_motions;
 mod statics;
 mod step_derivatives;
-mod stiff_damping;
 mod strain_outputs;
 mod stress_derivatives;
 mod time_error;

@@ -201,7 +201,10 @@ fn messages_find_their_part() {
     let text = include_str!("../../models/cantilever.toml").replace("joint.root", "joint.find");
     let document = Document::parse("m.toml", &text, &[]).expect("a model");
     for (message, expected) in [
-        ("the equations have no unique solution: joint find holds what is held already", Some("[joint.find]")),
+        (
+            "the equations have no unique solution: joint find is redundant: other joints already impose its constraints",
+            Some("[joint.find]"),
+        ),
         ("arm.node[3] (along y) can move freely; hold it by a joint", Some("[beam.arm]")),
         ("element 3 of beam arm: it is bent", Some("[beam.arm]")),
         ("no find and no arm here", None),

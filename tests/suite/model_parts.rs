@@ -215,7 +215,7 @@ fn overrides_reach_every_section() {
         ("disk.velocity[4]", "1", "an index from 1 to 3 was expected"),
         ("feed.value", "2*m", "is an input and an expression"),
         ("crank.vlaue", "2", "did you mean `value`?"),
-        ("bob.inertia[1]", "5", "the inertia of body bob is that of no body"),
+        ("bob.inertia[1]", "5", "the inertia of body bob is not physically possible"),
         ("turn", "t", "time is known in loads, drives and frames only"),
     ] {
         let message = refused(key, value);

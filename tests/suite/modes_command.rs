@@ -117,7 +117,7 @@ fn mistakes_are_told() {
     for (arguments, is_warned) in [(&["--count", "7"][..], true), (&[], false)] {
         let output = modes_of(directory.path(), "bob.toml", arguments);
         assert!(output.status.success(), "{}", text(&output.stderr));
-        assert_eq!(text(&output.stderr).contains("the machine has only"), is_warned, "{}", text(&output.stderr));
+        assert_eq!(text(&output.stderr).contains("the mechanism has only"), is_warned, "{}", text(&output.stderr));
     }
 }
 

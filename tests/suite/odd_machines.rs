@@ -162,7 +162,7 @@ fn what_is_held_twice_at_rest_is_refused() {
     assert_eq!(run(&machine, 1.0), Ok(Vec::new()));
     let twice = joint("twice", "inplane", "knot", "branch.start") + "axis = [0.1, 0.2, 1]\n";
     let message = run(&(machine + &twice), 1.0).unwrap_err();
-    assert!(message.contains("holds what is held already"), "{message}");
+    assert!(message.contains("is redundant: other joints already impose its constraints"), "{message}");
 }
 
 /// A beam that nothing holds falls away under any weight: that no iteration finds where it comes to rest is not what its user has to hear.

@@ -137,7 +137,7 @@ fn cases(seed: u64) -> Vec<Case> {
 #[test]
 fn force_by_definition() {
     let mut random = Random(41);
-    let dissipation = Dissipation { by_last_step: 0.03, by_start: 0.02, by_viscosity: 0.1 };
+    let dissipation = Dissipation { by_last_step: 0.03, by_start: 0.02 };
     for _ in 0..20 {
         let own = Stiffness { axial: 0.0, damping: 0.05, ..stiffness(Strain::Small) };
         let element = curved(&mut random, 0.7, own);
@@ -149,8 +149,7 @@ fn force_by_definition() {
         let [(first, _), (_, middle_q), (last, _)] =
             [case.start, (case.start + end) * 0.5, end].map(|q| num_dual::jacobian(strains, &q));
         let rigidities = SVector::<f64, STRAINS>::from(case.element.rigidities());
-        // Both rates before the step are 0: of the viscous stress, 0.1 counts once more by the start and -0.05 by the last step.
-        let stresses = (first + last) * 0.5 + (last - first) * (1.05 * 0.05 / STEP + 0.03 + 0.02);
+        let stresses = (first + last) * 0.5 + (last - first) * (0.05 / STEP + dissipation.sum());
         let expected = middle_q.transpose() * rigidities.component_mul(&stresses);
         let Answer { force, rates, end: [_, taken], .. } = case.over(&end, dissipation);
         let error = (force - expected).amax() / expected.amax();
@@ -183,7 +182,7 @@ fn work_is_the_change_of_energy() {
 #[test]
 fn rigid_motions_change_nothing() {
     let mut random = Random(44);
-    let dissipation = Dissipation { by_last_step: 0.1, by_start: 0.1, by_viscosity: 0.1 };
+    let dissipation = Dissipation { by_last_step: 0.1, by_start: 0.1 };
     for mut case in cases(45) {
         case.element.stiffness.damping = 0.05;
         let end = case.moved(&mut random, 1.2);
@@ -205,15 +204,14 @@ fn tangent_follows_turns() {
         for (end, tolerance) in
             [(case.start + direction * 1e-5, 5e-3), (case.moved(&mut random, 0.5), 0.5 * 0.25_f64.sin())]
         {
-            let answer = case.over(&end, Dissipation { by_last_step: 0.02, by_start: 0.0, by_viscosity: 0.0 });
+            let answer = case.over(&end, Dissipation { by_last_step: 0.02, by_start: 0.0 });
             let mut differences = Matrix::zeros();
             let width = 1e-5;
             for column in 0..14 {
                 let mut shift = Coordinates::zeros();
                 shift[column] = width;
-                let [more, less] = [end + shift, end - shift].map(|end| {
-                    case.over(&end, Dissipation { by_last_step: 0.02, by_start: 0.0, by_viscosity: 0.0 }).force
-                });
+                let [more, less] = [end + shift, end - shift]
+                    .map(|end| case.over(&end, Dissipation { by_last_step: 0.02, by_start: 0.0 }).force);
                 differences.set_column(column, &((more - less) / width));
             }
             let error = (answer.tangent - differences).amax() / differences.amax();

@@ -115,7 +115,7 @@ fn free_motions_and_double_holds_are_named() {
         load(builder, beam, 1.0, Vec3::z(), Vec3::zeros());
     })
     .unwrap_err();
-    assert!(twice.contains("joint ") && twice.contains("held already"), "{twice}");
+    assert!(twice.contains("joint ") && twice.contains("is redundant"), "{twice}");
     // A soft machine is no free one.
     let mut builder = SystemBuilder::default();
     let number = builder.add_beam(&thin(3000));

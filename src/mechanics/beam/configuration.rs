@@ -60,8 +60,8 @@ impl TimeStep<'_> {
     /// The part of `rate` that was not predicted, weighted by `dissipation`; `rate` is that of a strain or a relative coordinate over the step, number `number` in
     /// [`Self::strain_rates`].
     #[inline]
-    pub fn unpredicted(&self, dissipation: Dissipation, rate: f64, number: usize) -> f64 {
-        let Dissipation { by_last_step, by_start, .. } = dissipation;
+    pub fn unpredicted(&self, rate: f64, number: usize) -> f64 {
+        let Dissipation { by_last_step, by_start } = self.dissipation;
         by_last_step * (rate - self.strain_rates[number]) + by_start * (rate - self.start_rates[number])
     }
 }
@@ -73,36 +73,20 @@ pub struct Dissipation {
     pub by_last_step: f64,
     /// Not predicted by the rate at the start, `psi`.
     pub by_start: f64,
-    /// What the viscous stress of the change counts for: [`Self::of_viscous`].
-    pub by_viscosity: f64,
 }
 
 impl Dissipation {
     /// Such that the amplitude of a strain that is infinitely fast for the step is multiplied by `spectral_radius` (0.6 to 1) a step.
     pub fn new(spectral_radius: f64) -> Self {
         let (lost, square) = (1.0 - spectral_radius, (1.0 + spectral_radius).powi(2));
-        Self {
-            by_last_step: spectral_radius * lost / square,
-            by_start: 0.5 * lost * lost / square,
-            by_viscosity: lost / (1.0 + spectral_radius),
-        }
+        Self { by_last_step: spectral_radius * lost / square, by_start: 0.5 * lost * lost / square }
     }
 
     /// Over a step of `step` s, where `largest` s is the largest one: as much for every step as for that one, so that both terms work as constant inertias. Steps of
     /// different lengths would pump energy otherwise.
     pub fn over(self, step: f64, largest: f64) -> Self {
         let weight = (largest / step).powi(2).max(1.0);
-        Self { by_last_step: weight * self.by_last_step, by_start: weight * self.by_start, ..self }
-    }
-
-    /// Of a strain with the viscosity `viscosity`, s, over a step of `step` s.
-    ///
-    /// The midpoint rule multiplies the rate of a strain that a large viscosity stops by nearly −1 a step, for ever; with these weights by minus the spectral radius. Where
-    /// steps resolve the strain they cancel each other to second order in the step: one prediction is half a step old, the other a whole one.
-    #[inline]
-    pub fn of_viscous(self, viscosity: f64, step: f64) -> Self {
-        let weight = self.by_viscosity * viscosity / step;
-        Self { by_last_step: self.by_last_step - 0.5 * weight, by_start: self.by_start + weight, ..self }
+        Self { by_last_step: weight * self.by_last_step, by_start: weight * self.by_start }
     }
 
     /// Both together: how the weighted change depends on the change over the step.

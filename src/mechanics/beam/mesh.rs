@@ -36,12 +36,6 @@ impl Mesh {
         STRAINS * self.branches
     }
 
-    /// What multiplies the rate of each of [`Self::strains`] in the viscous stress, s.
-    pub fn viscosities(&self) -> impl Iterator<Item = f64> + '_ {
-        let damped = self.elements.iter().filter(|element| matches!(element, AnyElement::Ancf14(_)));
-        damped.flat_map(|element| std::iter::repeat_n(element.damping(), STRAINS))
-    }
-
     /// Where the rate of relative coordinate number `coordinate` is among the rates of strains and relative coordinates.
     pub fn relative_rate_index(&self, coordinate: usize) -> usize {
         self.strains() + coordinate

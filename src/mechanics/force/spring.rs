@@ -52,7 +52,7 @@ impl Spring {
                 let [start, end] = [step.start, step.end].map(|end| self.value(coordinate, end));
                 let rate = (end - start) / step.duration;
                 let number = c.mesh.relative_rate_index(self.coordinate);
-                let unpredicted = step.unpredicted(step.dissipation, rate, number);
+                let unpredicted = step.unpredicted(rate, number);
                 0.5 * (start + end) - self.rest + step.duration * unpredicted
             }
         };

@@ -138,7 +138,11 @@ fn given(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion> 
     for (other, _) in INPUTS.iter().filter(|(_, other)| *other != word) {
         let own = word.rule(coordinate).key;
         let message = format!("{} has an input and a {other}", reader.title);
-        reader.refuse(other, &message, &format!("beside input = \"{own}\" only `{own}` makes sense: its start value"));
+        reader.refuse(
+            other,
+            &message,
+            &format!("with input = \"{own}\", only `{own}` is allowed; it sets the start value"),
+        );
     }
     make_input(reader.context, number);
     reader.context.numbers.slots[number.0].meta.description.push_str(&format!(", {REACHED}"));

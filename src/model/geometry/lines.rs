@@ -293,12 +293,12 @@ fn flawed(
         ),
         Flaw::Cusp { s } => (
             format!("the curve of beam {name} has no tangent at {}", at(s)),
-            String::from("it stands still there"),
+            String::from("its derivative is zero there"),
             String::from(match is_spline {
                 true => {
                     "a spline through points that lead back the way they came turns on the spot: move them, or add others"
                 }
-                false => "a cusp, or a parameter that stands still: x, y and z must not all have the derivative 0",
+                false => "a cusp, or a parameter that stops: the derivatives of x, y and z must not all be 0",
             }),
         ),
         Flaw::Jump { s, size, length } => (
@@ -366,9 +366,9 @@ pub fn overtwisted(document: &Document, beam: &Beam, line: &Centreline) -> Optio
     let elements = line.spans.len();
     let message = format!("an element of beam {} is pretwisted by {:.1} degrees", beam.name, angle.to_degrees());
     let label = format!("{} rad over {elements} elements", super::shown(pretwist));
-    let most = format!("an element can have {} degrees", LARGEST_BEND.to_degrees().round());
+    let most = format!("the limit is {} degrees an element", LARGEST_BEND.to_degrees().round());
     let help = match enough_for_twist(document, beam, pretwist, elements, angle) {
-        Some(count) => format!("{most}: with elements = {count} none has more; pretwist is in rad, from start to end"),
+        Some(count) => format!("{most}: take elements = {count}; pretwist is in rad, from start to end"),
         None => format!("{most}; pretwist is in rad, from start to end"),
     };
     Some(document.diagnostic(document.place(beam.pretwist), &message, &label, &help))

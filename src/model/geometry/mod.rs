@@ -172,11 +172,14 @@ impl Checker<'_> {
                     let name = format!("take the node {}.node[{closer}]", written.name);
                     let uneven =
                         matches!(&written.line, Some(Line::Curved(curve)) if curve.spacing == Spacing::Parameter);
-                    let even =
-                        if uneven { ", or spacing = \"arc\" and a count of elements that has one there" } else { "" };
-                    format!("joints hold on to nodes, and no count up to 100 has one there: {name}{even}")
+                    let even = if uneven {
+                        ", or set spacing = \"arc\" and a count of elements that puts a node there"
+                    } else {
+                        ""
+                    };
+                    format!("joints attach to nodes only, and no element count up to 100 puts one there: {name}{even}")
                 }
-                false => format!("joints hold on to nodes; with elements = {} there is one there", counts.join(", ")),
+                false => format!("joints attach to nodes only; elements = {} puts one there", counts.join(", ")),
             };
             self.mistake(anchor.place, &message, &label, &help);
         }
@@ -238,7 +241,10 @@ impl Checker<'_> {
                 "all must be positive: xy, yz and zx are tensor components, minus the integral of x y dm and so on";
             ("is not positive", help)
         } else if large - (small + middle) > INERTIA_TOLERANCE * large {
-            ("is that of no body", "none can be greater than the sum of the other two: check their order and unit")
+            (
+                "is not physically possible",
+                "none can be greater than the sum of the other two: check their order and unit",
+            )
         } else {
             return;
         };

@@ -179,7 +179,7 @@ impl<'c, 'a> Reader<'c, 'a> {
     /// A key that cannot stand together with another one that is there.
     pub fn exclude(&mut self, key: &'static str, other: &str) {
         if let Some(entry) = self.take(key) {
-            let message = format!("`{key}` and `{other}` say the same thing twice in {}", self.title);
+            let message = format!("`{key}` and `{other}` cannot both be given in {}", self.title);
             self.context.report.error(entry.key_place, &message, &format!("either this or `{other}`"), "");
         }
     }

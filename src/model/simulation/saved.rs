@@ -126,7 +126,7 @@ impl Snapshot {
             (last, start.into_owned())
         });
         if !fits {
-            return Err(String::from("the state has another shape than the machine of the model file"));
+            return Err(String::from("the state belongs to a mechanism of another shape than that of the model file"));
         }
         Ok(Self {
             document,

@@ -242,7 +242,7 @@ impl Kkt {
             let sign = if index < system.coordinates() { 1.0 } else { -1.0 };
             shifted.block_mut(block)[0] = sign * SHIFT / self.solver.scale(index).powi(2);
         }
-        let unnamed = || String::from("a part of the machine can move freely or is held twice");
+        let unnamed = || String::from("a part of the mechanism can move freely or is constrained twice");
         let Ok(mut solver) = SparseLu::new(&units(system), &shifted) else { return unnamed() };
         if solver.factorize(&shifted).is_err() {
             return unnamed();
@@ -284,7 +284,9 @@ fn advice(system: &System, index: usize) -> String {
         }
         format!("{place} can move freely; hold it by a joint")
     } else {
-        format!("{place} holds what is held already; remove it, or take one that leaves more free")
+        format!(
+            "{place} is redundant: other joints already impose its constraints; remove it, or take a joint with more degrees of freedom"
+        )
     }
 }
 

@@ -62,11 +62,10 @@ impl Added {
     fn new(element: &Element, rates: [f64; STRAINS], step: &TimeStep) -> Self {
         let (duration, viscosity, rigidities) = (step.duration, element.stiffness.damping, element.rigidities());
         let first = STRAINS * element.place.branch;
-        let dissipation = step.dissipation.of_viscous(viscosity, duration);
-        let stiffening = 2.0 * (viscosity / duration + dissipation.sum());
+        let stiffening = 2.0 * (viscosity / duration + step.dissipation.sum());
         let mut all = Self { stiffening, rates, ..Self::default() };
         let resultant = |i: usize| {
-            let unpredicted = step.unpredicted(dissipation, rates[i], first + i);
+            let unpredicted = step.unpredicted(rates[i], first + i);
             rigidities[i] * (viscosity * rates[i] + duration * unpredicted)
         };
         for m in 0..3 {

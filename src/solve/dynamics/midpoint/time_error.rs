@@ -222,6 +222,16 @@ impl Estimator {
         {
             list.iter_mut().zip(change).for_each(|(value, change)| *value += multiple * change);
         }
+        // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion: both show in the changes of the strain rates.
+        if error.known > 0 {
+            let Dissipation { by_last_step, by_start } = dissipation;
+            let by_change = by_last_step + MEAN * h / mean;
+            let scale = multiple / by_last_step;
+            let rates = strain_rates.iter().zip(&state.strain_rates).zip(&solution.start_rates);
+            for (memory, ((now, last), first)) in start.strain_rates.iter_mut().zip(rates) {
+                *memory += scale * (by_change * (now - last) + by_start * (now - first));
+            }
+        }
         let scratch = &mut self.scratch;
         scratch.excitation.clone_from(&solution.excitation);
         scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
@@ -232,17 +242,6 @@ impl Estimator {
         system.begin_step(&first, &start.velocity, &mut scratch.starts, &mut scratch.start_rates);
         // The dissipation is that of the step, as far as it knows the start.
         scratch.start_rates.clone_from(&solution.start_rates);
-        // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion: both show in the changes of the strain rates.
-        if error.known > 0 {
-            let rates = strain_rates.iter().zip(&state.strain_rates).zip(&solution.start_rates);
-            let viscosities = system.mesh.viscosities().chain(std::iter::repeat(0.0));
-            let memories = scratch.start_rates.iter_mut().zip(viscosities);
-            for ((memory, viscosity), ((now, last), first)) in memories.zip(rates) {
-                let Dissipation { by_last_step, by_start, .. } = dissipation.of_viscous(viscosity, h);
-                let by_change = by_last_step + MEAN * h / mean;
-                *memory += multiple / by_start * (by_change * (now - last) + by_start * (now - first));
-            }
-        }
         let known = error.velocity.iter().zip(&error.acceleration).zip(&solution.increment);
         for (increment, ((velocity, acceleration), own)) in scratch.increment.iter_mut().zip(known) {
             *increment = own + multiple * (h * velocity + 0.5 * h * h * acceleration);
