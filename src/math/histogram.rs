@@ -21,14 +21,15 @@ impl Histogram {
         self.largest = self.largest.max(size);
         let bin = size.to_bits() >> IGNORED;
         match self.bins.binary_search_by_key(&bin, |(own, _)| *own) {
-            Ok(place) => self.bins[place].1 += 1,
+            Ok(place) => self.bins[place].1 = self.bins[place].1.saturating_add(1),
             Err(place) => self.bins.insert(place, (bin, 1)),
         }
     }
 
     /// The size that at most a share of all sizes exceeds, to a sixteenth of it; the largest one exactly; 0 if there is none.
     pub fn exceeded_by(&self, share: f64) -> f64 {
-        let total: u64 = self.bins.iter().map(|(_, count)| count).sum();
+        // Counts may come from the bytes of a saved state.
+        let total = self.bins.iter().fold(0_u64, |total, (_, count)| total.saturating_add(*count));
         let mut more = (share * total as f64) as u64;
         if more == 0 {
             return self.largest;
@@ -46,7 +47,7 @@ impl Histogram {
 /// The middle of a bin; of that of the tiniest sizes, zero among them, 0.
 fn middle(bin: u64) -> f64 {
     let edge = f64::from_bits(bin << IGNORED);
-    if bin == 0 || edge.is_infinite() { edge } else { 0.5 * (edge + f64::from_bits((bin + 1) << IGNORED)) }
+    if bin == 0 || edge.is_infinite() { edge } else { 0.5 * (edge + f64::from_bits(bin.saturating_add(1) << IGNORED)) }
 }
 
 #[cfg(test)]

@@ -123,7 +123,7 @@ impl Accuracy {
 
     /// Whether the errors are to be looked at after `steps` steps.
     pub fn is_due(&self, steps: u64) -> bool {
-        steps <= FIRST_STEPS || steps >= self.looked + STEPS
+        steps <= FIRST_STEPS || steps >= self.looked.saturating_add(STEPS)
     }
 
     /// Looks at the errors of the `results` of `state`, which have been included; `responder` is there if results ask for a response.
