@@ -187,8 +187,8 @@ impl Accuracy {
 impl Looker {
     /// Moves a copy of `state` along its error; returns by how many errors, none where it cannot be said.
     fn move_along(&mut self, system: &System, state: &State) -> Option<f64> {
-        let Self { moved, variation, frames, .. } = self;
-        let TimeError { position, velocity, .. } = &state.time_error;
+        let Self { moved, variation, frames, snapshot, .. } = self;
+        let TimeError { position, velocity, rates, .. } = &state.time_error;
         let (size, _) = system.correction_size(position);
         if !size.is_finite() || velocity.iter().any(|value| !value.is_finite()) {
             return None;
@@ -198,6 +198,12 @@ impl Looker {
         moved.clone_from(state);
         variation.q.clone_from(position);
         variation.velocity.clone_from(velocity);
+        variation.viscous.clear();
+        if !rates.is_empty() {
+            // The error of the velocities may turn about with every step as they do.
+            variation.viscous.resize(state.strain_rates.len(), 0.0);
+            system.set_strain_rates(&snapshot.of(system, state), rates, &mut variation.viscous);
+        }
         variation.apply(system, multiple, moved, frames);
         Some(multiple)
     }

@@ -11,7 +11,7 @@ use super::unit;
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::{Configuration, Passage};
+use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::resultants::Fibre;
 use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
@@ -292,7 +292,7 @@ impl Table {
     pub fn measure(&self, moment: &Moment, snapshot: &mut FrameCache, values: &mut Vec<f64>) {
         let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
-        let passage = Passage::Instant(&state.velocity);
+        let passage = state.passage();
         let loads = JointLoads { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
         values.clear();
         for measure in &self.measures {

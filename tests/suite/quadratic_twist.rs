@@ -235,7 +235,7 @@ fn damping_is_that_of_the_linear_twist() {
             Coordinates::from_vec(forces)
         };
         let rest = forces(Passage::Rest);
-        [forces(Passage::Instant(&velocity)) - rest, rest]
+        [forces(Passage::with_velocity(&velocity)) - rest, rest]
     };
     let (linear, quadratic) = (viscous(Twist::Linear), viscous(Twist::Quadratic));
     for (linear, quadratic) in linear[..1].iter().zip(&quadratic) {

@@ -163,7 +163,7 @@ fn reactions_are_what_newton_and_euler_demand() {
         let response = respond(system, state);
         let mut snapshot = FrameCache::default();
         let c = snapshot.of(system, state);
-        let passage = Passage::Instant(&state.velocity);
+        let passage = Passage::with_velocity(&state.velocity);
         let loads = JointLoads { system, c: &c, passage: &passage, multipliers: &response.multipliers };
         let centre = vec3(&state.q, system.bodies[0].start);
         let own = system.bodies[0].start;
@@ -268,7 +268,7 @@ fn every_kind_of_joint_acts_and_reacts() {
         let response = respond(&system, &state);
         let mut snapshot = FrameCache::default();
         let c = snapshot.of(&system, &state);
-        let passage = Passage::Instant(&state.velocity);
+        let passage = Passage::with_velocity(&state.velocity);
         let loads = JointLoads { system: &system, c: &c, passage: &passage, multipliers: &response.multipliers };
         let (force, moment) = loads.reaction(&parts);
         let place = sides[1].pose(&c).place;

@@ -85,7 +85,7 @@ fn check_spring_derivatives() {
             let rate_q = (by_all_twice * along).fixed_rows::<COUNT>(0).into_owned();
             let velocity = machine.velocity.as_slice();
             assert!((spring::coordinate_rate(&coordinate, &c, velocity) - rate).abs() < ROUNDING * rate.abs().max(1.0));
-            let moving = Passage::Instant(velocity);
+            let moving = Passage::with_velocity(velocity);
             let damped = scatter(spring.gradient(&coordinate, &c, &moving));
             let by_q = by_all.fixed_rows::<COUNT>(0).into_owned();
             let size = by_all_twice.amax().max(1.0) * 10.0;

@@ -27,10 +27,23 @@ pub struct Configuration<'a> {
 pub enum Passage<'a> {
     /// Not at all: an equilibrium.
     Rest,
-    /// At an instant, with these velocities of the coordinates, 1/s each.
-    Instant(&'a [f64]),
+    /// At an instant.
+    Instant {
+        /// Velocities of the coordinates, 1/s each.
+        velocity: &'a [f64],
+        /// Rates of the strains as steps show them, in the order of [`crate::mechanics::state::State::strain_rates`], for material damping; none: they follow from
+        /// the velocities.
+        strain_rates: Option<&'a [f64]>,
+    },
     /// Over a step whose middle is the configuration.
     Step(TimeStep<'a>),
+}
+
+impl<'a> Passage<'a> {
+    /// At an instant whose motion is all in the velocities of the coordinates.
+    pub fn with_velocity(velocity: &'a [f64]) -> Self {
+        Self::Instant { velocity, strain_rates: None }
+    }
 }
 
 /// A step in time, as the forces of its middle ask for it (MECHANICS 7.6).

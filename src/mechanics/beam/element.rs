@@ -84,8 +84,12 @@ pub trait BeamElement {
     /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole machine, the rates there.
     fn begin_step(&self, _c: &Configuration, _velocity: &[f64], _starts: &mut [StepStart], _strain_rates: &mut [f64]) {}
 
-    /// Adds the viscous forces of the material at an instant, with the velocities `velocity`.
-    fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]);
+    /// Sets its own of `strain_rates`, those of the whole machine, to the rates at `c` with the velocities `velocity`.
+    fn set_strain_rates(&self, _c: &Configuration, _velocity: &[f64], _strain_rates: &mut [f64]) {}
+
+    /// Adds the viscous forces of the material at an instant, with the velocities `velocity`, or with the rates of strains of the whole machine where they are
+    /// given and the element has such.
+    fn add_damping(&self, c: &Configuration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]);
 
     /// [`Self::add_damping`], and adds `scale` times its derivative by the coordinates to `block`.
     fn add_damping_and_tangent(

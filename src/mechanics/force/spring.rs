@@ -47,7 +47,7 @@ impl Spring {
     /// Its force against the growing of the coordinate, N or N m; over a step that of the mean value at both ends, with what numerical dissipation adds.
     pub fn tension(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> f64 {
         let elastic = match passage {
-            Passage::Rest | Passage::Instant(_) => self.value(coordinate, c) - self.rest,
+            Passage::Rest | Passage::Instant { .. } => self.value(coordinate, c) - self.rest,
             Passage::Step(step) => {
                 let [start, end] = [step.start, step.end].map(|end| self.value(coordinate, end));
                 let rate = (end - start) / step.duration;
@@ -85,7 +85,7 @@ impl Spring {
                     late => (1.0 + late) * mean - late * coordinate_rate(coordinate, start, velocity),
                 }
             }
-            Passage::Instant(velocity) => coordinate_rate(coordinate, c, velocity),
+            Passage::Instant { velocity, .. } => coordinate_rate(coordinate, c, velocity),
         }
     }
 
@@ -141,7 +141,7 @@ impl Spring {
                 let stiffness = self.stiffness * (1.0 + 2.0 * dissipation.sum()) + viscous;
                 add_products(&here, &coordinate_q(coordinate, end), stiffness, &mut blocks);
             }
-            Passage::Instant(velocity) => {
+            Passage::Instant { velocity, .. } => {
                 add_products(&here, &here, self.stiffness, &mut blocks);
                 if self.damping != 0.0 {
                     add_products(&here, &coordinate_rate_q(coordinate, c, velocity), self.damping, &mut blocks);
@@ -192,7 +192,7 @@ impl Spring {
         if self.is_idle() {
             return [0.0; 2];
         }
-        let passage = Passage::Instant(velocity);
+        let passage = Passage::with_velocity(velocity);
         let (tension, viscous) =
             (self.tension(coordinate, c, &passage), self.damping * self.rate(coordinate, c, &passage));
         self.outside_work(

@@ -3,11 +3,14 @@
 pub mod energy_balance;
 pub mod pace;
 pub mod time_error;
+pub mod viscous_rates;
 
 use self::energy_balance::EnergyBalance;
 use self::pace::Pace;
 use self::time_error::TimeError;
+use self::viscous_rates::ViscousRates;
 use crate::math::Vec3;
+use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::host_motion::Targets;
@@ -40,6 +43,8 @@ pub struct State {
     /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then `g1`, `g2`, `tau` of each bending
     /// point (1/m/s, rad/m/s); then of the rates of all relative coordinates that have a spring (m/s, rad/s).
     pub strain_rates: Vec<f64>,
+    /// Rates of the strains at `time`, as midpoint steps show them.
+    pub viscous: ViscousRates,
     /// Reference triads of the nodes.
     pub triads: Vec<Triad>,
     /// Holonomy angles of the elements, rad: the branch that the next one continues.
@@ -65,6 +70,11 @@ pub struct State {
 }
 
 impl State {
+    /// How the machine passes through it.
+    pub fn passage(&self) -> Passage<'_> {
+        Passage::Instant { velocity: &self.velocity, strain_rates: self.viscous.known() }
+    }
+
     /// Whether all its lists are as long as those of another state of the same machine.
     pub fn has_the_shape_of(&self, other: &Self) -> bool {
         let lengths = |state: &Self| {
@@ -84,6 +94,7 @@ impl State {
         let Accelerations { of_coordinates, algorithmic } = &self.accelerations;
         lengths(self) == lengths(other)
             && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
+            && self.viscous.is_possible(other.strain_rates.len())
             && self.prediction.is_possible(other.q.len())
             && self.time_error.is_possible(other.q.len(), other.multipliers.len())
             && self.pace.is_possible(other.q.len())
@@ -104,6 +115,7 @@ impl Clone for State {
             accelerations: self.accelerations.clone(),
             strays: self.strays.clone(),
             strain_rates: self.strain_rates.clone(),
+            viscous: self.viscous.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
             relative_values: self.relative_values.clone(),
@@ -127,6 +139,7 @@ impl Clone for State {
         holonomy.clone_from(&source.holonomy);
         self.strays.clone_from(&source.strays);
         self.strain_rates.clone_from(&source.strain_rates);
+        self.viscous.copy_from(&source.viscous);
         relative_values.clone_from(&source.relative_values);
         rotations.clone_from(&source.rotations);
         self.prediction.copy_from(&source.prediction);

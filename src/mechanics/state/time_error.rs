@@ -9,6 +9,8 @@ pub struct TimeError {
     pub position: Vec<f64>,
     /// Of their velocities, 1/s each.
     pub velocity: Vec<f64>,
+    /// Mean rates of `position` over the last step, 1/s each; empty without material damping, whose forces follow from them.
+    pub rates: Vec<f64>,
     /// Mean of the error's own acceleration over the last step, 1/s² each: what the next step starts from.
     pub acceleration: Vec<f64>,
     /// Of the multipliers, N or N m.
@@ -40,17 +42,19 @@ impl TimeError {
 
     /// Whether it may be one of a machine with `coordinates` coordinates and `conditions` conditions.
     pub fn is_possible(&self, coordinates: usize, conditions: usize) -> bool {
-        let Self { position, velocity, acceleration, multipliers, jerk, snap, step, known } = self;
+        let Self { position, velocity, rates, acceleration, multipliers, jerk, snap, step, known } = self;
         let lists = [position, velocity, acceleration, jerk, snap].map(Vec::len);
         let is_there = lists == [coordinates; 5] && multipliers.len() == conditions;
         let is_empty = lists == [0; 5] && multipliers.is_empty() && *known == 0;
-        (is_there || is_empty) && step.is_finite() && *step >= 0.0 && *known <= 3
+        let may_be_rates = rates.is_empty() || rates.len() == coordinates;
+        (is_there || is_empty) && may_be_rates && step.is_finite() && *step >= 0.0 && *known <= 3
     }
 
     /// Takes the values of another one, keeping its own memory.
     pub fn copy_from(&mut self, other: &Self) {
         self.position.clone_from(&other.position);
         self.velocity.clone_from(&other.velocity);
+        self.rates.clone_from(&other.rates);
         self.acceleration.clone_from(&other.acceleration);
         self.multipliers.clone_from(&other.multipliers);
         self.jerk.clone_from(&other.jerk);

@@ -33,6 +33,7 @@ use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::energy_balance::EnergyBalance;
 use crate::mechanics::state::pace::Pace;
 use crate::mechanics::state::time_error::TimeError;
+use crate::mechanics::state::viscous_rates::ViscousRates;
 use crate::mechanics::state::{Accelerations, Prediction, State, Statistics};
 
 /// A machine in the making.
@@ -399,6 +400,7 @@ impl SystemBuilder {
             multipliers: vec![0.0; system.constraints()],
             strays: vec![0.0; system.constraints()],
             strain_rates: vec![0.0; system.mesh.strains() + system.relative_coordinates.len()],
+            viscous: ViscousRates::default(),
             prediction: Prediction::default(),
             time_error: TimeError::default(),
             pace: Pace::default(),

@@ -17,10 +17,21 @@ impl System {
         self.damped_elements().next().is_some()
     }
 
-    /// Adds the viscous forces of the beams' material at an instant, with the velocities `velocity`.
-    pub(super) fn add_material_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
+    /// Sets `strain_rates` to the rates of all strains at `c` with the velocities `velocity`; those of relative coordinates stay.
+    pub fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
+        self.mesh.elements.iter().for_each(|element| element.set_strain_rates(c, velocity, strain_rates));
+    }
+
+    /// Adds the viscous forces of the beams' material at an instant, with the velocities `velocity`, or with the rates of strains where they are given.
+    pub(super) fn add_material_damping(
+        &self,
+        c: &Configuration,
+        velocity: &[f64],
+        strain_rates: Option<&[f64]>,
+        forces: &mut [f64],
+    ) {
         for (_, element) in self.damped_elements() {
-            element.add_damping(c, velocity, forces);
+            element.add_damping(c, velocity, strain_rates, forces);
         }
     }
 

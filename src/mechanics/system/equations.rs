@@ -45,8 +45,8 @@ impl System {
         for element in &self.mesh.elements {
             element.add_gradient(c, passage, forces);
         }
-        if let Passage::Instant(velocity) = passage {
-            self.add_material_damping(c, velocity, forces);
+        if let Passage::Instant { velocity, strain_rates } = passage {
+            self.add_material_damping(c, velocity, *strain_rates, forces);
         }
         self.add_springs(c, passage, forces);
     }
@@ -66,7 +66,7 @@ impl System {
         for (number, element) in self.mesh.elements.iter().enumerate() {
             element.add_gradient_and_set_hessian(c, passage, scale, forces, tangent.block_mut(number));
         }
-        if let Passage::Instant(velocity) = passage {
+        if let Passage::Instant { velocity, .. } = passage {
             self.add_material_damping_and_tangent(c, velocity, scale, forces, tangent);
         }
         let mut block = self.mesh.elements.len();

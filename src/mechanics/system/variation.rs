@@ -25,13 +25,15 @@ pub struct Variation {
     pub strays: Vec<f64>,
     /// Of the strain rates.
     pub strain_rates: Vec<f64>,
+    /// Of the rates of strains at the instant; empty where the state has none.
+    pub viscous: Vec<f64>,
     /// Of the accelerations: of the coordinates, and algorithmic; empty where the state has none.
     pub accelerations: [Vec<f64>; 2],
 }
 
 /// The lists of a state in the order of a variation's.
-fn lists(state: &State) -> [&Vec<f64>; 8] {
-    let State { q, velocity, momentum, multipliers, strays, strain_rates, accelerations, .. } = state;
+fn lists(state: &State) -> [&Vec<f64>; 9] {
+    let State { q, velocity, momentum, multipliers, strays, strain_rates, viscous, accelerations, .. } = state;
     [
         q,
         velocity,
@@ -39,13 +41,14 @@ fn lists(state: &State) -> [&Vec<f64>; 8] {
         multipliers,
         strays,
         strain_rates,
+        &viscous.rates,
         &accelerations.of_coordinates,
         &accelerations.algorithmic,
     ]
 }
 
-fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 8] {
-    let State { q, velocity, momentum, multipliers, strays, strain_rates, accelerations, .. } = state;
+fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 9] {
+    let State { q, velocity, momentum, multipliers, strays, strain_rates, viscous, accelerations, .. } = state;
     [
         q,
         velocity,
@@ -53,20 +56,23 @@ fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 8] {
         multipliers,
         strays,
         strain_rates,
+        &mut viscous.rates,
         &mut accelerations.of_coordinates,
         &mut accelerations.algorithmic,
     ]
 }
 
 impl Variation {
-    fn lists(&self) -> [&Vec<f64>; 8] {
-        let Self { q, velocity, momentum, multipliers, strays, strain_rates, accelerations: [first, second] } = self;
-        [q, velocity, momentum, multipliers, strays, strain_rates, first, second]
+    fn lists(&self) -> [&Vec<f64>; 9] {
+        let Self { q, velocity, momentum, multipliers, strays, strain_rates, viscous, accelerations } = self;
+        let [first, second] = accelerations;
+        [q, velocity, momentum, multipliers, strays, strain_rates, viscous, first, second]
     }
 
-    fn lists_mut(&mut self) -> [&mut Vec<f64>; 8] {
-        let Self { q, velocity, momentum, multipliers, strays, strain_rates, accelerations: [first, second] } = self;
-        [q, velocity, momentum, multipliers, strays, strain_rates, first, second]
+    fn lists_mut(&mut self) -> [&mut Vec<f64>; 9] {
+        let Self { q, velocity, momentum, multipliers, strays, strain_rates, viscous, accelerations } = self;
+        let [first, second] = accelerations;
+        [q, velocity, momentum, multipliers, strays, strain_rates, viscous, first, second]
     }
 
     /// No change of `state`.

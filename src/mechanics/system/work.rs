@@ -82,7 +82,7 @@ impl System {
         let external = -dot(forces, velocity);
         let viscous = if self.has_material_damping() {
             forces.fill(0.0);
-            self.add_material_damping(c, velocity, forces);
+            self.add_material_damping(c, velocity, None, forces);
             dot(forces, velocity)
         } else {
             0.0

@@ -3,7 +3,7 @@
 use super::scene::{Scene, Watched};
 use super::stations::{RESULTS, Stations, quaternion, steps};
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::{Configuration, Passage};
+use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::force::load::Direction;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::output::joint_loads::JointLoads;
@@ -100,7 +100,7 @@ impl Recording {
         let c = self.frames.of(system, state);
         look(&self.watched, system, state, &c, &mut seen);
         if let Some(multipliers) = simulation.multipliers() {
-            let passage = Passage::Instant(&state.velocity);
+            let passage = state.passage();
             let loads = JointLoads { system, c: &c, passage: &passage, multipliers };
             let place = KINDS.len() + RESULTS.len();
             for (number, _) in &self.watched.joints {

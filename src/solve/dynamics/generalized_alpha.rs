@@ -229,7 +229,7 @@ impl Scratch {
     /// Forces without those of spins and joints, and gradients of these, at the current positions.
     fn act(&mut self, system: &System, state: &State) {
         let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
-        let passage = Passage::Instant(&self.velocity);
+        let passage = Passage::with_velocity(&self.velocity);
         system.forces(&configuration, &passage, &self.excitation, &mut self.forces);
         system.constraint_gradients(&configuration, &mut self.gradients);
     }
@@ -347,7 +347,7 @@ impl Problem for Step<'_> {
         let scale = 1.0 / by_q[1];
 
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
-        let passage = Passage::Instant(&scratch.velocity);
+        let passage = Passage::with_velocity(&scratch.velocity);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
         system.add_damping_matrix(&configuration, scale * by_q[0], tangent);

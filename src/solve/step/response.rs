@@ -4,7 +4,6 @@
 
 use crate::error::Error;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
@@ -107,7 +106,7 @@ impl Responder {
         system.frames(&state.q, &state.triads, &mut self.frames);
         let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
         system.excite(state.time, &state.targets, &mut self.excitation);
-        let passage = Passage::Instant(&state.velocity);
+        let passage = state.passage();
 
         let (forces, conditions) = self.right.split_at_mut(state.q.len());
         system.forces(&configuration, &passage, &self.excitation, forces);

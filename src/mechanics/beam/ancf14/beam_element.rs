@@ -30,7 +30,7 @@ impl Element {
     #[inline]
     fn passing<'a>(&'a self, c: &Configuration<'a>, passage: &Passage) -> Evaluation<'a> {
         match passage {
-            Passage::Rest | Passage::Instant(_) => self.evaluation(c),
+            Passage::Rest | Passage::Instant { .. } => self.evaluation(c),
             Passage::Step(step) => self.over_step(c, step),
         }
     }
@@ -129,9 +129,17 @@ impl BeamElement for Element {
         (starts[self.place.branch], *self.own_rates_mut(strain_rates)) = self.step_start(c, velocity);
     }
 
-    fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
-        let velocity = ElementVector::from_column_slice(self.own(velocity));
-        self.add(&damping::force(&self.linear_evaluation(c), &velocity), forces);
+    fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
+        *self.own_rates_mut(strain_rates) = self.strain_rates(&self.evaluation(c), self.own(velocity));
+    }
+
+    fn add_damping(&self, c: &Configuration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]) {
+        let here = self.linear_evaluation(c);
+        let force = match strain_rates {
+            Some(all) => damping::force_of_rates(&here, self.own_rates(all)),
+            None => damping::force(&here, &ElementVector::from_column_slice(self.own(velocity))),
+        };
+        self.add(&force, forces);
     }
 
     fn add_damping_and_tangent(

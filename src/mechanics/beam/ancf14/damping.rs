@@ -26,6 +26,11 @@ pub fn force(evaluation: &Evaluation, velocity: &ElementVector) -> ElementVector
     strains_q * resultants(evaluation, &strains_q, velocity)
 }
 
+/// Viscous force at the rates `rates` of the strains, 14×1: `Jᵀ c W D rates`.
+pub fn force_of_rates(evaluation: &Evaluation, rates: &[f64; STRAINS]) -> ElementVector {
+    strains_q(evaluation) * viscosities(evaluation.element).component_mul(&StrainVector::from(*rates))
+}
+
 /// Derivative of [`force`] by the coordinates, 14×14: `Hess · resultants + Jᵀ c W D ∂(J v)/∂q`, a row of the last `vᵀ Hess(strain)`.
 pub fn force_q(evaluation: &Evaluation, velocity: &ElementVector) -> ElementMatrix {
     let strains_q = strains_q(evaluation);

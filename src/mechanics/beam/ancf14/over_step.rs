@@ -161,6 +161,12 @@ impl Element {
         &mut own[self.place.branch]
     }
 
+    /// [`Self::own_rates_mut`].
+    pub fn own_rates<'a>(&self, all: &'a [f64]) -> &'a [f64; STRAINS] {
+        let (own, _) = all.as_chunks::<STRAINS>();
+        &own[self.place.branch]
+    }
+
     /// What a step from `c` with the velocities `velocity` of all coordinates starts with, and the rates of the strains there.
     pub fn step_start(&self, c: &Configuration, velocity: &[f64]) -> (StepStart, [f64; STRAINS]) {
         let evaluation = self.evaluation(c);
@@ -168,7 +174,7 @@ impl Element {
     }
 
     /// Rates of the strains with the velocities `velocity` (14) of its own coordinates.
-    fn strain_rates(&self, evaluation: &Evaluation, velocity: &[f64]) -> [f64; STRAINS] {
+    pub fn strain_rates(&self, evaluation: &Evaluation, velocity: &[f64]) -> [f64; STRAINS] {
         // The internal coordinate of the quadratic twist follows the others.
         let bubble = match self.stiffness.twist {
             Twist::Linear => 0.0,

@@ -151,7 +151,7 @@ impl BeamElement for Element {
         [self.energy(self.own(step.end.q)), taken]
     }
 
-    fn add_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
+    fn add_damping(&self, c: &Configuration, velocity: &[f64], _strain_rates: Option<&[f64]>, forces: &mut [f64]) {
         damping::add_force(self, self.own(c.q), self.own(velocity), self.own_mut(forces));
     }
 

@@ -103,6 +103,7 @@ impl Dynamics for Midpoint {
     /// The first step knows no step before it: the dissipation counts all of its change as unpredicted.
     fn begin(&mut self, _system: &System, state: &mut State) -> Result<(), Error> {
         state.strain_rates.fill(0.0);
+        state.viscous.clear();
         state.prediction = Prediction::default();
         state.time_error = TimeError::default();
         state.pace = Pace::default();
@@ -132,6 +133,7 @@ impl Integrator for Midpoint {
         };
         let energy_before = self.scratch.energies(system, state);
         let work = outside + self.scratch.finish(system, &mut next, span);
+        self.scratch.continue_rates(state, span.step, &mut next);
         self.carry_error(system, state, dissipation, span, &mut next);
         // Those of the middle are no longer needed.
         let frames = &mut self.scratch.frames_middle;
@@ -144,6 +146,7 @@ impl Integrator for Midpoint {
             if system.is_sudden(end, step) {
                 next.balance.skip_jump();
                 next.time_error.known = 0;
+                next.viscous.jump();
                 if let Some(pacing) = self.pacing {
                     pacing.jump(&mut next);
                 }
@@ -400,5 +403,6 @@ impl Linearized for Midpoint {
         self.scratch.evaluate(system, state, dissipation, span, next);
         constraint_forces(&mut self.scratch);
         self.scratch.finish(system, next, span);
+        self.scratch.continue_rates(state, span.step, next);
     }
 }

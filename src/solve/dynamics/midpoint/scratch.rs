@@ -35,6 +35,8 @@ pub struct Scratch {
     pub frames_end: Vec<NodeFrame>,
     pub gradients_middle: Vec<JointGradient>,
     pub gradients_end: Vec<JointGradient>,
+    /// Whether the material of a beam is damped.
+    pub is_viscous: bool,
 }
 
 impl Scratch {
@@ -49,6 +51,7 @@ impl Scratch {
             forces: vec![0.0; coordinates],
             mass_increment: vec![0.0; coordinates],
             conditions: vec![0.0; conditions],
+            is_viscous: system.has_material_damping(),
             ..Self::default()
         }
     }
@@ -109,6 +112,13 @@ impl Scratch {
             dissipation,
         ));
         system.forces(&middle, &passage, &self.excitation, &mut self.forces);
+    }
+
+    /// Continues the rates of strains to the end of the step from `state` that `next` has those over.
+    pub fn continue_rates(&self, state: &State, step: f64, next: &mut State) {
+        if self.is_viscous {
+            next.viscous.advance(step, &next.strain_rates, &state.strain_rates, &self.start_rates);
+        }
     }
 
     /// The energies of `state`, J.

@@ -119,6 +119,9 @@ impl Estimator {
     /// Carries `error`, that of the start of the step `taken`, to its end, but for the projection of its velocities; `kkt` has the tangent of the step.
     pub fn carry(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, error: &mut TimeError) {
         error.resize(system.coordinates(), system.constraints());
+        if self.scratch.is_viscous {
+            error.rates.resize(system.coordinates(), 0.0);
+        }
         // Without an accurate solution the error stays that of the start, and its source is found anew from here on.
         if self.advance(system, kkt, taken, error).is_err() {
             error.known = 0;
@@ -262,6 +265,10 @@ impl Estimator {
             let before = error.velocity[index];
             let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * self.middle[index]) / h - before;
             error.position[index] += change;
+            if let Some(rate) = error.rates.get_mut(index) {
+                // The error of a strain that viscosity stops within far less than a step alternates: the mean of two does not.
+                *rate = if error.known == 0 { change / h } else { 0.5 * (*rate + change / h) };
+            }
             error.velocity[index] = after;
             error.acceleration[index] = (after - before) / h;
         }
@@ -339,8 +346,8 @@ impl Estimator {
 
 /// Takes `error` from the charts of the start of a step to those of its end, where a turn of a tangent alone turns no section.
 fn change_charts(system: &System, solution: &Scratch, error: &mut TimeError) {
-    let TimeError { position, velocity, acceleration, .. } = error;
-    for list in [position, velocity, acceleration] {
+    let TimeError { position, velocity, rates, acceleration, .. } = error;
+    for list in [position, velocity, rates, acceleration].into_iter().filter(|list| !list.is_empty()) {
         for (own, frame) in system.mesh.framed.iter().zip(&solution.frames_end) {
             list[own + THETA] -= frame.k.dot(&vec3(list, own + P)) / frame.stretch;
         }
