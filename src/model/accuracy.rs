@@ -222,10 +222,18 @@ impl Setting {
     /// What it should be for an error that is `factor` times as large, in words. Errors grow as the square of the steps, and as the accuracy.
     fn proposed(self, factor: f64) -> String {
         match self {
-            Self::Step(step) => format!("simulation.step: {:.1e} s", step * factor.sqrt()),
+            Self::Step(step) => format!("{}: {:.1e} s", self.name(), step * factor.sqrt()),
             Self::Accuracy(accuracy) => {
-                format!("simulation.accuracy: {:.1e}", (accuracy * factor).max(FINEST_ACCURACY))
+                format!("{}: {:.1e}", self.name(), (accuracy * factor).max(FINEST_ACCURACY))
             }
+        }
+    }
+
+    /// Its key in the model file.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Step(_) => "simulation.step",
+            Self::Accuracy(_) => "simulation.accuracy",
         }
     }
 }
@@ -234,13 +242,19 @@ impl Inexact {
     /// The warning about a run whose results are off by more than a reader expects; `setting` is the one of its steps.
     pub fn warning(&self, setting: Setting) -> Option<String> {
         let Self { name, error } = self;
+        // Beyond the whole range the estimate has a size, but no number that a step could follow from.
+        let remedy = match *error {
+            error if error > 1.0 => format!("take a far smaller {}", setting.name()),
+            error => format!(
+                "take a smaller {} for about {} where the motion is smooth",
+                setting.proposed(PROPOSED / error),
+                percent(PROPOSED)
+            ),
+        };
         (*error > EXPECTED).then(|| {
             format!(
-                "{name} is off by {} of its range because of the length of the steps, as estimated during the run; take a smaller {} for about \
-                 {} where the motion is smooth",
+                "{name} is off by {} of its range because of the length of the steps, as estimated during the run; {remedy}",
                 self.size(),
-                setting.proposed(PROPOSED / error),
-                percent(PROPOSED),
             )
         })
     }
@@ -256,4 +270,26 @@ fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     let digits = if percent == 0.0 { 0 } else { (1 - percent.log10().floor() as i32).clamp(0, 6) as usize };
     format!("{percent:.digits$} %")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An error of 2 % asks for a step of a third, for a tenth of it; one beyond the whole range for no number.
+    #[test]
+    fn the_remedy_follows_from_the_error() {
+        let warning = |error: f64| Inexact { name: String::from("tip.velocity"), error }.warning(Setting::Step(1e-3));
+        assert_eq!(warning(0.004), None);
+        let found = warning(0.02).unwrap();
+        assert!(
+            found.ends_with("take a smaller simulation.step: 3.2e-4 s for about 0.20 % where the motion is smooth"),
+            "{found}"
+        );
+        let found = warning(1e9).unwrap();
+        assert!(
+            found.contains("more than 100 %") && found.ends_with("; take a far smaller simulation.step"),
+            "{found}"
+        );
+    }
 }
