@@ -228,9 +228,9 @@ fn overrides_reach_every_section() {
 fn geometry_is_checked_with_the_parameters_of_now() {
     let mut document = parse(&[]);
     let m = document.parameters().iter().position(|parameter| parameter.variable.name == "m").expect("m");
-    assert!(ancf14::model::geometry::mistakes(&document).is_empty());
+    assert!(ancf14::model::validate::mistakes(&document).is_empty());
     document.set_parameter(m, Value::Real(1000.0)).expect("a number");
-    let mistakes = ancf14::model::geometry::mistakes(&document);
+    let mistakes = ancf14::model::validate::mistakes(&document);
     assert_eq!(mistakes.len(), 1);
     assert_eq!(mistakes[0].message, "the inertia of body bob is not positive");
 }

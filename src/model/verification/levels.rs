@@ -2,14 +2,14 @@
 
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::design::{Elements, Torsion};
-use crate::model::document::Document;
-use crate::model::entries::anchor::{Along, Spot};
-use crate::model::entries::beam::Beam;
-use crate::model::entries::curve::{Curve, Line, Shape};
-use crate::model::entries::simulation::{Analysis, Steps};
-use crate::model::entries::{load, output};
-use crate::model::geometry;
-use crate::model::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
+use crate::model::file::document::Document;
+use crate::model::file::entries::beam::Beam;
+use crate::model::file::entries::curve::{Curve, Line, Shape};
+use crate::model::file::entries::simulation::{Analysis, Steps};
+use crate::model::file::entries::{load, output};
+use crate::model::file::reader::anchor::{Along, Spot};
+use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
+use crate::model::validate;
 
 /// A key and a value, as `--set` takes them.
 pub type Override = (String, String);
@@ -154,11 +154,11 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
 
 /// The place of node `node` of a beam, as it is written for another number of elements: a node, or where there is none, a fraction.
 fn same_place(document: &Document, beam: &Beam, node: usize, [from, to]: [usize; 2]) -> Option<String> {
-    let fraction = geometry::division(document, beam, from)?.fraction(node)?;
+    let fraction = validate::division(document, beam, from)?.fraction(node)?;
     let other = match &beam.line {
         // The pieces between the points share the elements by length: not every one gets the same multiple.
         Some(Line::Curved(Curve { polyline: true, shape: Shape::Points(_), .. })) => {
-            geometry::division(document, beam, to).and_then(|division| division.end_at(fraction))
+            validate::division(document, beam, to).and_then(|division| division.end_at(fraction))
         }
         _ => (node * to).is_multiple_of(from).then(|| node * to / from),
     };

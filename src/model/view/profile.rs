@@ -2,8 +2,8 @@
 
 use crate::mechanics::beam::section::Outline;
 use crate::mechanics::body::rigid_body::RigidBody;
-use crate::model::document::Document;
-use crate::model::entries::section::Section;
+use crate::model::file::document::Document;
+use crate::model::file::entries::section::Section;
 
 /// The outline of a section, m.
 #[derive(Clone, Copy, Debug, PartialEq)]

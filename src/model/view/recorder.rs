@@ -10,7 +10,7 @@ use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
-use crate::model::simulation::Simulation;
+use crate::model::run::simulation::Simulation;
 
 /// Numbers of one kind at all instants: instant by instant, in each thing by thing, of each its components.
 #[derive(Clone, Debug, PartialEq)]
