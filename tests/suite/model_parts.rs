@@ -9,10 +9,10 @@ use ancf14::model::entries::anchor::{Anchor, Spot};
 use ancf14::model::entries::body::Inertia;
 use ancf14::model::entries::drive::Motion;
 use ancf14::model::entries::frame::Orientation;
-use ancf14::model::entries::joint::{Coordinate, Joint, JointKind};
+use ancf14::model::entries::joint::{Coordinate, JointKind, JointSpec};
 use ancf14::model::entries::load;
 use ancf14::model::entries::output::Target;
-use ancf14::model::entries::simulation::{Initial, Integrator};
+use ancf14::model::entries::simulation::{Initial, IntegratorSpec};
 use ancf14::model::quantity::{QUANTITIES, Quantity, Site};
 
 pub const EVERYTHING: &str = include_str!("../everything.toml");
@@ -32,7 +32,7 @@ fn row<'d>(document: &'d Document, name: &str) -> &'d Variable {
     &found.unwrap_or_else(|| panic!("no parameter {name}")).variable
 }
 
-fn joint<'d>(document: &'d Document, name: &str) -> &'d Joint {
+fn joint<'d>(document: &'d Document, name: &str) -> &'d JointSpec {
     document.joints.iter().find(|joint| joint.name == name).unwrap_or_else(|| panic!("no joint {name}"))
 }
 
@@ -163,7 +163,7 @@ fn springs_materials_and_the_simulation_arrive_as_written() {
     assert_eq!(document.value(document.materials[0].damping), 1e-4);
     assert_eq!(document.simulation.initial, Initial::Equilibrium);
     assert!(document.simulation.verify);
-    let Integrator::GeneralizedAlpha { spectral_radius } = document.simulation.integrator else { panic!("alpha") };
+    let IntegratorSpec::GeneralizedAlpha { spectral_radius } = document.simulation.integrator else { panic!("alpha") };
     assert_eq!(document.value(spectral_radius), 0.8);
     let load::Target::At(Anchor { spot, .. }) = document.loads[0].target else { panic!("at a body") };
     assert_eq!(spot, Spot::Body(0));

@@ -20,13 +20,13 @@ use crate::mechanics::input::prescribed::Guide;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::joint_parts::JointParts;
-use crate::model::file::entries::drive::{Drive, Motion};
-use crate::model::file::entries::joint::{Coordinate, Joint, JointKind};
-use crate::model::file::entries::spring::Spring;
+use crate::model::file::entries::drive::{DriveSpec, Motion};
+use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
+use crate::model::file::entries::spring::SpringSpec;
 use crate::model::file::reader::anchor::Spot;
 
 impl Builder<'_> {
-    pub(super) fn add_joint(&mut self, written: &Joint) {
+    pub(super) fn add_joint(&mut self, written: &JointSpec) {
         let sides = self.sides(written);
         let joint = conditions(written.kind).map(|primitives| {
             let [a, b] = sides;
@@ -55,7 +55,7 @@ impl Builder<'_> {
     }
 
     /// The two sides of a joint: at its place, with its axes.
-    fn sides(&mut self, written: &Joint) -> [Marker; 2] {
+    fn sides(&mut self, written: &JointSpec) -> [Marker; 2] {
         let document = self.document;
         let own = if written.b.spot == Spot::Ground { &written.a } else { &written.b };
         let place = written.at.map_or_else(|| self.system.drawn(&self.anchored(own)).place, |at| self.position(at));
@@ -71,7 +71,7 @@ impl Builder<'_> {
         })
     }
 
-    pub(super) fn add_drive(&mut self, written: &Drive) {
+    pub(super) fn add_drive(&mut self, written: &DriveSpec) {
         let document = self.document;
         let sides = self.sides(&document.joints[written.joint]);
         let driven = match written.coordinate {
@@ -88,7 +88,7 @@ impl Builder<'_> {
         self.system.add_drive_of(written.joint, drive);
     }
 
-    pub(super) fn add_spring(&mut self, written: &Spring) {
+    pub(super) fn add_spring(&mut self, written: &SpringSpec) {
         let (a, b) = (self.anchored(&written.a), self.anchored(&written.b));
         let length = (self.system.drawn(&b).place - self.system.drawn(&a).place).norm();
         if length == 0.0 {

@@ -10,17 +10,17 @@ use crate::mechanics::body::rigid_body::BodyDesign;
 use crate::mechanics::force::load::{self, Direction, LoadGuide};
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::prescribed::FrameGuide;
-use crate::model::file::entries::beam::Beam;
-use crate::model::file::entries::body::{Body, Inertia};
-use crate::model::file::entries::frame::{Frame, Orientation};
-use crate::model::file::entries::load::{Load, Target};
+use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::body::{BodySpec, Inertia};
+use crate::model::file::entries::frame::{FrameSpec, Orientation};
+use crate::model::file::entries::load::{LoadSpec, Target};
 use crate::model::file::entries::material::Lateral;
-use crate::model::file::entries::section::{self, Shape};
+use crate::model::file::entries::section::{SectionSpec, Shape};
 use crate::model::file::number::Number;
 use nalgebra::Rotation3;
 
 impl Builder<'_> {
-    pub(super) fn add_beam(&mut self, beam: &Beam, line: &Centreline) {
+    pub(super) fn add_beam(&mut self, beam: &BeamSpec, line: &Centreline) {
         let document = self.document;
         let material = &document.materials[beam.material];
         let young = document.value(material.young);
@@ -50,7 +50,7 @@ impl Builder<'_> {
     }
 
     /// Integrals of the shape, those that are written instead of the shape's own.
-    fn section(&self, written: &section::Section) -> Section {
+    fn section(&self, written: &SectionSpec) -> Section {
         let value = |number| self.document.value(number);
         let given = |number: Option<Number>, own: f64| number.map_or(own, value);
         let shape = match written.shape {
@@ -86,7 +86,7 @@ impl Builder<'_> {
         }
     }
 
-    pub(super) fn add_body(&mut self, body: &Body) {
+    pub(super) fn add_body(&mut self, body: &BodySpec) {
         let document = self.document;
         let inertia = match body.inertia {
             Inertia::Principal(numbers) => Mat3::from_diagonal(&vector(document, numbers)),
@@ -111,7 +111,7 @@ impl Builder<'_> {
         });
     }
 
-    pub(super) fn add_frame(&mut self, frame: &Frame) {
+    pub(super) fn add_frame(&mut self, frame: &FrameSpec) {
         let document = self.document;
         let (guide, target) = match frame.orientation {
             Orientation::Rotation(rotation) if !frame.input => {
@@ -130,7 +130,7 @@ impl Builder<'_> {
         self.system.add_frame(&frame.name, guide, target);
     }
 
-    pub(super) fn add_load(&mut self, written: &Load) {
+    pub(super) fn add_load(&mut self, written: &LoadSpec) {
         let points = match &written.target {
             Target::At(anchor) => {
                 let marker = self.anchored(anchor);

@@ -12,9 +12,9 @@ use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::System;
 use crate::model::file::document::Document;
 use crate::model::file::entries::drive::Motion;
-use crate::model::file::entries::frame::{Frame, Orientation};
-use crate::model::file::entries::joint::Joint;
-use crate::model::file::entries::spring::Spring;
+use crate::model::file::entries::frame::{FrameSpec, Orientation};
+use crate::model::file::entries::joint::JointSpec;
+use crate::model::file::entries::spring::SpringSpec;
 use crate::model::file::number::Number;
 use nalgebra::Quaternion;
 
@@ -27,12 +27,12 @@ pub(super) struct Tuned {
 }
 
 /// The numbers of a two-point spring.
-pub(super) fn spring(spring: &Spring) -> Tuned {
+pub(super) fn spring(spring: &SpringSpec) -> Tuned {
     Tuned { stiffness: spring.stiffness, damping: spring.damping, rest: spring.length }
 }
 
 /// The springs of a joint with what they measure, in the order of their building.
-pub(super) fn springs_of(joint: &Joint) -> Vec<(Measure, Tuned)> {
+pub(super) fn springs_of(joint: &JointSpec) -> Vec<(Measure, Tuned)> {
     let coordinates = [(Measure::Angle(0), joint.angle), (Measure::Distance(0), joint.distance)];
     let on_coordinates = coordinates.into_iter().filter_map(|(measure, own)| {
         own.map(|own| (measure, Tuned { stiffness: own.stiffness, damping: own.damping, rest: None }))
@@ -83,7 +83,7 @@ pub fn undirected(
     document: &Document,
     line: impl Fn(Number) -> (f64, f64),
     [begin, end]: [f64; 2],
-) -> impl Iterator<Item = (&Frame, [Number; 4])> {
+) -> impl Iterator<Item = (&FrameSpec, [Number; 4])> {
     document.frames.iter().filter_map(move |frame| match frame.orientation {
         Orientation::Quaternion(numbers) => {
             let at_end = |number: Number| line(number).0 + line(number).1 * (end - begin);

@@ -1,18 +1,18 @@
 //! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
 
-use super::entries::beam::Beam;
-use super::entries::body::Body;
-use super::entries::drive::Drive;
-use super::entries::frame::Frame;
-use super::entries::joint::Joint;
-use super::entries::load::Load;
-use super::entries::material::Material;
-use super::entries::output::{Output, Things};
-use super::entries::overview::Model;
+use super::entries::beam::BeamSpec;
+use super::entries::body::BodySpec;
+use super::entries::drive::DriveSpec;
+use super::entries::frame::FrameSpec;
+use super::entries::joint::JointSpec;
+use super::entries::load::LoadSpec;
+use super::entries::material::MaterialSpec;
+use super::entries::output::{OutputSpec, Things};
+use super::entries::overview::ModelSpec;
 use super::entries::parameters;
-use super::entries::section::Section;
-use super::entries::simulation::{Analysis, Simulation, Steps};
-use super::entries::spring::Spring;
+use super::entries::section::SectionSpec;
+use super::entries::simulation::{Analysis, SimulationSpec, Steps};
+use super::entries::spring::SpringSpec;
 use super::number::{Number, Numbers, Written};
 use super::parameter::Parameter;
 use super::range::Range;
@@ -35,29 +35,29 @@ pub struct Document {
     pub(in crate::model) numbers: Numbers,
     pub(super) parameters: Vec<Parameter>,
     /// Name, description, gravity.
-    pub model: Model,
+    pub model: ModelSpec,
     /// Materials, in file order.
-    pub materials: Vec<Material>,
+    pub materials: Vec<MaterialSpec>,
     /// Sections, in file order.
-    pub sections: Vec<Section>,
+    pub sections: Vec<SectionSpec>,
     /// Beams, in file order.
-    pub beams: Vec<Beam>,
+    pub beams: Vec<BeamSpec>,
     /// Bodies, in file order.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<BodySpec>,
     /// Frames, in file order.
-    pub frames: Vec<Frame>,
+    pub frames: Vec<FrameSpec>,
     /// Joints, in file order.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<JointSpec>,
     /// Drives, in file order.
-    pub drives: Vec<Drive>,
+    pub drives: Vec<DriveSpec>,
     /// Springs, in file order.
-    pub springs: Vec<Spring>,
+    pub springs: Vec<SpringSpec>,
     /// Loads, in file order.
-    pub loads: Vec<Load>,
+    pub loads: Vec<LoadSpec>,
     /// Outputs, in file order.
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<OutputSpec>,
     /// What is computed.
-    pub simulation: Simulation,
+    pub simulation: SimulationSpec,
 }
 
 /// The only version of the format.
@@ -82,20 +82,20 @@ impl Document {
         parameters::read(&mut context, tree.table("parameters").as_ref().unwrap_or(&empty));
         context.numbers.sort(&mut context.report);
 
-        let model = tree.single(&mut context, "model").map(Model::read);
-        let materials = tree.named(&mut context, "material", Material::read);
-        let sections = tree.named(&mut context, "section", Section::read);
-        let beams = tree.named(&mut context, "beam", Beam::read);
-        let bodies = tree.named(&mut context, "body", Body::read);
-        let frames = tree.named(&mut context, "frame", Frame::read);
-        let joints = tree.named(&mut context, "joint", Joint::read);
-        let drives = tree.named(&mut context, "drive", |name, reader| Drive::read(name, reader, &joints));
-        Drive::report_doubles(&drives, &mut context.report);
-        let springs = tree.named(&mut context, "spring", Spring::read);
-        let loads = tree.named(&mut context, "load", Load::read);
+        let model = tree.single(&mut context, "model").map(ModelSpec::read);
+        let materials = tree.named(&mut context, "material", MaterialSpec::read);
+        let sections = tree.named(&mut context, "section", SectionSpec::read);
+        let beams = tree.named(&mut context, "beam", BeamSpec::read);
+        let bodies = tree.named(&mut context, "body", BodySpec::read);
+        let frames = tree.named(&mut context, "frame", FrameSpec::read);
+        let joints = tree.named(&mut context, "joint", JointSpec::read);
+        let drives = tree.named(&mut context, "drive", |name, reader| DriveSpec::read(name, reader, &joints));
+        DriveSpec::report_doubles(&drives, &mut context.report);
+        let springs = tree.named(&mut context, "spring", SpringSpec::read);
+        let loads = tree.named(&mut context, "load", LoadSpec::read);
         let things = Things { beams: &beams, sections: &sections, joints: &joints, drives: &drives };
-        let outputs = tree.named(&mut context, "output", |name, reader| Output::read(name, reader, things));
-        let simulation = tree.single(&mut context, "simulation").map(Simulation::read);
+        let outputs = tree.named(&mut context, "output", |name, reader| OutputSpec::read(name, reader, things));
+        let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
         tree.finish(&mut context);
 
         let Context { mut report, mut numbers, .. } = context;
@@ -131,7 +131,7 @@ impl Document {
 
     /// Time between two rows of results, s.
     pub fn output_step(&self) -> f64 {
-        let Simulation { analysis, stop, steps, output_step, .. } = &self.simulation;
+        let SimulationSpec { analysis, stop, steps, output_step, .. } = &self.simulation;
         match (output_step, steps, analysis) {
             (Some(number), ..) | (None, Steps::Fixed(number), _) => self.value(*number),
             (None, Steps::ForAccuracy(_), Analysis::Dynamic) => self.value(*stop) / ROWS_OF_MOTION,
@@ -141,7 +141,7 @@ impl Document {
 
     /// The largest internal step, s; where the solver chooses the steps of a motion, one that does not depend on the rows.
     pub fn largest_step(&self) -> f64 {
-        let Simulation { analysis, stop, steps, .. } = &self.simulation;
+        let SimulationSpec { analysis, stop, steps, .. } = &self.simulation;
         match (steps, analysis) {
             (Steps::Fixed(step), _) => self.value(*step),
             (Steps::ForAccuracy(_), Analysis::Dynamic) => self.value(*stop) / ROWS_OF_MOTION,
@@ -151,7 +151,7 @@ impl Document {
 
     /// What a host's relative tolerance stands for: the accuracy of a motion whose steps follow from it, else what Newton may leave of a step.
     pub fn asked_accuracy(&self) -> f64 {
-        let Simulation { analysis, steps, tolerance, .. } = self.simulation;
+        let SimulationSpec { analysis, steps, tolerance, .. } = self.simulation;
         match (analysis, steps) {
             (Analysis::Dynamic, Steps::ForAccuracy(accuracy)) => self.value(accuracy),
             _ => self.value(tolerance),
@@ -160,7 +160,8 @@ impl Document {
 
     /// How the solver chooses the steps of a motion from `start`, s; none where they are given.
     pub fn pacing(&self, start: f64) -> Option<Pacing> {
-        let Simulation { analysis: Analysis::Dynamic, steps: Steps::ForAccuracy(accuracy), stop, .. } = self.simulation
+        let SimulationSpec { analysis: Analysis::Dynamic, steps: Steps::ForAccuracy(accuracy), stop, .. } =
+            self.simulation
         else {
             return None;
         };
@@ -381,7 +382,7 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
 }
 
 /// Reports every number that is out of its range.
-fn report_objections(numbers: &Numbers, sections: &[Section], report: &mut Report<'_>) {
+fn report_objections(numbers: &Numbers, sections: &[SectionSpec], report: &mut Report<'_>) {
     let tubes = sections.iter().filter_map(|section| section.objection(numbers));
     for (number, objection) in numbers.objections().into_iter().chain(tubes) {
         let slot = &numbers.slots[number.0];

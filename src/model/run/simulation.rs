@@ -19,8 +19,8 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::builder;
 use crate::model::file::document::Document;
-use crate::model::file::entries::frame::Frame;
-use crate::model::file::entries::simulation::{Analysis, Integrator};
+use crate::model::file::entries::frame::FrameSpec;
+use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::number::Number;
 use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::variables::inputs::Inputs;
@@ -111,7 +111,7 @@ impl Simulation {
     pub fn multipliers(&self) -> Option<&[f64]> {
         let simulation = &self.document.simulation;
         let is_at_instant = simulation.analysis == Analysis::Static
-            || matches!(simulation.integrator, Integrator::GeneralizedAlpha { .. })
+            || matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
             || self.table.needs_response();
         is_at_instant.then_some(&self.machine.response.multipliers)
     }
@@ -172,7 +172,7 @@ impl Simulation {
             return;
         }
         let mut undirected = builder::undirected(&self.document, |number| self.inputs.line(number), span);
-        if let Some((Frame { name, .. }, _)) = undirected.next() {
+        if let Some((FrameSpec { name, .. }, _)) = undirected.next() {
             self.warnings.push(format!(
                 "the quaternion of frame {name} is 0, which is no orientation: the frame keeps the one it has; set \
                  {name}.quaternion[1] to 1 for no rotation, or take input = \"rotation\" for the frame, whose inputs may all be 0"

@@ -11,7 +11,7 @@ use crate::mechanics::state::energy_balance::Alarm;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
-use crate::model::file::entries::simulation::Integrator;
+use crate::model::file::entries::simulation::IntegratorSpec;
 use crate::model::file::quantity::Quantity;
 use crate::model::variables::Table;
 use serde::{Deserialize, Serialize};
@@ -35,8 +35,10 @@ impl Watch {
     /// Of a run of `document`.
     pub fn new(document: &Document) -> Self {
         let damps = match document.simulation.integrator {
-            Integrator::Conserving { spectral_radius } => spectral_radius.is_some_and(|own| document.value(own) < 1.0),
-            Integrator::GeneralizedAlpha { .. } => true,
+            IntegratorSpec::Conserving { spectral_radius } => {
+                spectral_radius.is_some_and(|own| document.value(own) < 1.0)
+            }
+            IntegratorSpec::GeneralizedAlpha { .. } => true,
         };
         let analysis = document.simulation.analysis;
         let (mesh, alternation) = (MeshWatch::new(analysis), AlternationWatch::new(analysis));

@@ -6,8 +6,8 @@ use crate::math::{Vec3, spline};
 use crate::mechanics::beam::centreline::{Centreline, Spacing, Span, shares};
 use crate::mechanics::beam::division::Division;
 use crate::model::file::document::Document;
-use crate::model::file::entries::beam::Beam;
-use crate::model::file::entries::curve::{self, Line, Shape};
+use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::{Along, Anchor, Spot};
 use crate::model::text::diagnostic::{Diagnostic, Place};
@@ -50,7 +50,7 @@ impl Lines {
     }
 
     /// Adds the line of the next beam.
-    pub fn push(&mut self, document: &Document, beam: &Beam, line: Option<Centreline>) {
+    pub fn push(&mut self, document: &Document, beam: &BeamSpec, line: Option<Centreline>) {
         let is_straight = matches!(beam.line, Some(Line::Straight { .. }));
         let own = line.as_ref().map(|line| line.division.clone());
         let straight = || is_straight.then(|| whole(document, beam).map(Division::Equal)).flatten();
@@ -93,7 +93,7 @@ impl Lines {
 }
 
 /// The number of elements of a beam; none: it is wrong, which is reported elsewhere.
-pub fn whole(document: &Document, beam: &Beam) -> Option<usize> {
+pub fn whole(document: &Document, beam: &BeamSpec) -> Option<usize> {
     let elements = document.value(beam.elements);
     (document.objection(beam.elements).is_none() && elements.is_finite()).then_some(elements as usize)
 }
@@ -102,7 +102,7 @@ pub fn whole(document: &Document, beam: &Beam) -> Option<usize> {
 ///
 /// # Errors
 /// The mistake of the geometry.
-pub fn line(document: &Document, beam: &Beam, elements: usize) -> Drawn {
+pub fn line(document: &Document, beam: &BeamSpec, elements: usize) -> Drawn {
     match &beam.line {
         None => Ok(None),
         Some(Line::Straight { from, to }) => straight(document, beam, [*from, *to], elements),
@@ -120,12 +120,12 @@ pub fn line(document: &Document, beam: &Beam, elements: usize) -> Drawn {
 }
 
 /// How a beam in `elements` elements is divided; none where it cannot be drawn.
-pub fn division(document: &Document, beam: &Beam, elements: usize) -> Option<Division> {
+pub fn division(document: &Document, beam: &BeamSpec, elements: usize) -> Option<Division> {
     line(document, beam, elements).ok()?.map(|line| line.division)
 }
 
 /// Whether a beam of `elements` elements could be drawn and had a node at a fraction.
-pub fn fits(document: &Document, beam: &Beam, elements: usize, fraction: f64) -> bool {
+pub fn fits(document: &Document, beam: &BeamSpec, elements: usize, fraction: f64) -> bool {
     let is_equal = match &beam.line {
         Some(Line::Curved(curve)) => !curve.polyline && curve.spacing == Spacing::Arc,
         _ => true,
@@ -140,7 +140,7 @@ fn mistake<T>(document: &Document, place: Place, message: &str, label: &str, hel
     Err(Box::new(document.diagnostic(place, message, label, help)))
 }
 
-fn straight(document: &Document, beam: &Beam, ends: [[Number; 3]; 2], elements: usize) -> Drawn {
+fn straight(document: &Document, beam: &BeamSpec, ends: [[Number; 3]; 2], elements: usize) -> Drawn {
     let [Some(from), Some(to)] = ends.map(|end| super::vector(document, end)) else { return Ok(None) };
     let length = (to - from).norm();
     let place = document.place(ends[1][0]);
@@ -181,7 +181,7 @@ fn expressions(
 }
 
 /// Through points: straight pieces or a spline.
-fn through(document: &Document, beam: &Beam, curve: &curve::Curve, points: &[[Number; 3]], elements: usize) -> Drawn {
+fn through(document: &Document, beam: &BeamSpec, curve: &CurveSpec, points: &[[Number; 3]], elements: usize) -> Drawn {
     let places: Option<Vec<Vec3>> = points.iter().map(|point| super::vector(document, *point)).collect();
     let Some(places) = places else { return Ok(None) };
     let place_of = |k: usize| document.place(points[k][0]).to(document.place(points[k][2]));
@@ -211,7 +211,7 @@ fn through(document: &Document, beam: &Beam, curve: &curve::Curve, points: &[[Nu
 }
 
 /// Straight pieces between samples of a curve, an element each.
-fn sampled(document: &Document, beam: &Beam, written: &curve::Curve, curve: &Curve, elements: usize) -> Drawn {
+fn sampled(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Curve, elements: usize) -> Drawn {
     if let Some(flaw) = crate::math::flaw::of_length(curve) {
         return flawed(document, beam, written, curve, &flaw, elements);
     }
@@ -249,7 +249,7 @@ fn way_back(places: &[Vec3]) -> Option<(usize, f64)> {
     Some((k, corner(&k).clamp(-1.0, 1.0).acos().to_degrees()))
 }
 
-fn smooth(document: &Document, beam: &Beam, written: &curve::Curve, curve: &Curve, elements: usize) -> Drawn {
+fn smooth(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Curve, elements: usize) -> Drawn {
     match Centreline::curved(curve, written.spacing, elements) {
         Ok(line) => Ok(Some(line)),
         Err(flaw) => flawed(document, beam, written, curve, &flaw, elements),
@@ -259,8 +259,8 @@ fn smooth(document: &Document, beam: &Beam, written: &curve::Curve, curve: &Curv
 /// What is wrong with a curve, in words.
 fn flawed(
     document: &Document,
-    beam: &Beam,
-    written: &curve::Curve,
+    beam: &BeamSpec,
+    written: &CurveSpec,
     curve: &Curve,
     flaw: &Flaw,
     elements: usize,
@@ -357,7 +357,7 @@ fn point_near(document: &Document, points: &[[Number; 3]], s: f64) -> String {
 }
 
 /// The mistake of a beam that has an element with too much pretwist.
-pub fn overtwisted(document: &Document, beam: &Beam, line: &Centreline) -> Option<Diagnostic> {
+pub fn overtwisted(document: &Document, beam: &BeamSpec, line: &Centreline) -> Option<Diagnostic> {
     let pretwist = document.value(beam.pretwist);
     let angle = most_twisted(pretwist, line);
     if !pretwist.is_finite() || angle <= LARGEST_TWIST {
@@ -381,7 +381,13 @@ fn most_twisted(pretwist: f64, line: &Centreline) -> f64 {
 }
 
 /// A number of elements, more than `elements`, none of which has too much pretwist; with so many one has `angle`, rad.
-fn enough_for_twist(document: &Document, beam: &Beam, pretwist: f64, elements: usize, mut angle: f64) -> Option<usize> {
+fn enough_for_twist(
+    document: &Document,
+    beam: &BeamSpec,
+    pretwist: f64,
+    elements: usize,
+    mut angle: f64,
+) -> Option<usize> {
     let mut count = elements;
     while angle > LARGEST_TWIST {
         count = usize::max(count + 1, (count as f64 * angle / LARGEST_TWIST).ceil() as usize);

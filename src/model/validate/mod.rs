@@ -9,12 +9,12 @@ pub mod notes;
 pub use lines::{Lines, division};
 
 use super::file::document::Document;
-use super::file::entries::beam::Beam;
-use super::file::entries::body::{Body, Inertia};
+use super::file::entries::beam::BeamSpec;
+use super::file::entries::body::{BodySpec, Inertia};
 use super::file::entries::curve::Line;
-use super::file::entries::joint::Joint;
+use super::file::entries::joint::JointSpec;
 use super::file::entries::material::Lateral;
-use super::file::entries::spring::Spring;
+use super::file::entries::spring::SpringSpec;
 use super::file::entries::{load, output};
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
@@ -99,7 +99,7 @@ impl Checker<'_> {
     }
 
     /// The line of a beam, if it can be drawn.
-    fn check_beam(&mut self, beam: &Beam) -> Option<Centreline> {
+    fn check_beam(&mut self, beam: &BeamSpec) -> Option<Centreline> {
         let document = self.document;
         let elements = lines::whole(document, beam);
         // A straight beam can be looked at with any number of elements.
@@ -130,7 +130,7 @@ impl Checker<'_> {
     }
 
     /// Hooke's law in three dimensions needs a Poisson's ratio below 0.5, also where the moduli alone are given.
-    fn check_law(&mut self, beam: &Beam) {
+    fn check_law(&mut self, beam: &BeamSpec) {
         let document = self.document;
         let Some(material) = document.materials.get(beam.material) else { return };
         let (Elements::Ancf24 { poisson: true, .. }, Lateral::Shear(shear)) = (beam.formulation, material.lateral)
@@ -201,7 +201,7 @@ impl Checker<'_> {
         node.map(|node| (beam, node))
     }
 
-    fn check_axes(&mut self, body: &Body) {
+    fn check_axes(&mut self, body: &BodySpec) {
         let document = self.document;
         let Some(numbers) = body.axes else { return };
         let [Some(x), Some(y), Some(z)] = numbers.map(|row| vector(document, row)) else { return };
@@ -226,7 +226,7 @@ impl Checker<'_> {
     }
 
     /// No body has principal moments of which one is above the sum of the other two.
-    fn check_inertia(&mut self, body: &Body) {
+    fn check_inertia(&mut self, body: &BodySpec) {
         let document = self.document;
         let span = |first, last| document.place(first).to(document.place(last));
         let (place, mut moments) = match body.inertia {
@@ -267,7 +267,7 @@ impl Checker<'_> {
         self.mistake(place, &message, &label, help);
     }
 
-    fn check_joint(&mut self, joint: &Joint) {
+    fn check_joint(&mut self, joint: &JointSpec) {
         let document = self.document;
         let (a, b) = (self.node(&joint.a), self.node(&joint.b));
         let same_body = matches!(joint.a.spot, Spot::Body(_)) && joint.a.spot == joint.b.spot;
@@ -289,7 +289,7 @@ impl Checker<'_> {
     }
 
     /// An axis of a joint; none if the joint has none, or after a mistake.
-    fn axis(&mut self, joint: &Joint, numbers: Option<[Number; 3]>, key: &str) -> Option<Vec3> {
+    fn axis(&mut self, joint: &JointSpec, numbers: Option<[Number; 3]>, key: &str) -> Option<Vec3> {
         let numbers = numbers?;
         let axis = vector(self.document, numbers)?;
         if axis.norm() == 0.0 || !axis.norm().is_finite() {
@@ -300,7 +300,7 @@ impl Checker<'_> {
         Some(axis)
     }
 
-    fn check_spring(&mut self, spring: &Spring) {
+    fn check_spring(&mut self, spring: &SpringSpec) {
         let document = self.document;
         for end in [&spring.a, &spring.b] {
             self.fraction(end);

@@ -13,7 +13,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
-use crate::model::file::entries::output::{Output, Target};
+use crate::model::file::entries::output::{OutputSpec, Target};
 use crate::model::file::quantity::Quantity;
 use crate::model::file::reader::anchor::{Anchor, Spot};
 use crate::model::file::unit;
@@ -150,7 +150,7 @@ impl Table {
     }
 
     /// Rows of a quantity of an output whose sensors are `sensors`.
-    fn push_quantity(&mut self, document: &Document, output: &Output, quantity: Quantity, sensors: Range<usize>) {
+    fn push_quantity(&mut self, document: &Document, output: &OutputSpec, quantity: Quantity, sensors: Range<usize>) {
         let row = quantity.row();
         let unit = output.unit(quantity, &document.drives);
         let name = format!("{}.{}", output.name, row.word);

@@ -1,7 +1,7 @@
 //! A mechanism as drawn: lines, points and arrows with names, for pictures.
 
 use crate::model::file::document::Document;
-use crate::model::file::entries::joint::Joint;
+use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::{load, output};
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::{Anchor, Spot};
@@ -218,7 +218,7 @@ fn direction(document: &Document, numbers: [Number; 3]) -> [f64; 3] {
 }
 
 /// Where a joint is as drawn.
-fn place(document: &Document, lines: &Lines, joint: &Joint) -> Option<[f64; 3]> {
+fn place(document: &Document, lines: &Lines, joint: &JointSpec) -> Option<[f64; 3]> {
     let at = joint.at.map(|at| document.vector(at));
     at.or_else(|| [joint.b, joint.a].into_iter().find_map(|side| lines.place(document, side)).map(<[f64; 3]>::from))
 }

@@ -3,7 +3,7 @@
 use crate::mechanics::beam::section::Outline;
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::model::file::document::Document;
-use crate::model::file::entries::section::Section;
+use crate::model::file::entries::section::SectionSpec;
 
 /// The outline of a section, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub enum Profile {
 
 impl Profile {
     /// Of a beam whose outline the machine knows as `outline`; `section` is the file's.
-    pub(super) fn new(document: &Document, section: &Section, outline: &Outline) -> Self {
+    pub(super) fn new(document: &Document, section: &SectionSpec, outline: &Outline) -> Self {
         match *outline {
             Outline::Rectangle { width, height } => Self::Rectangle { width, height },
             Outline::Circle { radius } => Self::Ellipse { y: radius, z: radius },

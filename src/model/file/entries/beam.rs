@@ -13,7 +13,7 @@ use crate::model::text::names::Kind;
 
 /// A section `[beam.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Beam {
+pub struct BeamSpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -90,7 +90,7 @@ fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
     }
 }
 
-impl Beam {
+impl BeamSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         // The first ones stand in for what is reported: the beam must keep its place in the list.
         let material = reader.reference("material", Kind::Material).unwrap_or(0);

@@ -7,7 +7,7 @@ use crate::model::text::diagnostic::Place;
 
 /// A section `[body.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Body {
+pub struct BodySpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -35,7 +35,7 @@ pub enum Inertia {
     Tensor([Number; 6]),
 }
 
-impl Body {
+impl BodySpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let mass = reader.number(&schema::MASS);
         let position = reader.vector(&schema::CENTRE);

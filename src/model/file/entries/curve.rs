@@ -17,12 +17,12 @@ pub enum Line {
         to: [Number; 3],
     },
     /// A curve.
-    Curved(Curve),
+    Curved(CurveSpec),
 }
 
 /// A `curve`.
 #[derive(Clone, Debug)]
-pub struct Curve {
+pub struct CurveSpec {
     /// Where it is written.
     pub place: Place,
     /// What it goes through.
@@ -60,7 +60,7 @@ impl Line {
             reader.exclude("curve", "from` and `to");
         }
         if reader.has("curve") {
-            return Curve::read(reader).map(Self::Curved);
+            return CurveSpec::read(reader).map(Self::Curved);
         }
         // Of a curve that `from` and `to` exclude the spacing is none too many.
         match curved {
@@ -77,7 +77,7 @@ impl Line {
     }
 }
 
-impl Curve {
+impl CurveSpec {
     fn read(reader: &mut Reader<'_, '_>) -> Option<Self> {
         let place = reader.place_of("curve");
         let inner = reader.inner("curve", FORMS).map(Shape::read);

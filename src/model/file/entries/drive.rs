@@ -1,6 +1,6 @@
 //! `[drive.NAME]`: prescribes a free coordinate of a joint.
 
-use super::joint::{self, Coordinate, Joint};
+use super::joint::{self, Coordinate, JointSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::input::{REACHED, make_input};
@@ -10,7 +10,7 @@ use crate::model::text::names::Kind;
 
 /// A section `[drive.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Drive {
+pub struct DriveSpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -64,14 +64,14 @@ impl Word {
     }
 }
 
-impl Drive {
+impl DriveSpec {
     /// Whether it prescribes an angle, not a distance.
     pub fn is_angle(&self) -> bool {
         self.coordinate == Coordinate::Angle
     }
 
     /// Reads a section; `joints` are those of the file that could be read.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[Joint]) -> Option<Self> {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
         let joint = reader.reference("joint", Kind::Joint);
         let place = reader.place_of("coordinate");
         let coordinate = reader.word("coordinate", &COORDINATES, None);
@@ -103,7 +103,7 @@ impl Drive {
     }
 }
 
-fn check_coordinate(reader: &mut Reader<'_, '_>, coordinate: Coordinate, place: Place, joint: &Joint) {
+fn check_coordinate(reader: &mut Reader<'_, '_>, coordinate: Coordinate, place: Place, joint: &JointSpec) {
     let known = joint.kind.coordinates();
     if known.contains(&coordinate) {
         return;

@@ -10,7 +10,7 @@ use crate::model::text::diagnostic::Place;
 
 /// A section `[frame.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Frame {
+pub struct FrameSpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -41,7 +41,7 @@ enum Word {
 
 const INPUTS: [(&str, Word); 2] = [("quaternion", Word::Quaternion), ("rotation", Word::Rotation)];
 
-impl Frame {
+impl FrameSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let position = reader.vector(&schema::FRAME_POSITION);
         let rotation = reader.vector_or(&schema::FRAME_ROTATION, [0.0; 3]);

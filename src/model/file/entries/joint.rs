@@ -8,7 +8,7 @@ use crate::model::text::diagnostic::Place;
 
 /// A section `[joint.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Joint {
+pub struct JointSpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -148,7 +148,7 @@ impl Coordinate {
 /// The kinds of joints that have a coordinate, for messages.
 pub(super) const COORDINATES: &str = "angle: revolute, cylindrical; distance: cylindrical, prismatic, inline";
 
-impl Joint {
+impl JointSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let kind = reader.word("type", &KINDS, None);
         let a = Anchor::read(&mut reader, "a", &SIDES);

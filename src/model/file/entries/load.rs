@@ -10,7 +10,7 @@ use crate::model::text::names::Kind;
 
 /// A section `[load.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Load {
+pub struct LoadSpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -36,7 +36,7 @@ pub enum Target {
     On(usize),
 }
 
-impl Load {
+impl LoadSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let along = reader.has("on");
         let target = if along {

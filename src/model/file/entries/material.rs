@@ -7,7 +7,7 @@ use crate::model::text::diagnostic::Place;
 
 /// A section `[material.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Material {
+pub struct MaterialSpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -31,7 +31,7 @@ pub enum Lateral {
     Shear(Number),
 }
 
-impl Material {
+impl MaterialSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let young = reader.number(&schema::YOUNG);
         let lateral = match reader.optional(&schema::POISSON) {

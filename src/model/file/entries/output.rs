@@ -1,9 +1,9 @@
 //! `[output.NAME]`: what is measured at a point, a body, a joint, a drive or a frame, or along a beam.
 
-use super::beam::Beam;
-use super::drive::Drive;
-use super::joint::{self, Coordinate, Joint};
-use super::section::{Section, Shape};
+use super::beam::BeamSpec;
+use super::drive::DriveSpec;
+use super::joint::{self, Coordinate, JointSpec};
+use super::section::{SectionSpec, Shape};
 use crate::model::file::quantity::{QUANTITIES, Quantity, Row, Site};
 use crate::model::file::reader::anchor::{Anchor, Spot, WATCHED};
 use crate::model::file::reader::{Reader, either, listing};
@@ -14,7 +14,7 @@ use crate::model::text::tree::{Item, Node};
 
 /// A section `[output.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Output {
+pub struct OutputSpec {
     /// Its name: the first part of the names of its variables.
     pub name: String,
     /// Where the name stands.
@@ -46,16 +46,16 @@ pub enum Target {
 /// The things of the file that could be read and that outputs ask about.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::model) struct Things<'a> {
-    pub beams: &'a [Beam],
-    pub sections: &'a [Section],
-    pub joints: &'a [Joint],
-    pub drives: &'a [Drive],
+    pub beams: &'a [BeamSpec],
+    pub sections: &'a [SectionSpec],
+    pub joints: &'a [JointSpec],
+    pub drives: &'a [DriveSpec],
 }
 
 /// Default of `stations`.
 const STATIONS: usize = 21;
 
-impl Output {
+impl OutputSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, things: Things<'_>) -> Option<Self> {
         let target = target(&mut reader);
         let quantities = match reader.take("quantities") {
@@ -71,7 +71,7 @@ impl Output {
     }
 
     /// Unit label of one of its quantities: an effort is a torque or a force.
-    pub fn unit(&self, quantity: Quantity, drives: &[Drive]) -> &'static str {
+    pub fn unit(&self, quantity: Quantity, drives: &[DriveSpec]) -> &'static str {
         let driven = match self.target {
             Target::Drive(drive) => drives.get(drive),
             Target::Joint(joint) => drives.iter().find(|drive| drive.joint == joint),
@@ -226,7 +226,7 @@ impl<'a> Things<'a> {
             return None;
         }
         let joint = names.name(Kind::Joint, joint)?;
-        let own = |drive: &&Drive| names.name(Kind::Joint, drive.joint) == Some(joint);
+        let own = |drive: &&DriveSpec| names.name(Kind::Joint, drive.joint) == Some(joint);
         let drives: Vec<_> = self.drives.iter().filter(own).map(|drive| drive.name.as_str()).collect();
         let (message, label) = match drives.as_slice() {
             [_] => return None,
@@ -236,7 +236,7 @@ impl<'a> Things<'a> {
         Some(Mistake { message, label, help: String::from("the effort is the torque or force of a drive") })
     }
 
-    fn joint(&self, joint: usize, names: &Names) -> Option<&'a Joint> {
+    fn joint(&self, joint: usize, names: &Names) -> Option<&'a JointSpec> {
         let name = names.name(Kind::Joint, joint)?;
         self.joints.iter().find(|joint| joint.name == name)
     }

@@ -8,7 +8,7 @@ use crate::model::text::names::identifier;
 
 /// The section `[model]`.
 #[derive(Clone, Debug)]
-pub struct Model {
+pub struct ModelSpec {
     /// Free text: FMI's modelName.
     pub name: String,
     /// The name as a C identifier: FMI's modelIdentifier.
@@ -21,7 +21,7 @@ pub struct Model {
     pub gravity: [Number; 3],
 }
 
-impl Model {
+impl ModelSpec {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
         let written = reader.has("name");
         let name = match reader.text("name") {

@@ -7,7 +7,7 @@ use crate::model::text::diagnostic::Place;
 
 /// A section `[section.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Section {
+pub struct SectionSpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -66,7 +66,7 @@ enum Word {
 const SHAPES: [(&str, Word); 4] =
     [("rectangle", Word::Rectangle), ("circle", Word::Circle), ("tube", Word::Tube), ("general", Word::General)];
 
-impl Section {
+impl SectionSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let place = reader.place;
         // Without the shape nobody knows which keys belong here.

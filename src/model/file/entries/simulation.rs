@@ -7,13 +7,13 @@ use crate::model::text::diagnostic::Place;
 
 /// The section `[simulation]`.
 #[derive(Clone, Debug)]
-pub struct Simulation {
+pub struct SimulationSpec {
     /// Where the section begins.
     pub place: Place,
     /// Motion, or a row of equilibria.
     pub analysis: Analysis,
     /// Time integration.
-    pub integrator: Integrator,
+    pub integrator: IntegratorSpec,
     /// Where the state comes from at the start.
     pub initial: Initial,
     /// End, s.
@@ -56,7 +56,7 @@ impl Steps {
 
 /// Time integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Integrator {
+pub enum IntegratorSpec {
     /// Midpoint rule that keeps momenta, and the energy of all that the step resolves.
     Conserving {
         /// Share of the fastest oscillations that a step keeps, 0.6 to 1; none: all of them.
@@ -105,7 +105,7 @@ const CONSERVED: f64 = 0.9;
 /// bound; with 0.8 it loses 1 % in 1,500 steps.
 const SPECTRAL_RADIUS: f64 = 0.8;
 
-impl Simulation {
+impl SimulationSpec {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
         let analysis = reader.word("analysis", &ANALYSES, Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
         let initial = reader.word("initial", &INITIALS, Some(Initial::AsDrawn));
@@ -121,7 +121,7 @@ impl Simulation {
                 Steps::Fixed(step)
             }
             None => {
-                let chooses = matches!(integrator, Integrator::Conserving { spectral_radius: Some(_) });
+                let chooses = matches!(integrator, IntegratorSpec::Conserving { spectral_radius: Some(_) });
                 if analysis == Analysis::Dynamic && !chooses {
                     reader.missing(schema::STEP.key, "only integrator = \"conserving\" chooses its steps by itself");
                 }
@@ -148,22 +148,22 @@ impl Simulation {
     }
 }
 
-fn integrator(reader: &mut Reader<'_, '_>) -> Integrator {
+fn integrator(reader: &mut Reader<'_, '_>) -> IntegratorSpec {
     let default = (!reader.has("integrator")).then_some(Word::Conserving);
     let integrator = match reader.word("integrator", &INTEGRATORS, default) {
         Some(Word::Conserving) => {
             let spectral_radius = Some(reader.number_or(&schema::CONSERVED_RADIUS, CONSERVED));
-            return Integrator::Conserving { spectral_radius };
+            return IntegratorSpec::Conserving { spectral_radius };
         }
-        Some(Word::Variational) => Integrator::Conserving { spectral_radius: None },
+        Some(Word::Variational) => IntegratorSpec::Conserving { spectral_radius: None },
         Some(Word::GeneralizedAlpha) => {
             let spectral_radius = reader.number_or(&schema::SPECTRAL_RADIUS, SPECTRAL_RADIUS);
-            return Integrator::GeneralizedAlpha { spectral_radius };
+            return IntegratorSpec::GeneralizedAlpha { spectral_radius };
         }
         None => {
             // Whether it belongs to the integrator that was meant is unknown.
             reader.optional(&schema::SPECTRAL_RADIUS);
-            return Integrator::Conserving { spectral_radius: None };
+            return IntegratorSpec::Conserving { spectral_radius: None };
         }
     };
     let message = "this integrator has no spectral_radius";

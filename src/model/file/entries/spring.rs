@@ -8,7 +8,7 @@ use crate::model::text::diagnostic::Place;
 
 /// A section `[spring.NAME]`.
 #[derive(Clone, Debug)]
-pub struct Spring {
+pub struct SpringSpec {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -25,7 +25,7 @@ pub struct Spring {
     pub length: Option<Number>,
 }
 
-impl Spring {
+impl SpringSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let a = Anchor::read(&mut reader, "a", &SIDES);
         let b = Anchor::read(&mut reader, "b", &SIDES);

@@ -5,7 +5,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::{AT_BREAK, System};
 use crate::model::builder::{self, Built};
 use crate::model::file::document::Document;
-use crate::model::file::entries::simulation::{Analysis, Initial, Integrator as Choice};
+use crate::model::file::entries::simulation::{Analysis, Initial, IntegratorSpec};
 use crate::solve::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::solve::dynamics::midpoint::Midpoint;
 use crate::solve::dynamics::start;
@@ -385,7 +385,7 @@ impl Solver {
         let tolerance = document.value(simulation.tolerance);
         Ok(match (simulation.analysis, simulation.integrator) {
             (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance))),
-            (Analysis::Dynamic, Choice::Conserving { spectral_radius }) => {
+            (Analysis::Dynamic, IntegratorSpec::Conserving { spectral_radius }) => {
                 let spectral_radius = spectral_radius.map_or(1.0, |number| document.value(number));
                 let midpoint = Midpoint::new(system, spectral_radius, document.largest_step(), tolerance);
                 Self::Midpoint(Box::new(match pacing {
@@ -393,7 +393,7 @@ impl Solver {
                     None => midpoint,
                 }))
             }
-            (Analysis::Dynamic, Choice::GeneralizedAlpha { spectral_radius }) => {
+            (Analysis::Dynamic, IntegratorSpec::GeneralizedAlpha { spectral_radius }) => {
                 let spectral_radius = document.value(spectral_radius);
                 Self::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(system, spectral_radius, tolerance)))
             }
