@@ -218,6 +218,18 @@ fn paths_are_read() {
     assert_eq!(read, wanted);
 }
 
+/// A solver, like everything above it, knows elements by what all of them answer; the model alone chooses one of a kind, where it builds a mesh.
+#[test]
+fn solvers_name_no_element() {
+    for layer in ["solve", "simulation", "ffi"] {
+        for (name, code) in sources(&format!("src/{layer}")) {
+            for path in ["beam::ancf14", "beam::ancf24", "NodeFrame", "AnyElement"] {
+                assert!(!code.contains(path), "{name} names {path}");
+            }
+        }
+    }
+}
+
 #[test]
 fn unsafe_lives_in_ffi_only() {
     let word = |line: &str| line.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == "unsafe");

@@ -10,16 +10,17 @@ pub mod gyroscopic;
 pub mod joint_parts;
 mod labels;
 mod limits;
+pub mod step_starts;
 pub mod variation;
 mod work;
 
 pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};
 
+use self::frame_cache::FrameCache;
 use self::joint_parts::JointParts;
 use crate::math::Vec3;
 use crate::mechanics::beam::Beam;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::ancf14::kinematics::Holonomy;
 use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::element::AnyElement;
@@ -30,7 +31,6 @@ use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::force::load::{Direction, Load};
 use crate::mechanics::force::spring::Spring;
-use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::{Drive, MovingFrame, Prescribed};
@@ -158,26 +158,21 @@ impl System {
         self.joints.iter().map(Joint::rows).sum()
     }
 
-    /// Frames at `q`, relative to the reference `triads`, of the nodes that have one.
-    pub fn frames(&self, q: &[f64], triads: &[Triad], frames: &mut Vec<NodeFrame>) {
-        self.mesh.set_frames(q, triads, frames);
-    }
-
-    /// The instant that `q`, `frames` and `prescribed` describe, after the accepted `state`.
+    /// The instant that `q` with its `frames` and `prescribed` describe, after the accepted `state`.
     pub fn configuration<'a>(
         &'a self,
         q: &'a [f64],
-        frames: &'a [NodeFrame],
+        frames: &'a FrameCache,
         state: &'a State,
         prescribed: &'a Prescribed,
     ) -> Configuration<'a> {
         let (holonomy, relative_values) = (&state.holonomy, &state.relative_values);
-        Configuration { q, frames, holonomy, relative_values, prescribed, mesh: &self.mesh }
+        Configuration { q, frames: &frames.frames, holonomy, relative_values, prescribed, mesh: &self.mesh }
     }
 
     /// Ends a step at the coordinates and the prescribed motion in `state`: references and holonomy angles (2.6, 2.7), the
     /// sensors' rotation vectors and the relative coordinates follow. `frames` belong to `state.q`.
-    pub fn carry_references(&self, state: &mut State, frames: &[NodeFrame]) {
+    pub fn carry_references(&self, state: &mut State, frames: &FrameCache) {
         // Out of the state while the configuration looks at the rest of it.
         let mut rotations = std::mem::take(&mut state.rotations);
         let mut relative_values = std::mem::take(&mut state.relative_values);
@@ -191,12 +186,12 @@ impl System {
         (state.rotations, state.relative_values) = (rotations, relative_values);
         for element in &self.mesh.elements {
             if let AnyElement::Ancf14(element) = element {
-                let [first, second] = [&frames[element.place.frame], &frames[element.place.frame + 1]];
+                let [first, second] = [0, 1].map(|node| &frames.frames[element.place.frame + node]);
                 let angle = &mut state.holonomy[element.place.branch];
                 *angle = Holonomy::new(first, second, *angle).angle;
             }
         }
-        for (triad, frame) in state.triads.iter_mut().zip(frames) {
+        for (triad, frame) in state.triads.iter_mut().zip(&frames.frames) {
             *triad = frame.carried();
         }
     }

@@ -2,7 +2,6 @@
 
 use super::scale::{self, Measures, Span};
 use crate::math::histogram::Histogram;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::state::State;
 use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::system::System;
@@ -74,7 +73,7 @@ pub struct Accuracy {
 pub struct Looker {
     moved: Option<State>,
     variation: Variation,
-    frames: Vec<NodeFrame>,
+    frames: FrameCache,
     response: Response,
     snapshot: FrameCache,
     values: Vec<f64>,

@@ -11,7 +11,6 @@
 
 use super::start::Dynamics;
 use crate::error::Error;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
@@ -87,7 +86,7 @@ struct Scratch {
     conditions: Vec<f64>,
     excitation: Excitation,
     prescribed: Prescribed,
-    frames: Vec<NodeFrame>,
+    frames: FrameCache,
     gradients: Vec<JointGradient>,
 }
 
@@ -221,7 +220,7 @@ impl Scratch {
             self.acceleration[index] = ((1.0 - alpha_m) * a_end + alpha_m * a - alpha_f * q_tt) / (1.0 - alpha_f);
             self.algorithmic[index] = a_end;
         }
-        system.frames(&self.q, &state.triads, &mut self.frames);
+        self.frames.set(system, &self.q, &state.triads);
         system.mass_times(&self.velocity, &mut self.momentum);
         system.mass_times(&self.acceleration, &mut self.momentum_rate);
     }

@@ -128,7 +128,7 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
     state.prescribed = system.prescribe_start(state.time, &state.targets);
     let given = state.velocity.clone();
     system.mass_times(&state.velocity, &mut state.momentum);
-    Projection::once(system).set_velocity(system, integrator.kkt(), &mut Vec::new(), state)?;
+    Projection::once(system).set_velocity(system, integrator.kkt(), &mut FrameCache::default(), state)?;
     integrator.kkt().check_unique(system, state.time)?;
     system.mass_times(&state.velocity, &mut state.momentum);
     state.strays.fill(0.0);

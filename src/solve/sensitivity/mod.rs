@@ -20,6 +20,7 @@ use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::variation::Variation;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
@@ -281,7 +282,7 @@ pub fn along_motion(system: &System, state: &State, acceleration: &[f64], mut re
     variation.velocity.copy_from_slice(acceleration);
     let speed = f64::max(system.correction_size(&state.velocity).0, state.prescribed.fastest(system.size));
     let unit = if speed > 0.0 { REACH / speed.max(f64::MIN_POSITIVE) } else { 1.0 };
-    let (mut moved, mut frames) = (State::default(), Vec::new());
+    let (mut moved, mut frames) = (State::default(), FrameCache::default());
     for (offset, weight) in STENCIL {
         let by = offset * unit;
         moved.clone_from(state);

@@ -88,8 +88,7 @@ impl Statics {
         for (value, change) in scratch.multipliers.iter_mut().zip(multipliers) {
             *value += change;
         }
-        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, &self.current_motion);
+        let configuration = scratch.frames.at(system, &scratch.q, state, &self.current_motion);
         if system.check(&configuration, state, LARGEST_TURN, time).is_err() {
             return false;
         }

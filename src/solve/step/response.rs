@@ -3,12 +3,12 @@
 //! They belong to the very time of the state, unlike what a step computes with. Only outputs ask for them.
 
 use crate::error::Error;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::solve::newton::kkt::Kkt;
 
@@ -43,7 +43,7 @@ pub struct Responder {
     right: Vec<f64>,
     momentum: Vec<f64>,
     excitation: Excitation,
-    frames: Vec<NodeFrame>,
+    frames: FrameCache,
     gradients: Vec<JointGradient>,
 }
 
@@ -56,7 +56,7 @@ impl Responder {
             right: vec![0.0; size],
             momentum: vec![0.0; system.coordinates()],
             excitation: Excitation::default(),
-            frames: Vec::new(),
+            frames: FrameCache::default(),
             gradients: Vec::new(),
         }
     }
@@ -104,7 +104,7 @@ impl Responder {
 
     /// Sets the right-hand side, and the gradients of the constraints, of `state`.
     fn set_right(&mut self, system: &System, state: &State) -> Result<(), Error> {
-        system.frames(&state.q, &state.triads, &mut self.frames);
+        self.frames.set(system, &state.q, &state.triads);
         let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
         system.excite(state.time, &state.targets, &mut self.excitation);
         let passage = Passage::Instant(&state.velocity);

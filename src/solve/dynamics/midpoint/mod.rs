@@ -305,7 +305,7 @@ impl<'a> Step<'a> {
         for (index, residual) in residual.iter_mut().enumerate() {
             *residual = h * state.momentum[index] - scratch.mass_increment[index] - 0.5 * h * h * scratch.forces[index];
         }
-        let frames = [&scratch.frames_start[..], &scratch.frames_middle, &scratch.frames_end];
+        let frames = [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end];
         gyroscopic::add_forces(system, frames, &scratch.mass_increment, &scratch.forces, h, h, residual);
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;
@@ -345,8 +345,8 @@ impl Problem for Step<'_> {
         system.add_mass(1.0, &mut kkt.blocks);
         system.constraint_gradients(&end, &mut scratch.gradients_end);
         kkt.set_curvatures_and_gradients(system, &middle, &scratch.impulses, 0.5 * h, &mut scratch.gradients_middle);
-        let frames = [&scratch.frames_start[..], &scratch.frames_end];
-        gyroscopic::add_tangent(system, frames[0], frames[1], &scratch.mass_increment, h, &mut kkt.blocks);
+        let (first, last) = (&scratch.frames_start, &scratch.frames_end);
+        gyroscopic::add_tangent(system, first, last, &scratch.mass_increment, h, &mut kkt.blocks);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients_middle, &self.scratch.gradients_end, h);
         state.time + 0.5 * h
