@@ -5,7 +5,7 @@ use crate::curves::load;
 use crate::runs;
 use crate::shaft;
 use crate::table::{Amount, Row};
-use ancf14::mechanics::beam::configuration::{Configuration, Passage};
+use ancf14::mechanics::beam::configuration::{BeamConfiguration, Passage};
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
 use std::hint::black_box;
@@ -65,9 +65,9 @@ impl Bent {
     }
 }
 
-fn configuration<'a>(simulation: &'a Simulation, frames: &'a FrameCache) -> Configuration<'a> {
+fn configuration<'a>(simulation: &'a Simulation, frames: &'a FrameCache) -> BeamConfiguration<'a> {
     let state = simulation.state();
-    simulation.system().configuration(&state.q, frames, state, &state.prescribed)
+    simulation.system().configuration(&state.q, frames, state, &state.prescribed).beams
 }
 
 pub fn rows() -> Vec<Row> {

@@ -79,9 +79,8 @@ const CIRCLES: &[(&str, &str, &str)] = &[
     // The list of all elements has those that implement what it asks for.
     ("mechanics/beam", "element", "ancf14"),
     ("mechanics/beam", "element", "ancf24"),
-    // The instant has the frames of ANCF14's nodes, and the mesh.
+    // The instant has the frames of ANCF14's nodes.
     ("mechanics/beam", "configuration", "ancf14"),
-    ("mechanics/beam", "configuration", "mesh"),
     // The element is evaluated by its parts, which are parts of the element.
     ("mechanics/beam/ancf14", "element", "energy"),
     ("mechanics/beam/ancf14", "element", "kinematics"),

@@ -2,8 +2,8 @@
 
 use crate::random::Random;
 use ancf14::math::blocks::{Block, Blocks};
-use ancf14::mechanics::beam::configuration::Passage;
 use ancf14::mechanics::input::excitation::Excitation;
+use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::frame_cache::FrameCache;

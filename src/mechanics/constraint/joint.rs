@@ -4,11 +4,11 @@
 
 use super::primitive::{MOST_ROWS, Primitive};
 use crate::math::jet::Jet;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::geometry::marker_jacobian::{MARKER, MarkerMatrix};
 use crate::mechanics::geometry::pose::{Pose, VECTORS};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::own_velocity;
 use crate::mechanics::marker::pose_gradient::{PoseGradient, of_side, pull_back};
 use nalgebra::SMatrix;

@@ -3,11 +3,11 @@
 //! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the machine (MECHANICS 6).
 
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::{Configuration, Passage};
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::geometry::pose::{PLACE, moment};
 use crate::mechanics::geometry::pose_pair::PairVector;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::marker::pose_gradient::of_side;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::system::System;

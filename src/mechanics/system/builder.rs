@@ -10,7 +10,7 @@ use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::ancf24;
 use crate::mechanics::beam::centreline::Station;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::design::{BeamDesign, Elements};
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::node::Node;
@@ -27,6 +27,7 @@ use crate::mechanics::input::excitation::{Excitation, HostWrench};
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed};
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::marker::sensor::Sensor;
@@ -357,9 +358,7 @@ impl SystemBuilder {
 
     fn configuration<'a>(&'a self, frames: &'a [NodeFrame], holonomy: &'a [f64]) -> Configuration<'a> {
         Configuration {
-            q: &self.q,
-            frames,
-            holonomy,
+            beams: BeamConfiguration { q: &self.q, frames, holonomy },
             relative_values: &[],
             prescribed: &self.prescribed,
             mesh: &self.system.mesh,

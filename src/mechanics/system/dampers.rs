@@ -2,8 +2,8 @@
 
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
 
 impl System {
@@ -20,7 +20,7 @@ impl System {
     /// Adds the viscous forces of the beams' material at an instant, with the velocities `velocity`.
     pub(super) fn add_material_damping(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
         for (_, element) in self.damped_elements() {
-            element.add_damping(c, velocity, forces);
+            element.add_damping(&c.beams, velocity, forces);
         }
     }
 
@@ -34,14 +34,14 @@ impl System {
         tangent: &mut Blocks,
     ) {
         for (number, element) in self.damped_elements() {
-            element.add_damping_and_tangent(c, velocity, scale, forces, tangent.block_mut(number));
+            element.add_damping_and_tangent(&c.beams, velocity, scale, forces, tangent.block_mut(number));
         }
     }
 
     /// Adds `factor` times the derivative of the forces by the velocities, at an instant, to the first blocks of `tangent`.
     pub fn add_damping_matrix(&self, c: &Configuration, factor: f64, tangent: &mut Blocks) {
         for (number, element) in self.damped_elements() {
-            element.add_damping_matrix(c, factor, tangent.block_mut(number));
+            element.add_damping_matrix(&c.beams, factor, tangent.block_mut(number));
         }
         let points: usize = self.loads.iter().map(|load| load.points.len()).sum();
         let first = self.mesh.elements.len() + self.bodies.len() + points;

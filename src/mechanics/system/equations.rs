@@ -1,11 +1,11 @@
 //! The equations of a machine: forces, tangent, mass and constraints, summed over its parts in file order.
 
 use crate::math::blocks::{Block, Blocks};
-use crate::mechanics::beam::configuration::{Configuration, Passage};
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::system::System;
 use nalgebra::SMatrix;
 
@@ -42,8 +42,9 @@ impl System {
     /// `∂U/∂q − F`: internal minus external forces, as `passage` says.
     pub fn forces(&self, c: &Configuration, passage: &Passage, excitation: &Excitation, forces: &mut [f64]) {
         self.add_external(c, excitation, forces);
+        let of_beams = passage.of_beams();
         for element in &self.mesh.elements {
-            element.add_gradient(c, passage, forces);
+            element.add_gradient(&c.beams, &of_beams, forces);
         }
         if let Passage::Instant(velocity) = passage {
             self.add_material_damping(c, velocity, forces);
@@ -63,8 +64,9 @@ impl System {
         tangent: &mut Blocks,
     ) {
         self.add_external(c, excitation, forces);
+        let of_beams = passage.of_beams();
         for (number, element) in self.mesh.elements.iter().enumerate() {
-            element.add_gradient_and_set_hessian(c, passage, scale, forces, tangent.block_mut(number));
+            element.add_gradient_and_set_hessian(&c.beams, &of_beams, scale, forces, tangent.block_mut(number));
         }
         if let Passage::Instant(velocity) = passage {
             self.add_material_damping_and_tangent(c, velocity, scale, forces, tangent);

@@ -2,9 +2,9 @@
 
 use super::System;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::state::State;
 
 /// The frames of all nodes that have one, at the coordinates that were asked for last.

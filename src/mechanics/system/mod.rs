@@ -22,7 +22,7 @@ use self::joint_parts::JointParts;
 use crate::math::Vec3;
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14::kinematics::Holonomy;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::beam::node::Node;
@@ -35,6 +35,7 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::{Drive, MovingFrame, Prescribed};
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::State;
@@ -167,7 +168,12 @@ impl System {
         prescribed: &'a Prescribed,
     ) -> Configuration<'a> {
         let (holonomy, relative_values) = (&state.holonomy, &state.relative_values);
-        Configuration { q, frames: &frames.frames, holonomy, relative_values, prescribed, mesh: &self.mesh }
+        Configuration {
+            beams: BeamConfiguration { q, frames: &frames.frames, holonomy },
+            relative_values,
+            prescribed,
+            mesh: &self.mesh,
+        }
     }
 
     /// Ends a step at the coordinates and the prescribed motion in `state`: references and holonomy angles (2.6, 2.7), the

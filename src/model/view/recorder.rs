@@ -3,9 +3,9 @@
 use super::scene::{Scene, Watched};
 use super::stations::{RESULTS, Stations, quaternion, steps};
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::{Configuration, Passage};
 use crate::mechanics::force::load::Direction;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;

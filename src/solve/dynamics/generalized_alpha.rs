@@ -11,10 +11,10 @@
 
 use super::start::Dynamics;
 use crate::error::Error;
-use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::{Energies, EnergyBalance, Losses};
 use crate::mechanics::system::frame_cache::FrameCache;

@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::{System, copy_corner, copy_transposed};
 use crate::solve::linear::direct::DirectSolver;
 use crate::solve::linear::elimination_tree::Unknowns;

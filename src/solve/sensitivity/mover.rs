@@ -1,9 +1,9 @@
 //! States as they would be, had the host given something else.
 
 use super::{Inputs, REACH};
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;

@@ -3,9 +3,9 @@
 //! They belong to the very time of the state, unlike what a step computes with. Only outputs ask for them.
 
 use crate::error::Error;
-use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;

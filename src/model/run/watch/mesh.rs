@@ -1,7 +1,7 @@
 //! Whether a mesh is too coarse for what the machine does: the energy that its elements leave out, and section forces and moments that are off where they are read.
 
 use crate::error::decimal;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::output::mesh_error::{Deformation, MeshError};
 use crate::mechanics::state::State;

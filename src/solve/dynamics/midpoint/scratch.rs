@@ -1,10 +1,11 @@
 //! What a constrained midpoint step computes on the way: positions, frames, forces and gradients at its start, in its middle and at its end.
 
 use crate::error::Error;
-use crate::mechanics::beam::configuration::{Configuration, Dissipation, Passage, TimeStep};
+use crate::mechanics::beam::configuration::Dissipation;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::Energies;
 use crate::mechanics::system::System;
