@@ -85,9 +85,10 @@ impl JointLoads<'_> {
         (force, moment)
     }
 
-    /// The number among the joints of the condition of a drive: they come last.
+    /// The number among the joints of the condition of a drive.
     fn drive(&self, drive: usize) -> usize {
-        self.system.joints.len() - self.system.drives.len() + drive
+        let is_own = |joint: &Joint| joint.drive == Some(drive);
+        self.system.joints.iter().position(is_own).expect("every drive has its condition")
     }
 
     fn first_row(&self, joint: usize) -> usize {

@@ -382,7 +382,7 @@ impl SystemBuilder {
         } = self;
         system.size = size;
         system.gravity = gravity;
-        // Behind the joints of the file, which keep their numbers; drives come last.
+        // Behind the joints of the file, which keep their numbers.
         system.joints.extend(inner_joints);
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);

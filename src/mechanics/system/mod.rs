@@ -11,6 +11,7 @@ pub mod joint_parts;
 mod labels;
 mod limits;
 pub mod step_starts;
+mod tangent_layout;
 pub mod variation;
 mod work;
 

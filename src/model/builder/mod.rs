@@ -134,6 +134,7 @@ impl Builder<'_> {
     }
 
     /// What an output looks at: a point for each station; joints and drives are looked at without one.
+    /// Adds [`output::Target::sensors`] sensors.
     fn add_sensors(&mut self, target: &output::Target) {
         match target {
             output::Target::At(anchor) => {

@@ -67,14 +67,19 @@ pub fn retune(document: &Document, system: &mut System) {
             element.set_damping(damping);
         }
     }
-    let two_point = document.springs.iter().map(spring);
-    let of_joints = document.joints.iter().flat_map(springs_of).map(|(_, tuned)| tuned);
-    for (spring, tuned) in system.springs.iter_mut().zip(two_point.chain(of_joints)) {
+    let System { springs, joint_parts, .. } = system;
+    let mut set = |number: usize, tuned: Tuned| {
+        let spring = &mut springs[number];
         spring.stiffness = document.value(tuned.stiffness);
         spring.damping = document.value(tuned.damping);
         if let Some(rest) = tuned.rest {
             spring.rest = document.value(rest);
         }
+    };
+    // The springs of the file are built before those of joints.
+    document.springs.iter().enumerate().for_each(|(number, written)| set(number, spring(written)));
+    for (parts, joint) in joint_parts.iter().zip(&document.joints) {
+        parts.springs.iter().zip(springs_of(joint)).for_each(|(number, (_, tuned))| set(*number, tuned));
     }
 }
 

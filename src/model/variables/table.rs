@@ -101,11 +101,7 @@ impl Table {
         let givens = Givens::new(document);
         let mut sensor = 0;
         for output in &document.outputs {
-            let sensors = match &output.target {
-                Target::At(_) => 1,
-                Target::On { stations, .. } => *stations,
-                Target::Joint(_) | Target::Drive(_) => 0,
-            };
+            let sensors = output.target.sensors();
             for quantity in &output.quantities {
                 let first = table.variables.len();
                 table.push_quantity(document, output, *quantity, sensor..sensor + sensors);

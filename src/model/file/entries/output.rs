@@ -43,6 +43,17 @@ pub enum Target {
     },
 }
 
+impl Target {
+    /// The number of its sensors, which read what is not of a joint or a drive.
+    pub fn sensors(&self) -> usize {
+        match self {
+            Self::At(_) => 1,
+            Self::On { stations, .. } => *stations,
+            Self::Joint(_) | Self::Drive(_) => 0,
+        }
+    }
+}
+
 /// The things of the file that could be read and that outputs ask about.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::model) struct Things<'a> {
