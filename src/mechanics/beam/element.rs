@@ -16,13 +16,13 @@ use std::ops::{Deref, DerefMut, Range};
 )]
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnyElement {
-    /// Centre-line and twist.
+    /// Center-line and twist.
     Ancf14(ancf14::element::Element),
-    /// Centre-line and gradients of the section.
+    /// Center-line and gradients of the section.
     Ancf24(ancf24::element::Element),
 }
 
-/// What an element answers. Vectors of coordinates are those of the whole machine, blocks are its own, column-major.
+/// What an element answers. Vectors of coordinates are those of the whole system, blocks are its own, column-major.
 pub trait BeamElement {
     /// Its coordinates.
     fn coordinates(&self) -> Range<usize>;
@@ -76,7 +76,7 @@ pub trait BeamElement {
         block: &mut [f64],
     );
 
-    /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole machine, to the rates over it. Returns the elastic energy
+    /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole system, to the rates over it. Returns the elastic energy
     /// at the end of the step, and what the material's damping has taken over it, J.
     fn finish_step(
         &self,
@@ -86,7 +86,7 @@ pub trait BeamElement {
         strain_rates: &mut [f64],
     ) -> [f64; 2];
 
-    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole machine, the rates there.
+    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole system, the rates there.
     fn begin_step(
         &self,
         _c: &BeamConfiguration,

@@ -1,6 +1,6 @@
 //! Joints: lists of primitive conditions `phi = 0` between two markers (MECHANICS 6). A kind of joint is a file with its list.
 //!
-//! The rigidity of bodies and the drives are lists of conditions too: whatever holds the machine together is a [`Joint`].
+//! The rigidity of bodies and the drives are lists of conditions too: whatever holds the system together is a [`Joint`].
 
 use super::primitive::{MOST_ROWS, Primitive};
 use crate::math::jet::Jet;

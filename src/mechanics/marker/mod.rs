@@ -30,7 +30,7 @@ fn turned(turn_q: &ByCoordinates, block: &Mat3, count: usize) -> MarkerMatrix {
     sum
 }
 
-/// A point and a frame of the machine.
+/// A point and a frame of the system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Marker {
     /// Fixed in space.
@@ -48,7 +48,7 @@ pub enum Marker {
     Body {
         /// First coordinate of the body.
         start: usize,
-        /// Place relative to the centre of mass, in directors, m.
+        /// Place relative to the center of mass, in directors, m.
         offset: Vec3,
         /// Axes relative to the directors.
         axes: Mat3,
@@ -193,7 +193,7 @@ impl Marker {
 }
 
 impl RigidBody {
-    /// The marker at its centre of mass, with its body axes.
+    /// The marker at its center of mass, with its body axes.
     pub fn marker(&self) -> Marker {
         Marker::Body { start: self.start, offset: Vec3::zeros(), axes: self.axes }
     }

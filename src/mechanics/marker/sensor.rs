@@ -105,7 +105,7 @@ impl Sensor {
 impl Sensor {
     /// Acceleration in global axes, m/s², from the second derivatives `acceleration` of the coordinates.
     pub fn acceleration(&self, c: &Configuration, acceleration: &[f64]) -> Vec3 {
-        // Places that are watched are linear in the coordinates: on the beam's axis, at the centre of mass.
+        // Places that are watched are linear in the coordinates: on the beam's axis, at the center of mass.
         let [_, explicit] = self.marker.pose_t(c);
         let place_q = self.marker.jacobian(c).place_q;
         let own = self.marker.coordinates(c.mesh).enumerate();

@@ -1,6 +1,6 @@
 //! What passes between the two sides of a joint of the model file: constraint forces, springs and dampers, drives.
 //!
-//! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the machine (MECHANICS 6).
+//! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the system (MECHANICS 6).
 
 use crate::math::Vec3;
 use crate::mechanics::constraint::joint::Joint;
@@ -23,7 +23,7 @@ enum Side {
 /// What acts at an instant: the configuration, how it is passed through, and the multipliers of all conditions.
 #[derive(Clone, Copy, Debug)]
 pub struct JointLoads<'a> {
-    /// The machine.
+    /// The system.
     pub system: &'a System,
     /// The instant.
     pub c: &'a Configuration<'a>,

@@ -32,7 +32,7 @@ pub enum Deformation {
 /// The element that leaves out most.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
-    /// Its number in the machine.
+    /// Its number in the system.
     pub element: usize,
     /// What it leaves out most of.
     pub deformation: Deformation,

@@ -1,4 +1,4 @@
-//! What a small motion of the machine does at its nodes and bodies, and where it is largest.
+//! What a small motion of the system does at its nodes and bodies, and where it is largest.
 
 use crate::math::vectors::{set_vec3, vec3};
 use crate::math::{Mat3, Vec3};

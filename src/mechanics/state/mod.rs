@@ -23,7 +23,7 @@ pub struct State {
     pub q: Vec<f64>,
     /// Velocities of the coordinates, 1/s each.
     pub velocity: Vec<f64>,
-    /// Momenta of the coordinates, in charts centred at the nodes' own tangents.
+    /// Momenta of the coordinates, in charts centered at the nodes' own tangents.
     pub momentum: Vec<f64>,
     /// Multipliers of the joints' conditions at the start of the last midpoint step, or at `time` by generalized-alpha, N or N m.
     pub multipliers: Vec<f64>,
@@ -65,7 +65,7 @@ pub struct State {
 }
 
 impl State {
-    /// Whether all its lists are as long as those of another state of the same machine.
+    /// Whether all its lists are as long as those of another state of the same system.
     pub fn has_the_shape_of(&self, other: &Self) -> bool {
         let lengths = |state: &Self| {
             let Self {

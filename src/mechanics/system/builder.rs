@@ -1,4 +1,4 @@
-//! Puts a machine together: beams as drawn become nodes, elements and reference frames; points of them become markers.
+//! Puts a system together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
 use super::System;
 use super::joint_parts::JointParts;
@@ -9,7 +9,7 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::ancf24;
-use crate::mechanics::beam::centreline::Station;
+use crate::mechanics::beam::centerline::Station;
 use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::design::{BeamDesign, Elements};
 use crate::mechanics::beam::element::AnyElement;
@@ -36,7 +36,7 @@ use crate::mechanics::state::pace::Pace;
 use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::state::{Accelerations, Prediction, State, Statistics};
 
-/// A machine in the making.
+/// A system in the making.
 ///
 /// Beams come first, then bodies: coordinates are in this order. Drives come after all joints.
 #[derive(Clone, Debug, Default)]
@@ -242,7 +242,7 @@ impl SystemBuilder {
         Marker::Node { node, offset: Vec3::zeros(), axes: Mat3::identity() }
     }
 
-    /// The marker at the centre of mass of body `body`, with the body's axes.
+    /// The marker at the center of mass of body `body`, with the body's axes.
     pub fn body(&self, body: usize) -> Marker {
         self.system.bodies[body].marker()
     }
@@ -365,7 +365,7 @@ impl SystemBuilder {
         }
     }
 
-    /// The machine and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
+    /// The system and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
     pub fn finish(self, gravity: Vec3) -> (System, State) {
         let size = self.extent();
         let Self {

@@ -1,4 +1,4 @@
-//! Energies and momenta of a machine.
+//! Energies and momenta of a system.
 
 use crate::math::Vec3;
 use crate::math::vectors::vec3;

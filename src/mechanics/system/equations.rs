@@ -1,4 +1,4 @@
-//! The equations of a machine: forces, tangent, mass and constraints, summed over its parts in file order.
+//! The equations of a system: forces, tangent, mass and constraints, summed over its parts in file order.
 
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::body::kinematics::BODY;

@@ -30,7 +30,7 @@ pub fn add_forces(
 ) {
     let [start, middle, end] = frames.map(|cache| &cache.frames);
     for ((own, middle), (first, last)) in system.mesh.framed.iter().zip(middle).zip(start.iter().zip(end)) {
-        // The start's chart is centred: its reference tangent is t_k itself, so that k of the end is kb(t_k, t_{k+1}).
+        // The start's chart is centered: its reference tangent is t_k itself, so that k of the end is kb(t_k, t_{k+1}).
         let kap = half_turn(&first.t, &last.t);
         let km = half_turn(&first.t, &middle.t);
         let theta = own + THETA;
@@ -58,15 +58,15 @@ pub fn add_tangent(
 }
 
 /// Adds what the force on the slope of each node has as derivatives to the element blocks of `blocks`: by the node's own slope,
-/// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbours through M.
+/// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbors through M.
 /// `derivatives` is asked with the first coordinate and the frame of a node.
 fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize, usize) -> (Mat3, Vec3)) {
     for beam in &system.beams {
         for node in beam.node_range() {
             let Node::Ancf14 { start, frame } = system.mesh.nodes[node] else { continue };
             let (by_slope, by_spin) = derivatives(start, frame);
-            let neighbours = beam.elements_at(node);
-            let [before, after] = neighbours;
+            let neighbors = beam.elements_at(node);
+            let [before, after] = neighbors;
             let Some((element, local)) = after.map(|after| (after, 0)).or(before.map(|before| (before, NODE))) else {
                 continue;
             };
@@ -76,7 +76,7 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize,
                     block[(local + P + column) * ELEMENT + local + P + row] += by_slope[(row, column)];
                 }
             }
-            for (element, local) in neighbours.into_iter().zip([NODE, 0]) {
+            for (element, local) in neighbors.into_iter().zip([NODE, 0]) {
                 let Some(number) = element else { continue };
                 let AnyElement::Ancf14(element) = &system.mesh.elements[number] else { continue };
                 let block = blocks.block_mut(number);
@@ -91,7 +91,7 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize,
     }
 }
 
-/// Takes the momentum from the charts of the step's start to charts centred at its end: `P_p += P_theta kap/|p_{k+1}|` (7.5).
+/// Takes the momentum from the charts of the step's start to charts centered at its end: `P_p += P_theta kap/|p_{k+1}|` (7.5).
 /// `frames` at the end, still relative to the references of the start.
 pub fn change_charts(system: &System, frames: &FrameCache, momentum: &mut [f64]) {
     for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
@@ -122,7 +122,7 @@ fn spin_force(frame: &NodeFrame, slope_rate: &Vec3) -> Vec3 {
     slope_rate.cross(&frame.t) / (frame.stretch * frame.stretch)
 }
 
-/// Adds `−m_n' k/|p|` with `m_n' = (M v')_theta` to the left-hand side of the equations of `p`, in charts that are not centred
+/// Adds `−m_n' k/|p|` with `m_n' = (M v')_theta` to the left-hand side of the equations of `p`, in charts that are not centered
 /// (MECHANICS 7.2): a turn of the tangent alone turns the section too there, so that forces along `theta` count along `p`, and
 /// the spin's inertia with them. `momentum_rate` is `M v'`.
 pub fn add_chart_forces(system: &System, frames: &FrameCache, momentum_rate: &[f64], forces: &mut [f64]) {

@@ -1,4 +1,4 @@
-//! The whole machine. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
+//! The whole system. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
 
 mod breaks;
 pub mod builder;
@@ -45,7 +45,7 @@ use std::ops::Range;
 /// Coordinates of a place, the first ones of every node and body.
 const PLACE: usize = 3;
 
-/// The machine. Coordinates: those of all nodes, then those of all bodies.
+/// The system. Coordinates: those of all nodes, then those of all bodies.
 #[derive(Clone, Debug, Default)]
 pub struct System {
     /// Beams in file order.
@@ -56,7 +56,7 @@ pub struct System {
     pub bodies: Vec<RigidBody>,
     /// Moving frames in file order.
     pub moving_frames: Vec<MovingFrame>,
-    /// Everything that holds the machine together: joints, the rigidity of bodies, drives, each in file order.
+    /// Everything that holds the system together: joints, the rigidity of bodies, drives, each in file order.
     pub joints: Vec<Joint>,
     /// What is measured between two markers: by springs, drives, outputs.
     pub relative_coordinates: Vec<RelativeCoordinate>,
@@ -70,7 +70,7 @@ pub struct System {
     pub loads: Vec<Load>,
     /// Watched points in the order of their adding.
     pub sensors: Vec<Sensor>,
-    /// Largest extent of the machine as drawn, m: what lengths are compared with.
+    /// Largest extent of the system as drawn, m: what lengths are compared with.
     pub size: f64,
     /// Where the origin of all positions in the state is, global, m: 0, or in the middle of a mechanism that is drawn far from the global origin. Doubles
     /// keep positions to 1e-16 of their size; times the axial stiffness, that is a force.
@@ -219,7 +219,7 @@ impl System {
         }
     }
 
-    /// The largest of changes of the coordinates: of places over the machine's size, and of slopes, angles and directors as they are.
+    /// The largest of changes of the coordinates: of places over the system's size, and of slopes, angles and directors as they are.
     pub fn motion_sizes(&self, changes: &[f64]) -> [f64; 2] {
         let mut largest = [0.0_f64; 2];
         for part in self.parts() {
@@ -233,7 +233,7 @@ impl System {
         [largest[0] / self.size, largest[1]]
     }
 
-    /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the machine's size, slopes,
+    /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the system's size, slopes,
     /// angles and directors as they are.
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
         let mut largest = (0.0, 0);

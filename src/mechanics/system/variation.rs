@@ -93,7 +93,7 @@ impl Variation {
         system.carry_references(state, frames);
     }
 
-    /// Adds `weight` times what lies between `from` and `to`, two states of one machine that are near each other.
+    /// Adds `weight` times what lies between `from` and `to`, two states of one system that are near each other.
     pub fn add_between(&mut self, system: &System, weight: f64, from: &State, to: &State) {
         for ((own, from), to) in self.lists_mut().into_iter().zip(lists(from)).zip(lists(to)) {
             for ((own, from), to) in own.iter_mut().zip(from).zip(to) {

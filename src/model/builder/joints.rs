@@ -1,4 +1,4 @@
-//! Joints, drives and springs of the file as conditions, relative coordinates and springs of the machine.
+//! Joints, drives and springs of the file as conditions, relative coordinates and springs of the system.
 
 use super::tune::{self, Tuned};
 use super::{Builder, signal, vector};

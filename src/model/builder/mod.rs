@@ -1,6 +1,6 @@
-//! From the typed file to the machine: `validate` has checked it, or does so here after a change of parameters.
+//! From the typed file to the system: `validate` has checked it, or does so here after a change of parameters.
 //!
-//! A file a kind of part; what may change while the machine runs is in tune.rs.
+//! A file a kind of part; what may change while the system runs is in tune.rs.
 
 mod joints;
 mod origin;
@@ -26,16 +26,16 @@ use crate::mechanics::system::builder::SystemBuilder;
 use crate::solve::step::mobility::set_mobilities;
 use std::sync::Arc;
 
-/// The machine as drawn.
+/// The system as drawn.
 #[derive(Clone, Debug)]
 pub struct Built {
-    /// The machine.
+    /// The system.
     pub system: System,
     /// Its state as drawn, velocities as given.
     pub state: State,
 }
 
-/// Whether the parameters of now make a machine, as far as that can be seen without building it.
+/// Whether the parameters of now make a system, as far as that can be seen without building it.
 ///
 /// # Errors
 /// Every mistake that the geometry shows, in file order.
@@ -44,7 +44,7 @@ pub fn check(document: &Document) -> Result<(), Diagnostics> {
     if mistakes.is_empty() { Ok(()) } else { Err(Diagnostics(mistakes)) }
 }
 
-/// Builds the machine with the parameters of now; `start` is the time of the drawing, s.
+/// Builds the system with the parameters of now; `start` is the time of the drawing, s.
 ///
 /// # Errors
 /// Every mistake that the geometry shows, in file order.

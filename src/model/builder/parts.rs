@@ -1,8 +1,8 @@
-//! Beams, bodies, frames and loads of the file as parts of the machine.
+//! Beams, bodies, frames and loads of the file as parts of the system.
 
 use super::{Builder, signal, signal_from, tune, vector};
 use crate::math::Mat3;
-use crate::mechanics::beam::centreline::Centreline;
+use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::design::BeamDesign;
 use crate::mechanics::beam::material::Material;
 use crate::mechanics::beam::section::{Outline, Section};
@@ -20,7 +20,7 @@ use crate::model::file::number::Number;
 use nalgebra::Rotation3;
 
 impl Builder<'_> {
-    pub(super) fn add_beam(&mut self, beam: &BeamSpec, line: &Centreline) {
+    pub(super) fn add_beam(&mut self, beam: &BeamSpec, line: &Centerline) {
         let document = self.document;
         let material = &document.materials[beam.material];
         let young = document.value(material.young);

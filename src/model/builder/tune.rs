@@ -1,4 +1,4 @@
-//! What may change while the machine runs: gravity, loads, springs and dampers, and where a host wants drives and frames to be.
+//! What may change while the system runs: gravity, loads, springs and dampers, and where a host wants drives and frames to be.
 
 use super::{signal, vector};
 use crate::math::jet::Jet;
@@ -51,7 +51,7 @@ pub(super) fn springs_of(joint: &JointSpec) -> Vec<(Measure, Tuned)> {
     springs
 }
 
-/// Brings a built machine to the tunable parameters of now.
+/// Brings a built system to the tunable parameters of now.
 pub fn retune(document: &Document, system: &mut System) {
     system.gravity = vector(document, document.model.gravity);
     for (load, written) in system.loads.iter_mut().zip(&document.loads) {

@@ -105,7 +105,7 @@ pub const VELOCITY: Rule = rule("velocity", "initial velocity of the start, glob
 pub const ANGULAR_VELOCITY: Rule = rule("angular_velocity", "initial angular velocity, global axes", "rad/s");
 
 pub const MASS: Rule = rule("mass", "mass", "kg").above(0.0);
-pub const CENTRE: Rule = rule("position", "centre of mass as drawn, global", "m");
+pub const CENTER: Rule = rule("position", "centre of mass as drawn, global", "m");
 pub const PRINCIPAL_INERTIA: Rule =
     rule("inertia", "moment of inertia about the centre of mass, body axes", "kg.m2").above(0.0);
 pub const INERTIA: Rule =

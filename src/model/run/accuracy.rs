@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 const STEPS: u64 = 8;
 /// The first looks come after each step, so that short runs are looked at too.
 const FIRST_STEPS: u64 = 8;
-/// How far a state is moved along its error, as a share of the machine's size or rad: so little that results follow linearly.
+/// How far a state is moved along its error, as a share of the system's size or rad: so little that results follow linearly.
 const REACH: f64 = 1e-6;
 /// Most that a state is moved, in errors.
 const LARGEST_MULTIPLE: f64 = 1e3;
@@ -25,7 +25,7 @@ const LARGEST_MULTIPLE: f64 = 1e3;
 const EXPECTED: f64 = 0.005;
 /// Share of the looks in which a force, a strain or an acceleration may be off by more: it jumps where the motion only bends.
 const ROUGH_SHARE: f64 = 0.05;
-/// A force or moment is compared with this share of the largest one of the machine at least.
+/// A force or moment is compared with this share of the largest one of the system at least.
 const SMALL_FORCE: f64 = 0.1;
 /// The share that a proposed step is chosen for.
 const PROPOSED: f64 = 0.002;

@@ -1,16 +1,16 @@
 //! What the errors of a quantity are compared with: the range of all its components over a run.
 //!
 //! A component that is zero by symmetry has the round-off of the others for its range, so that all components of a quantity have one
-//! scale, the largest range among them. A quantity that is zero as a whole is found by what its unit amounts to in this machine.
+//! scale, the largest range among them. A quantity that is zero as a whole is found by what its unit amounts to in this system.
 
 /// A quantity that changes by less than this share of its size is a constant: it is compared with its size.
 const CONSTANT: f64 = 1e-6;
-/// A quantity below this share of what its unit amounts to in the machine is zero: the round-off of large numbers that cancel.
+/// A quantity below this share of what its unit amounts to in the system is zero: the round-off of large numbers that cancel.
 const ZERO: f64 = 1e-9;
 /// Strains and quaternions: a strain of 1e-12 is round-off.
 const PURE_NUMBER: f64 = 1e-3;
 
-/// What units amount to in a machine.
+/// What units amount to in a system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measures {
     /// Its extent, m.

@@ -1,14 +1,14 @@
 //! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
 
 mod derivatives;
-mod machine;
+mod runner;
 mod saved;
 mod start_derivatives;
 
 pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
-use self::machine::{Machine, Solver};
+use self::runner::{Runner, Solver};
 use super::accuracy::{Accuracy, Columns, Inexact, Looker, Setting};
 use super::watch::Watch;
 use crate::error::Error;
@@ -30,13 +30,13 @@ use std::sync::Arc;
 /// The parameter that a host's tolerance stands for.
 const ACCURACY: &str = "simulation.accuracy";
 
-/// A model file, its machine and its state.
+/// A model file, its system and its state.
 #[derive(Debug)]
 pub struct Simulation {
     about: About,
     table: Arc<Table>,
     document: Arc<Document>,
-    machine: Machine,
+    runner: Runner,
     results: Vec<f64>,
     frames: FrameCache,
     warnings: Vec<String>,
@@ -76,7 +76,7 @@ impl Simulation {
             accuracy: Accuracy::default(),
             looker: Looker::default(),
             table: Arc::new(table),
-            machine: Machine::new(built, &document, 0.0),
+            runner: Runner::new(built, &document, 0.0),
             inputs: Inputs::new(&document),
             document,
             results: Vec::new(),
@@ -96,14 +96,14 @@ impl Simulation {
         &self.document
     }
 
-    /// The machine.
+    /// The system.
     pub fn system(&self) -> &System {
-        &self.machine.system
+        &self.runner.system
     }
 
     /// The state it has reached.
     pub fn state(&self) -> &State {
-        &self.machine.state
+        &self.runner.state
     }
 
     /// Multipliers of the joints' conditions, N or N m, where they are those of the very instant: always of equilibria and of generalized-alpha, otherwise
@@ -113,12 +113,12 @@ impl Simulation {
         let is_at_instant = simulation.analysis == Analysis::Static
             || matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
             || self.table.needs_response();
-        is_at_instant.then_some(&self.machine.response.multipliers)
+        is_at_instant.then_some(&self.runner.response.multipliers)
     }
 
     /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion; empty where that is not known.
     pub fn estimated_errors(&self) -> Vec<Inexact> {
-        let Machine { system, state, start, .. } = &self.machine;
+        let Runner { system, state, start, .. } = &self.runner;
         if !state.time_error.is_known() {
             return Vec::new();
         }
@@ -130,11 +130,11 @@ impl Simulation {
         self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
     }
 
-    /// Sets parameter `index` of the file, and what follows from it; one that is tunable at once in a machine that runs.
+    /// Sets parameter `index` of the file, and what follows from it; one that is tunable at once in a system that runs.
     fn set_parameter(&mut self, index: usize, value: Value, variability: Variability) -> Result<(), Failure> {
         let before = self.document.parameter_value(index);
-        let runs = variability == Variability::Tunable && self.machine.is_initialized();
-        let stepped = (runs && self.last.known && !self.machine.stale).then(|| self.document.settings());
+        let runs = variability == Variability::Tunable && self.runner.is_initialized();
+        let stepped = (runs && self.last.known && !self.runner.stale).then(|| self.document.settings());
         let document = Arc::make_mut(&mut self.document);
         document.set_parameter(index, value).map_err(wrong)?;
         if runs {
@@ -148,7 +148,7 @@ impl Simulation {
             if let Some(settings) = stepped {
                 self.last.settings = settings;
             }
-            self.machine.stale = true;
+            self.runner.stale = true;
             self.derived.forget_rates();
         }
         Ok(())
@@ -156,7 +156,7 @@ impl Simulation {
 
     /// Where inputs are at the start: as set, but for a frame whose quaternion is 0, which is as the file has it.
     fn starts(&self) -> Vec<(Number, f64)> {
-        let time = self.machine.state.time;
+        let time = self.runner.state.time;
         let undirected = builder::undirected(&self.document, |number| self.inputs.line(number), [time; 2]);
         let as_drawn: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
         let start = |(number, value)| match as_drawn.contains(&number) {
@@ -188,17 +188,17 @@ impl Simulation {
         self.derived = Derived::default();
     }
 
-    /// Reads all results off the state that the machine has reached, and looks whether they are odd.
+    /// Reads all results off the state that the system has reached, and looks whether they are odd.
     fn measure(&mut self) -> Result<(), Failure> {
         self.read_results().map_err(|error| failure(&error))?;
         if let Some(number) = self.results.iter().position(|result| !result.is_finite()) {
             return Err(wrong(self.not_finite(number)));
         }
-        let machine = &self.machine;
-        let odd = self.watch.look(&machine.system, &machine.state, &self.table, &self.results, &mut self.frames);
+        let runner = &self.runner;
+        let odd = self.watch.look(&runner.system, &runner.state, &self.table, &self.results, &mut self.frames);
         self.warnings.extend(odd);
         self.accuracy.include(&self.columns, &self.results);
-        if self.accuracy.is_due(self.machine.state.statistics.steps) {
+        if self.accuracy.is_due(self.runner.state.statistics.steps) {
             self.look();
         }
         Ok(())
@@ -206,7 +206,7 @@ impl Simulation {
 
     /// Looks how far the results of the state that is reached are off.
     fn look(&mut self) {
-        let Machine { system, state, responder, .. } = &mut self.machine;
+        let Runner { system, state, responder, .. } = &mut self.runner;
         let responder = responder.as_deref_mut();
         self.accuracy.look((&self.columns, &self.table), (system, state), responder, &self.results, &mut self.looker);
     }
@@ -214,18 +214,18 @@ impl Simulation {
     /// What is wrong with result `number`.
     fn not_finite(&self, number: usize) -> String {
         let name = self.table.result_name(number);
-        let (value, time) = (self.results[number], self.machine.state.time);
+        let (value, time) = (self.results[number], self.runner.state.time);
         format!(
             "{name} is {value} at t = {time} s: a parameter or an input is far too large or too small for this mechanism; set \
              a reasonable value"
         )
     }
 
-    /// Reads all results off the state that the machine has reached.
+    /// Reads all results off the state that the system has reached.
     fn read_results(&mut self) -> Result<(), Error> {
-        let machine = &mut self.machine;
-        machine.respond()?;
-        let (system, state, response) = (&*machine.system, &machine.state, &machine.response);
+        let runner = &mut self.runner;
+        runner.respond()?;
+        let (system, state, response) = (&*runner.system, &runner.state, &runner.response);
         let moment = Moment { system, state, response, fibres: &[] };
         self.table.measure(&moment, &mut self.frames, &mut self.results);
         Ok(())
@@ -298,64 +298,64 @@ impl Model for Simulation {
         }
         self.document.check().map_err(wrong)?;
         let document = &self.document;
-        let mut machine = match self.machine.if_drawn(document, start) {
-            Some(machine) => machine,
+        let mut runner = match self.runner.if_drawn(document, start) {
+            Some(runner) => runner,
             None => {
                 let built = builder::build(document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;
-                Machine::new(built, document, start)
+                Runner::new(built, document, start)
             }
         };
-        let origin = machine.system.origin;
-        builder::aim(document, &origin, |number| self.inputs.line(number), [start; 2], &mut machine.state.targets);
-        let warnings = machine.find_initial_state(document, self.table.needs_response());
+        let origin = runner.system.origin;
+        builder::aim(document, &origin, |number| self.inputs.line(number), [start; 2], &mut runner.state.targets);
+        let warnings = runner.find_initial_state(document, self.table.needs_response());
         self.warnings.extend(warnings.map_err(|error| failure(&error))?);
-        let before = std::mem::replace(&mut self.machine, machine);
+        let before = std::mem::replace(&mut self.runner, runner);
         self.forget_step();
         self.watch = Watch::new(&self.document);
         self.accuracy = Accuracy::default();
         let outcome = self.measure();
         if outcome.is_err() {
-            self.machine = before;
+            self.runner = before;
         }
         outcome
     }
 
     fn time(&self) -> f64 {
-        self.machine.state.time
+        self.runner.state.time
     }
 
     fn shortest_step(&self) -> f64 {
-        self.machine.shortest_step()
+        self.runner.shortest_step()
     }
 
     fn accept_step(&self, end: f64) -> Result<(), Failure> {
-        let begin = self.machine.state.time;
-        self.machine.plan(begin, end).map(|_| ()).map_err(|error| failure(&error))
+        let begin = self.runner.state.time;
+        self.runner.plan(begin, end).map(|_| ()).map_err(|error| failure(&error))
     }
 
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
-        if end - self.machine.state.time < self.shortest_step() {
+        if end - self.runner.state.time < self.shortest_step() {
             // The last step is what it was.
             self.inputs.end_step();
             return Ok(());
         }
         self.forget_step();
-        self.warn_of_quaternions([self.machine.state.time, end]);
-        let machine = &mut self.machine;
-        machine.settle(&self.document);
-        machine.keep();
-        let begin = machine.state.time;
-        machine.state.targets.depart(begin, &machine.state.prescribed);
+        self.warn_of_quaternions([self.runner.state.time, end]);
+        let runner = &mut self.runner;
+        runner.settle(&self.document);
+        runner.keep();
+        let begin = runner.state.time;
+        runner.state.targets.depart(begin, &runner.state.prescribed);
         let line = |number| self.inputs.line(number);
-        let origin = machine.system.origin;
-        builder::aim(&self.document, &origin, line, [begin, end], &mut machine.state.targets);
-        let outcome = machine.advance(end).map_err(|error| failure(&error)).and_then(|()| self.measure());
+        let origin = runner.system.origin;
+        builder::aim(&self.document, &origin, line, [begin, end], &mut runner.state.targets);
+        let outcome = runner.advance(end).map_err(|error| failure(&error)).and_then(|()| self.measure());
         if outcome.is_err() {
-            self.machine.go_back();
+            self.runner.go_back();
             // They were those of this state before the step, so that they can be read.
             let _ = self.read_results();
         }
-        if let Solver::Statics(statics) = &mut self.machine.solver {
+        if let Solver::Statics(statics) = &mut self.runner.solver {
             self.warnings.extend(statics.take_remarks());
         }
         if outcome.is_ok() {
@@ -369,7 +369,7 @@ impl Model for Simulation {
 
     fn conclude(&mut self) {
         self.look();
-        let Machine { pacing, state, .. } = &self.machine;
+        let Runner { pacing, state, .. } = &self.runner;
         let setting = match pacing {
             Some(pacing) => Setting::Accuracy(pacing.accuracy),
             None => Setting::Step(state.time_error.step),
@@ -385,7 +385,7 @@ impl Model for Simulation {
         Arc::make_mut(&mut self.document).reset();
         // The file was built with these very numbers when it was loaded.
         if let Ok(built) = builder::build(&self.document, 0.0) {
-            self.machine = Machine::new(built, &self.document, 0.0);
+            self.runner = Runner::new(built, &self.document, 0.0);
         }
         self.warnings.clear();
         self.warned_of_quaternion = false;

@@ -113,7 +113,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 /// Letters that are compared: a name of a megabyte must not take a minute.
 const LONGEST: usize = 100;
 
-/// Letters to insert, delete, replace or swap with the neighbour to make one word of the other; case counts nothing.
+/// Letters to insert, delete, replace or swap with the neighbor to make one word of the other; case counts nothing.
 fn distance(a: &[char], b: &str) -> usize {
     let lower = |c: &char| c.to_ascii_lowercase();
     let a: Vec<char> = a.iter().map(lower).collect();

@@ -3,7 +3,7 @@
 use crate::math::curve::Curve;
 use crate::math::flaw::{Flaw, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
 use crate::math::{Vec3, spline};
-use crate::mechanics::beam::centreline::{Centreline, Spacing, Span, shares};
+use crate::mechanics::beam::centerline::{Centerline, Spacing, Span, shares};
 use crate::mechanics::beam::division::Division;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
@@ -25,12 +25,12 @@ const LARGEST_TWIST: f64 = LARGEST_BEND * (1.0 + 1e-9);
 const MOST_PROPOSED: usize = 10_000;
 
 /// A line; none where a number in it is wrong, which is reported elsewhere.
-type Drawn = Result<Option<Centreline>, Box<Diagnostic>>;
+type Drawn = Result<Option<Centerline>, Box<Diagnostic>>;
 
 /// The lines of all beams, in file order; none where something is wrong.
 #[derive(Clone, Debug, Default)]
 pub struct Lines {
-    lines: Vec<Option<Centreline>>,
+    lines: Vec<Option<Centerline>>,
     /// How they are divided: of a straight beam that is known without its line.
     divisions: Vec<Option<Division>>,
 }
@@ -50,7 +50,7 @@ impl Lines {
     }
 
     /// Adds the line of the next beam.
-    pub fn push(&mut self, document: &Document, beam: &BeamSpec, line: Option<Centreline>) {
+    pub fn push(&mut self, document: &Document, beam: &BeamSpec, line: Option<Centerline>) {
         let is_straight = matches!(beam.line, Some(Line::Straight { .. }));
         let own = line.as_ref().map(|line| line.division.clone());
         let straight = || is_straight.then(|| whole(document, beam).map(Division::Equal)).flatten();
@@ -59,7 +59,7 @@ impl Lines {
     }
 
     /// The line of beam `beam`.
-    pub fn line(&self, beam: usize) -> Option<&Centreline> {
+    pub fn line(&self, beam: usize) -> Option<&Centerline> {
         self.lines.get(beam).and_then(Option::as_ref)
     }
 
@@ -152,7 +152,7 @@ fn straight(document: &Document, beam: &BeamSpec, ends: [[Number; 3]; 2], elemen
         let message = format!("beam {} is too long to compute with", beam.name);
         return mistake(document, place, &message, "this is too far away", "");
     }
-    Ok(Some(Centreline::straight(from, to, elements)))
+    Ok(Some(Centerline::straight(from, to, elements)))
 }
 
 /// The curve that three expressions of the parameter give; none where a number is wrong.
@@ -207,7 +207,7 @@ fn through(document: &Document, beam: &BeamSpec, curve: &CurveSpec, points: &[[N
         let label = format!("at least one element a piece: {} or more", lengths.len());
         return mistake(document, document.place(beam.elements), &message, &label, "");
     }
-    Ok(Some(Centreline::polyline(&places, &shares(&lengths, elements))))
+    Ok(Some(Centerline::polyline(&places, &shares(&lengths, elements))))
 }
 
 /// Straight pieces between samples of a curve, an element each.
@@ -231,7 +231,7 @@ fn sampled(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Cu
         let help = "between nodes a polyline is straight: a corner turns by 179 degrees at most";
         return mistake(document, written.place, &message, &label, help);
     }
-    Ok(Some(Centreline::polyline(&places, &vec![1; elements])))
+    Ok(Some(Centerline::polyline(&places, &vec![1; elements])))
 }
 
 /// The first piece that has no length beside the `whole`, m.
@@ -250,7 +250,7 @@ fn way_back(places: &[Vec3]) -> Option<(usize, f64)> {
 }
 
 fn smooth(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Curve, elements: usize) -> Drawn {
-    match Centreline::curved(curve, written.spacing, elements) {
+    match Centerline::curved(curve, written.spacing, elements) {
         Ok(line) => Ok(Some(line)),
         Err(flaw) => flawed(document, beam, written, curve, &flaw, elements),
     }
@@ -357,7 +357,7 @@ fn point_near(document: &Document, points: &[[Number; 3]], s: f64) -> String {
 }
 
 /// The mistake of a beam that has an element with too much pretwist.
-pub fn overtwisted(document: &Document, beam: &BeamSpec, line: &Centreline) -> Option<Diagnostic> {
+pub fn overtwisted(document: &Document, beam: &BeamSpec, line: &Centerline) -> Option<Diagnostic> {
     let pretwist = document.value(beam.pretwist);
     let angle = most_twisted(pretwist, line);
     if !pretwist.is_finite() || angle <= LARGEST_TWIST {
@@ -375,7 +375,7 @@ pub fn overtwisted(document: &Document, beam: &BeamSpec, line: &Centreline) -> O
 }
 
 /// The largest share of a pretwist, which grows with the arc length, that an element has, rad.
-fn most_twisted(pretwist: f64, line: &Centreline) -> f64 {
+fn most_twisted(pretwist: f64, line: &Centerline) -> f64 {
     let share = |span: &Span| line.nodes[span.node + 1].fraction - line.nodes[span.node].fraction;
     line.spans.iter().map(|span| (pretwist * share(span)).abs()).fold(0.0, f64::max)
 }
@@ -412,7 +412,7 @@ fn enough(curve: &Curve, spacing: Spacing, elements: usize, mut angle: f64) -> O
         if count > MOST_PROPOSED {
             return None;
         }
-        match Centreline::curved(curve, spacing, count) {
+        match Centerline::curved(curve, spacing, count) {
             Ok(_) => return Some(count),
             Err(Flaw::Bend { angle: still, .. }) => angle = still,
             Err(_) => return None,

@@ -20,7 +20,7 @@ use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::text::diagnostic::{Diagnostic, Diagnostics, Place, Source};
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::centreline::{Centreline, Spacing};
+use crate::mechanics::beam::centerline::{Centerline, Spacing};
 use crate::mechanics::beam::design::Elements;
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
@@ -99,7 +99,7 @@ impl Checker<'_> {
     }
 
     /// The line of a beam, if it can be drawn.
-    fn check_beam(&mut self, beam: &BeamSpec) -> Option<Centreline> {
+    fn check_beam(&mut self, beam: &BeamSpec) -> Option<Centerline> {
         let document = self.document;
         let elements = lines::whole(document, beam);
         // A straight beam can be looked at with any number of elements.
@@ -328,7 +328,7 @@ impl Checker<'_> {
     }
 }
 
-/// A number with as many digits as tell it from its neighbours in a message.
+/// A number with as many digits as tell it from its neighbors in a message.
 fn shown(value: f64) -> String {
     // Through the text of six digits: 2.0325, not 2.0325000000000002.
     let text = format!("{value:.5e}");

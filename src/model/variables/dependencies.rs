@@ -33,7 +33,7 @@ pub struct Givens {
     drives: Vec<usize>,
     /// Of each frame.
     frames: Vec<Vec<usize>>,
-    /// The machine begins as drawn, and moves.
+    /// The system begins as drawn, and moves.
     as_drawn: bool,
 }
 

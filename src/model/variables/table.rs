@@ -66,7 +66,7 @@ impl Measure {
 /// A state with all that results are read from.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
-    /// The machine.
+    /// The system.
     pub system: &'a System,
     /// Its state.
     pub state: &'a State,

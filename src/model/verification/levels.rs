@@ -50,7 +50,7 @@ impl Level {
         matches!(self, Self::DoubleStep | Self::HalfElements)
     }
 
-    /// What it takes to get it from `document`. None: there is no such run, because statics has no step error, the machine has no
+    /// What it takes to get it from `document`. None: there is no such run, because statics has no step error, the system has no
     /// beams, no beam has linear twist, or a number of elements is odd.
     pub fn overrides(self, document: &Document) -> Option<Vec<Override>> {
         let is_dynamic = document.simulation.analysis == Analysis::Dynamic;

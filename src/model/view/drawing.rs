@@ -60,7 +60,7 @@ pub enum MarkKind {
     Support,
     /// A joint between two things that move.
     Joint,
-    /// The centre of mass of a body.
+    /// The center of mass of a body.
     Body,
     /// A frame, as it is at t = 0.
     Frame,

@@ -11,7 +11,7 @@ use crate::solve::modes;
 
 pub use modes::Kind;
 
-/// Distance from equilibrium (lengths over the machine's size) from which on it is worth a warning.
+/// Distance from equilibrium (lengths over the system's size) from which on it is worth a warning.
 const BALANCED: f64 = 1e-6;
 /// Skew part of the stiffness, as a share, from which on it is worth a warning.
 const SYMMETRIC: f64 = 1e-8;
@@ -23,7 +23,7 @@ const POINTS: usize = 8;
 pub struct Place {
     /// Its name in the model file: `arm.node[3]` or a body's.
     pub name: String,
-    /// Where it is in the state about which the machine swings, global axes, m.
+    /// Where it is in the state about which the system swings, global axes, m.
     pub position: [f64; 3],
 }
 
@@ -47,7 +47,7 @@ pub struct Mode {
     pub modal_mass: f64,
     /// What it moves most, in words.
     pub moves: String,
-    /// The coordinates of the machine, as they change.
+    /// The coordinates of the system, as they change.
     pub shape: Vec<f64>,
     /// Its motion at each place.
     pub motions: Vec<Motion>,
@@ -78,7 +78,7 @@ pub struct Modes {
     pub nodes: usize,
     /// Points of all beams close enough to each other to draw, m.
     pub lines: Vec<Vec<[f64; 3]>>,
-    /// How many modes the machine has.
+    /// How many modes the system has.
     pub freedoms: usize,
     /// What the user should know of them.
     pub warnings: Vec<String>,

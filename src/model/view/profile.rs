@@ -1,4 +1,4 @@
-//! Outlines of sections and solids of bodies, from what the machine knows of them.
+//! Outlines of sections and solids of bodies, from what the system knows of them.
 
 use crate::mechanics::beam::section::Outline;
 use crate::mechanics::body::rigid_body::RigidBody;
@@ -33,7 +33,7 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// Of a beam whose outline the machine knows as `outline`; `section` is the file's.
+    /// Of a beam whose outline the system knows as `outline`; `section` is the file's.
     pub(super) fn new(document: &Document, section: &SectionSpec, outline: &Outline) -> Self {
         match *outline {
             Outline::Rectangle { width, height } => Self::Rectangle { width, height },

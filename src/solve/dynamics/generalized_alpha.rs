@@ -28,7 +28,7 @@ use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::response::{Responder, Response};
 
-/// Largest spectral radius for machines with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
+/// Largest spectral radius for systems with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
 const LARGEST_RADIUS: f64 = 0.99;
 
 /// Integrator and its scratch memory; nothing in it outlives a step.
@@ -92,7 +92,7 @@ struct Scratch {
 
 impl GeneralizedAlpha {
     /// For `system`; the amplitude of a vibration far too fast for the step is multiplied by `spectral_radius` (0 to 1) a step. With 1,
-    /// multipliers are not damped and grow: machines with joints need less. Newton ends when its correction is below `tolerance`.
+    /// multipliers are not damped and grow: systems with joints need less. Newton ends when its correction is below `tolerance`.
     pub fn new(system: &System, spectral_radius: f64, tolerance: f64) -> Self {
         assert!((0.0..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
@@ -143,7 +143,7 @@ fn set_accelerations(responder: &mut Responder, system: &System, state: &mut Sta
 }
 
 impl GeneralizedAlpha {
-    /// Why its spectral radius should not be used with a machine; none: it can.
+    /// Why its spectral radius should not be used with a system; none: it can.
     pub fn objection(&self, system: &System) -> Option<String> {
         let spectral_radius = self.spectral_radius;
         (spectral_radius > LARGEST_RADIUS && system.constraints() > 0).then(|| {

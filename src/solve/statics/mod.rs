@@ -95,7 +95,7 @@ impl Statics {
     /// Finds the equilibrium of `time` (s) from `state` and writes it there, by a ramp where need be.
     ///
     /// # Errors
-    /// The ramp got stuck, or a part of the machine can move freely; `state` is as it was but for the counts of iterations and rejections.
+    /// The ramp got stuck, or a part of the system can move freely; `state` is as it was but for the counts of iterations and rejections.
     pub fn find(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         let first = state.statistics.steps == 0;
         if !first && self.stability.known().is_none_or(|known| known.time != state.time) {
@@ -115,7 +115,7 @@ impl Statics {
             next.clone_from(state);
             next.statistics = tried;
             let relaxed = self.relax(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
-            // Of two failures the first one is about the machine as drawn.
+            // Of two failures the first one is about the system as drawn.
             outcome = match (outcome, relaxed) {
                 (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
                 (_, relaxed @ Err(Error::Singular { .. })) => relaxed,
@@ -222,7 +222,7 @@ impl Statics {
         self.kkt.factorize(system, state.time)
     }
 
-    /// Whether the machine at `state` has a free part, or one that is held twice: the reason why no load, however small, can be borne.
+    /// Whether the system at `state` has a free part, or one that is held twice: the reason why no load, however small, can be borne.
     ///
     /// # Errors
     /// It has one.

@@ -12,7 +12,7 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::solve::newton::kkt::Kkt;
 
-/// How a machine responds at an instant.
+/// How a system responds at an instant.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Response {
     /// Second derivatives of the coordinates, 1/s² each.

@@ -1,4 +1,4 @@
-//! What ANCF14 answers to the machine.
+//! What ANCF14 answers to the system.
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, interpolate};
 use super::element::{Element, Evaluation};

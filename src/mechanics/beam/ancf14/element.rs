@@ -125,7 +125,7 @@ impl Element {
         element
     }
 
-    /// Its coordinates (14) among those `q` of the whole machine.
+    /// Its coordinates (14) among those `q` of the whole system.
     pub fn own<'a>(&self, q: &'a [f64]) -> &'a [f64] {
         &q[self.place.start..self.place.start + ELEMENT]
     }

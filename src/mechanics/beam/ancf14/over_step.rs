@@ -155,7 +155,7 @@ impl Element {
         all
     }
 
-    /// The rates that `all`, those of the whole machine, has of this element.
+    /// The rates that `all`, those of the whole system, has of this element.
     pub fn own_rates_mut<'a>(&self, all: &'a mut [f64]) -> &'a mut [f64; STRAINS] {
         let (own, _) = all.as_chunks_mut::<STRAINS>();
         &mut own[self.place.branch]

@@ -1,4 +1,4 @@
-//! What ANCF24 answers to the machine.
+//! What ANCF24 answers to the system.
 
 use super::coordinates::{AXIS_PLACES, ELEMENT, Interpolation, NODE, Y_PLACES, Z_PLACES};
 use super::element::Element;

@@ -14,19 +14,19 @@ pub struct BodySpec {
     pub place: Place,
     /// Mass, kg.
     pub mass: Number,
-    /// Centre of mass as drawn, global, m.
+    /// Center of mass as drawn, global, m.
     pub position: [Number; 3],
-    /// Inertia about the centre of mass, kg m².
+    /// Inertia about the center of mass, kg m².
     pub inertia: Inertia,
     /// Body axes as drawn, global, one per row; default: the global axes.
     pub axes: Option<[[Number; 3]; 3]>,
-    /// Initial velocity of the centre of mass, global, m/s.
+    /// Initial velocity of the center of mass, global, m/s.
     pub velocity: [Number; 3],
     /// Initial angular velocity, global, rad/s.
     pub angular_velocity: [Number; 3],
 }
 
-/// Inertia about the centre of mass in body axes, kg m².
+/// Inertia about the center of mass in body axes, kg m².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Inertia {
     /// The body axes are principal axes: a moment about each.
@@ -38,7 +38,7 @@ pub enum Inertia {
 impl BodySpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let mass = reader.number(&schema::MASS);
-        let position = reader.vector(&schema::CENTRE);
+        let position = reader.vector(&schema::CENTER);
         let inertia = Inertia::read(&mut reader);
         let axes = reader.table(&schema::AXES);
         let velocity = reader.vector_or(&schema::BODY_VELOCITY, [0.0; 3]);

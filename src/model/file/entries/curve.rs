@@ -1,6 +1,6 @@
 //! The line of a `[beam.NAME]`: straight by `from` and `to`, or a `curve`.
 
-use crate::mechanics::beam::centreline::Spacing;
+use crate::mechanics::beam::centerline::Spacing;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::schema;

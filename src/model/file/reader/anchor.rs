@@ -29,7 +29,7 @@ pub enum Spot {
         /// Where on it.
         along: Along,
     },
-    /// The centre of mass of a body, by its place in the list of bodies.
+    /// The center of mass of a body, by its place in the list of bodies.
     Body(usize),
     /// A frame, by its place in the list of frames.
     Frame(usize),

@@ -3,7 +3,7 @@
 //! They are asked for whenever the standard allows it, also where there is no last step: no result depends on an input then, and what
 //! does not follow from the motion changes as in an internal step on trial.
 
-use super::machine::{Machine, Plan, Solver};
+use super::runner::{Plan, Runner, Solver};
 use super::{Simulation, failure, wrong};
 use crate::error::Error;
 use crate::fmi::Failure;
@@ -25,7 +25,7 @@ use crate::solve::step::linearized::Linearized;
 use crate::solve::step::response::{Responder, Response};
 use std::sync::Arc;
 
-/// The communication step that led to the present state; the machine's backup is the state at its start.
+/// The communication step that led to the present state; the system's backup is the state at its start.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LastStep {
     /// There is one.
@@ -147,12 +147,12 @@ impl Simulation {
     /// The derivative of result number `result` by time, 1/s of its unit: exact where it follows from positions and velocities, else the
     /// difference quotient of the last internal step, or of the next one if none has been taken; 0 where that one cannot be taken.
     pub(super) fn rate(&mut self, result: usize) -> f64 {
-        let moves = !matches!(self.machine.solver, Solver::Statics(_));
+        let moves = !matches!(self.runner.solver, Solver::Statics(_));
         if moves && self.table.follows_from_motion(result) {
             if self.derived.rates.is_none() {
                 self.derived.rates = Some(self.rates().unwrap_or_default());
             }
-            // None where the machine has no accelerations now.
+            // None where the system has no accelerations now.
             let rate = self.derived.rates.as_deref().unwrap_or_default().get(result);
             if let Some(rate) = rate.filter(|rate| rate.is_finite()) {
                 return *rate;
@@ -167,9 +167,9 @@ impl Simulation {
 
     /// Derivatives by time of all results, at their accelerations and multipliers: along the motion.
     fn rates(&self) -> Result<Vec<f64>, Error> {
-        let (system, state) = (&*self.machine.settled(&self.document), &self.machine.state);
+        let (system, state) = (&*self.runner.settled(&self.document), &self.runner.state);
         let mut response = Response::default();
-        self.machine.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
+        self.runner.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         let (mut frames, mut values) = (FrameCache::default(), Vec::new());
         let fibres = self.table.fibres(&Moment { system, state, response: &response, fibres: &[] }, &mut frames);
         let mut sum = vec![0.0; self.results.len()];
@@ -188,32 +188,32 @@ impl Simulation {
         let (mut now, mut values) = (Vec::new(), Vec::new());
         let (system, (state, response)) = if self.last.known {
             now.clone_from(&self.results);
-            (Arc::clone(&self.machine.system), self.machine.before_last_part(self.last.end)?)
+            (Arc::clone(&self.runner.system), self.runner.before_last_part(self.last.end)?)
         } else {
-            let next = self.machine.after_next_part(&self.document)?;
-            let (system, state) = (self.machine.settled(&self.document), &self.machine.state);
+            let next = self.runner.after_next_part(&self.document)?;
+            let (system, state) = (self.runner.settled(&self.document), &self.runner.state);
             let mut response = Response::default();
-            self.machine.solver.respond(&mut Responder::new(&system), &system, state, &mut response)?;
+            self.runner.solver.respond(&mut Responder::new(&system), &system, state, &mut response)?;
             let moment = Moment { system: &system, state, response: &response, fibres: &[] };
             self.table.measure(&moment, &mut frames, &mut now);
             (system, next)
         };
         let moment = Moment { system: &system, state: &state, response: &response, fibres: &[] };
         self.table.measure(&moment, &mut frames, &mut values);
-        let passed = self.machine.state.time - state.time;
+        let passed = self.runner.state.time - state.time;
         Ok(now.iter().zip(&values).map(|(now, other)| (now - other) / passed).collect())
     }
 
     fn jacobian(&mut self) -> Result<Vec<f64>, Error> {
-        let Self { machine, last, document, table, results, .. } = self;
-        let Machine { system, backup, .. } = &*machine;
+        let Self { runner, last, document, table, results, .. } = self;
+        let Runner { system, backup, .. } = &*runner;
         let begin = backup.time;
         let given = Given::new(document, &last.inputs, [begin, last.end], system);
-        let plan = machine.plan(begin, last.end)?;
+        let plan = runner.plan(begin, last.end)?;
         let responds = table.needs_response();
         let mut columns = Vec::new();
-        let (system, state, start) = (&machine.system, &machine.state, &machine.backup);
-        let moves = !matches!(machine.solver, Solver::Statics(_));
+        let (system, state, start) = (&runner.system, &runner.state, &runner.backup);
+        let moves = !matches!(runner.solver, Solver::Statics(_));
         let step = Step { start, inputs: &given, moves };
         let mut frames = FrameCache::default();
         let mut values = Vec::new();
@@ -230,12 +230,12 @@ impl Simulation {
         };
         let mut response = Response::default();
         if responds {
-            machine.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
+            runner.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         } else {
             response.set_at_rest(state);
         }
         let present = (state, &response);
-        match &mut machine.solver {
+        match &mut runner.solver {
             Solver::None => Err(Error::NotInitialized),
             Solver::Midpoint(midpoint) => run(midpoint.as_mut(), system, step, plan, present, responds, &mut all),
             Solver::GeneralizedAlpha(alpha) => run(alpha.as_mut(), system, step, plan, present, responds, &mut all),

@@ -1,10 +1,10 @@
 //! States of a simulation to go back to: a plain copy, and the bytes of one.
 //!
-//! Bytes hold numbers only: the settings of the file, the host's inputs, the state. The machine is built from the file again.
+//! Bytes hold numbers only: the settings of the file, the host's inputs, the state. The system is built from the file again.
 
 use super::Simulation;
 use super::derivatives::{Derived, LastStep};
-use super::machine::Solver;
+use super::runner::Solver;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::model::builder;
@@ -42,7 +42,7 @@ pub struct Snapshot {
 struct Saved<'a> {
     /// Settings of the file now.
     settings: Vec<f64>,
-    /// Settings of the file when the machine was built.
+    /// Settings of the file when the system was built.
     drawn: Vec<f64>,
     /// Values and derivatives of the inputs.
     inputs: [Cow<'a, [f64]>; 2],
@@ -150,35 +150,35 @@ impl Snapshot {
 impl Simulation {
     /// A copy of what changes between two calls.
     pub(super) fn save(&self) -> Snapshot {
-        let machine = &self.machine;
+        let runner = &self.runner;
         Snapshot {
             document: Arc::clone(&self.document),
-            drawn: Arc::clone(&machine.drawn),
-            system: Arc::clone(&machine.system),
-            stale: machine.stale,
-            state: machine.state.clone(),
-            start: machine.start,
-            step: machine.step,
-            initialization: Arc::clone(&machine.initialization),
-            initialized: machine.is_initialized(),
+            drawn: Arc::clone(&runner.drawn),
+            system: Arc::clone(&runner.system),
+            stale: runner.stale,
+            state: runner.state.clone(),
+            start: runner.start,
+            step: runner.step,
+            initialization: Arc::clone(&runner.initialization),
+            initialized: runner.is_initialized(),
             watch: self.watch.clone(),
             accuracy: self.accuracy.clone(),
             inputs: self.inputs.clone(),
             results: self.results.clone(),
-            last: self.last.known.then(|| (self.last.clone(), machine.backup.clone())),
+            last: self.last.known.then(|| (self.last.clone(), runner.backup.clone())),
         }
     }
 
     /// Goes back to a copy.
     pub(super) fn go_back_to(&mut self, snapshot: &Snapshot) {
-        let machine = &mut self.machine;
+        let runner = &mut self.runner;
         self.document = Arc::clone(&snapshot.document);
-        machine.drawn = Arc::clone(&snapshot.drawn);
-        machine.system = Arc::clone(&snapshot.system);
-        machine.stale = snapshot.stale;
-        machine.state.clone_from(&snapshot.state);
-        (machine.start, machine.step) = (snapshot.start, snapshot.step);
-        machine.pacing = machine.drawn.pacing(machine.start);
+        runner.drawn = Arc::clone(&snapshot.drawn);
+        runner.system = Arc::clone(&snapshot.system);
+        runner.stale = snapshot.stale;
+        runner.state.clone_from(&snapshot.state);
+        (runner.start, runner.step) = (snapshot.start, snapshot.step);
+        runner.pacing = runner.drawn.pacing(runner.start);
         self.results.clone_from(&snapshot.results);
         self.watch.clone_from(&snapshot.watch);
         self.accuracy.clone_from(&snapshot.accuracy);
@@ -189,23 +189,23 @@ impl Simulation {
             self.last.inputs.copy_from(&last.inputs);
             self.last.end = last.end;
             self.last.settings.clone_from(&last.settings);
-            machine.backup.clone_from(start);
+            runner.backup.clone_from(start);
         }
-        if let Solver::Statics(statics) = &mut machine.solver {
+        if let Solver::Statics(statics) = &mut runner.solver {
             statics.forget();
         }
         // The solver has the shape and the tolerance of its initialization, which may be another one, or another instance's.
-        if !Arc::ptr_eq(&machine.initialization, &snapshot.initialization) {
-            machine.initialization = Arc::clone(&snapshot.initialization);
-            machine.solver = match snapshot.initialized {
+        if !Arc::ptr_eq(&runner.initialization, &snapshot.initialization) {
+            runner.initialization = Arc::clone(&snapshot.initialization);
+            runner.solver = match snapshot.initialized {
                 false => Solver::None,
                 // It was made once, of the same numbers.
-                true => Solver::new(&machine.drawn, &machine.system, machine.pacing).unwrap_or(Solver::None),
+                true => Solver::new(&runner.drawn, &runner.system, runner.pacing).unwrap_or(Solver::None),
             };
             // The response is of the state, and only results ask for it: a snapshot has them.
-            machine.responder = match snapshot.initialized && self.table.needs_response() {
+            runner.responder = match snapshot.initialized && self.table.needs_response() {
                 false => None,
-                true => Some(Box::new(Responder::new(&machine.system))),
+                true => Some(Box::new(Responder::new(&runner.system))),
             };
         }
     }

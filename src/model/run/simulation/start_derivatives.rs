@@ -2,15 +2,15 @@
 //! are found from.
 //!
 //! The initial state is found again with a value that differs a little: whatever the start is, a drawing or an equilibrium, its derivative
-//! is a difference. The change moves the machine by about [`REACH`] of its size, where it moves it at all.
+//! is a difference. The change moves the system by about [`REACH`] of its size, where it moves it at all.
 
 use super::Simulation;
 use super::derivatives::finite;
 use crate::fmi::{Failure, Model, Value};
 
-/// First change of a value, relative; of 0 the change itself, of a place over the machine's size.
+/// First change of a value, relative; of 0 the change itself, of a place over the system's size.
 const TRIAL: f64 = 1e-6;
-/// How far the machine shall move, over its size: what a central difference of fourth order leaves out is then round-off, and what the
+/// How far the system shall move, over its size: what a central difference of fourth order leaves out is then round-off, and what the
 /// solver leaves of an equilibrium is small beside it.
 const REACH: f64 = 1e-4;
 /// The change is at most so many times the trial: a thousandth of a value.
@@ -45,7 +45,7 @@ impl Simulation {
     /// Derivatives of all initial values by that of variable `known`. Leaves the model anywhere.
     fn start_column(&mut self, known: usize) -> Result<Vec<f64>, Failure> {
         let (time, value) = (self.time(), self.value(known).number());
-        let size = self.machine.system.size;
+        let size = self.runner.system.size;
         let is_place = self.table.variables[known].quantity.unit == "m";
         let scale = match value.abs() {
             0.0 if is_place => size,
@@ -53,13 +53,13 @@ impl Simulation {
             amount => amount,
         };
         let trial = TRIAL * scale;
-        let here = self.machine.state.q.clone();
+        let here = self.runner.state.q.clone();
         let at = |model: &mut Self, change: f64| {
             model.set_value(known, Value::Real(value + change))?;
             model.initialize(time)
         };
         at(self, trial).or_else(|_| at(self, -trial))?;
-        let there = &self.machine.state.q;
+        let there = &self.runner.state.q;
         // Another mesh has other coordinates: nothing is known of how far it is.
         let moved = match there.len() == here.len() {
             true => there.iter().zip(&here).map(|(there, here)| (there - here).abs()).fold(0.0, f64::max) / size,

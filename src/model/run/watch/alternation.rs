@@ -15,7 +15,7 @@ const SHARE: f64 = 0.05;
 const STEPS: u32 = 10;
 /// A result is compared with this share of the largest of its unit at least: what is far smaller does not matter.
 const SMALL: f64 = 0.1;
-/// The same of what other forces, the energy, the size and the mass of the machine make of that unit: below it is their round-off.
+/// The same of what other forces, the energy, the size and the mass of the system make of that unit: below it is their round-off.
 const ROUND_OFF: f64 = 1e-6;
 
 /// What has been seen of forces and accelerations.

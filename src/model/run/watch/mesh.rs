@@ -1,4 +1,4 @@
-//! Whether a mesh is too coarse for what the machine does: the energy that its elements leave out, and section forces and moments that are off where they are read.
+//! Whether a mesh is too coarse for what the system does: the energy that its elements leave out, and section forces and moments that are off where they are read.
 
 use crate::error::decimal;
 use crate::mechanics::marker::configuration::Configuration;
@@ -22,9 +22,9 @@ const WANTED: [f64; 2] = [1e-3, 0.01];
 /// Largest refinement that is recommended at a time: an estimate from a mesh that resolves nothing says little about a much finer one.
 const LARGEST_REFINEMENT: f64 = 8.0;
 
-/// A force or moment is compared with this share of the largest one of its machine at least: what is far smaller does not matter.
+/// A force or moment is compared with this share of the largest one of its system at least: what is far smaller does not matter.
 const SMALL: f64 = 0.1;
-/// The same for a moment, of the largest axial force times the size of the machine, below which it is the round-off of that force.
+/// The same for a moment, of the largest axial force times the size of the system, below which it is the round-off of that force.
 const ROUND_OFF: f64 = 1e-6;
 
 /// In dynamics one communication point of so many is looked at, which makes the look cheap beside the steps,

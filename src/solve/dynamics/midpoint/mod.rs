@@ -57,7 +57,7 @@ pub struct Midpoint {
     right: Vec<f64>,
     projection: Projection,
     scratch: Scratch,
-    /// None: the machine has elements whose steps it does not know.
+    /// None: the system has elements whose steps it does not know.
     estimator: Option<Estimator>,
     /// The state at the end of the step in the making.
     next: Option<State>,
@@ -87,7 +87,7 @@ impl Midpoint {
     /// The same with steps of its own choice.
     ///
     /// # Errors
-    /// It does not know the error of a step of this machine.
+    /// It does not know the error of a step of this system.
     pub fn paced(self, pacing: Pacing) -> Result<Self, Error> {
         if self.estimator.is_none() {
             return Err(Error::StepNotGiven);

@@ -22,7 +22,7 @@ use crate::solve::step::projection::Projection;
 const REACH: f64 = 1e-5;
 /// Largest multiple of the error that the neighboring motion is moved by: an error this far below [`REACH`] is round-off.
 const LARGEST_MULTIPLE: f64 = 1e3;
-/// An error of this many times the machine's size is not carried on: it says all that it can.
+/// An error of this many times the system's size is not carried on: it says all that it can.
 const LARGEST_ERROR: f64 = 1e3;
 /// Share of the trapezoidal rule's error: the integral over a step minus it is `-h³/12` of the second derivative.
 const TRAPEZOIDAL: f64 = 1.0 / 12.0;

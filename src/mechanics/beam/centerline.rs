@@ -32,7 +32,7 @@ pub struct Span {
 
 /// The line of a beam.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Centreline {
+pub struct Centerline {
     /// Nodes from start to end, at a corner two.
     pub nodes: Vec<Station>,
     /// Elements from start to end.
@@ -41,7 +41,7 @@ pub struct Centreline {
     pub division: Division,
 }
 
-impl Centreline {
+impl Centerline {
     /// The same line, `by` m away.
     pub fn moved(&self, by: &Vec3) -> Self {
         let mut moved = self.clone();
@@ -69,7 +69,7 @@ impl Spacing {
     }
 }
 
-impl Centreline {
+impl Centerline {
     /// A straight line in `elements` equal elements; the two ends differ.
     pub fn straight(from: Vec3, to: Vec3, elements: usize) -> Self {
         let span = to - from;
@@ -114,7 +114,7 @@ impl Centreline {
         Ok(Self { nodes: nodes.collect(), spans: spans.collect(), division })
     }
 
-    /// In straight pieces from corner to corner, of which no two neighbours are at one place; `shares` elements each.
+    /// In straight pieces from corner to corner, of which no two neighbors are at one place; `shares` elements each.
     pub fn polyline(corners: &[Vec3], shares: &[usize]) -> Self {
         let pieces = || corners.windows(2).zip(shares).map(|(ends, share)| (ends[0], ends[1] - ends[0], *share));
         let lengths: Vec<f64> = pieces().flat_map(|(_, span, share)| vec![span.norm() / share as f64; share]).collect();
@@ -200,7 +200,7 @@ mod tests {
     /// A corner has two nodes at one place; fractions go on over it.
     #[test]
     fn corners_have_two_nodes() {
-        let line = Centreline::polyline(&[Vec3::zeros(), Vec3::x(), Vec3::new(1.0, 3.0, 0.0)], &[1, 2]);
+        let line = Centerline::polyline(&[Vec3::zeros(), Vec3::x(), Vec3::new(1.0, 3.0, 0.0)], &[1, 2]);
         assert_eq!((line.nodes.len(), line.spans.len(), line.corners()), (5, 3, vec![1]));
         assert_eq!(line.nodes[1].place, line.nodes[2].place);
         assert_eq!((line.nodes[1].tangent, line.nodes[2].tangent), (Vec3::x(), Vec3::y()));

@@ -1,4 +1,4 @@
-//! The machine of a model that runs: built, brought to its initial state, advanced on the grid of internal steps.
+//! The system of a model that runs: built, brought to its initial state, advanced on the grid of internal steps.
 
 use crate::error::Error;
 use crate::mechanics::state::State;
@@ -26,14 +26,14 @@ const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// next one: it would be all round-off, and velocities are differences of places.
 const STEP_ROUNDING: f64 = 1e-6;
 
-/// The machine as built, the state it has reached, and the means to go on.
+/// The system as built, the state it has reached, and the means to go on.
 #[derive(Debug)]
-pub(super) struct Machine {
-    /// The file as it was when the machine was built.
+pub(super) struct Runner {
+    /// The file as it was when the system was built.
     pub(super) drawn: Arc<Document>,
     pub(super) system: Arc<System>,
     pub(super) state: State,
-    /// Tunable parameters have been set since the machine was brought to them.
+    /// Tunable parameters have been set since the system was brought to them.
     pub(super) stale: bool,
     /// The state before the running call, to go back to when it fails.
     pub(super) backup: State,
@@ -43,7 +43,7 @@ pub(super) struct Machine {
     pub(super) step: f64,
     /// None: internal steps are given.
     pub(super) pacing: Option<Pacing>,
-    /// The initialization that the machine is from; none yet: no solver. Shared with the snapshots taken since, of which a
+    /// The initialization that the system is from; none yet: no solver. Shared with the snapshots taken since, of which a
     /// solver is scratch memory only.
     pub(super) initialization: Arc<()>,
     pub(super) solver: Solver,
@@ -62,12 +62,12 @@ pub(super) enum Solver {
     Statics(Box<Statics>),
 }
 
-impl Machine {
+impl Runner {
     pub(super) fn new(built: Built, document: &Arc<Document>, start: f64) -> Self {
         Self::drawn(Arc::new(built.system), built.state, document, start)
     }
 
-    /// The machine that `document` draws at `start`, s, if this is one and has not been initialized yet: drawing it anew would give the same.
+    /// The system that `document` draws at `start`, s, if this is one and has not been initialized yet: drawing it anew would give the same.
     pub(super) fn if_drawn(&self, document: &Arc<Document>, start: f64) -> Option<Self> {
         let same = Arc::ptr_eq(&self.drawn, document) && self.start == start && !self.is_initialized();
         same.then(|| Self::drawn(Arc::clone(&self.system), self.state.clone(), document, start))
@@ -217,7 +217,7 @@ impl Machine {
         Ok((state, response))
     }
 
-    /// The machine with the tunable parameters of now.
+    /// The system with the tunable parameters of now.
     pub(super) fn settled(&self, document: &Document) -> Arc<System> {
         let mut system = Arc::clone(&self.system);
         if self.stale {
@@ -226,7 +226,7 @@ impl Machine {
         system
     }
 
-    /// Brings the machine to the tunable parameters of now.
+    /// Brings the system to the tunable parameters of now.
     pub(super) fn settle(&mut self, document: &Document) {
         if std::mem::take(&mut self.stale) {
             builder::retune(document, Arc::make_mut(&mut self.system));
