@@ -157,7 +157,7 @@ end = decimal(*.to)
         /// Most turns in a step.
         limit: f64,
     },
-    /// A drive does not begin where the machine is drawn.
+    /// A drive does not begin where the system is drawn.
     #[error(
         "the drive {drive} begins at {value}, but the coordinates of joints are 0 as drawn; let it begin at 0, draw the mechanism \
          there, or take initial = \"equilibrium\", which assembles it there"
@@ -240,7 +240,7 @@ t = decimal(*.time)
         /// Largest change of a shape in the last sweep, as a share.
         error: f64,
     },
-    /// The solver would have to choose the steps of a machine whose errors it does not know.
+    /// The solver would have to choose the steps of a system whose errors it does not know.
     #[error(
         "the solver cannot choose the steps of this mechanism: it knows the error of a step only with integrator = \"conserving\", a spectral_radius of at most 0.95 and \
          no beam of ANCF24; give simulation.step"
@@ -265,7 +265,7 @@ end = decimal(*.to)
         /// End, s.
         to: f64,
     },
-    /// The drawn machine does not satisfy its joints.
+    /// The drawn system does not satisfy its joints.
     #[error("{joint} is not satisfied as drawn: its two sides are {gap:.3e} apart; move the parts so that they meet")]
     NotAssembled {
         /// The joint.

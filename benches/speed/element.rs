@@ -5,8 +5,8 @@ use crate::curves::load;
 use crate::runs;
 use crate::shaft;
 use crate::table::{Amount, Row};
-use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
-use ancf14::mechanics::beam::configuration::{Configuration, Passage};
+use ancf14::mechanics::beam::configuration::{BeamConfiguration, Passage};
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
 use std::hint::black_box;
 
@@ -24,7 +24,7 @@ const ELEMENTS: [&str; 2] = ["ancf14", "ancf24"];
 /// A bent beam.
 pub struct Bent {
     simulation: Simulation,
-    frames: Vec<NodeFrame>,
+    frames: FrameCache,
     forces: Vec<f64>,
     block: Vec<f64>,
 }
@@ -35,8 +35,8 @@ impl Bent {
         let mut simulation = load(MODEL, &[&keys[..], &[("arm.element", element)]].concat());
         runs::finish(&mut simulation);
         let (system, state) = (simulation.system(), simulation.state());
-        let mut frames = Vec::new();
-        system.frames(&state.q, &state.triads, &mut frames);
+        let mut frames = FrameCache::default();
+        frames.set(system, &state.q, &state.triads);
         let size = system.mesh.elements[0].coordinates().len();
         Self { forces: vec![0.0; system.coordinates()], block: vec![0.0; size * size], frames, simulation }
     }
@@ -65,9 +65,9 @@ impl Bent {
     }
 }
 
-fn configuration<'a>(simulation: &'a Simulation, frames: &'a [NodeFrame]) -> Configuration<'a> {
+fn configuration<'a>(simulation: &'a Simulation, frames: &'a FrameCache) -> BeamConfiguration<'a> {
     let state = simulation.state();
-    simulation.system().configuration(&state.q, frames, state, &state.prescribed)
+    simulation.system().configuration(&state.q, frames, state, &state.prescribed).beams
 }
 
 pub fn rows() -> Vec<Row> {

@@ -4,8 +4,9 @@ use crate::chain;
 use crate::clock;
 use crate::curves::load;
 use crate::table::{Amount, Row};
-use ancf14::mechanics::beam::configuration::Passage;
 use ancf14::mechanics::input::excitation::Excitation;
+use ancf14::mechanics::marker::configuration::Passage;
+use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::newton::kkt::Kkt;
 
@@ -28,9 +29,8 @@ impl Step {
         let length = (0.1 * elements as f64).to_string();
         let simulation = load(&chain::model(elements), &[("chain.to[1]", &length)]);
         let (system, state) = (simulation.system(), simulation.state());
-        let mut frames = Vec::new();
-        system.frames(&state.q, &state.triads, &mut frames);
-        let c = system.configuration(&state.q, &frames, state, &state.prescribed);
+        let mut frames = FrameCache::default();
+        let c = frames.of(system, state);
         let mut excitation = Excitation::default();
         system.excite(state.time, &state.targets, &mut excitation);
         let mut right = vec![0.0; system.coordinates()];

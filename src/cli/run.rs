@@ -11,7 +11,7 @@ use super::view::{Film, ended_early};
 use super::{Stop, complain, failed, say, start};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
-use ancf14::model::entries::simulation::{Simulation as Section, Steps};
+use ancf14::model::entries::simulation::{SimulationSpec, Steps};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::{effort, rows};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -176,7 +176,7 @@ pub fn last_row(simulation: &Simulation) -> Result<u64, Stop> {
         format!("the run would write {:.1e} rows of results, at most {:.0e} are possible", stop / step, rows::MOST);
     let label = format!("a row every {step:e} s, to {stop} s");
     let help = "give a larger simulation.output_step";
-    let Section { stop, steps, output_step, .. } = &document.simulation;
+    let SimulationSpec { stop, steps, output_step, .. } = &document.simulation;
     let place = document.place(output_step.unwrap_or(if let Steps::Fixed(step) = steps { *step } else { *stop }));
     let mistake = document.diagnostic(place, &message, &label, help);
     Err(Stop::Bad(mistake.to_string()))

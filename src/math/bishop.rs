@@ -57,7 +57,7 @@ pub fn turn(curve: &Curve, from: f64, to: f64) -> f64 {
 pub struct Frenet {
     /// Unit tangent.
     pub tangent: Vec3,
-    /// Unit normal, towards the centre of curvature.
+    /// Unit normal, towards the center of curvature.
     pub normal: Vec3,
     /// Unit binormal, `tangent × normal`.
     pub binormal: Vec3,

@@ -95,7 +95,7 @@ impl Blocks {
         self.terms(a, b, |left, value, right| left * value * right)
     }
 
-    /// `|vector|ᵀ |self| |vector|` of the leading part: what the form would be if nothing cancelled, the measure of its round-off.
+    /// `|vector|ᵀ |self| |vector|` of the leading part: what the form would be if nothing canceled, the measure of its round-off.
     pub fn magnitude(&self, vector: &[f64]) -> f64 {
         self.terms(vector, vector, |left, value, right| (left * value * right).abs())
     }

@@ -30,7 +30,7 @@ impl fmt::Debug for Curve {
 
 /// How far the arc length up to a node may be off, of the element's length: what the quadrature resolves.
 const ARC_AGREEMENT: f64 = 1e-14;
-/// Newton's steps and halvings at most: halving alone ends at neighbouring numbers after 60 or so.
+/// Newton's steps and halvings at most: halving alone ends at neighboring numbers after 60 or so.
 const MOST_STEPS: u32 = 200;
 
 impl Curve {

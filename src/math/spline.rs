@@ -8,7 +8,7 @@ use super::curve::Curve;
 use super::jet::Jet;
 use std::sync::Arc;
 
-/// The spline; its parameter is the chord length from the first point, m. Two points or more, no two neighbours at one place.
+/// The spline; its parameter is the chord length from the first point, m. Two points or more, no two neighbors at one place.
 pub fn through(points: &[Vec3]) -> Curve {
     let mut knots = vec![0.0];
     for pair in points.windows(2) {
@@ -80,7 +80,7 @@ mod tests {
 
     /// Two points are a straight line, and a turned order of the points the same curve.
     #[test]
-    fn spline_has_no_favourite_direction() {
+    fn spline_has_no_favorite_direction() {
         let line = through(&points()[..2]);
         let [_, first, second] = line.at(0.3);
         assert!((first.norm() - 1.0).abs() < 1e-15 && second.norm() == 0.0);

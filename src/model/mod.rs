@@ -1,36 +1,20 @@
 //! From a model file to a simulation: where the two halves meet.
 //!
 //! [`document::Document::parse`] reads a file into typed data, [`expression`] gives every number of it a value and exact
-//! derivatives, [`diagnostic`] says what is wrong and where.
+//! derivatives, [`text`] says what is wrong and where, [`simulation::Simulation`] runs it.
 
-pub mod accuracy;
-pub mod build;
-mod dependencies;
-pub mod diagnostic;
-pub mod document;
-pub mod drawing;
-pub mod effort;
-pub mod entries;
+pub mod builder;
 pub mod expression;
 pub mod file;
-pub mod function;
-pub mod geometry;
-pub mod inputs;
-pub mod modes;
-pub mod names;
-pub mod notes;
-pub mod number;
-mod overrides;
-pub mod parameter;
-pub mod quantity;
-mod reader;
-pub mod rows;
-mod schema;
-pub mod simulation;
-mod syntax;
-mod tree;
-pub mod unit;
+pub mod run;
+pub mod text;
+pub mod validate;
 pub mod variables;
 pub mod verification;
 pub mod view;
-pub mod watch;
+
+pub use file::{document, entries, quantity};
+pub use run::{effort, rows, simulation};
+pub use text::names;
+pub use validate::notes;
+pub use view::{drawing, modes};

@@ -11,7 +11,7 @@ use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::ancf24::law::Shear;
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements};
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::constraint::joint::Joint;
@@ -30,7 +30,7 @@ fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) 
     let mut builder = SystemBuilder::default();
     let [first, second] = [0, 1].map(|half| {
         let from = Vec3::x() * (0.5 * half as f64);
-        let line = Centreline::straight(from, from + Vec3::x() * 0.5, elements);
+        let line = Centerline::straight(from, from + Vec3::x() * 0.5, elements);
         builder.add_beam(&BeamDesign { line, elements: kinds[half], ..design(["first", "second"][half], 1) })
     });
     clamp(&mut builder, first);

@@ -180,7 +180,7 @@ fn too_much_turning_in_an_element_is_told() {
             let turned = rotation_matrix(turn) * vec3(&state.q, place);
             set_vec3(&mut state.q, place, &turned);
         }
-        system.mesh.elements[0].distortion(&FrameCache::default().of(&system, &state))
+        system.mesh.elements[0].distortion(&FrameCache::default().of(&system, &state).beams)
     };
     let limit = (-0.8_f64).acos();
     for (axis, word) in [(Vec3::x(), "twisted"), (Vec3::y(), "bent"), (Vec3::z(), "bent")] {

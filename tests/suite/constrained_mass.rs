@@ -10,7 +10,7 @@ use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
-use ancf14::model::build::Built;
+use ancf14::model::builder::Built;
 use ancf14::solve::linear::mass_factor::MassFactor;
 use ancf14::solve::linear::sparse_lu::SparseLu;
 use ancf14::solve::newton::kkt;

@@ -10,7 +10,7 @@ use ancf14::math::quadrature::GAUSS_POINTS;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
-use ancf14::mechanics::beam::centreline::{Centreline, Spacing};
+use ancf14::mechanics::beam::centerline::{Centerline, Spacing};
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::constraint::joint::Joint;
@@ -78,7 +78,7 @@ const IN_PLANE: Loads = Loads {
 
 /// A strip along a curve: its width and height are not exchangeable.
 fn strip(strain: Strain, spacing: Spacing, curve: &Curve, elements: usize, loads: &Loads) -> BeamDesign {
-    let line = Centreline::curved(curve, spacing, elements).unwrap();
+    let line = Centerline::curved(curve, spacing, elements).unwrap();
     BeamDesign {
         line,
         y_axis: Vec3::from(loads.y_axis),
@@ -164,7 +164,7 @@ fn curved_beams_are_free_of_stress_as_drawn() {
             let mut snapshot = FrameCache::default();
             let c = snapshot.of(&system, &state);
             for (number, element) in ancf14_elements(&system).enumerate() {
-                let forces = element.evaluation(&c).gradient();
+                let forces = element.evaluation(&c.beams).gradient();
                 assert_eq!(forces.amax(), 0.0, "element {number}");
                 assert!(element.bending.iter().any(|point| point.reference[0].abs() > 0.1), "it is not curved at all");
                 assert!(element.reference_twist.abs() > 0.1, "it is not twisted at all");
@@ -195,7 +195,7 @@ fn references_are_those_of_the_curve() {
     let helix = Curve::new(Arc::new(helix), [0.0, turns], Vec::new());
     let mut errors = Vec::new();
     for elements in [12, 24] {
-        let line = Centreline::curved(&helix, Spacing::Arc, elements).unwrap();
+        let line = Centerline::curved(&helix, Spacing::Arc, elements).unwrap();
         // Frenet's frame turns against Bishop's by the torsion: a section that is to stay on the normal is pretwisted by as much.
         let pretwist = torsion * helix.length();
         let beam = BeamDesign { line, y_axis: -Vec3::x(), pretwist, ..design("helix", elements) };
@@ -222,7 +222,7 @@ fn references_are_those_of_the_curve() {
 fn asymmetry(strain: Strain, spacing: Spacing, curve: fn(bool) -> Curve, elements: usize, loads: &Loads) -> [f64; 2] {
     let watched = [0.0, 0.2, 0.45, 1.0 / 3.0, 0.8, 1.0];
     let forth = strip(strain, spacing, &curve(false), elements, loads);
-    let line = Centreline::curved(&curve(true), spacing, elements).unwrap();
+    let line = Centerline::curved(&curve(true), spacing, elements).unwrap();
     let back = BeamDesign { line, y_axis: end_axes(&forth).column(1).into(), ..forth.clone() };
     let (system, state) = loaded(&forth, [0.0, 1.0], loads, &watched);
     let (other, mirror) = loaded(&back, [1.0, 0.0], loads, &watched.map(|fraction| 1.0 - fraction));
@@ -302,7 +302,7 @@ fn sensors_see_the_strains_of_the_energy() {
         let c = snapshot.of(&system, &state);
         for (k, sensor) in system.sensors.iter().enumerate() {
             let element = ancf14_elements(&system).nth(k / 3).unwrap();
-            let expected = element.evaluation(&c).strains[k % 3];
+            let expected = element.evaluation(&c.beams).strains[k % 3];
             let found = sensor.strains(&c);
             assert!(expected.norm() > 1e-3, "hardly strained");
             let differences =
@@ -358,7 +358,7 @@ fn quarter_arc_unbends() {
     for elements in [2, 4, 8] {
         let section = Section::rectangle(0.01, 0.01);
         let beam = BeamDesign {
-            line: Centreline::curved(&arc, Spacing::Arc, elements).unwrap(),
+            line: Centerline::curved(&arc, Spacing::Arc, elements).unwrap(),
             section,
             ..design("arc", elements)
         };

@@ -2,12 +2,12 @@
 
 use crate::random::Random;
 use ancf14::math::blocks::{Block, Blocks};
-use ancf14::mechanics::beam::configuration::Passage;
 use ancf14::mechanics::input::excitation::Excitation;
+use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::frame_cache::FrameCache;
-use ancf14::model::build::{self, Built};
+use ancf14::model::builder::{self, Built};
 use ancf14::model::document::Document;
 use ancf14::solve::linear::Regularity;
 use ancf14::solve::linear::direct::DirectSolver;
@@ -34,7 +34,7 @@ pub fn machines() -> Vec<(String, Built)> {
 
 fn built(text: &str, overrides: &[(String, String)]) -> Built {
     let document = Document::parse("m.toml", text, overrides).unwrap_or_else(|error| panic!("{error}"));
-    build::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"))
+    builder::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }
 
 /// Sets the matrix of a step of `step` s (0: of an equilibrium) at `state`, with the forces `multipliers` in the joints.

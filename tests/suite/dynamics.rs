@@ -5,7 +5,7 @@ use crate::machines::{design, energies, hold, integrate};
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::section::Section;
@@ -36,7 +36,7 @@ pub fn free(design: &BeamDesign) -> (System, State) {
 pub fn spinning_design() -> BeamDesign {
     let section = Section { polar_moment: 4e-4, torsion_constant: 1e-6, ..Section::rectangle(0.02, 0.03) };
     BeamDesign {
-        line: Centreline::straight(Vec3::zeros(), Vec3::new(1.2, 0.3, -0.4), 4),
+        line: Centerline::straight(Vec3::zeros(), Vec3::new(1.2, 0.3, -0.4), 4),
         section,
         material: Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 0.0 },
         velocity: Vec3::new(0.3, -0.2, 0.1),
@@ -82,7 +82,7 @@ fn spinning_beam_shows_no_false_extension() {
         let mut builder = SystemBuilder::default();
         let base = design("beam", 4);
         let beam = BeamDesign {
-            line: Centreline::straight(Vec3::zeros(), Vec3::x() * length, 4),
+            line: Centerline::straight(Vec3::zeros(), Vec3::x() * length, 4),
             section: Section::rectangle(0.1, 0.1),
             angular_velocity: Vec3::z() * rate,
             ..base.clone()
@@ -130,7 +130,7 @@ fn taut_string_stays_bounded() {
     let material = Material { young: 1e9, shear: 4e8, density: 1000.0, damping: 0.0 };
     let stretch = 1e-2;
     let mut builder = SystemBuilder::default();
-    let line = Centreline::straight(Vec3::zeros(), Vec3::x() * 2.0, 4);
+    let line = Centerline::straight(Vec3::zeros(), Vec3::x() * 2.0, 4);
     let number = builder.add_beam(&BeamDesign { section, material, line, ..design("string", 4) });
     for (name, fraction) in [("left", 0.0), ("right", 1.0)] {
         hold(&mut builder, name, number, fraction, &Mat3::identity(), weld::PRIMITIVES);

@@ -3,9 +3,9 @@
 use crate::machines::design;
 use ancf14::math::Vec3;
 use ancf14::math::blocks::Blocks;
-use ancf14::mechanics::beam::configuration::Passage;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::input::excitation::Excitation;
+use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;

@@ -9,7 +9,7 @@ use crate::random::Random;
 use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::beam::ancf14::coordinates::{NODE, P};
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::section::Section;
@@ -61,7 +61,7 @@ fn spun_up() -> (System, State) {
     let to = Vec3::new(1.2, 0.3, -0.4);
     let mut builder = SystemBuilder::default();
     let beam = builder.add_beam(&BeamDesign {
-        line: Centreline::straight(Vec3::zeros(), to, 4),
+        line: Centerline::straight(Vec3::zeros(), to, 4),
         section,
         material,
         ..design("beam", 4)

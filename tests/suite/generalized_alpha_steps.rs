@@ -6,7 +6,7 @@ use crate::generalized_alpha::{joint, turning};
 use crate::machines::design;
 use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::section::Section;
@@ -39,7 +39,7 @@ fn everything() -> (System, State) {
         .map(|rate| Signal::Function(Arc::new(move |time| Jet { value: rate * time, first: rate, second: 0.0 })));
     let frame = builder.add_frame("base", FrameGuide::Signals { place, rotation }, pose);
     let beam = builder.add_beam(&BeamDesign {
-        line: Centreline::straight(Vec3::zeros(), Vec3::new(1.0, 0.3, -0.2), 3),
+        line: Centerline::straight(Vec3::zeros(), Vec3::new(1.0, 0.3, -0.2), 3),
         section: Section { polar_moment: 4e-4, torsion_constant: 1e-6, ..Section::rectangle(0.02, 0.03) },
         material: Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 2e-3 },
         angular_velocity: Vec3::new(20.0, 4.0, 3.0),

@@ -4,7 +4,7 @@
 use crate::machines::{design, energies, integrate};
 use crate::random::Random;
 use ancf14::math::Vec3;
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::constraint::joint::{Joint, JointGradient};
@@ -31,7 +31,7 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
         let to = from + random.direction() * 0.8;
         let y_axis = random.direction();
         builder.add_beam(&BeamDesign {
-            line: Centreline::straight(from, to, 3),
+            line: Centerline::straight(from, to, 3),
             y_axis,
             material: soft,
             ..design(name, 3)

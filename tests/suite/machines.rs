@@ -7,7 +7,7 @@ use ancf14::mechanics::beam::ancf14::element;
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::ancf24;
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements, Torsion};
 use ancf14::mechanics::beam::element::AnyElement;
 use ancf14::mechanics::beam::material::Material;
@@ -53,7 +53,7 @@ pub fn ancf24_elements(system: &System) -> impl Iterator<Item = &ancf24::element
 pub fn design(name: &str, elements: usize) -> BeamDesign {
     BeamDesign {
         name: name.into(),
-        line: Centreline::straight(Vec3::zeros(), Vec3::x(), elements),
+        line: Centerline::straight(Vec3::zeros(), Vec3::x(), elements),
         y_axis: Vec3::y(),
         pretwist: 0.0,
         material: Material { young: 2e11, shear: 8e10, density: 7800.0, damping: 0.0 },

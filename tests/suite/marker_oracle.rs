@@ -12,7 +12,7 @@ use ancf14::mechanics::beam::ancf14::element::{Element, Place};
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::ancf24;
-use ancf14::mechanics::beam::configuration::Configuration;
+use ancf14::mechanics::beam::configuration::BeamConfiguration;
 use ancf14::mechanics::beam::element::AnyElement;
 use ancf14::mechanics::beam::mesh::Mesh;
 use ancf14::mechanics::beam::node::Node;
@@ -21,6 +21,7 @@ use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::geometry::triad::Triad;
 use ancf14::mechanics::input::prescribed::{MovingPose, Prescribed};
 use ancf14::mechanics::marker::Marker;
+use ancf14::mechanics::marker::configuration::Configuration;
 use ancf14::mechanics::marker::relative_coordinate::Measure;
 use nalgebra::{SMatrix, SVector};
 use num_dual::Dual2SVec64;
@@ -87,9 +88,7 @@ impl Machine {
 
     pub fn configuration(&self) -> Configuration<'_> {
         Configuration {
-            q: self.q.as_slice(),
-            frames: &self.frames,
-            holonomy: &self.holonomy,
+            beams: BeamConfiguration { q: self.q.as_slice(), frames: &self.frames, holonomy: &self.holonomy },
             relative_values: &[0.0],
             prescribed: &self.prescribed,
             mesh: &self.mesh,

@@ -9,10 +9,10 @@ use ancf14::model::entries::anchor::{Anchor, Spot};
 use ancf14::model::entries::body::Inertia;
 use ancf14::model::entries::drive::Motion;
 use ancf14::model::entries::frame::Orientation;
-use ancf14::model::entries::joint::{Coordinate, Joint, JointKind};
+use ancf14::model::entries::joint::{Coordinate, JointKind, JointSpec};
 use ancf14::model::entries::load;
 use ancf14::model::entries::output::Target;
-use ancf14::model::entries::simulation::{Initial, Integrator};
+use ancf14::model::entries::simulation::{Initial, IntegratorSpec};
 use ancf14::model::quantity::{QUANTITIES, Quantity, Site};
 
 pub const EVERYTHING: &str = include_str!("../everything.toml");
@@ -32,7 +32,7 @@ fn row<'d>(document: &'d Document, name: &str) -> &'d Variable {
     &found.unwrap_or_else(|| panic!("no parameter {name}")).variable
 }
 
-fn joint<'d>(document: &'d Document, name: &str) -> &'d Joint {
+fn joint<'d>(document: &'d Document, name: &str) -> &'d JointSpec {
     document.joints.iter().find(|joint| joint.name == name).unwrap_or_else(|| panic!("no joint {name}"))
 }
 
@@ -163,7 +163,7 @@ fn springs_materials_and_the_simulation_arrive_as_written() {
     assert_eq!(document.value(document.materials[0].damping), 1e-4);
     assert_eq!(document.simulation.initial, Initial::Equilibrium);
     assert!(document.simulation.verify);
-    let Integrator::GeneralizedAlpha { spectral_radius } = document.simulation.integrator else { panic!("alpha") };
+    let IntegratorSpec::GeneralizedAlpha { spectral_radius } = document.simulation.integrator else { panic!("alpha") };
     assert_eq!(document.value(spectral_radius), 0.8);
     let load::Target::At(Anchor { spot, .. }) = document.loads[0].target else { panic!("at a body") };
     assert_eq!(spot, Spot::Body(0));
@@ -228,9 +228,9 @@ fn overrides_reach_every_section() {
 fn geometry_is_checked_with_the_parameters_of_now() {
     let mut document = parse(&[]);
     let m = document.parameters().iter().position(|parameter| parameter.variable.name == "m").expect("m");
-    assert!(ancf14::model::geometry::mistakes(&document).is_empty());
+    assert!(ancf14::model::validate::mistakes(&document).is_empty());
     document.set_parameter(m, Value::Real(1000.0)).expect("a number");
-    let mistakes = ancf14::model::geometry::mistakes(&document);
+    let mistakes = ancf14::model::validate::mistakes(&document);
     assert_eq!(mistakes.len(), 1);
     assert_eq!(mistakes[0].message, "the inertia of body bob is not positive");
 }

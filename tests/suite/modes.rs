@@ -6,7 +6,7 @@ use crate::running::start;
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements};
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::body::rigid_body::BodyDesign;
@@ -104,7 +104,7 @@ fn round_beams_have_pairs() {
 #[test]
 fn floating_beams_have_six_free_modes() {
     let beam =
-        BeamDesign { line: Centreline::straight(Vec3::zeros(), Vec3::new(0.6, 0.48, 0.64), 8), ..design("beam", 8) };
+        BeamDesign { line: Centerline::straight(Vec3::zeros(), Vec3::new(0.6, 0.48, 0.64), 8), ..design("beam", 8) };
     let mut builder = SystemBuilder::default();
     builder.add_beam(&beam);
     let (system, state) = builder.finish(Vec3::zeros());

@@ -11,11 +11,9 @@ use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::over_step::STRAINS;
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
-use ancf14::mechanics::beam::configuration::{Configuration, Dissipation, Passage, TimeStep};
+use ancf14::mechanics::beam::configuration::{BeamConfiguration, Dissipation, Passage, TimeStep};
 use ancf14::mechanics::beam::element::BeamElement;
-use ancf14::mechanics::beam::mesh::Mesh;
 use ancf14::mechanics::geometry::triad::Triad;
-use ancf14::mechanics::input::prescribed::Prescribed;
 use nalgebra::{SMatrix, SVector};
 use num_dual::DualSVec64;
 
@@ -59,19 +57,11 @@ impl Case {
     }
 
     fn over(&self, end: &Coordinates, dissipation: Dissipation) -> Answer {
-        let (mesh, prescribed) = (Mesh::default(), Prescribed::default());
         let (middle, increment) = ((self.start + end) * 0.5, end - self.start);
         let states = [&self.start, &middle, end];
         let frames = states.map(|q| self.frames(q));
         let holonomy = [self.previous];
-        let at = |i: usize| Configuration {
-            q: states[i].as_slice(),
-            frames: &frames[i],
-            holonomy: &holonomy,
-            relative_values: &[],
-            prescribed: &prescribed,
-            mesh: &mesh,
-        };
+        let at = |i: usize| BeamConfiguration { q: states[i].as_slice(), frames: &frames[i], holonomy: &holonomy };
         let (start, middle, end) = (at(0), at(1), at(2));
         let still = [0.0; STRAINS];
         let (begin, _) = self.element.step_start(&start, self.start.as_slice());
@@ -228,16 +218,9 @@ fn rates_of_an_instant_are_those_of_a_short_step() {
         let velocity = Coordinates::from_fn(|_, _| random.signed());
         let [there, back] =
             [1e-4, -1e-4].map(|time| case.over(&(case.start + velocity * time), Dissipation::default()).rates);
-        let (mesh, prescribed, holonomy) = (Mesh::default(), Prescribed::default(), [case.previous]);
+        let holonomy = [case.previous];
         let frames = case.frames(&case.start);
-        let c = Configuration {
-            q: case.start.as_slice(),
-            frames: &frames,
-            holonomy: &holonomy,
-            relative_values: &[],
-            prescribed: &prescribed,
-            mesh: &mesh,
-        };
+        let c = BeamConfiguration { q: case.start.as_slice(), frames: &frames, holonomy: &holonomy };
         let (_, found) = case.element.step_start(&c, velocity.as_slice());
         // Central differences over the time of both steps.
         let expected: Vec<f64> = there.iter().zip(&back).map(|(a, b)| 0.5 * (a - b) * STEP / 1e-4).collect();

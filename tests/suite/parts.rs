@@ -9,7 +9,7 @@ use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::beam::ancf14::coordinates::{P, R, THETA};
 use ancf14::mechanics::beam::ancf24::coordinates as ancf24;
 use ancf14::mechanics::beam::ancf24::law::Shear;
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements};
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::node::Node;
@@ -146,7 +146,7 @@ pub fn beam(name: &str, random: &mut Random) -> BeamDesign {
     let material = Material { young: 2e8, shear: 8e7, density: 1000.0, damping: 0.0 };
     let section = Section::rectangle(0.04, 0.06);
     BeamDesign {
-        line: Centreline::straight(from, to, 2),
+        line: Centerline::straight(from, to, 2),
         y_axis: random.direction(),
         material,
         section,

@@ -6,7 +6,7 @@ use crate::machines::{clamp, design, load};
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
-use ancf14::mechanics::beam::centreline::Centreline;
+use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::beam::section::Section;
@@ -42,7 +42,7 @@ pub fn beam(elements: usize, strain: Strain, twist: Twist) -> BeamDesign {
     let section = Section { torsion_constant: 113.3872e-12, ..Section::rectangle(3.2024e-3, 12.377e-3) };
     let material = Material { young, shear: Material::shear_from_poisson(young, 0.31), density: 2700.0, damping: 0.0 };
     BeamDesign {
-        line: Centreline::straight(Vec3::zeros(), Vec3::x() * LENGTH, elements),
+        line: Centerline::straight(Vec3::zeros(), Vec3::x() * LENGTH, elements),
         section,
         material,
         elements: ancf14(strain, twist),

@@ -8,7 +8,7 @@
 use crate::curves::{Curves, largest};
 use ancf14::fmi::Model;
 use ancf14::math::blocks::Blocks;
-use ancf14::mechanics::beam::configuration::Passage;
+use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
 use nalgebra::{DMatrix, SymmetricEigen};

@@ -4,9 +4,10 @@ use crate::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marke
 use crate::random::Random;
 use ancf14::mechanics::beam::ancf14::coordinates::NODE;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
-use ancf14::mechanics::beam::configuration::{Dissipation, Passage, TimeStep};
+use ancf14::mechanics::beam::configuration::Dissipation;
 use ancf14::mechanics::force::spring::{self, Spring};
 use ancf14::mechanics::geometry::marker_jacobian::MarkerVector;
+use ancf14::mechanics::marker::configuration::{Passage, TimeStep};
 use ancf14::mechanics::marker::relative_coordinate::Measure;
 use ancf14::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use nalgebra::SVector;

@@ -1,58 +1,43 @@
-//! The machine at one instant, and how it passes through it: what every part computes from.
+//! Beams at one instant, and how they pass through it: what every element computes from.
 
 use super::ancf14::frame::NodeFrame;
 use super::ancf14::over_step::StepStart;
-use super::mesh::Mesh;
-use crate::mechanics::input::prescribed::Prescribed;
 
-/// The machine at one instant: what every part computes from.
+/// Beams at one instant: all that their elements and nodes compute from.
 #[derive(Clone, Copy, Debug)]
-pub struct Configuration<'a> {
+pub struct BeamConfiguration<'a> {
     /// All coordinates.
     pub q: &'a [f64],
     /// Frames at `q` of all nodes that have one: ANCF14's.
     pub frames: &'a [NodeFrame],
     /// Holonomy angles of all elements that have one at the last accepted state, rad.
     pub holonomy: &'a [f64],
-    /// Values of all relative coordinates at the last accepted state: angles go on from there.
-    pub relative_values: &'a [f64],
-    /// What drives and moving frames prescribe.
-    pub prescribed: &'a Prescribed,
-    /// All nodes and elements.
-    pub mesh: &'a Mesh,
 }
 
-/// How the machine passes through the configuration in which its forces are taken.
+/// How the system passes through the configuration in which its forces are taken, `C`: that of the beams for elements.
 #[derive(Clone, Copy, Debug)]
-pub enum Passage<'a> {
+pub enum Passage<'a, C = BeamConfiguration<'a>> {
     /// Not at all: an equilibrium.
     Rest,
     /// At an instant.
     Instant {
         /// Velocities of the coordinates, 1/s each.
         velocity: &'a [f64],
-        /// Rates of the strains as steps show them, in the order of [`crate::mechanics::state::State::strain_rates`], for material damping; none: they follow from
+        /// Rates of the strains as steps show them, in the order of [`TimeStep::strain_rates`], for material damping; none: they follow from
         /// the velocities.
         strain_rates: Option<&'a [f64]>,
     },
     /// Over a step whose middle is the configuration.
-    Step(TimeStep<'a>),
-}
-
-impl<'a> Passage<'a> {
-    /// At an instant whose motion is all in the velocities of the coordinates.
-    pub fn with_velocity(velocity: &'a [f64]) -> Self {
-        Self::Instant { velocity, strain_rates: None }
-    }
+    Step(TimeStep<'a, C>),
 }
 
 /// A step in time, as the forces of its middle ask for it (MECHANICS 7.6).
 #[derive(Clone, Copy, Debug)]
-pub struct TimeStep<'a> {
+pub struct TimeStep<'a, C = BeamConfiguration<'a>> {
     /// Start of the step.
-    pub start: &'a Configuration<'a>,
+    pub start: &'a C,
     /// End of the step.
-    pub end: &'a Configuration<'a>,
+    pub end: &'a C,
     /// Change of the coordinates.
     pub increment: &'a [f64],
     /// Length of the step, s.
@@ -69,7 +54,7 @@ pub struct TimeStep<'a> {
     pub starts: &'a [StepStart],
 }
 
-impl TimeStep<'_> {
+impl<C> TimeStep<'_, C> {
     /// The part of `rate` that was not predicted, weighted by `dissipation`; `rate` is that of a strain or a relative coordinate over the step, number `number` in
     /// [`Self::strain_rates`].
     #[inline]

@@ -5,7 +5,7 @@ use super::ancf14::strain::{Stiffness, Strain};
 use super::ancf24::element::Properties;
 use super::ancf24::law::{Shear, law};
 use super::ancf24::station::Fibres;
-use super::centreline::Centreline;
+use super::centerline::Centerline;
 use super::material::Material;
 use super::section::Section;
 use crate::math::Vec3;
@@ -25,7 +25,7 @@ pub enum Torsion {
 /// The formulation of a beam's elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Elements {
-    /// Centre-line and twist.
+    /// Center-line and twist.
     Ancf14 {
         /// Strain measure.
         strain: Strain,
@@ -34,7 +34,7 @@ pub enum Elements {
         /// Whether it may twist.
         torsion: Torsion,
     },
-    /// Centre-line and gradients of the section.
+    /// Center-line and gradients of the section.
     Ancf24 {
         /// Whether strains across follow those along: the full material law.
         poisson: bool,
@@ -49,7 +49,7 @@ pub struct BeamDesign {
     /// Name in the model file.
     pub name: String,
     /// Its nodes and elements.
-    pub line: Centreline,
+    pub line: Centerline,
     /// Direction of the section's y at the start; made perpendicular to the tangent, then carried along without twist.
     pub y_axis: Vec3,
     /// Additional turn of the section from start to end, rad.

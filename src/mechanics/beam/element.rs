@@ -1,7 +1,7 @@
 //! What a system asks of an element: ANCF14 and ANCF24 answer alike, each in its own folder.
 
 use super::ancf14::over_step::StepStart;
-use super::configuration::{Configuration, Passage, TimeStep};
+use super::configuration::{BeamConfiguration, Passage, TimeStep};
 use super::resultants::{SectionForces, SectionShape, SectionStrains};
 use super::{ancf14, ancf24};
 use crate::math::Vec3;
@@ -16,13 +16,13 @@ use std::ops::{Deref, DerefMut, Range};
 )]
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnyElement {
-    /// Centre-line and twist.
+    /// Center-line and twist.
     Ancf14(ancf14::element::Element),
-    /// Centre-line and gradients of the section.
+    /// Center-line and gradients of the section.
     Ancf24(ancf24::element::Element),
 }
 
-/// What an element answers. Vectors of coordinates are those of the whole machine, blocks are its own, column-major.
+/// What an element answers. Vectors of coordinates are those of the whole system, blocks are its own, column-major.
 pub trait BeamElement {
     /// Its coordinates.
     fn coordinates(&self) -> Range<usize>;
@@ -60,41 +60,53 @@ pub trait BeamElement {
     fn add_mass_times(&self, vector: &[f64], product: &mut [f64]);
 
     /// Strain energy, J.
-    fn energy(&self, c: &Configuration) -> f64;
+    fn energy(&self, c: &BeamConfiguration) -> f64;
 
     /// Adds the gradient of the strain energy; over a step the force of MECHANICS 7.6, the material's damping included.
-    fn add_gradient(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]);
+    fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]);
 
     /// [`Self::add_gradient`], and sets `block` to `scale` times the Hessian; over a step to twice the derivative by the coordinates
     /// at its end.
     fn add_gradient_and_set_hessian(
         &self,
-        c: &Configuration,
+        c: &BeamConfiguration,
         passage: &Passage,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     );
 
-    /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole machine, to the rates over it. Returns the elastic energy
+    /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole system, to the rates over it. Returns the elastic energy
     /// at the end of the step, and what the material's damping has taken over it, J.
-    fn finish_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64], strain_rates: &mut [f64])
-    -> [f64; 2];
+    fn finish_step(
+        &self,
+        c: &BeamConfiguration,
+        step: &TimeStep,
+        forces: &mut [f64],
+        strain_rates: &mut [f64],
+    ) -> [f64; 2];
 
-    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole machine, the rates there.
-    fn begin_step(&self, _c: &Configuration, _velocity: &[f64], _starts: &mut [StepStart], _strain_rates: &mut [f64]) {}
+    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole system, the rates there.
+    fn begin_step(
+        &self,
+        _c: &BeamConfiguration,
+        _velocity: &[f64],
+        _starts: &mut [StepStart],
+        _strain_rates: &mut [f64],
+    ) {
+    }
 
-    /// Sets its own of `strain_rates`, those of the whole machine, to the rates at `c` with the velocities `velocity`.
-    fn set_strain_rates(&self, _c: &Configuration, _velocity: &[f64], _strain_rates: &mut [f64]) {}
+    /// Sets its own of `strain_rates`, those of the whole system, to the rates at `c` with the velocities `velocity`.
+    fn set_strain_rates(&self, _c: &BeamConfiguration, _velocity: &[f64], _strain_rates: &mut [f64]) {}
 
-    /// Adds the viscous forces of the material at an instant, with the velocities `velocity`, or with the rates of strains of the whole machine where they are
+    /// Adds the viscous forces of the material at an instant, with the velocities `velocity`, or with the rates of strains of the whole system where they are
     /// given and the element has such.
-    fn add_damping(&self, c: &Configuration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]);
+    fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]);
 
     /// [`Self::add_damping`], and adds `scale` times its derivative by the coordinates to `block`.
     fn add_damping_and_tangent(
         &self,
-        c: &Configuration,
+        c: &BeamConfiguration,
         velocity: &[f64],
         scale: f64,
         forces: &mut [f64],
@@ -102,52 +114,52 @@ pub trait BeamElement {
     );
 
     /// Adds `factor` times the derivative of the viscous forces by the velocities, at an instant.
-    fn add_damping_matrix(&self, c: &Configuration, factor: f64, block: &mut [f64]);
+    fn add_damping_matrix(&self, c: &BeamConfiguration, factor: f64, block: &mut [f64]);
 
     /// Places (0 to 1) with shares of the length (m) at which a load per length acts.
     fn load_points(&self) -> Vec<(f64, f64)>;
 
     /// Place and axes of the section at `xi`, as loads and springs hold on to it.
-    fn section_pose(&self, c: &Configuration, xi: f64) -> Pose;
+    fn section_pose(&self, c: &BeamConfiguration, xi: f64) -> Pose;
 
     /// How [`Self::section_pose`] moves with the element's coordinates.
-    fn section_jacobian(&self, c: &Configuration, xi: f64) -> MarkerJacobian;
+    fn section_jacobian(&self, c: &BeamConfiguration, xi: f64) -> MarkerJacobian;
 
     /// Adds `∂(turn_qᵀ m)/∂q` of [`Self::section_jacobian`] at a moment (N m) frozen in space to `sum`; a force has none, places are linear in q.
-    fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix);
+    fn add_section_moment_stiffness(&self, c: &BeamConfiguration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix);
 
     /// Turn of the section about its tangent from [`Self::section_pose`] to what the strains make of it, rad, for outputs.
-    fn relaxed_turn(&self, _c: &Configuration, _xi: f64) -> f64 {
+    fn relaxed_turn(&self, _c: &BeamConfiguration, _xi: f64) -> f64 {
         0.0
     }
 
     /// Rate of [`Self::relaxed_turn`] at the velocities of the coordinates, rad/s.
-    fn relaxed_spin(&self, _c: &Configuration, _xi: f64, _velocity: &[f64]) -> f64 {
+    fn relaxed_spin(&self, _c: &BeamConfiguration, _xi: f64, _velocity: &[f64]) -> f64 {
         0.0
     }
 
     /// The section at `xi` with whatever strains it has.
-    fn section_shape(&self, c: &Configuration, xi: f64) -> SectionShape;
+    fn section_shape(&self, c: &BeamConfiguration, xi: f64) -> SectionShape;
 
     /// Strains of the section at `xi`, which as drawn is `drawn`.
-    fn section_strains(&self, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionStrains;
+    fn section_strains(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionStrains;
 
     /// Force and moments of the section at `xi`, which as drawn is `drawn`.
-    fn section_forces(&self, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionForces;
+    fn section_forces(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionForces;
 
     /// `G Jt` as the element has it, N m².
     fn torsion_rigidity(&self) -> f64;
 
     /// Material twist from its first node to `xi`, undeformed value taken off, rad.
-    fn twist(&self, c: &Configuration, xi: f64) -> f64;
+    fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64;
 
     /// Largest torsion that the energy is evaluated at, undeformed value taken off, rad/m; asked where the energy bears only so much.
-    fn largest_torsion(&self, _c: &Configuration) -> f64 {
+    fn largest_torsion(&self, _c: &BeamConfiguration) -> f64 {
         0.0
     }
 
     /// How it is deformed beyond what its formulation can follow in a step, in a word, if it is (MECHANICS 2.6).
-    fn distortion(&self, c: &Configuration) -> Option<&'static str>;
+    fn distortion(&self, c: &BeamConfiguration) -> Option<&'static str>;
 }
 
 impl Deref for AnyElement {

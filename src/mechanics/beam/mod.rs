@@ -2,7 +2,7 @@
 
 pub mod ancf14;
 pub mod ancf24;
-pub mod centreline;
+pub mod centerline;
 pub mod configuration;
 pub mod design;
 pub mod division;

@@ -3,7 +3,7 @@
 use super::ancf14::coordinates as ancf14;
 use super::ancf24::coordinates as ancf24;
 use super::ancf24::frame::SectionFrame;
-use super::configuration::Configuration;
+use super::configuration::BeamConfiguration;
 use crate::math::Vec3;
 use crate::math::rotation::rotation_angle;
 use crate::math::vectors::vec3;
@@ -48,7 +48,7 @@ impl Node {
     }
 
     /// Place and section axes.
-    pub fn pose(&self, c: &Configuration) -> Pose {
+    pub fn pose(&self, c: &BeamConfiguration) -> Pose {
         let axes = match *self {
             Self::Ancf14 { frame, .. } => c.frames[frame].section,
             Self::Ancf24 { start } => SectionFrame::of_node(&c.q[start..]).axes,
@@ -68,12 +68,12 @@ impl Node {
     }
 
     /// How a point `offset` (section axes, m) away moves.
-    pub fn jacobian(&self, c: &Configuration, offset: &Vec3) -> MarkerJacobian {
+    pub fn jacobian(&self, c: &BeamConfiguration, offset: &Vec3) -> MarkerJacobian {
         MarkerJacobian::of_arm(&(self.pose(c).axes * offset), self.turn_q(c), self.coordinates().len())
     }
 
     /// `∂φ/∂q`, 3×24: turn of the section.
-    pub fn turn_q(&self, c: &Configuration) -> ByCoordinates {
+    pub fn turn_q(&self, c: &BeamConfiguration) -> ByCoordinates {
         match *self {
             Self::Ancf14 { frame, .. } => c.frames[frame].turn_q(),
             Self::Ancf24 { start } => SectionFrame::of_node(&c.q[start..]).node_turn_q(),
@@ -81,7 +81,7 @@ impl Node {
     }
 
     /// Adds `∂(turn_qᵀ m)/∂q` of a moment (N m) frozen in space to `sum`.
-    pub fn add_moment_stiffness(&self, c: &Configuration, moment: &Vec3, sum: &mut MarkerMatrix) {
+    pub fn add_moment_stiffness(&self, c: &BeamConfiguration, moment: &Vec3, sum: &mut MarkerMatrix) {
         match *self {
             Self::Ancf14 { frame, .. } => c.frames[frame].add_moment_stiffness(moment, sum),
             Self::Ancf24 { start } => SectionFrame::of_node(&c.q[start..]).add_node_moment_stiffness(moment, sum),

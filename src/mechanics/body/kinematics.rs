@@ -9,7 +9,7 @@ use nalgebra::SMatrix;
 /// Coordinates of a body: those of its pose.
 pub const BODY: usize = POSE;
 
-/// Centre of mass and directors of the body whose coordinates start at `start`.
+/// Center of mass and directors of the body whose coordinates start at `start`.
 pub fn pose(q: &[f64], start: usize) -> Pose {
     let part = |place: usize| vec3(q, start + place);
     Pose { place: part(0), axes: Mat3::from_columns(&[0, 1, 2].map(|axis| part(axis_place(axis)))) }

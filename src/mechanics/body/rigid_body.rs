@@ -1,6 +1,6 @@
-//! A rigid body by 12 natural coordinates (MECHANICS 6): its centre of mass and three directors along its principal axes.
+//! A rigid body by 12 natural coordinates (MECHANICS 6): its center of mass and three directors along its principal axes.
 //!
-//! The mass matrix is constant. That the directors stay orthonormal are six conditions of the machine, like those of a joint.
+//! The mass matrix is constant. That the directors stay orthonormal are six conditions of the system, like those of a joint.
 
 use super::kinematics::BODY;
 use crate::math::vectors::set_vec3;
@@ -29,13 +29,13 @@ pub struct BodyDesign {
     pub name: String,
     /// Mass, kg.
     pub mass: f64,
-    /// Centre of mass, m.
+    /// Center of mass, m.
     pub position: Vec3,
     /// Inertia tensor about it in body axes, kg m².
     pub inertia: Mat3,
     /// Body axes in global directions, as columns.
     pub axes: Mat3,
-    /// Initial velocity of the centre of mass, m/s.
+    /// Initial velocity of the center of mass, m/s.
     pub velocity: Vec3,
     /// Initial angular velocity in global axes, rad/s.
     pub angular_velocity: Vec3,

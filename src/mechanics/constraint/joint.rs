@@ -1,14 +1,14 @@
 //! Joints: lists of primitive conditions `phi = 0` between two markers (MECHANICS 6). A kind of joint is a file with its list.
 //!
-//! The rigidity of bodies and the drives are lists of conditions too: whatever holds the machine together is a [`Joint`].
+//! The rigidity of bodies and the drives are lists of conditions too: whatever holds the system together is a [`Joint`].
 
 use super::primitive::{MOST_ROWS, Primitive};
 use crate::math::jet::Jet;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::geometry::marker_jacobian::{MARKER, MarkerMatrix};
 use crate::mechanics::geometry::pose::{Pose, VECTORS};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::own_velocity;
 use crate::mechanics::marker::pose_gradient::{PoseGradient, of_side, pull_back};
 use nalgebra::SMatrix;

@@ -1,12 +1,12 @@
 //! Forces and moments on markers: at one point, or spread over a beam; in global directions or turning with the section.
 
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::axis_vector;
 use crate::mechanics::input::excitation::{HostWrench, Wrench};
 use crate::mechanics::input::signal::Signal;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 
 /// What a load's components refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

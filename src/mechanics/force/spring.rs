@@ -2,11 +2,11 @@
 //!
 //! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind.
 
-use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::VECTORS;
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::marker::own_velocity;
 use crate::mechanics::marker::pose_gradient::{of_side, pull_back};
 use crate::mechanics::marker::relative_coordinate::Measure;

@@ -41,7 +41,7 @@ impl HostWrench {
     }
 }
 
-/// What acts on a machine from outside at one instant.
+/// What acts on a system from outside at one instant.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Excitation {
     /// Gravity, m/s².

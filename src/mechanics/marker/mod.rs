@@ -3,18 +3,19 @@
 //! Loads ask a marker for its pose, how it moves with the coordinates (`jacobian`), and how the generalized force of a wrench
 //! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` (`pose_gradient`).
 
+pub mod configuration;
 pub mod pose_gradient;
 pub mod relative_coordinate;
 pub mod sensor;
 
 use self::pose_gradient::{PoseGradient, Turning};
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::body::kinematics::{self, BODY};
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::marker::configuration::Configuration;
 use std::ops::Range;
 
 /// `turn_qᵀ block turn_q` over `count` coordinates.
@@ -29,7 +30,7 @@ fn turned(turn_q: &ByCoordinates, block: &Mat3, count: usize) -> MarkerMatrix {
     sum
 }
 
-/// A point and a frame of the machine.
+/// A point and a frame of the system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Marker {
     /// Fixed in space.
@@ -47,7 +48,7 @@ pub enum Marker {
     Body {
         /// First coordinate of the body.
         start: usize,
-        /// Place relative to the centre of mass, in directors, m.
+        /// Place relative to the center of mass, in directors, m.
         offset: Vec3,
         /// Axes relative to the directors.
         axes: Mat3,
@@ -99,9 +100,9 @@ impl Marker {
         match self {
             Self::Ground(pose) => *pose,
             Self::Frame { frame, offset, axes } => c.prescribed.frames[*frame].pose.carried(offset, axes),
-            Self::Body { start, offset, axes } => kinematics::pose(c.q, *start).carried(offset, axes),
-            Self::Node { node, offset, axes } => c.mesh.nodes[*node].pose(c).carried(offset, axes),
-            Self::Section { element, xi } => c.mesh.elements[*element].section_pose(c, *xi),
+            Self::Body { start, offset, axes } => kinematics::pose(c.beams.q, *start).carried(offset, axes),
+            Self::Node { node, offset, axes } => c.mesh.nodes[*node].pose(&c.beams).carried(offset, axes),
+            Self::Section { element, xi } => c.mesh.elements[*element].section_pose(&c.beams, *xi),
         }
     }
 
@@ -122,9 +123,9 @@ impl Marker {
             Self::Ground(_) | Self::Frame { .. } => {
                 MarkerJacobian { place_q: ByCoordinates::zeros(), turn_q: ByCoordinates::zeros() }
             }
-            Self::Body { start, offset, .. } => kinematics::jacobian(c.q, *start, offset),
-            Self::Node { node, offset, .. } => c.mesh.nodes[*node].jacobian(c, offset),
-            Self::Section { element, xi } => c.mesh.elements[*element].section_jacobian(c, *xi),
+            Self::Body { start, offset, .. } => kinematics::jacobian(c.beams.q, *start, offset),
+            Self::Node { node, offset, .. } => c.mesh.nodes[*node].jacobian(&c.beams, offset),
+            Self::Section { element, xi } => c.mesh.elements[*element].section_jacobian(&c.beams, *xi),
         }
     }
 
@@ -135,16 +136,16 @@ impl Marker {
             Self::Body { .. } => kinematics::wrench_stiffness(moment),
             Self::Node { node, offset, .. } => {
                 let node = &c.mesh.nodes[*node];
-                let arm = node.pose(c).axes * offset;
+                let arm = node.pose(&c.beams).axes * offset;
                 // The arm turns: d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ.
                 let turning = arm * force.transpose() - Mat3::identity() * arm.dot(force);
-                let mut sum = turned(&node.turn_q(c), &turning, node.coordinates().len());
-                node.add_moment_stiffness(c, &(moment + arm.cross(force)), &mut sum);
+                let mut sum = turned(&node.turn_q(&c.beams), &turning, node.coordinates().len());
+                node.add_moment_stiffness(&c.beams, &(moment + arm.cross(force)), &mut sum);
                 sum
             }
             Self::Section { element, xi } => {
                 let mut sum = MarkerMatrix::zeros();
-                c.mesh.elements[*element].add_section_moment_stiffness(c, *xi, moment, &mut sum);
+                c.mesh.elements[*element].add_section_moment_stiffness(&c.beams, *xi, moment, &mut sum);
                 sum
             }
         }
@@ -157,13 +158,13 @@ impl Marker {
             Self::Body { offset, axes, .. } => PoseGradient::Body(kinematics::pose_q(offset, axes)),
             Self::Node { node, offset, axes } => {
                 let node = &c.mesh.nodes[*node];
-                let section = node.pose(c).axes;
+                let section = node.pose(&c.beams).axes;
                 let mut place_q = ByCoordinates::zeros();
                 (0..3).for_each(|axis| place_q[(axis, axis)] = 1.0);
                 PoseGradient::Beam(Turning {
                     arms: Pose { place: section * offset, axes: section * axes }.vectors(),
                     place_q,
-                    turn_q: node.turn_q(c),
+                    turn_q: node.turn_q(&c.beams),
                     count: node.coordinates().len(),
                     placing: 3,
                     turning: 3,
@@ -171,8 +172,8 @@ impl Marker {
             }
             Self::Section { element, xi } => {
                 let element = &c.mesh.elements[*element];
-                let MarkerJacobian { place_q, turn_q } = element.section_jacobian(c, *xi);
-                let arms = Pose { place: Vec3::zeros(), axes: element.section_pose(c, *xi).axes }.vectors();
+                let MarkerJacobian { place_q, turn_q } = element.section_jacobian(&c.beams, *xi);
+                let arms = Pose { place: Vec3::zeros(), axes: element.section_pose(&c.beams, *xi).axes }.vectors();
                 let count = element.coordinates().len();
                 PoseGradient::Beam(Turning { arms, place_q, turn_q, count, placing: count, turning: 0 })
             }
@@ -183,16 +184,16 @@ impl Marker {
     pub fn add_moment_stiffness(&self, c: &Configuration, moment: &Vec3, sum: &mut MarkerMatrix) {
         match self {
             Self::Ground(_) | Self::Frame { .. } | Self::Body { .. } => {}
-            Self::Node { node, .. } => c.mesh.nodes[*node].add_moment_stiffness(c, moment, sum),
+            Self::Node { node, .. } => c.mesh.nodes[*node].add_moment_stiffness(&c.beams, moment, sum),
             Self::Section { element, xi } => {
-                c.mesh.elements[*element].add_section_moment_stiffness(c, *xi, moment, sum);
+                c.mesh.elements[*element].add_section_moment_stiffness(&c.beams, *xi, moment, sum);
             }
         }
     }
 }
 
 impl RigidBody {
-    /// The marker at its centre of mass, with its body axes.
+    /// The marker at its center of mass, with its body axes.
     pub fn marker(&self) -> Marker {
         Marker::Body { start: self.start, offset: Vec3::zeros(), axes: self.axes }
     }

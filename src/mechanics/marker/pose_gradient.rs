@@ -5,11 +5,11 @@
 
 use super::Marker;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::{PLACE, PoseVector, VECTORS};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
+use crate::mechanics::marker::configuration::Configuration;
 use nalgebra::SMatrix;
 use std::ops::Range;
 

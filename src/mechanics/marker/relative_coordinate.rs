@@ -4,9 +4,9 @@
 
 use super::Marker;
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::geometry::pose::{PLACE, Pose, VECTORS, axis_vector};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
+use crate::mechanics::marker::configuration::Configuration;
 use std::f64::consts::PI;
 
 /// What is measured of b relative to a.

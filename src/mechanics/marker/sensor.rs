@@ -4,9 +4,9 @@ use super::Marker;
 use crate::math::Vec3;
 use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_matrix, rotation_vector_near};
 use crate::mechanics::beam::Beam;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 use crate::mechanics::geometry::pose::{Pose, angular_velocity};
+use crate::mechanics::marker::configuration::Configuration;
 
 /// A point that is watched.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,7 +56,7 @@ impl Sensor {
             angular += jacobian.turn_q.column(local) * velocity[index];
         }
         if let Marker::Section { element, xi } = self.marker {
-            angular += self.marker.pose(c).axis(0) * c.mesh.elements[element].relaxed_spin(c, xi, velocity);
+            angular += self.marker.pose(c).axis(0) * c.mesh.elements[element].relaxed_spin(&c.beams, xi, velocity);
         }
         (linear, angular)
     }
@@ -65,7 +65,7 @@ impl Sensor {
     pub fn rotation(&self, c: &Configuration, previous: &Vec3) -> Vec3 {
         let mut axes = self.marker.pose(c).axes;
         if let Marker::Section { element, xi } = self.marker {
-            axes *= rotation_matrix(&(Vec3::x() * c.mesh.elements[element].relaxed_turn(c, xi)));
+            axes *= rotation_matrix(&(Vec3::x() * c.mesh.elements[element].relaxed_turn(&c.beams, xi)));
         }
         rotation_vector_near(&(axes * self.drawn.axes.transpose()), previous)
     }
@@ -105,7 +105,7 @@ impl Sensor {
 impl Sensor {
     /// Acceleration in global axes, m/s², from the second derivatives `acceleration` of the coordinates.
     pub fn acceleration(&self, c: &Configuration, acceleration: &[f64]) -> Vec3 {
-        // Places that are watched are linear in the coordinates: on the beam's axis, at the centre of mass.
+        // Places that are watched are linear in the coordinates: on the beam's axis, at the center of mass.
         let [_, explicit] = self.marker.pose_t(c);
         let place_q = self.marker.jacobian(c).place_q;
         let own = self.marker.coordinates(c.mesh).enumerate();
@@ -116,7 +116,7 @@ impl Sensor {
     pub fn section_forces(&self, c: &Configuration) -> SectionForces {
         let mut sum = SectionForces::default();
         for section in &self.sections {
-            let own = c.mesh.elements[section.element].section_forces(c, section.xi, &section.drawn);
+            let own = c.mesh.elements[section.element].section_forces(&c.beams, section.xi, &section.drawn);
             let share = 1.0 / self.sections.len() as f64;
             sum.axial += share * own.axial;
             for (sum, own) in sum.moment.iter_mut().zip(own.moment) {
@@ -130,10 +130,10 @@ impl Sensor {
 impl Section {
     /// At the place `xi` (0 to 1) of element `element`, in the configuration `c` as drawn.
     fn new(c: &Configuration, element: usize, xi: f64) -> Self {
-        Self { element, xi, drawn: c.mesh.elements[element].section_shape(c, xi) }
+        Self { element, xi, drawn: c.mesh.elements[element].section_shape(&c.beams, xi) }
     }
 
     fn strains(&self, c: &Configuration) -> SectionStrains {
-        c.mesh.elements[self.element].section_strains(c, self.xi, &self.drawn)
+        c.mesh.elements[self.element].section_strains(&c.beams, self.xi, &self.drawn)
     }
 }

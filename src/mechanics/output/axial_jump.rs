@@ -1,8 +1,8 @@
 //! Axial forces that jump at an inner node, where a load, a joint or a spring holds the beam. The stretch `|r'|` is one unknown at a node: the jump is spread over
 //! both elements, with an overshoot of 6 % of it, however fine the mesh is.
 
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::resultants::SectionShape;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::System;
 
@@ -40,6 +40,6 @@ impl System {
     fn mean_axial_force(&self, c: &Configuration, element: usize) -> f64 {
         // The undeformed shape takes curvature and torsion away only, but for the stretch, which is 1 between unit tangents to a high order.
         let drawn = SectionShape { stretch: 1.0, ..SectionShape::default() };
-        PLACES.iter().map(|xi| 0.5 * self.mesh.elements[element].section_forces(c, *xi, &drawn).axial).sum()
+        PLACES.iter().map(|xi| 0.5 * self.mesh.elements[element].section_forces(&c.beams, *xi, &drawn).axial).sum()
     }
 }

@@ -1,13 +1,13 @@
 //! What passes between the two sides of a joint of the model file: constraint forces, springs and dampers, drives.
 //!
-//! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the machine (MECHANICS 6).
+//! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the system (MECHANICS 6).
 
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::{Configuration, Passage};
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::geometry::pose::{PLACE, moment};
 use crate::mechanics::geometry::pose_pair::PairVector;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::marker::pose_gradient::of_side;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::system::System;
@@ -23,7 +23,7 @@ enum Side {
 /// What acts at an instant: the configuration, how it is passed through, and the multipliers of all conditions.
 #[derive(Clone, Copy, Debug)]
 pub struct JointLoads<'a> {
-    /// The machine.
+    /// The system.
     pub system: &'a System,
     /// The instant.
     pub c: &'a Configuration<'a>,
@@ -85,9 +85,10 @@ impl JointLoads<'_> {
         (force, moment)
     }
 
-    /// The number among the joints of the condition of a drive: they come last.
+    /// The number among the joints of the condition of a drive.
     fn drive(&self, drive: usize) -> usize {
-        self.system.joints.len() - self.system.drives.len() + drive
+        let is_own = |joint: &Joint| joint.drive == Some(drive);
+        self.system.joints.iter().position(is_own).expect("every drive has its condition")
     }
 
     fn first_row(&self, joint: usize) -> usize {

@@ -12,7 +12,7 @@ use super::strain_fit::{Line, Neighborhood, StrainFit, bend, mean, rise};
 use crate::math::Vec3;
 use crate::math::quadrature::{LOBATTO_POINTS, LOBATTO_WEIGHTS};
 use crate::mechanics::beam::Beam;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
 
 /// Strains below this are round-off, or what Newton may leave.
@@ -32,7 +32,7 @@ pub enum Deformation {
 /// The element that leaves out most.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
-    /// Its number in the machine.
+    /// Its number in the system.
     pub element: usize,
     /// What it leaves out most of.
     pub deformation: Deformation,
@@ -66,7 +66,7 @@ impl System {
             for number in 0..beam.elements() {
                 let Some(own) = next else {
                     // Of ANCF24 only the energy is known.
-                    error.energy += self.mesh.elements[beam.first_element + number].energy(c);
+                    error.energy += self.mesh.elements[beam.first_element + number].energy(&c.beams);
                     continue;
                 };
                 let goes_on = number + 1 < beam.elements();
@@ -123,7 +123,7 @@ impl System {
     /// Energy of the bending inside an element that the loads across it ask for beyond a line, J.
     fn bent_by_load(&self, own: &StrainFit, c: &Configuration) -> f64 {
         let length = own.length();
-        let [first, second] = own.element.frames(c);
+        let [first, second] = own.element.frames(&c.beams);
         let chord = (first.t + second.t).try_normalize(0.0).unwrap_or_else(Vec3::zeros);
         let weight = self.gravity * own.element.line_density;
         let across = (weight - chord * weight.dot(&chord)).norm();

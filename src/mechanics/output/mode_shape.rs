@@ -1,12 +1,12 @@
-//! What a small motion of the machine does at its nodes and bodies, and where it is largest.
+//! What a small motion of the system does at its nodes and bodies, and where it is largest.
 
 use crate::math::vectors::{set_vec3, vec3};
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::geometry::marker_jacobian::MarkerVector;
 use crate::mechanics::geometry::pose::axis_place;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
 use std::ops::Range;
 
@@ -63,8 +63,8 @@ impl System {
                 MarkerVector::from_fn(|local, _| if local < range.len() { motion[range.start + local] } else { 0.0 });
             let (turn, turned): (Vec3, Mat3) = (marker.jacobian(from).turn_q * own, after * before.transpose());
             for place in directors.step_by(3) {
-                let strain = vec3(motion, place) - turn.cross(&vec3(from.q, place));
-                set_vec3(&mut carried, place, &(turn.cross(&vec3(to.q, place)) + turned * strain));
+                let strain = vec3(motion, place) - turn.cross(&vec3(from.beams.q, place));
+                set_vec3(&mut carried, place, &(turn.cross(&vec3(to.beams.q, place)) + turned * strain));
             }
         };
         for (number, node) in self.mesh.nodes.iter().enumerate() {

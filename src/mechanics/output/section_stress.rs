@@ -1,8 +1,8 @@
 //! Twist and stress of a section that is watched.
 
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::resultants::{self, Fibre, SectionStrains};
 use crate::mechanics::beam::section::Outline;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::System;
 
@@ -12,7 +12,7 @@ impl Sensor {
         let (Some((beam, _)), Some((element, xi))) = (self.on_beam, self.places().next()) else { return 0.0 };
         let elements = &c.mesh.elements;
         let before = &elements[system.beams[beam].first_element..element];
-        before.iter().map(|element| element.twist(c, 1.0)).sum::<f64>() + elements[element].twist(c, xi)
+        before.iter().map(|element| element.twist(&c.beams, 1.0)).sum::<f64>() + elements[element].twist(&c.beams, xi)
     }
 
     /// Largest von Mises stress over the section's outline, Pa; at an inner node of the mean strains. None without an outline.

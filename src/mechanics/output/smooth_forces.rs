@@ -5,7 +5,7 @@
 
 use super::strain_fit::{Line, Neighborhood, StrainFit, bend, mean, rise};
 use crate::mechanics::beam::ancf14;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::System;
 

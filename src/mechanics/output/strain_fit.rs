@@ -10,9 +10,9 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::ancf14::strain::Strain;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::resultants::SectionStrains;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
 
 /// A quantity along an element.
@@ -56,7 +56,7 @@ impl<'a> StrainFit<'a> {
     }
 
     fn new(element: &'a ancf14::element::Element, c: &Configuration<'a>) -> Self {
-        let evaluation = element.evaluation(c);
+        let evaluation = element.evaluation(&c.beams);
         let [first, _, last] = &evaluation.strains;
         let apart = (GAUSS_POINTS[2] - GAUSS_POINTS[0]) * element.length;
         // Least squares over the Gauss points, with their weights.

@@ -10,7 +10,6 @@ use self::pace::Pace;
 use self::time_error::TimeError;
 use self::viscous_rates::ViscousRates;
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::host_motion::Targets;
@@ -26,7 +25,7 @@ pub struct State {
     pub q: Vec<f64>,
     /// Velocities of the coordinates, 1/s each.
     pub velocity: Vec<f64>,
-    /// Momenta of the coordinates, in charts centred at the nodes' own tangents.
+    /// Momenta of the coordinates, in charts centered at the nodes' own tangents.
     pub momentum: Vec<f64>,
     /// Multipliers of the joints' conditions at the start of the last midpoint step, or at `time` by generalized-alpha, N or N m.
     pub multipliers: Vec<f64>,
@@ -70,12 +69,7 @@ pub struct State {
 }
 
 impl State {
-    /// How the machine passes through it.
-    pub fn passage(&self) -> Passage<'_> {
-        Passage::Instant { velocity: &self.velocity, strain_rates: self.viscous.known() }
-    }
-
-    /// Whether all its lists are as long as those of another state of the same machine.
+    /// Whether all its lists are as long as those of another state of the same system.
     pub fn has_the_shape_of(&self, other: &Self) -> bool {
         let lengths = |state: &Self| {
             let Self {

@@ -15,12 +15,12 @@ pub struct Pace {
     pub since: f64,
     /// Changes of all coordinates since the start; empty before the first step.
     pub travel: Vec<f64>,
-    /// The largest of them so far: of places over the machine's size, and of slopes and angles.
+    /// The largest of them so far: of places over the system's size, and of slopes and angles.
     pub range: [f64; 2],
 }
 
 impl Pace {
-    /// Whether it may be one of a machine with `coordinates` coordinates.
+    /// Whether it may be one of a system with `coordinates` coordinates.
     pub fn is_possible(&self, coordinates: usize) -> bool {
         let Self { wanted, damping_step, ratio, since, travel, range: [places, angles] } = self;
         let sizes = [wanted, damping_step, ratio, places, angles];

@@ -26,7 +26,7 @@ pub struct TimeError {
 }
 
 impl TimeError {
-    /// No error yet, of a machine with `coordinates` coordinates and `conditions` conditions.
+    /// No error yet, of a system with `coordinates` coordinates and `conditions` conditions.
     pub fn resize(&mut self, coordinates: usize, conditions: usize) {
         let Self { position, velocity, acceleration, multipliers, jerk, snap, .. } = self;
         for list in [position, velocity, acceleration, jerk, snap] {
@@ -40,7 +40,7 @@ impl TimeError {
         !self.position.is_empty()
     }
 
-    /// Whether it may be one of a machine with `coordinates` coordinates and `conditions` conditions.
+    /// Whether it may be one of a system with `coordinates` coordinates and `conditions` conditions.
     pub fn is_possible(&self, coordinates: usize, conditions: usize) -> bool {
         let Self { position, velocity, rates, acceleration, multipliers, jerk, snap, step, known } = self;
         let lists = [position, velocity, acceleration, jerk, snap].map(Vec::len);

@@ -1,4 +1,4 @@
-//! Puts a machine together: beams as drawn become nodes, elements and reference frames; points of them become markers.
+//! Puts a system together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
 use super::System;
 use super::joint_parts::JointParts;
@@ -9,8 +9,8 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::ancf24;
-use crate::mechanics::beam::centreline::Station;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::centerline::Station;
+use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::design::{BeamDesign, Elements};
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::node::Node;
@@ -27,6 +27,7 @@ use crate::mechanics::input::excitation::{Excitation, HostWrench};
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::{Drive, FrameGuide, Guide, MovingFrame, Prescribed};
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::marker::sensor::Sensor;
@@ -36,7 +37,7 @@ use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::state::viscous_rates::ViscousRates;
 use crate::mechanics::state::{Accelerations, Prediction, State, Statistics};
 
-/// A machine in the making.
+/// A system in the making.
 ///
 /// Beams come first, then bodies: coordinates are in this order. Drives come after all joints.
 #[derive(Clone, Debug, Default)]
@@ -242,7 +243,7 @@ impl SystemBuilder {
         Marker::Node { node, offset: Vec3::zeros(), axes: Mat3::identity() }
     }
 
-    /// The marker at the centre of mass of body `body`, with the body's axes.
+    /// The marker at the center of mass of body `body`, with the body's axes.
     pub fn body(&self, body: usize) -> Marker {
         self.system.bodies[body].marker()
     }
@@ -358,16 +359,14 @@ impl SystemBuilder {
 
     fn configuration<'a>(&'a self, frames: &'a [NodeFrame], holonomy: &'a [f64]) -> Configuration<'a> {
         Configuration {
-            q: &self.q,
-            frames,
-            holonomy,
+            beams: BeamConfiguration { q: &self.q, frames, holonomy },
             relative_values: &[],
             prescribed: &self.prescribed,
             mesh: &self.system.mesh,
         }
     }
 
-    /// The machine and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
+    /// The system and its state as drawn: velocities as given, momenta and multipliers still zero, drives at zero.
     pub fn finish(self, gravity: Vec3) -> (System, State) {
         let size = self.extent();
         let Self {
@@ -384,7 +383,7 @@ impl SystemBuilder {
         } = self;
         system.size = size;
         system.gravity = gravity;
-        // Behind the joints of the file, which keep their numbers; drives come last.
+        // Behind the joints of the file, which keep their numbers.
         system.joints.extend(inner_joints);
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);

@@ -2,9 +2,10 @@
 
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
+use crate::mechanics::system::tangent_layout::TangentLayout;
 
 impl System {
     /// The elements whose material is damped, with their numbers.
@@ -19,7 +20,7 @@ impl System {
 
     /// Sets `strain_rates` to the rates of all strains at `c` with the velocities `velocity`; those of relative coordinates stay.
     pub fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
-        self.mesh.elements.iter().for_each(|element| element.set_strain_rates(c, velocity, strain_rates));
+        self.mesh.elements.iter().for_each(|element| element.set_strain_rates(&c.beams, velocity, strain_rates));
     }
 
     /// Adds the viscous forces of the beams' material at an instant, with the velocities `velocity`, or with the rates of strains where they are given.
@@ -31,7 +32,7 @@ impl System {
         forces: &mut [f64],
     ) {
         for (_, element) in self.damped_elements() {
-            element.add_damping(c, velocity, strain_rates, forces);
+            element.add_damping(&c.beams, velocity, strain_rates, forces);
         }
     }
 
@@ -44,24 +45,24 @@ impl System {
         forces: &mut [f64],
         tangent: &mut Blocks,
     ) {
+        let layout = TangentLayout::of(self);
         for (number, element) in self.damped_elements() {
-            element.add_damping_and_tangent(c, velocity, scale, forces, tangent.block_mut(number));
+            let block = tangent.block_mut(layout.element(number));
+            element.add_damping_and_tangent(&c.beams, velocity, scale, forces, block);
         }
     }
 
     /// Adds `factor` times the derivative of the forces by the velocities, at an instant, to the first blocks of `tangent`.
     pub fn add_damping_matrix(&self, c: &Configuration, factor: f64, tangent: &mut Blocks) {
+        let layout = TangentLayout::of(self);
         for (number, element) in self.damped_elements() {
-            element.add_damping_matrix(c, factor, tangent.block_mut(number));
+            element.add_damping_matrix(&c.beams, factor, tangent.block_mut(layout.element(number)));
         }
-        let points: usize = self.loads.iter().map(|load| load.points.len()).sum();
-        let first = self.mesh.elements.len() + self.bodies.len() + points;
         for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.damping != 0.0) {
             let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
-            for (place, part) in
-                spring.damping_matrix(&self.relative_coordinates[spring.coordinate], c).iter().enumerate()
-            {
-                add_corner(tangent.block_mut(first + 4 * number + place), counts[place / 2], part, factor);
+            let parts = spring.damping_matrix(&self.relative_coordinates[spring.coordinate], c);
+            for (pair, (block, part)) in layout.spring(number).zip(&parts).enumerate() {
+                add_corner(tangent.block_mut(block), counts[pair / 2], part, factor);
             }
         }
     }

@@ -1,16 +1,16 @@
-//! Energies and momenta of a machine.
+//! Energies and momenta of a system.
 
 use crate::math::Vec3;
 use crate::math::vectors::vec3;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::geometry::pose::axis_place;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
 
 impl System {
     /// Strain energy of beams and energy of springs, J.
     pub fn elastic_energy(&self, c: &Configuration) -> f64 {
-        let beams: f64 = self.mesh.elements.iter().map(|element| element.energy(c)).sum();
+        let beams: f64 = self.mesh.elements.iter().map(|element| element.energy(&c.beams)).sum();
         self.springs
             .iter()
             .fold(beams, |sum, spring| sum + spring.energy(&self.relative_coordinates[spring.coordinate], c))

@@ -1,16 +1,17 @@
-//! The equations of a machine: forces, tangent, mass and constraints, summed over its parts in file order.
+//! The equations of a system: forces, tangent, mass and constraints, summed over its parts in file order.
 
 use crate::math::blocks::{Block, Blocks};
-use crate::mechanics::beam::configuration::{Configuration, Passage};
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::system::System;
+use crate::mechanics::system::tangent_layout::TangentLayout;
 use nalgebra::SMatrix;
 
 impl System {
-    /// Appends the blocks of the tangent: one an element, one a body, one a load point, four a spring.
+    /// Appends the blocks of the tangent in the order of [`TangentLayout`].
     pub fn push_tangent_blocks(&self, blocks: &mut Blocks) {
         let mut push = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
             blocks.push(Block { row: rows.start, column: columns.start, rows: rows.len(), columns: columns.len() });
@@ -42,8 +43,9 @@ impl System {
     /// `∂U/∂q − F`: internal minus external forces, as `passage` says.
     pub fn forces(&self, c: &Configuration, passage: &Passage, excitation: &Excitation, forces: &mut [f64]) {
         self.add_external(c, excitation, forces);
+        let of_beams = passage.of_beams();
         for element in &self.mesh.elements {
-            element.add_gradient(c, passage, forces);
+            element.add_gradient(&c.beams, &of_beams, forces);
         }
         if let Passage::Instant { velocity, strain_rates } = passage {
             self.add_material_damping(c, velocity, *strain_rates, forces);
@@ -63,38 +65,37 @@ impl System {
         tangent: &mut Blocks,
     ) {
         self.add_external(c, excitation, forces);
+        let (layout, of_beams) = (TangentLayout::of(self), passage.of_beams());
         for (number, element) in self.mesh.elements.iter().enumerate() {
-            element.add_gradient_and_set_hessian(c, passage, scale, forces, tangent.block_mut(number));
+            let block = tangent.block_mut(layout.element(number));
+            element.add_gradient_and_set_hessian(&c.beams, &of_beams, scale, forces, block);
         }
         if let Passage::Instant { velocity, .. } = passage {
             self.add_material_damping_and_tangent(c, velocity, scale, forces, tangent);
         }
-        let mut block = self.mesh.elements.len();
-        for _ in &self.bodies {
-            tangent.block_mut(block).fill(0.0);
-            block += 1;
+        for number in 0..self.bodies.len() {
+            tangent.block_mut(layout.body(number)).fill(0.0);
         }
+        let mut load_points = layout.load_points();
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
-            for (number, (marker, _)) in load.points.iter().enumerate() {
+            for ((number, (marker, _)), block) in load.points.iter().enumerate().zip(&mut load_points) {
                 let count = marker.coordinates(&self.mesh).len();
                 let force_q = load.force_q(c, number, wrench);
                 copy_corner(tangent.block_mut(block), count, &force_q, -scale);
-                block += 1;
             }
         }
         self.add_springs(c, passage, forces);
-        for spring in &self.springs {
+        for (number, spring) in self.springs.iter().enumerate() {
+            let blocks = layout.spring(number);
             // Every coordinate of a joint has a spring, most of them do nothing.
             if spring.is_idle() {
-                (block..block + 4).for_each(|number| tangent.block_mut(number).fill(0.0));
-                block += 4;
+                blocks.for_each(|block| tangent.block_mut(block).fill(0.0));
                 continue;
             }
             let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
             let parts = spring.hessian(&self.relative_coordinates[spring.coordinate], c, passage);
-            for (number, part) in parts.iter().enumerate() {
-                copy_corner(tangent.block_mut(block), counts[number / 2], part, scale);
-                block += 1;
+            for (pair, (block, part)) in blocks.zip(&parts).enumerate() {
+                copy_corner(tangent.block_mut(block), counts[pair / 2], part, scale);
             }
         }
     }
@@ -129,11 +130,12 @@ impl System {
 
     /// Adds `factor` times the mass matrix to the blocks of elements and bodies in `tangent`.
     pub fn add_mass(&self, factor: f64, tangent: &mut Blocks) {
+        let layout = TangentLayout::of(self);
         for (number, element) in self.mesh.elements.iter().enumerate() {
-            element.add_mass(factor, tangent.block_mut(number));
+            element.add_mass(factor, tangent.block_mut(layout.element(number)));
         }
         for (number, body) in self.bodies.iter().enumerate() {
-            let block = tangent.block_mut(self.mesh.elements.len() + number);
+            let block = tangent.block_mut(layout.body(number));
             for local in 0..BODY {
                 block[local * BODY + local] += factor * body.inertia(local);
             }

@@ -1,20 +1,38 @@
-//! Memory for the frames of the nodes at a state, which every configuration needs.
+//! Memory for the frames of the nodes, which every configuration needs: the one place where they are computed.
 
 use super::System;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::geometry::triad::Triad;
+use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::state::State;
 
-/// A state with the frames of its nodes: what sensors read.
+/// The frames of all nodes that have one, at the coordinates that were asked for last.
 #[derive(Clone, Debug, Default)]
 pub struct FrameCache {
-    frames: Vec<NodeFrame>,
+    pub(super) frames: Vec<NodeFrame>,
 }
 
 impl FrameCache {
+    /// Computes the frames at `q`, relative to the reference `triads`.
+    pub fn set(&mut self, system: &System, q: &[f64], triads: &[Triad]) {
+        system.mesh.set_frames(q, triads, &mut self.frames);
+    }
+
     /// Computes the frames of `state` and returns its configuration.
     pub fn of<'a>(&'a mut self, system: &'a System, state: &'a State) -> Configuration<'a> {
-        system.frames(&state.q, &state.triads, &mut self.frames);
-        system.configuration(&state.q, &self.frames, state, &state.prescribed)
+        self.at(system, &state.q, state, &state.prescribed)
+    }
+
+    /// Computes the frames at `q` and returns the configuration that `q` and `prescribed` describe, after the accepted `state`.
+    pub fn at<'a>(
+        &'a mut self,
+        system: &'a System,
+        q: &'a [f64],
+        state: &'a State,
+        prescribed: &'a Prescribed,
+    ) -> Configuration<'a> {
+        self.set(system, q, &state.triads);
+        system.configuration(q, self, state, prescribed)
     }
 }

@@ -14,22 +14,23 @@ use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
 
 /// `target += factor C`, `C_p = [pth kap − h Uth (kap/2 − km)]/|p_k|` at every node that has a frame (7.3), N.
 ///
 /// `frames` are those at the start, middle and end of the step, `mass_increment` is `M Dq`, `forces` is `dU/dq − F`.
 pub fn add_forces(
     system: &System,
-    frames: [&[NodeFrame]; 3],
+    frames: [&FrameCache; 3],
     mass_increment: &[f64],
     forces: &[f64],
     step: f64,
     factor: f64,
     target: &mut [f64],
 ) {
-    let [start, middle, end] = frames;
+    let [start, middle, end] = frames.map(|cache| &cache.frames);
     for ((own, middle), (first, last)) in system.mesh.framed.iter().zip(middle).zip(start.iter().zip(end)) {
-        // The start's chart is centred: its reference tangent is t_k itself, so that k of the end is kb(t_k, t_{k+1}).
+        // The start's chart is centered: its reference tangent is t_k itself, so that k of the end is kb(t_k, t_{k+1}).
         let kap = half_turn(&first.t, &last.t);
         let km = half_turn(&first.t, &middle.t);
         let theta = own + THETA;
@@ -41,14 +42,14 @@ pub fn add_forces(
 /// Subtracts `h ∂C/∂q` from the element blocks of a step's matrix; what `Uth` adds is of third order in the step and left out.
 pub fn add_tangent(
     system: &System,
-    start: &[NodeFrame],
-    end: &[NodeFrame],
+    start: &FrameCache,
+    end: &FrameCache,
     mass_increment: &[f64],
     step: f64,
     blocks: &mut Blocks,
 ) {
     add_by_node(system, blocks, |own, frame| {
-        let (first, last) = (&start[frame], &end[frame]);
+        let (first, last) = (&start.frames[frame], &end.frames[frame]);
         let kap = half_turn(&first.t, &last.t);
         let spin_momentum = mass_increment[own + THETA] / step;
         let kap_p = half_turn_by_second(&first.t, &last.t, &kap) * last.t_p();
@@ -57,15 +58,15 @@ pub fn add_tangent(
 }
 
 /// Adds what the force on the slope of each node has as derivatives to the element blocks of `blocks`: by the node's own slope,
-/// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbours through M.
+/// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbors through M.
 /// `derivatives` is asked with the first coordinate and the frame of a node.
 fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize, usize) -> (Mat3, Vec3)) {
     for beam in &system.beams {
         for node in beam.node_range() {
             let Node::Ancf14 { start, frame } = system.mesh.nodes[node] else { continue };
             let (by_slope, by_spin) = derivatives(start, frame);
-            let neighbours = beam.elements_at(node);
-            let [before, after] = neighbours;
+            let neighbors = beam.elements_at(node);
+            let [before, after] = neighbors;
             let Some((element, local)) = after.map(|after| (after, 0)).or(before.map(|before| (before, NODE))) else {
                 continue;
             };
@@ -75,7 +76,7 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize,
                     block[(local + P + column) * ELEMENT + local + P + row] += by_slope[(row, column)];
                 }
             }
-            for (element, local) in neighbours.into_iter().zip([NODE, 0]) {
+            for (element, local) in neighbors.into_iter().zip([NODE, 0]) {
                 let Some(number) = element else { continue };
                 let AnyElement::Ancf14(element) = &system.mesh.elements[number] else { continue };
                 let block = blocks.block_mut(number);
@@ -90,19 +91,27 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize,
     }
 }
 
-/// Takes the momentum from the charts of the step's start to charts centred at its end: `P_p += P_theta kap/|p_{k+1}|` (7.5).
+/// Takes the momentum from the charts of the step's start to charts centered at its end: `P_p += P_theta kap/|p_{k+1}|` (7.5).
 /// `frames` at the end, still relative to the references of the start.
-pub fn change_charts(system: &System, frames: &[NodeFrame], momentum: &mut [f64]) {
-    for (own, frame) in system.mesh.framed.iter().zip(frames) {
+pub fn change_charts(system: &System, frames: &FrameCache, momentum: &mut [f64]) {
+    for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
         let spin = momentum[own + THETA];
         add_vec3(momentum, own + P, &(frame.k * (spin / frame.stretch)));
     }
 }
 
+/// Takes `change`, a small change of the coordinates or of their rates, from the charts of the step's start to those of its end, where a
+/// turn of a tangent alone turns no section. `frames` as for [`change_charts`].
+pub fn change_charts_of_change(system: &System, frames: &FrameCache, change: &mut [f64]) {
+    for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
+        change[own + THETA] -= frame.k.dot(&vec3(change, own + P)) / frame.stretch;
+    }
+}
+
 /// Adds the gyroscopic force of an instant, `m_n (p' × p)/|p|³` with the spin momentum `m_n = (M v)_theta`, to the left-hand
 /// side of the equations of `p` (MECHANICS 7.2); `momentum` is `M v`. It is the same in every chart.
-pub fn add_rate_forces(system: &System, frames: &[NodeFrame], velocity: &[f64], momentum: &[f64], forces: &mut [f64]) {
-    for (own, frame) in system.mesh.framed.iter().zip(frames) {
+pub fn add_rate_forces(system: &System, frames: &FrameCache, velocity: &[f64], momentum: &[f64], forces: &mut [f64]) {
+    for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
         let spin = momentum[own + THETA];
         add_vec3(forces, own + P, &(spin_force(frame, &vec3(velocity, own + P)) * spin));
     }
@@ -113,11 +122,11 @@ fn spin_force(frame: &NodeFrame, slope_rate: &Vec3) -> Vec3 {
     slope_rate.cross(&frame.t) / (frame.stretch * frame.stretch)
 }
 
-/// Adds `−m_n' k/|p|` with `m_n' = (M v')_theta` to the left-hand side of the equations of `p`, in charts that are not centred
+/// Adds `−m_n' k/|p|` with `m_n' = (M v')_theta` to the left-hand side of the equations of `p`, in charts that are not centered
 /// (MECHANICS 7.2): a turn of the tangent alone turns the section too there, so that forces along `theta` count along `p`, and
 /// the spin's inertia with them. `momentum_rate` is `M v'`.
-pub fn add_chart_forces(system: &System, frames: &[NodeFrame], momentum_rate: &[f64], forces: &mut [f64]) {
-    for (own, frame) in system.mesh.framed.iter().zip(frames) {
+pub fn add_chart_forces(system: &System, frames: &FrameCache, momentum_rate: &[f64], forces: &mut [f64]) {
+    for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
         let rate = momentum_rate[own + THETA];
         add_vec3(forces, own + P, &(frame.k * (-rate / frame.stretch)));
     }
@@ -127,14 +136,14 @@ pub fn add_chart_forces(system: &System, frames: &[NodeFrame], momentum_rate: &[
 /// `blocks`, when velocities and accelerations follow the coordinates with the factors `by_q`, 1/s and 1/s².
 pub fn add_rate_tangent(
     system: &System,
-    frames: &[NodeFrame],
+    frames: &FrameCache,
     [velocity, momentum, momentum_rate]: [&[f64]; 3],
     [velocity_by_q, acceleration_by_q]: [f64; 2],
     scale: f64,
     blocks: &mut Blocks,
 ) {
     add_by_node(system, blocks, |own, frame| {
-        let frame = &frames[frame];
+        let frame = &frames.frames[frame];
         let (t, stretch) = (&frame.t, frame.stretch);
         let [spin, spin_rate] = [momentum, momentum_rate].map(|momentum| momentum[own + THETA]);
         let slope_rate = vec3(velocity, own + P);

@@ -1,6 +1,6 @@
 //! What a joint of the model file consists of in the system.
 
-/// The parts that a joint of the model file consists of, by their numbers in the machine.
+/// The parts that a joint of the model file consists of, by their numbers in the system.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct JointParts {
     /// The conditions; a bushing has none.

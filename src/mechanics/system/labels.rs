@@ -1,4 +1,4 @@
-//! What the unknowns of a machine are, in words: for messages.
+//! What the unknowns of a system are, in words: for messages.
 
 use crate::mechanics::beam::Beam;
 use crate::mechanics::body::kinematics::BODY;

@@ -3,8 +3,8 @@
 use super::frame_cache::FrameCache;
 use crate::error::Error;
 use crate::math::rotation::rotation_angle;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::body::kinematics;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -29,7 +29,7 @@ impl System {
         let configuration = snapshot.of(self, state);
         limited.find_map(|beam| {
             let elements = &self.mesh.elements[beam.element_range()];
-            let rates = elements.iter().map(|element| element.largest_torsion(&configuration).abs());
+            let rates = elements.iter().map(|element| element.largest_torsion(&configuration.beams).abs());
             let largest = rates.fold(0.0, f64::max);
             (largest > 0.5 * beam.twist_limit).then_some((beam.name.as_str(), largest, beam.twist_limit))
         })
@@ -41,7 +41,7 @@ impl System {
     /// An element twists too far: an increment that large may end on another branch of equilibria.
     pub fn check_twist_change(&self, before: &Configuration, after: &Configuration, time: f64) -> Result<(), Error> {
         for (number, element) in self.mesh.elements.iter().enumerate() {
-            if (element.twist(after, 1.0) - element.twist(before, 1.0)).abs() > LARGEST_TWIST_CHANGE {
+            if (element.twist(&after.beams, 1.0) - element.twist(&before.beams, 1.0)).abs() > LARGEST_TWIST_CHANGE {
                 let (beam, place) = self.beam_of(number);
                 return Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what: "twisted" });
             }
@@ -65,7 +65,7 @@ impl System {
     fn check_nodes(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
         for (number, node) in self.mesh.nodes.iter().enumerate() {
             let place = || self.describe_node(number);
-            let [before, slope] = [node.slope(&state.q), node.slope(c.q)];
+            let [before, slope] = [node.slope(&state.q), node.slope(c.beams.q)];
             let stretch = slope.norm();
             if !stretch.is_finite() || !STRETCHES.contains(&stretch) {
                 return Err(Error::Stretched { time, place: place(), stretch });
@@ -74,7 +74,7 @@ impl System {
             if angle > turn {
                 return Err(Error::Turned { time, place: format!("the tangent at {}", place()), angle, limit: turn });
             }
-            let angle = node.section_turn(&state.q, c.q);
+            let angle = node.section_turn(&state.q, c.beams.q);
             // Not-a-number must fail: `>` alone would let it pass.
             if angle > turn || angle.is_nan() {
                 return Err(Error::Turned { time, place: format!("the section at {}", place()), angle, limit: turn });
@@ -86,11 +86,11 @@ impl System {
     fn check_elements(&self, c: &Configuration, time: f64) -> Result<(), Error> {
         for (number, element) in self.mesh.elements.iter().enumerate() {
             let (beam, place) = self.beam_of(number);
-            if let Some(what) = element.distortion(c) {
+            if let Some(what) = element.distortion(&c.beams) {
                 return Err(Error::Distorted { time, beam: beam.name.clone(), element: place, what });
             }
             if beam.twist_limit.is_finite() {
-                let rate = element.largest_torsion(c);
+                let rate = element.largest_torsion(&c.beams);
                 if rate.abs() > beam.twist_limit {
                     let limit = beam.twist_limit;
                     return Err(Error::TwistBeyondTruncation {
@@ -108,7 +108,7 @@ impl System {
 
     fn check_bodies(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
         for body in &self.bodies {
-            let (start, end) = (kinematics::pose(&state.q, body.start), kinematics::pose(c.q, body.start));
+            let (start, end) = (kinematics::pose(&state.q, body.start), kinematics::pose(c.beams.q, body.start));
             let angle = rotation_angle(&start.axes, &end.axes);
             // Not-a-number must fail: `>` alone would let it pass.
             if angle > turn || angle.is_nan() {

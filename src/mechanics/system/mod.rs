@@ -1,4 +1,4 @@
-//! The whole machine. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
+//! The whole system. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
 
 mod breaks;
 pub mod builder;
@@ -10,18 +10,20 @@ pub mod gyroscopic;
 pub mod joint_parts;
 mod labels;
 mod limits;
+pub mod step_starts;
+mod tangent_layout;
 pub mod variation;
 mod work;
 
 pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};
 
+use self::frame_cache::FrameCache;
 use self::joint_parts::JointParts;
 use crate::math::Vec3;
 use crate::mechanics::beam::Beam;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::ancf14::kinematics::Holonomy;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::beam::node::Node;
@@ -30,11 +32,11 @@ use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::force::load::{Direction, Load};
 use crate::mechanics::force::spring::Spring;
-use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::{Drive, MovingFrame, Prescribed};
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::State;
@@ -43,7 +45,7 @@ use std::ops::Range;
 /// Coordinates of a place, the first ones of every node and body.
 const PLACE: usize = 3;
 
-/// The machine. Coordinates: those of all nodes, then those of all bodies.
+/// The system. Coordinates: those of all nodes, then those of all bodies.
 #[derive(Clone, Debug, Default)]
 pub struct System {
     /// Beams in file order.
@@ -54,7 +56,7 @@ pub struct System {
     pub bodies: Vec<RigidBody>,
     /// Moving frames in file order.
     pub moving_frames: Vec<MovingFrame>,
-    /// Everything that holds the machine together: joints, the rigidity of bodies, drives, each in file order.
+    /// Everything that holds the system together: joints, the rigidity of bodies, drives, each in file order.
     pub joints: Vec<Joint>,
     /// What is measured between two markers: by springs, drives, outputs.
     pub relative_coordinates: Vec<RelativeCoordinate>,
@@ -68,7 +70,7 @@ pub struct System {
     pub loads: Vec<Load>,
     /// Watched points in the order of their adding.
     pub sensors: Vec<Sensor>,
-    /// Largest extent of the machine as drawn, m: what lengths are compared with.
+    /// Largest extent of the system as drawn, m: what lengths are compared with.
     pub size: f64,
     /// Where the origin of all positions in the state is, global, m: 0, or in the middle of a mechanism that is drawn far from the global origin. Doubles
     /// keep positions to 1e-16 of their size; times the axial stiffness, that is a force.
@@ -158,26 +160,26 @@ impl System {
         self.joints.iter().map(Joint::rows).sum()
     }
 
-    /// Frames at `q`, relative to the reference `triads`, of the nodes that have one.
-    pub fn frames(&self, q: &[f64], triads: &[Triad], frames: &mut Vec<NodeFrame>) {
-        self.mesh.set_frames(q, triads, frames);
-    }
-
-    /// The instant that `q`, `frames` and `prescribed` describe, after the accepted `state`.
+    /// The instant that `q` with its `frames` and `prescribed` describe, after the accepted `state`.
     pub fn configuration<'a>(
         &'a self,
         q: &'a [f64],
-        frames: &'a [NodeFrame],
+        frames: &'a FrameCache,
         state: &'a State,
         prescribed: &'a Prescribed,
     ) -> Configuration<'a> {
         let (holonomy, relative_values) = (&state.holonomy, &state.relative_values);
-        Configuration { q, frames, holonomy, relative_values, prescribed, mesh: &self.mesh }
+        Configuration {
+            beams: BeamConfiguration { q, frames: &frames.frames, holonomy },
+            relative_values,
+            prescribed,
+            mesh: &self.mesh,
+        }
     }
 
     /// Ends a step at the coordinates and the prescribed motion in `state`: references and holonomy angles (2.6, 2.7), the
     /// sensors' rotation vectors and the relative coordinates follow. `frames` belong to `state.q`.
-    pub fn carry_references(&self, state: &mut State, frames: &[NodeFrame]) {
+    pub fn carry_references(&self, state: &mut State, frames: &FrameCache) {
         // Out of the state while the configuration looks at the rest of it.
         let mut rotations = std::mem::take(&mut state.rotations);
         let mut relative_values = std::mem::take(&mut state.relative_values);
@@ -191,12 +193,12 @@ impl System {
         (state.rotations, state.relative_values) = (rotations, relative_values);
         for element in &self.mesh.elements {
             if let AnyElement::Ancf14(element) = element {
-                let [first, second] = [&frames[element.place.frame], &frames[element.place.frame + 1]];
+                let [first, second] = [0, 1].map(|node| &frames.frames[element.place.frame + node]);
                 let angle = &mut state.holonomy[element.place.branch];
                 *angle = Holonomy::new(first, second, *angle).angle;
             }
         }
-        for (triad, frame) in state.triads.iter_mut().zip(frames) {
+        for (triad, frame) in state.triads.iter_mut().zip(&frames.frames) {
             *triad = frame.carried();
         }
     }
@@ -217,7 +219,7 @@ impl System {
         }
     }
 
-    /// The largest of changes of the coordinates: of places over the machine's size, and of slopes, angles and directors as they are.
+    /// The largest of changes of the coordinates: of places over the system's size, and of slopes, angles and directors as they are.
     pub fn motion_sizes(&self, changes: &[f64]) -> [f64; 2] {
         let mut largest = [0.0_f64; 2];
         for part in self.parts() {
@@ -231,7 +233,7 @@ impl System {
         [largest[0] / self.size, largest[1]]
     }
 
-    /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the machine's size, slopes,
+    /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the system's size, slopes,
     /// angles and directors as they are.
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
         let mut largest = (0.0, 0);

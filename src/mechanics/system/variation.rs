@@ -4,8 +4,8 @@
 //! carried from the unchanged ones to its tangents (MECHANICS 2.3, 2.6), which leaves `theta` and all quasi-velocities as they are.
 
 use super::System;
+use super::frame_cache::FrameCache;
 use crate::mechanics::beam::ancf14::coordinates::THETA;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::state::State;
 
@@ -85,21 +85,21 @@ impl Variation {
 
     /// Changes `state` by `factor` times this; its triads belong to its tangents. What is prescribed, and what hosts want, is the caller's.
     /// `frames` is scratch memory.
-    pub fn apply(&self, system: &System, factor: f64, state: &mut State, frames: &mut Vec<NodeFrame>) {
+    pub fn apply(&self, system: &System, factor: f64, state: &mut State, frames: &mut FrameCache) {
         for (list, own) in lists_mut(state).into_iter().zip(self.lists()) {
             for (value, change) in list.iter_mut().zip(own) {
                 *value += factor * change;
             }
         }
-        system.frames(&state.q, &state.triads, frames);
-        for (triad, frame) in state.triads.iter_mut().zip(frames.iter()) {
+        frames.set(system, &state.q, &state.triads);
+        for (triad, frame) in state.triads.iter_mut().zip(&frames.frames) {
             *triad = frame.carried();
         }
-        system.frames(&state.q, &state.triads, frames);
+        frames.set(system, &state.q, &state.triads);
         system.carry_references(state, frames);
     }
 
-    /// Adds `weight` times what lies between `from` and `to`, two states of one machine that are near each other.
+    /// Adds `weight` times what lies between `from` and `to`, two states of one system that are near each other.
     pub fn add_between(&mut self, system: &System, weight: f64, from: &State, to: &State) {
         for ((own, from), to) in self.lists_mut().into_iter().zip(lists(from)).zip(lists(to)) {
             for ((own, from), to) in own.iter_mut().zip(from).zip(to) {

@@ -1,14 +1,14 @@
 //! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the system may change by.
 
 use crate::math::Vec3;
-use crate::mechanics::beam::ancf14::over_step::StepStart;
-use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::force::spring::coordinate_rate;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::state::energy_balance::{Energies, LIFT_ROUND_OFF};
 use crate::mechanics::system::System;
+use crate::mechanics::system::step_starts::StepStarts;
 
 impl System {
     /// Kinetic energy with the velocities `velocity`, and elastic energy at `c`, J.
@@ -42,8 +42,9 @@ impl System {
     ) -> [f64; 2] {
         self.add_external(c, excitation, forces);
         let (mut work, mut elastic) = (-dot(forces, step.increment), 0.0);
+        let of_beams = step.of_beams();
         for element in &self.mesh.elements {
-            let [energy, taken] = element.finish_step(c, step, forces, strain_rates);
+            let [energy, taken] = element.finish_step(&c.beams, &of_beams, forces, strain_rates);
             elastic += energy;
             work -= taken;
         }
@@ -60,15 +61,12 @@ impl System {
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates` to the rates there of all strains, and of the
     /// relative coordinates of springs.
-    pub fn begin_step(
-        &self,
-        c: &Configuration,
-        velocity: &[f64],
-        starts: &mut Vec<StepStart>,
-        strain_rates: &mut [f64],
-    ) {
-        starts.resize(self.mesh.branches, StepStart::default());
-        self.mesh.elements.iter().for_each(|element| element.begin_step(c, velocity, starts, strain_rates));
+    pub fn begin_step(&self, c: &Configuration, velocity: &[f64], starts: &mut StepStarts, strain_rates: &mut [f64]) {
+        starts.list.resize_with(self.mesh.branches, Default::default);
+        self.mesh
+            .elements
+            .iter()
+            .for_each(|element| element.begin_step(&c.beams, velocity, &mut starts.list, strain_rates));
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let rate = coordinate_rate(&self.relative_coordinates[spring.coordinate], c, velocity);
             strain_rates[self.mesh.relative_rate_index(spring.coordinate)] = rate;

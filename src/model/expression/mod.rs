@@ -4,6 +4,7 @@
 //! `s` where the place allows it. `^` binds tightest and from the right, above the unary minus, as in mathematics:
 //! `-2^2 = -4`, `2^3^2 = 512`.
 
+pub mod function;
 mod parser;
 pub mod program;
 #[cfg(test)]

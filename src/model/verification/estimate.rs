@@ -207,8 +207,8 @@ fn round_off(tally: &Tally, scale: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tally::Sample;
     use super::*;
-    use crate::model::verification::tally::Sample;
 
     /// What levels whose errors are those of the step and of the mesh, given by `step(h)` and `mesh(l)` times a signal, tell.
     fn tally(step: impl Fn(f64) -> f64, mesh: impl Fn(f64) -> f64) -> Tally {

@@ -2,14 +2,14 @@
 
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::design::{Elements, Torsion};
-use crate::model::document::Document;
-use crate::model::entries::anchor::{Along, Spot};
-use crate::model::entries::beam::Beam;
-use crate::model::entries::curve::{Curve, Line, Shape};
-use crate::model::entries::simulation::{Analysis, Steps};
-use crate::model::entries::{load, output};
-use crate::model::geometry;
-use crate::model::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
+use crate::model::file::document::Document;
+use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
+use crate::model::file::entries::simulation::{Analysis, Steps};
+use crate::model::file::entries::{load, output};
+use crate::model::file::reader::anchor::{Along, Spot};
+use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
+use crate::model::validate;
 
 /// A key and a value, as `--set` takes them.
 pub type Override = (String, String);
@@ -50,7 +50,7 @@ impl Level {
         matches!(self, Self::DoubleStep | Self::HalfElements)
     }
 
-    /// What it takes to get it from `document`. None: there is no such run, because statics has no step error, the machine has no
+    /// What it takes to get it from `document`. None: there is no such run, because statics has no step error, the system has no
     /// beams, no beam has linear twist, or a number of elements is odd.
     pub fn overrides(self, document: &Document) -> Option<Vec<Override>> {
         let is_dynamic = document.simulation.analysis == Analysis::Dynamic;
@@ -106,7 +106,7 @@ fn shortened(setting: f64) -> String {
 }
 
 /// Whether a beam has a finer twist than it uses.
-pub fn has_linear_twist(beam: &Beam) -> bool {
+pub fn has_linear_twist(beam: &BeamSpec) -> bool {
     matches!(beam.formulation, Elements::Ancf14 { twist: Twist::Linear, torsion: Torsion::Free, .. })
 }
 
@@ -116,7 +116,7 @@ fn quadratic_twist(document: &Document) -> Vec<Override> {
 }
 
 /// The number of elements of a beam.
-pub fn elements(document: &Document, beam: &Beam) -> usize {
+pub fn elements(document: &Document, beam: &BeamSpec) -> usize {
     document.value(beam.elements) as usize
 }
 
@@ -153,12 +153,12 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
 }
 
 /// The place of node `node` of a beam, as it is written for another number of elements: a node, or where there is none, a fraction.
-fn same_place(document: &Document, beam: &Beam, node: usize, [from, to]: [usize; 2]) -> Option<String> {
-    let fraction = geometry::division(document, beam, from)?.fraction(node)?;
+fn same_place(document: &Document, beam: &BeamSpec, node: usize, [from, to]: [usize; 2]) -> Option<String> {
+    let fraction = validate::division(document, beam, from)?.fraction(node)?;
     let other = match &beam.line {
         // The pieces between the points share the elements by length: not every one gets the same multiple.
-        Some(Line::Curved(Curve { polyline: true, shape: Shape::Points(_), .. })) => {
-            geometry::division(document, beam, to).and_then(|division| division.end_at(fraction))
+        Some(Line::Curved(CurveSpec { polyline: true, shape: Shape::Points(_), .. })) => {
+            validate::division(document, beam, to).and_then(|division| division.end_at(fraction))
         }
         _ => (node * to).is_multiple_of(from).then(|| node * to / from),
     };

@@ -14,8 +14,8 @@ pub use report::{Report, Row};
 
 use self::levels::{Level, Override};
 use self::tally::{Sample, Tally};
-use super::document::Document;
-use super::simulation::Simulation;
+use super::file::document::Document;
+use super::run::simulation::Simulation;
 use crate::fmi::variable::{Causality, Variable};
 use crate::fmi::{Failure, Model};
 

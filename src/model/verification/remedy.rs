@@ -3,7 +3,7 @@
 use super::estimate::Parts;
 
 /// Numbers of steps in place of one, and of elements in place of one, that are proposed: steps stay numbers of few digits, and nodes stay
-/// where joints need them. Beyond the last ones the machine, or its model, should be another one.
+/// where joints need them. Beyond the last ones the system, or its model, should be another one.
 const STEPS: [u32; 16] = [1, 2, 4, 5, 8, 10, 20, 25, 40, 50, 80, 100, 200, 400, 500, 1000];
 const ELEMENTS: [u32; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
 

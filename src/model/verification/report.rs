@@ -3,11 +3,12 @@
 use super::estimate::{Estimate, Parts, Trust};
 use super::levels::{self, Level};
 use super::remedy::{Demand, Setting, cheapest};
-use super::scale::{self, Measures};
+use super::scale;
 use super::{Column, State, Verification};
 use crate::fmi::Model;
-use crate::model::document::Document;
-use crate::model::simulation::Simulation;
+use crate::model::file::document::Document;
+use crate::model::run::scale::Measures;
+use crate::model::run::simulation::Simulation;
 
 /// The error of a column.
 #[derive(Clone, Debug, PartialEq)]

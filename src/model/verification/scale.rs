@@ -1,59 +1,8 @@
-//! What the error of a column is compared with: the range of the quantity that it is a component of.
-//!
-//! A component that is zero by symmetry has the round-off of the others for its range, so that all components of a quantity have one
-//! scale, the largest range among them. A quantity that is zero as a whole is found by what its unit amounts to in this machine.
+//! The scale of every column of a run that is verified, from the tally of its values.
 
 use super::tally::Tally;
+use crate::model::run::scale::{Measures, Span, counts_from_zero, family};
 use std::collections::BTreeMap;
-
-/// A quantity that changes by less than this share of its size is a constant: it is compared with its size.
-const CONSTANT: f64 = 1e-6;
-/// A quantity below this share of what its unit amounts to in the machine is zero: the round-off of large numbers that cancel.
-const ZERO: f64 = 1e-9;
-/// Strains and quaternions: a strain of 1e-12 is round-off.
-const PURE_NUMBER: f64 = 1e-3;
-
-/// What units amount to in a machine.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measures {
-    /// Its extent, m.
-    pub size: f64,
-    /// The time that is simulated, s.
-    pub duration: f64,
-    /// Its largest energy, J.
-    pub energy: f64,
-    /// Gravity, m/s²: at rest it is what accelerations cancel against.
-    pub gravity: f64,
-}
-
-impl Measures {
-    /// One of a unit, in the unit; 0: not known.
-    pub fn natural(&self, unit: &str) -> f64 {
-        let Self { size, duration, energy, gravity } = *self;
-        match unit {
-            "m" => size,
-            "m/s" => size / duration,
-            "m/s2" => gravity.max(size / (duration * duration)),
-            "rad" => 1.0,
-            "rad/s" => 1.0 / duration,
-            "1/m" | "rad/m" => 1.0 / size,
-            "" => PURE_NUMBER,
-            "N" => energy / size,
-            "N.m" | "J" => energy,
-            "kg.m/s" => energy * duration / size,
-            "kg.m2/s" => energy * duration,
-            _ => 0.0,
-        }
-    }
-}
-
-/// The family of all energies.
-pub const ENERGY: &str = "energy";
-
-/// The quantity that a column is a component of: `tip.velocity` of `tip.velocity[2]`; all energies are one.
-pub fn family(name: &str) -> &str {
-    if name.starts_with("energy.") { ENERGY } else { name.split('[').next().unwrap_or(name) }
-}
 
 /// The scales of columns, each given with its unit: those of the quantities that they belong to; 0: the quantity is zero.
 pub fn scales(columns: &[(&str, &str, &Tally)], measures: &Measures) -> Vec<f64> {
@@ -65,28 +14,6 @@ pub fn scales(columns: &[(&str, &str, &Tally)], measures: &Measures) -> Vec<f64>
     columns.iter().map(|(name, unit, _)| spans[family(name)].scale(measures.natural(unit))).collect()
 }
 
-/// How far the components of a quantity range, and how large they are.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Span {
-    /// The largest range.
-    pub range: f64,
-    /// The largest size.
-    pub size: f64,
-}
-
-impl Span {
-    /// Includes a component with this range and size.
-    pub fn include(&mut self, range: f64, size: f64) {
-        (self.range, self.size) = (self.range.max(range), self.size.max(size));
-    }
-
-    /// The scale of a quantity whose unit amounts to `natural`; 0: it is zero.
-    pub fn scale(self, natural: f64) -> f64 {
-        let scale = if self.range > CONSTANT * self.size { self.range } else { self.size };
-        if scale > ZERO * natural { scale } else { 0.0 }
-    }
-}
-
 /// The largest energy of a run, J.
 pub fn energy(columns: &[(&str, &str, &Tally)]) -> f64 {
     let energies = columns.iter().filter(|(name, ..)| name.starts_with("energy."));
@@ -96,11 +23,6 @@ pub fn energy(columns: &[(&str, &str, &Tally)]) -> f64 {
 /// How far a column ranges.
 fn range(name: &str, tally: &Tally) -> f64 {
     if counts_from_zero(name) { tally.size() } else { tally.range() }
-}
-
-/// Whether a column ranges from zero on: kinetic and elastic energy are zero at rest and as drawn; that of gravity may have any constant.
-pub fn counts_from_zero(name: &str) -> bool {
-    matches!(name, "energy.kinetic" | "energy.elastic")
 }
 
 #[cfg(test)]

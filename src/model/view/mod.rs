@@ -2,6 +2,8 @@
 //!
 //! A [`Recording`] is made of a simulation as drawn, before its initial state is found, and looks at it whenever it is told to.
 
+pub mod drawing;
+pub mod modes;
 mod profile;
 mod recorder;
 mod scene;

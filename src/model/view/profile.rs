@@ -1,9 +1,9 @@
-//! Outlines of sections and solids of bodies, from what the machine knows of them.
+//! Outlines of sections and solids of bodies, from what the system knows of them.
 
 use crate::mechanics::beam::section::Outline;
 use crate::mechanics::body::rigid_body::RigidBody;
-use crate::model::document::Document;
-use crate::model::entries::section::Section;
+use crate::model::file::document::Document;
+use crate::model::file::entries::section::SectionSpec;
 
 /// The outline of a section, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,8 +33,8 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// Of a beam whose outline the machine knows as `outline`; `section` is the file's.
-    pub(super) fn new(document: &Document, section: &Section, outline: &Outline) -> Self {
+    /// Of a beam whose outline the system knows as `outline`; `section` is the file's.
+    pub(super) fn new(document: &Document, section: &SectionSpec, outline: &Outline) -> Self {
         match *outline {
             Outline::Rectangle { width, height } => Self::Rectangle { width, height },
             Outline::Circle { radius } => Self::Ellipse { y: radius, z: radius },

@@ -3,14 +3,14 @@
 use super::scene::{Scene, Watched};
 use super::stations::{RESULTS, Stations, quaternion, steps};
 use crate::math::Vec3;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::force::load::Direction;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
-use crate::model::simulation::Simulation;
+use crate::model::run::simulation::Simulation;
 
 /// Numbers of one kind at all instants: instant by instant, in each thing by thing, of each its components.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,7 +100,7 @@ impl Recording {
         let c = self.frames.of(system, state);
         look(&self.watched, system, state, &c, &mut seen);
         if let Some(multipliers) = simulation.multipliers() {
-            let passage = state.passage();
+            let passage = Passage::of(state);
             let loads = JointLoads { system, c: &c, passage: &passage, multipliers };
             let place = KINDS.len() + RESULTS.len();
             for (number, _) in &self.watched.joints {

@@ -5,12 +5,12 @@ use super::stations::{Stations, ranges};
 use crate::math::Vec3;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::system::System;
-use crate::model::document::Document;
-use crate::model::entries::anchor::Spot;
-use crate::model::entries::joint::JointKind;
-use crate::model::entries::load;
-use crate::model::entries::output::Target;
-use crate::model::entries::simulation::Analysis;
+use crate::model::file::document::Document;
+use crate::model::file::entries::joint::JointKind;
+use crate::model::file::entries::load;
+use crate::model::file::entries::output::Target;
+use crate::model::file::entries::simulation::Analysis;
+use crate::model::file::reader::anchor::Spot;
 use std::ops::Range;
 
 /// The mechanism as a picture needs it.
@@ -24,7 +24,7 @@ pub struct Scene {
     pub is_dynamic: bool,
     /// Gravity, m/s².
     pub gravity: [f64; 3],
-    /// What all places are counted from, global, m: the middle of a machine that is far from the global origin, so that single precision is enough for them.
+    /// What all places are counted from, global, m: the middle of a system that is far from the global origin, so that single precision is enough for them.
     pub origin: [f64; 3],
     /// Largest extent as drawn, m.
     pub size: f64,

@@ -1,11 +1,11 @@
 //! Natural modes as a picture shows them: how stations and bodies move.
 
+use super::modes::{Kind, Mode, Modes};
 use super::recorder::{Recording, tied};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::frame_cache::FrameCache;
-use crate::model::modes::{Kind, Mode, Modes};
-use crate::model::simulation::Simulation;
+use crate::model::run::simulation::Simulation;
 
 /// A natural mode: how it moves stations and bodies, in units of the mode.
 #[derive(Clone, Debug, PartialEq)]

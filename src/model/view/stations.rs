@@ -3,8 +3,8 @@
 use crate::math::Vec3;
 use crate::math::rotation::{quaternion_of_triad, rotation_matrix};
 use crate::mechanics::beam::Beam;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::System;
 use nalgebra::Matrix3;

@@ -11,11 +11,10 @@
 
 use super::start::Dynamics;
 use crate::error::Error;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::{Energies, EnergyBalance, Losses};
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -29,7 +28,7 @@ use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::response::{Responder, Response};
 
-/// Largest spectral radius for machines with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
+/// Largest spectral radius for systems with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
 const LARGEST_RADIUS: f64 = 0.99;
 
 /// Integrator and its scratch memory; nothing in it outlives a step.
@@ -87,13 +86,13 @@ struct Scratch {
     conditions: Vec<f64>,
     excitation: Excitation,
     prescribed: Prescribed,
-    frames: Vec<NodeFrame>,
+    frames: FrameCache,
     gradients: Vec<JointGradient>,
 }
 
 impl GeneralizedAlpha {
     /// For `system`; the amplitude of a vibration far too fast for the step is multiplied by `spectral_radius` (0 to 1) a step. With 1,
-    /// multipliers are not damped and grow: machines with joints need less. Newton ends when its correction is below `tolerance`.
+    /// multipliers are not damped and grow: systems with joints need less. Newton ends when its correction is below `tolerance`.
     pub fn new(system: &System, spectral_radius: f64, tolerance: f64) -> Self {
         assert!((0.0..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
@@ -144,7 +143,7 @@ fn set_accelerations(responder: &mut Responder, system: &System, state: &mut Sta
 }
 
 impl GeneralizedAlpha {
-    /// Why its spectral radius should not be used with a machine; none: it can.
+    /// Why its spectral radius should not be used with a system; none: it can.
     pub fn objection(&self, system: &System) -> Option<String> {
         let spectral_radius = self.spectral_radius;
         (spectral_radius > LARGEST_RADIUS && system.constraints() > 0).then(|| {
@@ -221,7 +220,7 @@ impl Scratch {
             self.acceleration[index] = ((1.0 - alpha_m) * a_end + alpha_m * a - alpha_f * q_tt) / (1.0 - alpha_f);
             self.algorithmic[index] = a_end;
         }
-        system.frames(&self.q, &state.triads, &mut self.frames);
+        self.frames.set(system, &self.q, &state.triads);
         system.mass_times(&self.velocity, &mut self.momentum);
         system.mass_times(&self.acceleration, &mut self.momentum_rate);
     }

@@ -10,7 +10,7 @@ use crate::solve::newton::kkt::Kkt;
 use crate::solve::statics::Statics;
 use crate::solve::step::projection::Projection;
 
-/// Largest gap of a joint as drawn, in m per m of the machine's size (at least 1 m) or as the cosine of an angle: rounding of the file's numbers.
+/// Largest gap of a joint as drawn, in m per m of the system's size (at least 1 m) or as the cosine of an angle: rounding of the file's numbers.
 const DRAWN_GAP: f64 = 1e-9;
 /// Velocities whose change has less than this share of their kinetic energy are taken as given.
 const CHANGED: f64 = 1e-12;
@@ -63,7 +63,7 @@ pub fn check_assembled(system: &System, state: &State) -> Result<(), Error> {
     Ok(())
 }
 
-/// Checks that the drives begin where the machine is drawn: at zero.
+/// Checks that the drives begin where the system is drawn: at zero.
 ///
 /// # Errors
 /// One does not, or is not defined at the start.
@@ -80,11 +80,11 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
     Ok(())
 }
 
-/// Finds the equilibrium at the time of `state`, from the machine as drawn: drives stand still at their values of that time.
+/// Finds the equilibrium at the time of `state`, from the system as drawn: drives stand still at their values of that time.
 /// Velocities are zero then. Returns what the user should know of it.
 ///
 /// # Errors
-/// There is none, or a part of the machine can move freely.
+/// There is none, or a part of the system can move freely.
 pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> Result<Vec<String>, Error> {
     let mut statics = Statics::new(system, tolerance);
     statics.find(system, state, state.time)?;
@@ -128,7 +128,7 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
     state.prescribed = system.prescribe_start(state.time, &state.targets);
     let given = state.velocity.clone();
     system.mass_times(&state.velocity, &mut state.momentum);
-    Projection::once(system).set_velocity(system, integrator.kkt(), &mut Vec::new(), state)?;
+    Projection::once(system).set_velocity(system, integrator.kkt(), &mut FrameCache::default(), state)?;
     integrator.kkt().check_unique(system, state.time)?;
     system.mass_times(&state.velocity, &mut state.momentum);
     state.strays.fill(0.0);

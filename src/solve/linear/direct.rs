@@ -1,5 +1,5 @@
 //! The direct solver of a constrained system: front by front (`multifrontal`), and a general sparse LU (`sparse_lu`) where that gives no accurate
-//! solution, as without the mass of a body or with a floating machine.
+//! solution, as without the mass of a body or with a floating system.
 
 use super::elimination_tree::Unknowns;
 use super::multifrontal::Multifrontal;

@@ -10,7 +10,7 @@ use super::ordering::minimum_degree;
 use crate::math::blocks::Blocks;
 use std::ops::Range;
 
-/// As how many groups of coordinates a body counts in the search for an order: more than the neighbours of a node of a beam.
+/// As how many groups of coordinates a body counts in the search for an order: more than the neighbors of a node of a beam.
 const BODY_WEIGHT: usize = 4;
 
 /// What the unknowns of a constrained system are, in their order.
@@ -80,7 +80,7 @@ pub struct Piece {
     pub columns: usize,
 }
 
-/// Neighbouring rows.
+/// Neighboring rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
     /// The first one where they come from.
@@ -177,7 +177,7 @@ impl Fronts {
             list.sort_unstable();
             list.dedup();
         }
-        // Coordinates alone: those that a multiplier ties together are neighbours.
+        // Coordinates alone: those that a multiplier ties together are neighbors.
         let coordinates = multipliers.start;
         let mut graph: Vec<Vec<usize>> = (0..coordinates)
             .map(|group| links[group].iter().copied().filter(|other| *other < coordinates).collect())
@@ -318,7 +318,7 @@ impl Places {
         self.end - length
     }
 
-    /// Makes a gap, one with its neighbours.
+    /// Makes a gap, one with its neighbors.
     fn give_back(&mut self, begin: usize, length: usize) {
         let place = self.gaps.partition_point(|(other, _)| *other < begin);
         self.gaps.insert(place, (begin, length));
@@ -347,7 +347,7 @@ struct Order<'a> {
 }
 
 impl<'a> Order<'a> {
-    /// Of the groups of coordinates in the order `list`; `links` are the neighbours of each group.
+    /// Of the groups of coordinates in the order `list`; `links` are the neighbors of each group.
     fn new(groups: &'a Groups, links: &[Vec<usize>], list: &[usize], multipliers: Range<usize>) -> Self {
         let mut front_of = vec![0; groups.count()];
         list.iter().enumerate().for_each(|(front, group)| front_of[*group] = front);
@@ -373,7 +373,7 @@ impl<'a> Order<'a> {
             renumbered[*group] = count;
             count += groups.unknowns(*group).len();
         }
-        // What is eliminated later: neighbours in the matrix, and what children leave.
+        // What is eliminated later: neighbors in the matrix, and what children leave.
         let mut borders: Vec<Vec<usize>> = vec![Vec::new(); list.len()];
         let mut children: Vec<Vec<usize>> = vec![Vec::new(); list.len()];
         for front in 0..list.len() {

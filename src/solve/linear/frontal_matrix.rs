@@ -22,7 +22,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Distance of neighbouring columns.
+    /// Distance of neighboring columns.
     pub fn stride(self) -> usize {
         self.pivots + self.border.next_multiple_of(LANES)
     }

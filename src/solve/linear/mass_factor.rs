@@ -1,4 +1,4 @@
-//! The constant mass matrix, factorized once for a machine: `M⁻¹`.
+//! The constant mass matrix, factorized once for a system: `M⁻¹`.
 //!
 //! It falls apart into chains of unknowns that have nothing to do with each other: along a beam the coordinates along x, those along y, those along z, and the
 //! angles; each coordinate of a body. The three axes have the same masses and share a factor. In the order of the nodes a chain has entries beside its diagonal only.
@@ -37,7 +37,7 @@ impl Chain {
     }
 }
 
-/// The chains of a machine.
+/// The chains of a system.
 #[derive(Debug)]
 pub struct MassFactor {
     /// In the order of their first unknowns.
@@ -116,7 +116,7 @@ fn root(chain: &mut [usize], mut unknown: usize) -> usize {
     unknown
 }
 
-/// Makes one of each three neighbours that are alike.
+/// Makes one of each three neighbors that are alike.
 fn merged(chains: Vec<Chain>) -> Vec<Chain> {
     let mut all = Vec::with_capacity(chains.len());
     let mut rest = chains.into_iter();

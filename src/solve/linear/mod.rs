@@ -11,7 +11,7 @@ pub mod ordering;
 pub mod sparse_ldl;
 pub mod sparse_lu;
 
-/// Refinement steps at most; one restores the digits that stiff beams cost, the others are for near-singular machines.
+/// Refinement steps at most; one restores the digits that stiff beams cost, the others are for near-singular systems.
 pub(super) const REFINEMENTS: usize = 4;
 /// Largest componentwise backward error of an accepted solution (Oettli-Prager): a normwise one looks fine on solutions wrong in the fifth digit.
 pub(super) const BACKWARD_ERROR: f64 = 1e-12;
@@ -24,7 +24,7 @@ pub(super) const NEGLIGIBLE: f64 = 1e-10;
 pub(super) const SMALLEST_SOLUTION: f64 = 1e-280;
 
 /// A direction that the matrix maps to less than this share of its terms is a null direction. Measured: 1e-16 and below for free and
-/// doubly held machines (round-off of a row's sum), 2.5e-13 and 3.2e-15 for the softest direction of a slender cantilever of 1,000
+/// doubly held systems (round-off of a row's sum), 2.5e-13 and 3.2e-15 for the softest direction of a slender cantilever of 1,000
 /// and 3,000 elements. From some 4,000 on, such a beam cannot be told from a free one in double precision.
 pub(super) const ROUND_OFF: f64 = 1e-15;
 

@@ -2,15 +2,15 @@
 //!
 //! `K` holds the stiffness of sections, springs and loads and the curvature of the constraints under their forces. Drives and moving
 //! frames stand where they are; damping and velocities are left out. The block of subspace.rs is taken through `K + μ M`, `μ > 0`
-//! beyond the most unstable motion: machines that can move freely have a singular `K`, unstable ones an indefinite one.
+//! beyond the most unstable motion: systems that can move freely have a singular `K`, unstable ones an indefinite one.
 
 pub mod subspace;
 
 use self::subspace::{Subspace, combination, dot};
 use crate::error::Error;
 use crate::math::blocks::Blocks;
-use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -18,7 +18,7 @@ use crate::solve::linear::irregular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::response::{Responder, Response};
 
-/// `ω²` below this share of what its terms would add up to without cancelling is round-off. Measured: 2e-16 and below for free beams
+/// `ω²` below this share of what its terms would add up to without canceling is round-off. Measured: 2e-16 and below for free beams
 /// in any direction, 2e-11 for the first mode of a beam a thousand times as long as high, 16 elements, in an oblique direction.
 pub const ROUND_OFF: f64 = 2e-14;
 
@@ -28,12 +28,12 @@ const GUARDS: usize = 8;
 const MOST_SWEEPS: usize = 2000;
 /// Errors of the vectors at which the sweeps end: `ω²` has their square.
 const ACCURATE: f64 = 1e-10;
-/// Errors at which the sweeps end when they do not fall any more: round-off of stiff machines.
+/// Errors at which the sweeps end when they do not fall any more: round-off of stiff systems.
 const ACCEPTABLE: f64 = 1e-6;
 /// A vector whose number can be trusted to one digit.
 const ROUGH: f64 = 0.1;
 
-/// First `μ`, and the least, as shares of the `ω²` of a motion without pattern, which is near the largest one of the machine.
+/// First `μ`, and the least, as shares of the `ω²` of a motion without pattern, which is near the largest one of the system.
 const FIRST_SHIFT: f64 = 1e-8;
 const LEAST_SHIFT: f64 = 1e-14;
 /// `μ` as a share of an `ω²` a little beyond the wanted ones, and as a multiple of what is beyond zero.
@@ -77,7 +77,7 @@ pub struct Modes {
     pub modes: Vec<Mode>,
     /// How many motions the constraints leave.
     pub freedoms: usize,
-    /// How far from the state the nearest equilibrium is by its stiffness: lengths over the machine's size, slopes, rad.
+    /// How far from the state the nearest equilibrium is by its stiffness: lengths over the system's size, slopes, rad.
     pub imbalance: f64,
     /// Largest skew part of the stiffness (follower loads, moments about axes that stand still) between two of the softest motions, also
     /// beyond those asked for, as a share of the larger of their `|ω²|`. Modes are those of the symmetric part.
@@ -122,7 +122,7 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
         let mut found: Vec<(f64, f64)> = ritz.iter().map(|ritz| (1.0 / ritz.inverse - shift, ritz.error)).collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let lowest = found.iter().filter(|own| own.1 < ROUGH).map(|own| own.0).fold(0.0, f64::min);
-        // Of a vector beyond the wanted ones: these may all be zero, where nothing holds the machine or it is about to buckle.
+        // Of a vector beyond the wanted ones: these may all be zero, where nothing holds the system or it is about to buckle.
         let beyond = found.get(wanted + GUARDS / 2).or(found.last()).map_or(0.0, |own| own.0);
         found.truncate(wanted);
         let error = found.iter().map(|own| own.1).fold(0.0, f64::max);
@@ -191,7 +191,7 @@ fn without_pattern(system: &System) -> (Vec<f64>, f64) {
     (vector, mass)
 }
 
-/// What coordinate `index` is measured in: the machine's size, m, or 1.
+/// What coordinate `index` is measured in: the system's size, m, or 1.
 fn size(system: &System, index: usize) -> f64 {
     if system.is_place(index) { system.size } else { 1.0 }
 }
@@ -208,7 +208,7 @@ fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt)
     kkt.blocks.clone()
 }
 
-/// `ω²` of a motion without pattern, if nothing cancelled, 1/s²: by the stiffness, and by what the forces that act, of constraints and
+/// `ω²` of a motion without pattern, if nothing canceled, 1/s²: by the stiffness, and by what the forces that act, of constraints and
 /// of inertia, would do in such a motion: a stiffness far below that is round-off of theirs.
 fn scales(system: &System, stiffness: &Blocks, response: &Response) -> [f64; 2] {
     let (vector, mass) = without_pattern(system);
@@ -219,7 +219,7 @@ fn scales(system: &System, stiffness: &Blocks, response: &Response) -> [f64; 2] 
     [stiffness.magnitude(&vector) / mass, (transmitted + accelerating) / mass]
 }
 
-/// Size of the correction by which Newton would go to the equilibrium from where the machine has this `acceleration`.
+/// Size of the correction by which Newton would go to the equilibrium from where the system has this `acceleration`.
 fn imbalance(system: &System, acceleration: &[f64], kkt: &mut Kkt) -> f64 {
     let mut right = vec![0.0; system.coordinates() + system.constraints()];
     system.mass_times(acceleration, &mut right[..system.coordinates()]);

@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::{System, copy_corner, copy_transposed};
 use crate::solve::linear::direct::DirectSolver;
 use crate::solve::linear::elimination_tree::Unknowns;
@@ -19,10 +19,10 @@ const SHIFT: f64 = 1e-10;
 /// much that the round-off of conditions (1e-16 over it) stays below the softest motions.
 const YIELDING: f64 = 1e-5;
 
-/// Matrix and factorization of one machine's constrained system.
+/// Matrix and factorization of one constrained system.
 #[derive(Debug)]
 pub struct Kkt {
-    /// The matrix; the machine's tangent blocks come first.
+    /// The matrix; the system's tangent blocks come first.
     pub blocks: Blocks,
     /// First of each joint's four constraint blocks: columns of a and b, rows of a and b.
     joints: Vec<usize>,
@@ -138,7 +138,7 @@ impl Kkt {
     /// Factorizes and solves in place.
     ///
     /// # Errors
-    /// The matrix is singular: the error names the part of the machine that the lost direction moves most.
+    /// The matrix is singular: the error names the part of the system that the lost direction moves most.
     pub fn solve(&mut self, system: &System, vector: &mut [f64], time: f64) -> Result<(), Error> {
         let solved = self.solver.factorize(&self.blocks).and_then(|()| self.solver.solve(&self.blocks, vector));
         solved.map_err(|Singular| self.singular(system, time))
@@ -147,13 +147,13 @@ impl Kkt {
     /// Factorizes, for [`Self::solve_again`].
     ///
     /// # Errors
-    /// The matrix is singular: the error names the part of the machine that the lost direction moves most.
+    /// The matrix is singular: the error names the part of the system that the lost direction moves most.
     pub fn factorize(&mut self, system: &System, time: f64) -> Result<(), Error> {
         let factorized = self.solver.factorize(&self.blocks);
         factorized.map_err(|Singular| self.singular(system, time))
     }
 
-    /// The error of a matrix that is singular: it names the part of the machine that the lost direction moves most.
+    /// The error of a matrix that is singular: it names the part of the system that the lost direction moves most.
     fn singular(&self, system: &System, time: f64) -> Error {
         Error::Singular { time, what: self.lost_direction(system) }
     }
@@ -221,7 +221,7 @@ impl Kkt {
     /// without loads has.
     ///
     /// # Errors
-    /// A part of the machine can move freely, or is held twice.
+    /// A part of the system can move freely, or is held twice.
     pub fn check_unique(&mut self, system: &System, time: f64) -> Result<(), Error> {
         match self.solver.regularity(&self.blocks) {
             Regularity::Regular => Ok(()),
@@ -260,7 +260,7 @@ impl Kkt {
     }
 }
 
-/// The unknowns of a machine; `inertia`: the matrix has the masses in it.
+/// The unknowns of a system; `inertia`: the matrix has the masses in it.
 pub fn unknowns(system: &System, inertia: bool) -> Unknowns {
     let nodes = system.mesh.coordinates();
     Unknowns { nodes, bodies: system.coordinates() - nodes, multipliers: system.constraints(), inertia }
@@ -290,7 +290,7 @@ fn advice(system: &System, index: usize) -> String {
     }
 }
 
-/// The machine's tangent blocks, then four constraint blocks a joint.
+/// The system's tangent blocks, then four constraint blocks a joint.
 fn constraint_layout(system: &System) -> (Blocks, Vec<usize>) {
     let mut blocks = Blocks::default();
     system.push_tangent_blocks(&mut blocks);

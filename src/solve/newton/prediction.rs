@@ -1,7 +1,7 @@
 //! Where a midpoint step starts its iteration: at the increment that the last steps lead to.
 //!
 //! Three predictions compete: `Dq = h v`, with the mean acceleration of the last step `h v + h²/2 a`, and with that of the last two continued,
-//! `h v + h²/2 (2 a − a')`. The one that would have predicted the last step best is taken: of a smooth motion the last one, of a machine that trembles the first.
+//! `h v + h²/2 (2 a − a')`. The one that would have predicted the last step best is taken: of a smooth motion the last one, of a system that trembles the first.
 
 use super::Convergence;
 use crate::mechanics::state::{Prediction, Shrinking, State};

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with the factorized tangent for `R_z`: one factorization an internal step serves all inputs. Derivatives of `R` and `F` along a direction
-//! are central differences of fourth order of these explicit functions, without any iteration: with steps of `REACH` of the machine's
+//! are central differences of fourth order of these explicit functions, without any iteration: with steps of `REACH` of the system's
 //! size and of a radian what they leave out is about 1e-12 of the derivative, what rounding adds a little more. A second solve takes
 //! out what the tangent leaves out. Velocities that follow by projection, and the response of the end, are solved for alike.
 
@@ -20,6 +20,7 @@ use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::variation::Variation;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
@@ -27,7 +28,7 @@ use crate::solve::step::integrator::Integrator;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::response::{Responder, Response};
 
-/// Largest change of a coordinate for differences: over the machine's size, or rad.
+/// Largest change of a coordinate for differences: over the system's size, or rad.
 const REACH: f64 = 1e-3;
 /// Offsets and weights of the central difference of fourth order.
 pub const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
@@ -41,7 +42,7 @@ pub trait Inputs {
     /// Number of inputs.
     fn count(&self) -> usize;
 
-    /// The change of input `number` that changes a motion by about the machine's size or a radian, or a load by about itself.
+    /// The change of input `number` that changes a motion by about the system's size or a radian, or a load by about itself.
     fn unit(&self, number: usize) -> f64;
 
     /// Sets `targets` to what the host wants with input `number` changed by `change`.
@@ -84,7 +85,7 @@ struct Scratch {
 }
 
 impl Sensitivity {
-    /// Of a machine that starts a communication step at `start`, which depends on none of the `inputs` of that step.
+    /// Of a system that starts a communication step at `start`, which depends on none of the `inputs` of that step.
     pub fn new(system: &System, start: &State, inputs: &impl Inputs) -> Self {
         let mut columns: Vec<Column> = Vec::new();
         columns.resize_with(inputs.count(), Column::default);
@@ -281,7 +282,7 @@ pub fn along_motion(system: &System, state: &State, acceleration: &[f64], mut re
     variation.velocity.copy_from_slice(acceleration);
     let speed = f64::max(system.correction_size(&state.velocity).0, state.prescribed.fastest(system.size));
     let unit = if speed > 0.0 { REACH / speed.max(f64::MIN_POSITIVE) } else { 1.0 };
-    let (mut moved, mut frames) = (State::default(), Vec::new());
+    let (mut moved, mut frames) = (State::default(), FrameCache::default());
     for (offset, weight) in STENCIL {
         let by = offset * unit;
         moved.clone_from(state);

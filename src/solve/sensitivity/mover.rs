@@ -1,12 +1,12 @@
 //! States as they would be, had the host given something else.
 
 use super::{Inputs, REACH};
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::configuration::Configuration;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::variation::Variation;
 
 /// A communication step.
@@ -56,7 +56,7 @@ impl<N: Inputs> Step<'_, N> {
 pub(super) struct Mover {
     moved: State,
     motion: Prescribed,
-    frames: Vec<NodeFrame>,
+    frames: FrameCache,
 }
 
 impl Mover {
@@ -91,8 +91,7 @@ impl Mover {
         state: &'a State,
         gradients: &mut Vec<JointGradient>,
     ) -> Configuration<'a> {
-        system.frames(&state.q, &state.triads, &mut self.frames);
-        let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
+        let configuration = self.frames.of(system, state);
         system.constraint_gradients(&configuration, gradients);
         configuration
     }

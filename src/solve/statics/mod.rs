@@ -10,11 +10,10 @@ pub mod stability;
 
 use self::stability::{Judgement, Stability};
 use crate::error::Error;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -60,8 +59,8 @@ struct Scratch {
     multipliers: Vec<f64>,
     forces: Vec<f64>,
     conditions: Vec<f64>,
-    frames: Vec<NodeFrame>,
-    frames_before: Vec<NodeFrame>,
+    frames: FrameCache,
+    frames_before: FrameCache,
     gradients: Vec<JointGradient>,
 }
 
@@ -96,7 +95,7 @@ impl Statics {
     /// Finds the equilibrium of `time` (s) from `state` and writes it there, by a ramp where need be.
     ///
     /// # Errors
-    /// The ramp got stuck, or a part of the machine can move freely; `state` is as it was but for the counts of iterations and rejections.
+    /// The ramp got stuck, or a part of the system can move freely; `state` is as it was but for the counts of iterations and rejections.
     pub fn find(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         let first = state.statistics.steps == 0;
         if !first && self.stability.known().is_none_or(|known| known.time != state.time) {
@@ -116,7 +115,7 @@ impl Statics {
             next.clone_from(state);
             next.statistics = tried;
             let relaxed = self.relax(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
-            // Of two failures the first one is about the machine as drawn.
+            // Of two failures the first one is about the system as drawn.
             outcome = match (outcome, relaxed) {
                 (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
                 (_, relaxed @ Err(Error::Singular { .. })) => relaxed,
@@ -223,7 +222,7 @@ impl Statics {
         self.kkt.factorize(system, state.time)
     }
 
-    /// Whether the machine at `state` has a free part, or one that is held twice: the reason why no load, however small, can be borne.
+    /// Whether the system at `state` has a free part, or one that is held twice: the reason why no load, however small, can be borne.
     ///
     /// # Errors
     /// It has one.
@@ -310,10 +309,8 @@ impl Statics {
         state.statistics.iterations = iterations;
         self.convergence = Some(solved?);
         let scratch = &mut self.scratch;
-        system.frames(&state.q, &state.triads, &mut scratch.frames_before);
-        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
-        let before = system.configuration(&state.q, &scratch.frames_before, state, &state.prescribed);
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, &self.current_motion);
+        let before = scratch.frames_before.of(system, state);
+        let configuration = scratch.frames.at(system, &scratch.q, state, &self.current_motion);
         system.check_twist_change(&before, &configuration, time)?;
         system.check(&configuration, state, LARGEST_TURN, time)?;
         state.q.copy_from_slice(&scratch.q);
@@ -379,8 +376,7 @@ impl Problem for Equilibrium<'_> {
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
         let (system, state) = (self.system, self.state);
         let scratch = &mut *self.scratch;
-        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, self.motion);
+        let configuration = scratch.frames.at(system, &scratch.q, state, self.motion);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &Passage::Rest, self.excitation, 1.0, forces, tangent);
         kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
@@ -440,8 +436,7 @@ impl Linearized for Statics {
     fn balance(&mut self, system: &System, state: &State, _span: Span, unknowns: &[f64], right: &mut [f64]) {
         let (mut problem, _) = self.at(system, state, unknowns);
         let scratch = &mut *problem.scratch;
-        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, problem.motion);
+        let configuration = scratch.frames.at(system, &scratch.q, state, problem.motion);
         system.forces(&configuration, &Passage::Rest, problem.excitation, &mut scratch.forces);
         system.constraint_gradients(&configuration, &mut scratch.gradients);
         problem.balance(right);
@@ -452,7 +447,7 @@ impl Linearized for Statics {
         next.clone_from(state);
         next.q.copy_from_slice(q);
         next.multipliers.copy_from_slice(multipliers);
-        system.frames(&next.q, &next.triads, &mut self.scratch.frames);
+        self.scratch.frames.set(system, &next.q, &next.triads);
         system.carry_references(next, &self.scratch.frames);
     }
 }

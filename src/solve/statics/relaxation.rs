@@ -1,4 +1,4 @@
-//! The first equilibrium of a machine that has no stiffness as drawn: what hangs slack falls, without swinging, to where it hangs.
+//! The first equilibrium of a system that has no stiffness as drawn: what hangs slack falls, without swinging, to where it hangs.
 //!
 //! Pseudo-transient continuation: `[K + μ M, Gᵀ; G, 0]`, one linear solve a step, `μ` falling where the potential falls and rising
 //! where it does not. It ends where Newton without `μ` takes over. A motion that stays free is found by that.
@@ -11,7 +11,7 @@ use crate::solve::newton::Problem;
 
 /// Most steps; a fall from a quarter turn away takes some twenty.
 const STEPS: usize = 500;
-/// Largest correction of a step: lengths over the machine's size, slopes and angles in rad.
+/// Largest correction of a step: lengths over the system's size, slopes and angles in rad.
 const LARGEST_CORRECTION: f64 = 0.3;
 /// A correction that Newton can be trusted with.
 const NEAR: f64 = 1e-4;
@@ -26,7 +26,7 @@ const LARGEST_SHARE: f64 = 0.05;
 const SMALLEST_SHARE: f64 = 1e-4;
 
 impl Statics {
-    /// Lets the machine fall from `state` to the equilibrium under the whole excitation of `time`, s, and writes it there.
+    /// Lets the system fall from `state` to the equilibrium under the whole excitation of `time`, s, and writes it there.
     ///
     /// # Errors
     /// It does not come to rest, or a part of it can move freely.
@@ -41,7 +41,7 @@ impl Statics {
             self.current_motion.set_between(&self.begin.prescribed, &self.target_motion, next);
             let given = (&self.current, &self.current_motion);
             Equilibrium::near(system, state, time, given, &mut self.scratch).linearize(&mut self.kkt, &mut self.right);
-            // At first so much that free fall would make steps of a tenth of the machine.
+            // At first so much that free fall would make steps of a tenth of the system.
             let current = *damping.get_or_insert_with(|| {
                 let first = first_damping(system, &self.right);
                 most = MOST_DAMPING * first;
@@ -78,7 +78,7 @@ impl Statics {
         Ok(())
     }
 
-    /// Takes the correction in `right` into `state`, if the machine bears it.
+    /// Takes the correction in `right` into `state`, if the system bears it.
     fn accept(&mut self, system: &System, state: &mut State, time: f64) -> bool {
         let scratch = &mut self.scratch;
         let (coordinates, multipliers) = self.right.split_at(state.q.len());
@@ -88,8 +88,7 @@ impl Statics {
         for (value, change) in scratch.multipliers.iter_mut().zip(multipliers) {
             *value += change;
         }
-        system.frames(&scratch.q, &state.triads, &mut scratch.frames);
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, &self.current_motion);
+        let configuration = scratch.frames.at(system, &scratch.q, state, &self.current_motion);
         if system.check(&configuration, state, LARGEST_TURN, time).is_err() {
             return false;
         }
@@ -101,7 +100,7 @@ impl Statics {
     }
 }
 
-/// `μ` at which the acceleration of the whole machine by its unbalanced forces makes a step of a tenth of its size, 1/s².
+/// `μ` at which the acceleration of the whole system by its unbalanced forces makes a step of a tenth of its size, 1/s².
 fn first_damping(system: &System, forces: &[f64]) -> f64 {
     let coordinates = system.coordinates();
     let mut ones = vec![0.0; coordinates];

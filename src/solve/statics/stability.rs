@@ -139,7 +139,7 @@ fn moved(system: &System, state: &State, softest: &Softest) -> String {
     system.most_moved(&snapshot.of(system, state), &softest.shape).what
 }
 
-/// The softest motion of the machine whose matrix `kkt` has and has factorized; it then has another one. None where it is not found.
+/// The softest motion of the system whose matrix `kkt` has and has factorized; it then has another one. None where it is not found.
 pub fn softest(system: &System, kkt: &mut Kkt, time: f64) -> Option<Softest> {
     let stiffness = kkt.blocks.symmetric_part();
     modes::positive_shift(system, kkt, &stiffness, modes::first_shift(system, &stiffness), time).ok()?;

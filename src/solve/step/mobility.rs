@@ -1,9 +1,9 @@
 //! How easily a step moves a spring or damper: `J (M + h²/4 K)⁻¹ Jᵀ` of what it measures, on the motions that the constraints allow. One over it is the mass, or
 //! the moment of inertia, that a damper has to stop within a step; the stiffness of a beam holds the little inertia of its end.
 
-use crate::mechanics::beam::configuration::Passage;
 use crate::mechanics::force::spring::{Spring, coordinate_q};
 use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;

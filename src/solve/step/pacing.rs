@@ -32,7 +32,7 @@ const LEAST_SHARE: f64 = 0.015;
 /// steps up less, and are passed over where they are small.
 const MANY_STEPS: f64 = 20_000.0;
 const SHORT_SHARE: f64 = 0.02;
-/// Ranges so far are at least this, of the machine's size or rad.
+/// Ranges so far are at least this, of the system's size or rad.
 const LEAST_RANGE: f64 = 1e-4;
 /// The same at a start, and after which share of the duration that has faded.
 const STARTING_RANGE: f64 = 1e-2;
@@ -44,7 +44,7 @@ const FADING: f64 = 0.9;
 /// How much longer than wanted a step may be to end where it has to, and the share of that below which it ended early.
 const STRETCH: f64 = 1.1;
 const ENDED_EARLY: f64 = 0.9;
-/// Shortest and longest step, as shares of the duration: a machine at rest does not step over what happens to it.
+/// Shortest and longest step, as shares of the duration: a system at rest does not step over what happens to it.
 const SHORTEST: f64 = 1e-12;
 const LONGEST: f64 = 0.02;
 /// Shortest step as a share of the time itself: ends of steps are rounded.
@@ -60,7 +60,7 @@ pub struct Pacing {
 }
 
 impl Pacing {
-    /// The error of a step of `step` s from `time`, `error` of places over the machine's size and of slopes and angles, over that allowed.
+    /// The error of a step of `step` s from `time`, `error` of places over the system's size and of slopes and angles, over that allowed.
     fn ratio(self, pace: &Pace, error: [f64; 2], step: f64, time: f64) -> f64 {
         let Self { accuracy, duration } = self;
         let fading = (1.0 - (time - pace.since) / (STARTING * duration)).max(0.0);

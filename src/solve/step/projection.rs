@@ -2,10 +2,10 @@
 
 use super::constrained_mass::ConstrainedMass;
 use crate::error::Error;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 
@@ -49,11 +49,10 @@ impl Projection {
         &mut self,
         system: &System,
         kkt: &mut Kkt,
-        frames: &mut Vec<NodeFrame>,
+        frames: &mut FrameCache,
         state: &mut State,
     ) -> Result<(), Error> {
-        system.frames(&state.q, &state.triads, frames);
-        let configuration = system.configuration(&state.q, frames, state, &state.prescribed);
+        let configuration = frames.of(system, state);
         system.constraint_gradients(&configuration, &mut self.gradients);
         let (momentum, rates) = self.right.split_at_mut(state.q.len());
         momentum.copy_from_slice(&state.momentum);

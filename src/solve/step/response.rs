@@ -3,15 +3,16 @@
 //! They belong to the very time of the state, unlike what a step computes with. Only outputs ask for them.
 
 use crate::error::Error;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::solve::newton::kkt::Kkt;
 
-/// How a machine responds at an instant.
+/// How a system responds at an instant.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Response {
     /// Second derivatives of the coordinates, 1/s² each.
@@ -42,7 +43,7 @@ pub struct Responder {
     right: Vec<f64>,
     momentum: Vec<f64>,
     excitation: Excitation,
-    frames: Vec<NodeFrame>,
+    frames: FrameCache,
     gradients: Vec<JointGradient>,
 }
 
@@ -55,7 +56,7 @@ impl Responder {
             right: vec![0.0; size],
             momentum: vec![0.0; system.coordinates()],
             excitation: Excitation::default(),
-            frames: Vec::new(),
+            frames: FrameCache::default(),
             gradients: Vec::new(),
         }
     }
@@ -103,10 +104,10 @@ impl Responder {
 
     /// Sets the right-hand side, and the gradients of the constraints, of `state`.
     fn set_right(&mut self, system: &System, state: &State) -> Result<(), Error> {
-        system.frames(&state.q, &state.triads, &mut self.frames);
+        self.frames.set(system, &state.q, &state.triads);
         let configuration = system.configuration(&state.q, &self.frames, state, &state.prescribed);
         system.excite(state.time, &state.targets, &mut self.excitation);
-        let passage = state.passage();
+        let passage = Passage::of(state);
 
         let (forces, conditions) = self.right.split_at_mut(state.q.len());
         system.forces(&configuration, &passage, &self.excitation, forces);

@@ -1,4 +1,4 @@
-//! What ANCF14 answers to the machine.
+//! What ANCF14 answers to the system.
 
 use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, interpolate};
 use super::element::{Element, Evaluation};
@@ -8,7 +8,7 @@ use super::kinematics::section_point::SectionPoint;
 use super::over_step::StepStart;
 use super::{damping, section};
 use crate::math::{Vec3, hermite};
-use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
+use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
@@ -28,7 +28,7 @@ impl Element {
 
     /// Strains as `passage` says.
     #[inline]
-    fn passing<'a>(&'a self, c: &Configuration<'a>, passage: &Passage) -> Evaluation<'a> {
+    fn passing<'a>(&'a self, c: &BeamConfiguration<'a>, passage: &Passage) -> Evaluation<'a> {
         match passage {
             Passage::Rest | Passage::Instant { .. } => self.evaluation(c),
             Passage::Step(step) => self.over_step(c, step),
@@ -36,7 +36,7 @@ impl Element {
     }
 
     /// Internal coordinate of the quadratic twist, rad; 0 for linear twist.
-    fn bubble(&self, c: &Configuration) -> f64 {
+    fn bubble(&self, c: &BeamConfiguration) -> f64 {
         match self.stiffness.twist {
             Twist::Linear => 0.0,
             Twist::Quadratic => self.evaluation(c).bubble,
@@ -90,17 +90,17 @@ impl BeamElement for Element {
         self.own(q).iter().zip(&self.weight(gravity)).map(|(q, weight)| q * weight).sum()
     }
 
-    fn energy(&self, c: &Configuration) -> f64 {
+    fn energy(&self, c: &BeamConfiguration) -> f64 {
         self.evaluation(c).energy()
     }
 
-    fn add_gradient(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+    fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
         self.add(&self.passing(c, passage).gradient(), forces);
     }
 
     fn add_gradient_and_set_hessian(
         &self,
-        c: &Configuration,
+        c: &BeamConfiguration,
         passage: &Passage,
         scale: f64,
         forces: &mut [f64],
@@ -113,7 +113,7 @@ impl BeamElement for Element {
 
     fn finish_step(
         &self,
-        c: &Configuration,
+        c: &BeamConfiguration,
         step: &TimeStep,
         forces: &mut [f64],
         strain_rates: &mut [f64],
@@ -125,15 +125,15 @@ impl BeamElement for Element {
         [end.energy(), middle.added.taken]
     }
 
-    fn begin_step(&self, c: &Configuration, velocity: &[f64], starts: &mut [StepStart], strain_rates: &mut [f64]) {
+    fn begin_step(&self, c: &BeamConfiguration, velocity: &[f64], starts: &mut [StepStart], strain_rates: &mut [f64]) {
         (starts[self.place.branch], *self.own_rates_mut(strain_rates)) = self.step_start(c, velocity);
     }
 
-    fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
+    fn set_strain_rates(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: &mut [f64]) {
         *self.own_rates_mut(strain_rates) = self.strain_rates(&self.evaluation(c), self.own(velocity));
     }
 
-    fn add_damping(&self, c: &Configuration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]) {
+    fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]) {
         let here = self.linear_evaluation(c);
         let force = match strain_rates {
             Some(all) => damping::force_of_rates(&here, self.own_rates(all)),
@@ -144,7 +144,7 @@ impl BeamElement for Element {
 
     fn add_damping_and_tangent(
         &self,
-        c: &Configuration,
+        c: &BeamConfiguration,
         velocity: &[f64],
         scale: f64,
         forces: &mut [f64],
@@ -155,7 +155,7 @@ impl BeamElement for Element {
         add_matrix(&damping::force_q(&here, &velocity), scale, block);
     }
 
-    fn add_damping_matrix(&self, c: &Configuration, factor: f64, block: &mut [f64]) {
+    fn add_damping_matrix(&self, c: &BeamConfiguration, factor: f64, block: &mut [f64]) {
         add_matrix(&damping::force_v(&self.linear_evaluation(c)), factor, block);
     }
 
@@ -164,11 +164,11 @@ impl BeamElement for Element {
         self.bending.iter().map(|point| (point.xi, point.weight / point.reference_stretch)).collect()
     }
 
-    fn section_pose(&self, c: &Configuration, xi: f64) -> Pose {
+    fn section_pose(&self, c: &BeamConfiguration, xi: f64) -> Pose {
         SectionPoint::new(c, self, xi).pose(c)
     }
 
-    fn section_jacobian(&self, c: &Configuration, xi: f64) -> MarkerJacobian {
+    fn section_jacobian(&self, c: &BeamConfiguration, xi: f64) -> MarkerJacobian {
         let (own_place, own_turn) = SectionPoint::new(c, self, xi).jacobian(c);
         let (mut place_q, mut turn_q) = (ByCoordinates::zeros(), ByCoordinates::zeros());
         place_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&own_place);
@@ -176,16 +176,16 @@ impl BeamElement for Element {
         MarkerJacobian { place_q, turn_q }
     }
 
-    fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
+    fn add_section_moment_stiffness(&self, c: &BeamConfiguration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
         let mut own = sum.fixed_view_mut::<ELEMENT, ELEMENT>(0, 0);
         own += SectionPoint::new(c, self, xi).moment_stiffness(c, moment);
     }
 
-    fn relaxed_turn(&self, c: &Configuration, xi: f64) -> f64 {
+    fn relaxed_turn(&self, c: &BeamConfiguration, xi: f64) -> f64 {
         self.bubble(c) * quadratic_twist::shape(xi)
     }
 
-    fn relaxed_spin(&self, c: &Configuration, xi: f64, velocity: &[f64]) -> f64 {
+    fn relaxed_spin(&self, c: &BeamConfiguration, xi: f64, velocity: &[f64]) -> f64 {
         match self.stiffness.twist {
             Twist::Linear => 0.0,
             Twist::Quadratic => {
@@ -196,15 +196,15 @@ impl BeamElement for Element {
         }
     }
 
-    fn section_shape(&self, c: &Configuration, xi: f64) -> SectionShape {
+    fn section_shape(&self, c: &BeamConfiguration, xi: f64) -> SectionShape {
         section::shape(self, c, &self.kinematics(c), xi, self.bubble(c))
     }
 
-    fn section_strains(&self, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionStrains {
+    fn section_strains(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionStrains {
         section::strains(self, c, xi, drawn)
     }
 
-    fn section_forces(&self, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionForces {
+    fn section_forces(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionForces {
         section::forces(&self.stiffness, &section::strains(self, c, xi, drawn))
     }
 
@@ -212,17 +212,17 @@ impl BeamElement for Element {
         self.stiffness.torsion
     }
 
-    fn twist(&self, c: &Configuration, xi: f64) -> f64 {
+    fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64 {
         let linear = xi * (self.kinematics(c).twist - self.reference_twist);
         // At the ends the quadratic part vanishes.
         if xi == 1.0 { linear } else { linear + self.relaxed_turn(c, xi) }
     }
 
-    fn largest_torsion(&self, c: &Configuration) -> f64 {
+    fn largest_torsion(&self, c: &BeamConfiguration) -> f64 {
         self.evaluation(c).largest_torsion()
     }
 
-    fn distortion(&self, c: &Configuration) -> Option<&'static str> {
+    fn distortion(&self, c: &BeamConfiguration) -> Option<&'static str> {
         let [first, second] = self.frames(c);
         if 1.0 + first.t.dot(&second.t) < SMALLEST_COSINE {
             return Some("bent");

@@ -22,7 +22,7 @@ use super::over_step::{Added, Turn};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::configuration::BeamConfiguration;
 
 /// Where an element's numbers are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -125,35 +125,35 @@ impl Element {
         element
     }
 
-    /// Its coordinates (14) among those `q` of the whole machine.
+    /// Its coordinates (14) among those `q` of the whole system.
     pub fn own<'a>(&self, q: &'a [f64]) -> &'a [f64] {
         &q[self.place.start..self.place.start + ELEMENT]
     }
 
     /// The frames of its two nodes.
-    pub fn frames<'a>(&self, c: &Configuration<'a>) -> [&'a NodeFrame; 2] {
+    pub fn frames<'a>(&self, c: &BeamConfiguration<'a>) -> [&'a NodeFrame; 2] {
         [&c.frames[self.place.frame], &c.frames[self.place.frame + 1]]
     }
 
     /// In-element kinematics.
-    pub fn kinematics<'a>(&self, c: &Configuration<'a>) -> Kinematics<'a> {
+    pub fn kinematics<'a>(&self, c: &BeamConfiguration<'a>) -> Kinematics<'a> {
         Kinematics::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
     }
 
     /// Strains at `c`.
     #[inline]
-    pub fn evaluation<'a>(&'a self, c: &Configuration<'a>) -> Evaluation<'a> {
+    pub fn evaluation<'a>(&'a self, c: &BeamConfiguration<'a>) -> Evaluation<'a> {
         Evaluation::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
     }
 
     /// Strains with linear twist, whatever the element's is: those that material damping sees at an instant.
-    pub fn linear_evaluation<'a>(&'a self, c: &Configuration<'a>) -> Evaluation<'a> {
+    pub fn linear_evaluation<'a>(&'a self, c: &BeamConfiguration<'a>) -> Evaluation<'a> {
         Evaluation::with_linear_twist(self, self.own(c.q), None, self.frames(c), c.holonomy[self.place.branch])
     }
 
     /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the `increment` of all coordinates.
     #[inline]
-    pub(super) fn with_increment<'a>(&'a self, c: &Configuration<'a>, increment: &[f64]) -> Evaluation<'a> {
+    pub(super) fn with_increment<'a>(&'a self, c: &BeamConfiguration<'a>, increment: &[f64]) -> Evaluation<'a> {
         let own = Some(self.own(increment));
         Evaluation::with_linear_twist(self, self.own(c.q), own, self.frames(c), c.holonomy[self.place.branch])
     }

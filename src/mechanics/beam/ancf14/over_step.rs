@@ -11,7 +11,7 @@ use super::energy::quadratic_twist::{self, Twist};
 use super::frame::NodeFrame;
 use super::strain::{Resultants, Strain};
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::configuration::{Configuration, TimeStep};
+use crate::mechanics::beam::configuration::{BeamConfiguration, TimeStep};
 
 /// Strains of an element: three axial points, then `g1`, `g2`, `tau` of each bending point.
 pub const STRAINS: usize = 12;
@@ -155,7 +155,7 @@ impl Element {
         all
     }
 
-    /// The rates that `all`, those of the whole machine, has of this element.
+    /// The rates that `all`, those of the whole system, has of this element.
     pub fn own_rates_mut<'a>(&self, all: &'a mut [f64]) -> &'a mut [f64; STRAINS] {
         let (own, _) = all.as_chunks_mut::<STRAINS>();
         &mut own[self.place.branch]
@@ -168,7 +168,7 @@ impl Element {
     }
 
     /// What a step from `c` with the velocities `velocity` of all coordinates starts with, and the rates of the strains there.
-    pub fn step_start(&self, c: &Configuration, velocity: &[f64]) -> (StepStart, [f64; STRAINS]) {
+    pub fn step_start(&self, c: &BeamConfiguration, velocity: &[f64]) -> (StepStart, [f64; STRAINS]) {
         let evaluation = self.evaluation(c);
         (StepStart::new(&evaluation), self.strain_rates(&evaluation, self.own(velocity)))
     }
@@ -209,13 +209,13 @@ impl Element {
     }
 
     /// Over a step whose middle is `c`.
-    pub fn over_step<'a>(&'a self, c: &Configuration<'a>, step: &TimeStep) -> Evaluation<'a> {
+    pub fn over_step<'a>(&'a self, c: &BeamConfiguration<'a>, step: &TimeStep) -> Evaluation<'a> {
         self.with_end(&self.evaluation(step.end), c, step)
     }
 
     /// [`Self::over_step`], from the evaluation at its end.
     #[inline]
-    pub fn with_end<'a>(&'a self, end: &Evaluation, c: &Configuration<'a>, step: &TimeStep) -> Evaluation<'a> {
+    pub fn with_end<'a>(&'a self, end: &Evaluation, c: &BeamConfiguration<'a>, step: &TimeStep) -> Evaluation<'a> {
         let start = &step.starts[self.place.branch];
         let mut middle = self.with_increment(c, step.increment);
         if self.stiffness.twist == Twist::Quadratic {

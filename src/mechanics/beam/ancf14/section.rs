@@ -11,11 +11,11 @@ use super::kinematics::curve_point::CurvePoint;
 use super::strain::{Stiffness, Strain, Strains};
 use crate::math::hermite;
 use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 
 /// The section of `element` at `xi`, with the element's `kinematics`; `bubble` is the internal coordinate of the quadratic twist, rad.
-pub fn shape(element: &Element, c: &Configuration, kinematics: &Kinematics, xi: f64, bubble: f64) -> SectionShape {
+pub fn shape(element: &Element, c: &BeamConfiguration, kinematics: &Kinematics, xi: f64, bubble: f64) -> SectionShape {
     let q = element.own(c.q);
     let (shape_x, shape_xx) = (hermite::shape_x(xi, element.length), hermite::shape_xx(xi, element.length));
     let point = CurvePoint::new(&kinematics.shape, &shape_x, &shape_xx);
@@ -30,7 +30,7 @@ pub fn shape(element: &Element, c: &Configuration, kinematics: &Kinematics, xi: 
 }
 
 /// Strains at `xi`: the axial one is the quadratic through the axial points.
-pub fn strains(element: &Element, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionStrains {
+pub fn strains(element: &Element, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionStrains {
     let evaluation = element.evaluation(c);
     let of_energy: f64 =
         lagrange(&LOBATTO_POINTS, xi).iter().zip(evaluation.axial_strains()).map(|(weight, e)| weight * e).sum();

@@ -1,4 +1,4 @@
-//! What ANCF24 answers to the machine.
+//! What ANCF24 answers to the system.
 
 use super::coordinates::{AXIS_PLACES, ELEMENT, Interpolation, NODE, Y_PLACES, Z_PLACES};
 use super::element::Element;
@@ -9,7 +9,7 @@ use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS};
 use crate::math::rotation::carry;
 use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3, hermite};
-use crate::mechanics::beam::configuration::{Configuration, Passage, TimeStep};
+use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
@@ -27,12 +27,12 @@ fn sources(xi: f64) -> [[(usize, f64); 2]; 2] {
 
 impl Element {
     /// The triad at `xi`.
-    fn frame(&self, c: &Configuration, xi: f64) -> SectionFrame {
+    fn frame(&self, c: &BeamConfiguration, xi: f64) -> SectionFrame {
         section::frame(&Interpolation::new(xi, self.length).directors(self.own(c.q)))
     }
 
     /// Adds the force of a step whose middle is `c`, damping included.
-    fn add_force_over_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) {
+    fn add_force_over_step(&self, c: &BeamConfiguration, step: &TimeStep, forces: &mut [f64]) {
         let forces = self.own_mut(forces);
         self.add_gradient(self.own(c.q), Some(self.own(step.increment)), forces);
         if self.properties.damping != 0.0 {
@@ -41,7 +41,7 @@ impl Element {
     }
 
     /// Adds the viscous force of a step whose middle is `c` to `forces` (24).
-    fn add_damping_over_step(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) {
+    fn add_damping_over_step(&self, c: &BeamConfiguration, step: &TimeStep, forces: &mut [f64]) {
         let places = [self.own(step.start.q), self.own(c.q), self.own(step.end.q)];
         damping::add_force_over_step(self, places, step.duration, forces);
     }
@@ -104,11 +104,11 @@ impl BeamElement for Element {
         AXIS_PLACES.into_iter().zip(self.weight(gravity)).map(|(place, weight)| vec3(own, place).dot(&weight)).sum()
     }
 
-    fn energy(&self, c: &Configuration) -> f64 {
+    fn energy(&self, c: &BeamConfiguration) -> f64 {
         self.energy(self.own(c.q))
     }
 
-    fn add_gradient(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+    fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
         match passage {
             Passage::Step(step) => self.add_force_over_step(c, step, forces),
             _ => self.add_gradient(self.own(c.q), None, self.own_mut(forces)),
@@ -117,7 +117,7 @@ impl BeamElement for Element {
 
     fn add_gradient_and_set_hessian(
         &self,
-        c: &Configuration,
+        c: &BeamConfiguration,
         passage: &Passage,
         scale: f64,
         forces: &mut [f64],
@@ -137,7 +137,7 @@ impl BeamElement for Element {
 
     fn finish_step(
         &self,
-        c: &Configuration,
+        c: &BeamConfiguration,
         step: &TimeStep,
         forces: &mut [f64],
         _strain_rates: &mut [f64],
@@ -151,13 +151,13 @@ impl BeamElement for Element {
         [self.energy(self.own(step.end.q)), taken]
     }
 
-    fn add_damping(&self, c: &Configuration, velocity: &[f64], _strain_rates: Option<&[f64]>, forces: &mut [f64]) {
+    fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], _strain_rates: Option<&[f64]>, forces: &mut [f64]) {
         damping::add_force(self, self.own(c.q), self.own(velocity), self.own_mut(forces));
     }
 
     fn add_damping_and_tangent(
         &self,
-        c: &Configuration,
+        c: &BeamConfiguration,
         velocity: &[f64],
         scale: f64,
         forces: &mut [f64],
@@ -166,7 +166,7 @@ impl BeamElement for Element {
         damping::add_force_and_tangent(self, self.own(c.q), self.own(velocity), scale, self.own_mut(forces), block);
     }
 
-    fn add_damping_matrix(&self, c: &Configuration, factor: f64, block: &mut [f64]) {
+    fn add_damping_matrix(&self, c: &BeamConfiguration, factor: f64, block: &mut [f64]) {
         damping::add_force_v(self, self.own(c.q), factor, block);
     }
 
@@ -175,11 +175,11 @@ impl BeamElement for Element {
         GAUSS_POINTS.into_iter().zip(GAUSS_WEIGHTS.map(|weight| weight * self.length)).collect()
     }
 
-    fn section_pose(&self, c: &Configuration, xi: f64) -> Pose {
+    fn section_pose(&self, c: &BeamConfiguration, xi: f64) -> Pose {
         Pose { place: self.axis_point(xi, c.q), axes: self.frame(c, xi).axes }
     }
 
-    fn section_jacobian(&self, c: &Configuration, xi: f64) -> MarkerJacobian {
+    fn section_jacobian(&self, c: &BeamConfiguration, xi: f64) -> MarkerJacobian {
         let mut place_q = ByCoordinates::zeros();
         for (place, weight) in AXIS_PLACES.into_iter().zip(hermite::shape(xi, self.length)) {
             place_q.fixed_columns_mut::<3>(place).copy_from(&Mat3::from_diagonal_element(weight));
@@ -188,16 +188,16 @@ impl BeamElement for Element {
         MarkerJacobian { place_q, turn_q: self.frame(c, xi).turn_q([&y, &z]) }
     }
 
-    fn add_section_moment_stiffness(&self, c: &Configuration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
+    fn add_section_moment_stiffness(&self, c: &BeamConfiguration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
         let [y, z] = sources(xi);
         self.frame(c, xi).add_moment_stiffness(moment, [&y, &z], sum);
     }
 
-    fn section_shape(&self, c: &Configuration, xi: f64) -> SectionShape {
+    fn section_shape(&self, c: &BeamConfiguration, xi: f64) -> SectionShape {
         section::shape(self, self.own(c.q), xi)
     }
 
-    fn section_strains(&self, c: &Configuration, xi: f64, drawn: &SectionShape) -> SectionStrains {
+    fn section_strains(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionStrains {
         let now = section::shape(self, self.own(c.q), xi);
         let j0 = drawn.stretch;
         SectionStrains {
@@ -207,7 +207,7 @@ impl BeamElement for Element {
         }
     }
 
-    fn section_forces(&self, c: &Configuration, xi: f64, _drawn: &SectionShape) -> SectionForces {
+    fn section_forces(&self, c: &BeamConfiguration, xi: f64, _drawn: &SectionShape) -> SectionForces {
         section::forces(self, self.own(c.q), xi)
     }
 
@@ -217,11 +217,11 @@ impl BeamElement for Element {
         fibres.area * (law[(4, 4)] * fibres.y * fibres.y + law[(5, 5)] * fibres.z * fibres.z)
     }
 
-    fn twist(&self, c: &Configuration, xi: f64) -> f64 {
+    fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64 {
         section::twist(self, self.own(c.q), xi)
     }
 
-    fn distortion(&self, c: &Configuration) -> Option<&'static str> {
+    fn distortion(&self, c: &BeamConfiguration) -> Option<&'static str> {
         let own = self.own(c.q);
         let [first, second] = [0, NODE].map(|node| SectionFrame::of_node(&own[node..]).axes);
         let [t_0, t_1] = [&first, &second].map(|axes| axes.column(0).into_owned());

@@ -54,7 +54,7 @@ impl Element {
         }
     }
 
-    /// Its coordinates (24) among those `q` of the whole machine.
+    /// Its coordinates (24) among those `q` of the whole system.
     pub fn own<'a>(&self, q: &'a [f64]) -> &'a [f64] {
         &q[self.start..self.start + ELEMENT]
     }

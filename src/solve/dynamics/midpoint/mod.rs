@@ -15,7 +15,8 @@ use self::scratch::{Scratch, configurations, time_step};
 use self::time_error::{Estimator, Taken};
 use super::start::Dynamics;
 use crate::error::Error;
-use crate::mechanics::beam::configuration::{Dissipation, Passage};
+use crate::mechanics::beam::configuration::Dissipation;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::energy_balance::{Energies, Losses};
 use crate::mechanics::state::pace::Pace;
 use crate::mechanics::state::time_error::TimeError;
@@ -56,7 +57,7 @@ pub struct Midpoint {
     right: Vec<f64>,
     projection: Projection,
     scratch: Scratch,
-    /// None: the machine has elements whose steps it does not know.
+    /// None: the system has elements whose steps it does not know.
     estimator: Option<Estimator>,
     /// The state at the end of the step in the making.
     next: Option<State>,
@@ -86,7 +87,7 @@ impl Midpoint {
     /// The same with steps of its own choice.
     ///
     /// # Errors
-    /// It does not know the error of a step of this machine.
+    /// It does not know the error of a step of this system.
     pub fn paced(self, pacing: Pacing) -> Result<Self, Error> {
         if self.estimator.is_none() {
             return Err(Error::StepNotGiven);
@@ -308,7 +309,7 @@ impl<'a> Step<'a> {
         for (index, residual) in residual.iter_mut().enumerate() {
             *residual = h * state.momentum[index] - scratch.mass_increment[index] - 0.5 * h * h * scratch.forces[index];
         }
-        let frames = [&scratch.frames_start[..], &scratch.frames_middle, &scratch.frames_end];
+        let frames = [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end];
         gyroscopic::add_forces(system, frames, &scratch.mass_increment, &scratch.forces, h, h, residual);
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;
@@ -348,8 +349,8 @@ impl Problem for Step<'_> {
         system.add_mass(1.0, &mut kkt.blocks);
         system.constraint_gradients(&end, &mut scratch.gradients_end);
         kkt.set_curvatures_and_gradients(system, &middle, &scratch.impulses, 0.5 * h, &mut scratch.gradients_middle);
-        let frames = [&scratch.frames_start[..], &scratch.frames_end];
-        gyroscopic::add_tangent(system, frames[0], frames[1], &scratch.mass_increment, h, &mut kkt.blocks);
+        let (first, last) = (&scratch.frames_start, &scratch.frames_end);
+        gyroscopic::add_tangent(system, first, last, &scratch.mass_increment, h, &mut kkt.blocks);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients_middle, &self.scratch.gradients_end, h);
         state.time + 0.5 * h

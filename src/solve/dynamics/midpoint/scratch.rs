@@ -1,16 +1,17 @@
 //! What a constrained midpoint step computes on the way: positions, frames, forces and gradients at its start, in its middle and at its end.
 
 use crate::error::Error;
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::ancf14::over_step::StepStart;
-use crate::mechanics::beam::configuration::{Configuration, Dissipation, Passage, TimeStep};
+use crate::mechanics::beam::configuration::Dissipation;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::Energies;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::step_starts::StepStarts;
 use crate::solve::newton::prediction;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::Span;
@@ -24,15 +25,15 @@ pub struct Scratch {
     pub q_end: Vec<f64>,
     pub forces: Vec<f64>,
     pub start_rates: Vec<f64>,
-    pub starts: Vec<StepStart>,
+    pub starts: StepStarts,
     pub mass_increment: Vec<f64>,
     pub conditions: Vec<f64>,
     pub excitation: Excitation,
     pub prescribed_middle: Prescribed,
     pub prescribed_end: Prescribed,
-    pub frames_start: Vec<NodeFrame>,
-    pub frames_middle: Vec<NodeFrame>,
-    pub frames_end: Vec<NodeFrame>,
+    pub frames_start: FrameCache,
+    pub frames_middle: FrameCache,
+    pub frames_end: FrameCache,
     pub gradients_middle: Vec<JointGradient>,
     pub gradients_end: Vec<JointGradient>,
     /// Whether the material of a beam is damped.
@@ -62,9 +63,8 @@ impl Scratch {
         system.excite(middle, &state.targets, &mut self.excitation);
         system.prescribe(state, middle, &mut self.prescribed_middle);
         system.prescribe(state, end, &mut self.prescribed_end);
-        system.frames(&state.q, &state.triads, &mut self.frames_start);
         self.start_rates.resize(state.strain_rates.len(), 0.0);
-        let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
+        let start = self.frames_start.of(system, state);
         system.begin_step(&start, &state.velocity, &mut self.starts, &mut self.start_rates);
     }
 
@@ -89,8 +89,8 @@ impl Scratch {
             self.q_middle[index] = q + 0.5 * increment;
             self.q_end[index] = q + increment;
         }
-        system.frames(&self.q_middle, &state.triads, &mut self.frames_middle);
-        system.frames(&self.q_end, &state.triads, &mut self.frames_end);
+        self.frames_middle.set(system, &self.q_middle, &state.triads);
+        self.frames_end.set(system, &self.q_end, &state.triads);
         system.mass_times(&self.increment, &mut self.mass_increment);
     }
 
@@ -177,7 +177,7 @@ impl Scratch {
         for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
             *momentum = 2.0 * mass_increment / step - *momentum;
         }
-        let frames = [&self.frames_start[..], &self.frames_middle, &self.frames_end];
+        let frames = [&self.frames_start, &self.frames_middle, &self.frames_end];
         gyroscopic::add_forces(system, frames, &self.mass_increment, &self.forces, step, -1.0, &mut state.momentum);
         gyroscopic::change_charts(system, &self.frames_end, &mut state.momentum);
         for (multiplier, impulse) in state.multipliers.iter_mut().zip(&self.impulses) {
@@ -197,7 +197,7 @@ pub fn configurations<'a>(
     system: &'a System,
     state: &'a State,
     [q_middle, q_end]: [&'a [f64]; 2],
-    [frames_start, frames_middle, frames_end]: [&'a [NodeFrame]; 3],
+    [frames_start, frames_middle, frames_end]: [&'a FrameCache; 3],
     [prescribed_middle, prescribed_end]: [&'a Prescribed; 2],
 ) -> [Configuration<'a>; 3] {
     [
@@ -212,10 +212,11 @@ pub fn time_step<'a>(
     state: &'a State,
     [start, end]: [&'a Configuration<'a>; 2],
     increment: &'a [f64],
-    (start_rates, starts): (&'a [f64], &'a [StepStart]),
+    (start_rates, starts): (&'a [f64], &'a StepStarts),
     duration: f64,
     dissipation: Dissipation,
 ) -> TimeStep<'a> {
     let State { velocity, strain_rates, .. } = state;
+    let starts = starts.list();
     TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates, starts }
 }

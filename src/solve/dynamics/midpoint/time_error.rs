@@ -6,14 +6,13 @@
 
 use super::scratch::Scratch;
 use super::{Span, Step};
-use crate::math::vectors::vec3;
-use crate::mechanics::beam::ancf14::coordinates::{P, THETA};
-use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::configuration::Dissipation;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::gyroscopic;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::projection::Projection;
@@ -23,7 +22,7 @@ use crate::solve::step::projection::Projection;
 const REACH: f64 = 1e-5;
 /// Largest multiple of the error that the neighboring motion is moved by: an error this far below [`REACH`] is round-off.
 const LARGEST_MULTIPLE: f64 = 1e3;
-/// An error of this many times the machine's size is not carried on: it says all that it can.
+/// An error of this many times the system's size is not carried on: it says all that it can.
 const LARGEST_ERROR: f64 = 1e3;
 /// Share of the trapezoidal rule's error: the integral over a step minus it is `-h³/12` of the second derivative.
 const TRAPEZOIDAL: f64 = 1.0 / 12.0;
@@ -54,7 +53,7 @@ pub struct Estimator {
     start: Option<State>,
     /// The neighboring motion at the middle of the time, and its frames.
     at_middle: Vec<f64>,
-    frames: Vec<NodeFrame>,
+    frames: FrameCache,
     scratch: Scratch,
 }
 
@@ -92,7 +91,7 @@ impl Estimator {
             gradients: Vec::new(),
             start: None,
             at_middle: vec![0.0; coordinates],
-            frames: Vec::new(),
+            frames: FrameCache::default(),
             scratch: Scratch::new(system),
         }
     }
@@ -159,8 +158,7 @@ impl Estimator {
             for (value, (mean, (increment, velocity))) in at_middle.iter_mut().zip(scratch.q_middle.iter().zip(own)) {
                 *value = mean - multiple * 2.0 * MEAN * h * (increment / h - velocity);
             }
-            system.frames(at_middle, &start.triads, frames);
-            let configuration = system.configuration(at_middle, frames, start, &scratch.prescribed_middle);
+            let configuration = frames.at(system, at_middle, start, &scratch.prescribed_middle);
             system.constraint_gradients(&configuration, &mut scratch.gradients_middle);
         } else {
             scratch.differentiate(system, start);
@@ -239,9 +237,8 @@ impl Estimator {
         scratch.excitation.clone_from(&solution.excitation);
         scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
         scratch.prescribed_end.copy_from(&solution.prescribed_end);
-        system.frames(&start.q, &start.triads, &mut scratch.frames_start);
         scratch.start_rates.resize(solution.start_rates.len(), 0.0);
-        let first = system.configuration(&start.q, &scratch.frames_start, start, &start.prescribed);
+        let first = scratch.frames_start.of(system, start);
         system.begin_step(&first, &start.velocity, &mut scratch.starts, &mut scratch.start_rates);
         // The dissipation is that of the step, as far as it knows the start.
         scratch.start_rates.clone_from(&solution.start_rates);
@@ -289,7 +286,7 @@ impl Estimator {
         system: &System,
         kkt: &mut Kkt,
         projection: &mut Projection,
-        frames: &mut Vec<NodeFrame>,
+        frames: &mut FrameCache,
         next: &mut State,
     ) {
         let h = next.time_error.step;
@@ -300,8 +297,7 @@ impl Estimator {
         let TimeError { position, velocity, .. } = &next.time_error;
         let places = moved.iter_mut().zip(next.q.iter().zip(position));
         places.for_each(|(moved, (own, change))| *moved = own + multiple * change);
-        system.frames(moved, &next.triads, frames);
-        let neighbor = system.configuration(moved, frames, next, &next.prescribed);
+        let neighbor = frames.at(system, moved, next, &next.prescribed);
         system.constraint_gradients(&neighbor, gradients);
         targets.fill(0.0);
         system.add_constraint_rates(gradients, &next.velocity, targets);
@@ -348,8 +344,6 @@ impl Estimator {
 fn change_charts(system: &System, solution: &Scratch, error: &mut TimeError) {
     let TimeError { position, velocity, rates, acceleration, .. } = error;
     for list in [position, velocity, rates, acceleration].into_iter().filter(|list| !list.is_empty()) {
-        for (own, frame) in system.mesh.framed.iter().zip(&solution.frames_end) {
-            list[own + THETA] -= frame.k.dot(&vec3(list, own + P)) / frame.stretch;
-        }
+        gyroscopic::change_charts_of_change(system, &solution.frames_end, list);
     }
 }

@@ -9,7 +9,7 @@ use crate::mechanics::beam::ancf14::coordinates::{
     ELEMENT, ElementMatrix, ElementVector, P, SHAPE_PLACES, complete, interpolate,
 };
 use crate::mechanics::beam::ancf14::element::Element;
-use crate::mechanics::beam::configuration::Configuration;
+use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::geometry::pose::Pose;
 use nalgebra::SMatrix;
 
@@ -33,7 +33,7 @@ pub struct SectionPoint<'a> {
 
 impl<'a> SectionPoint<'a> {
     /// At the place `xi` (0 to 1) of `element`.
-    pub fn new(c: &Configuration<'a>, element: &'a Element, xi: f64) -> Self {
+    pub fn new(c: &BeamConfiguration<'a>, element: &'a Element, xi: f64) -> Self {
         let shape_x = hermite::shape_x(xi, element.length);
         let p = interpolate(&shape_x, element.own(c.q));
         let stretch = p.norm();
@@ -52,7 +52,7 @@ impl<'a> SectionPoint<'a> {
     }
 
     /// Place and section axes.
-    pub fn pose(&self, c: &Configuration) -> Pose {
+    pub fn pose(&self, c: &BeamConfiguration) -> Pose {
         let q = self.element.own(c.q);
         let [first, _] = self.element.frames(c);
         let u = carry(&first.t, &self.t, &first.u);
@@ -69,7 +69,7 @@ impl<'a> SectionPoint<'a> {
     }
 
     /// Spin about the tangent by the coordinates, 1×14 as a column: `dα + s_0·dt_0 − kb(t_0, t)·(dt_0 + dt)` (2.17).
-    fn spin_q(&self, c: &Configuration) -> ElementVector {
+    fn spin_q(&self, c: &BeamConfiguration) -> ElementVector {
         let [first, _] = self.element.frames(c);
         let mut spin = self.kinematics.shape.gradient(&self.angle(1.0).gradient(self.element, &self.kinematics));
         let mut slope = spin.fixed_rows_mut::<3>(P);
@@ -82,7 +82,7 @@ impl<'a> SectionPoint<'a> {
     }
 
     /// Derivatives of place and turn by the coordinates of the element.
-    pub fn jacobian(&self, c: &Configuration) -> (ByElement, ByElement) {
+    pub fn jacobian(&self, c: &BeamConfiguration) -> (ByElement, ByElement) {
         let mut place_q = ByElement::zeros();
         let mut turn_q = self.t * self.spin_q(c).transpose();
         let tilt = self.t.cross_matrix() / self.stretch;
@@ -95,7 +95,7 @@ impl<'a> SectionPoint<'a> {
     }
 
     /// `∂(turn_qᵀ m)/∂q`, 14×14, of a moment frozen in space; a force at an interior point has none: places are linear in q.
-    pub fn moment_stiffness(&self, c: &Configuration, moment: &Vec3) -> ElementMatrix {
+    pub fn moment_stiffness(&self, c: &BeamConfiguration, moment: &Vec3) -> ElementMatrix {
         let (element, kinematics) = (self.element, &self.kinematics);
         let [first, _] = element.frames(c);
         let along = moment.dot(&self.t);

@@ -1,0 +1,57 @@
+//! The system at one instant, and how it passes through it: what joints, springs, loads and sensors compute from.
+
+use crate::mechanics::beam::configuration::{self as beams, BeamConfiguration};
+use crate::mechanics::beam::mesh::Mesh;
+use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::state::State;
+
+/// The system at one instant.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// All coordinates, and what elements and nodes know besides.
+    pub beams: BeamConfiguration<'a>,
+    /// Values of all relative coordinates at the last accepted state: angles go on from there.
+    pub relative_values: &'a [f64],
+    /// What drives and moving frames prescribe.
+    pub prescribed: &'a Prescribed,
+    /// All nodes and elements.
+    pub mesh: &'a Mesh,
+}
+
+/// How the system passes through the configuration in which its forces are taken.
+pub type Passage<'a> = beams::Passage<'a, Configuration<'a>>;
+
+/// A step of the system in time.
+pub type TimeStep<'a> = beams::TimeStep<'a, Configuration<'a>>;
+
+impl<'a> Passage<'a> {
+    /// Through a state in motion.
+    pub fn of(state: &'a State) -> Self {
+        Self::Instant { velocity: &state.velocity, strain_rates: state.viscous.known() }
+    }
+
+    /// At an instant whose motion is all in the velocities of the coordinates.
+    pub fn with_velocity(velocity: &'a [f64]) -> Self {
+        Self::Instant { velocity, strain_rates: None }
+    }
+
+    /// As elements see it.
+    pub fn of_beams(&self) -> beams::Passage<'a> {
+        match self {
+            Self::Rest => beams::Passage::Rest,
+            Self::Instant { velocity, strain_rates } => {
+                beams::Passage::Instant { velocity, strain_rates: *strain_rates }
+            }
+            Self::Step(step) => beams::Passage::Step(step.of_beams()),
+        }
+    }
+}
+
+impl<'a> TimeStep<'a> {
+    /// As elements see it.
+    pub fn of_beams(&self) -> beams::TimeStep<'a> {
+        let Self { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates, starts } = *self;
+        let (start, end) = (&start.beams, &end.beams);
+        beams::TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates, starts }
+    }
+}

@@ -1,0 +1,143 @@
+//! Joints, drives and springs of the file as conditions, relative coordinates and springs of the system.
+
+use super::tune::{self, Tuned};
+use super::{Builder, signal, vector};
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::constraint::cylindrical;
+use crate::mechanics::constraint::driven::Driven;
+use crate::mechanics::constraint::inline;
+use crate::mechanics::constraint::inplane;
+use crate::mechanics::constraint::joint;
+use crate::mechanics::constraint::primitive::Primitive;
+use crate::mechanics::constraint::prismatic;
+use crate::mechanics::constraint::revolute;
+use crate::mechanics::constraint::spherical;
+use crate::mechanics::constraint::universal;
+use crate::mechanics::constraint::weld;
+use crate::mechanics::force::spring;
+use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::input::prescribed::Guide;
+use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::relative_coordinate::Measure;
+use crate::mechanics::system::joint_parts::JointParts;
+use crate::model::file::entries::drive::{DriveSpec, Motion};
+use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
+use crate::model::file::entries::spring::SpringSpec;
+use crate::model::file::reader::anchor::Spot;
+
+impl Builder<'_> {
+    pub(super) fn add_joint(&mut self, written: &JointSpec) {
+        let sides = self.sides(written);
+        let joint = conditions(written.kind).map(|primitives| {
+            let [a, b] = sides;
+            let name = format!("joint {}", written.name);
+            self.system.add_joint(joint::Joint { name, a, b, primitives, drive: None })
+        });
+        let mut coordinate = |present: bool, measure| {
+            let [a, b] = sides;
+            present.then(|| self.system.add_relative_coordinate(a, b, measure))
+        };
+        let angle = coordinate(written.angle.is_some(), Measure::Angle(0));
+        let distance = coordinate(written.distance.is_some(), Measure::Distance(0));
+        let mut parts = JointParts { joint, angle, distance, ..JointParts::default() };
+        for (measure, tuned) in tune::springs_of(written) {
+            let [a, b] = sides;
+            let coordinate = match measure {
+                Measure::Angle(_) => angle,
+                Measure::Distance(_) if distance.is_some() => distance,
+                _ => None,
+            };
+            let coordinate = coordinate.unwrap_or_else(|| self.system.add_relative_coordinate(a, b, measure));
+            // As drawn, joints are at rest.
+            parts.springs.push(self.spring(&written.name, coordinate, &tuned, 0.0));
+        }
+        self.system.add_joint_parts(parts);
+    }
+
+    /// The two sides of a joint: at its place, with its axes.
+    fn sides(&mut self, written: &JointSpec) -> [Marker; 2] {
+        let document = self.document;
+        let own = if written.b.spot == Spot::Ground { &written.a } else { &written.b };
+        let place = written.at.map_or_else(|| self.system.drawn(&self.anchored(own)).place, |at| self.position(at));
+        let axis = written.axis.map(|axis| vector(document, axis));
+        let axes = match (axis, written.axis2.map(|axis| vector(document, axis))) {
+            (None, _) => Mat3::identity(),
+            (Some(axis), None) => triad_along(&axis),
+            (Some(axis), Some(axis2)) => triad_of(&axis, &axis2),
+        };
+        [&written.a, &written.b].map(|anchor| {
+            let anchored = self.anchored(anchor);
+            self.system.tied(&anchored, &Pose { place, axes })
+        })
+    }
+
+    pub(super) fn add_drive(&mut self, written: &DriveSpec) {
+        let document = self.document;
+        let sides = self.sides(&document.joints[written.joint]);
+        let driven = match written.coordinate {
+            Coordinate::Angle => Driven::Angle,
+            Coordinate::Distance => Driven::Distance,
+        };
+        let (guide, target) = match (written.motion, written.input) {
+            (Motion::Value(number), false) => (Guide::Value(signal(document, number)), 0.0),
+            (Motion::Rate(number), false) => (Guide::Rate(signal(document, number)), 0.0),
+            (Motion::Value(number), true) => (Guide::HostValue, document.value(number)),
+            (Motion::Rate(number), true) => (Guide::HostRate, document.value(number)),
+        };
+        let drive = self.system.add_drive(&written.name, sides, driven, guide, target);
+        self.system.add_drive_of(written.joint, drive);
+    }
+
+    pub(super) fn add_spring(&mut self, written: &SpringSpec) {
+        let (a, b) = (self.anchored(&written.a), self.anchored(&written.b));
+        let length = (self.system.drawn(&b).place - self.system.drawn(&a).place).norm();
+        if length == 0.0 {
+            let message = format!("the ends of spring {} are at the same place at the start", written.name);
+            let label = "another place was expected: a spring needs a direction";
+            self.mistakes.push(self.document.diagnostic(written.b.place, &message, label, ""));
+        }
+        let coordinate = self.system.add_relative_coordinate(a, b, Measure::Length);
+        self.spring(&written.name, coordinate, &tune::spring(written), length);
+    }
+
+    fn spring(&mut self, name: &str, coordinate: usize, tuned: &Tuned, drawn: f64) -> usize {
+        let value = |number| self.document.value(number);
+        let spring = spring::Spring {
+            name: name.to_owned(),
+            coordinate,
+            stiffness: value(tuned.stiffness),
+            damping: value(tuned.damping),
+            rest: tuned.rest.map_or(drawn, value),
+            mobility: 0.0,
+        };
+        self.system.add_spring(spring)
+    }
+}
+
+/// The conditions of a kind of joint; a bushing has none.
+fn conditions(kind: JointKind) -> Option<&'static [Primitive]> {
+    match kind {
+        JointKind::Weld => Some(weld::PRIMITIVES),
+        JointKind::Spherical => Some(spherical::PRIMITIVES),
+        JointKind::Revolute => Some(revolute::PRIMITIVES),
+        JointKind::Cylindrical => Some(cylindrical::PRIMITIVES),
+        JointKind::Prismatic => Some(prismatic::PRIMITIVES),
+        JointKind::Universal => Some(universal::PRIMITIVES),
+        JointKind::Inline => Some(inline::PRIMITIVES),
+        JointKind::Inplane => Some(inplane::PRIMITIVES),
+        JointKind::Bushing => None,
+    }
+}
+
+/// A triad whose first axis is along `axis`; the others are as near to the global axes as can be.
+fn triad_along(axis: &Vec3) -> Mat3 {
+    let first = axis.normalize();
+    triad_of(&first, &Vec3::ith(first.iamin(), 1.0))
+}
+
+/// A triad whose first axis is along `axis` and whose second is as near to `second` as can be.
+fn triad_of(axis: &Vec3, second: &Vec3) -> Mat3 {
+    let first = axis.normalize();
+    let second = (second - first * first.dot(second)).normalize();
+    Mat3::from_columns(&[first, second, first.cross(&second)])
+}

@@ -1,0 +1,155 @@
+//! From the typed file to the system: `validate` has checked it, or does so here after a change of parameters.
+//!
+//! A file a kind of part; what may change while the system runs is in tune.rs.
+
+mod joints;
+mod origin;
+mod parts;
+mod tune;
+
+pub use tune::{aim, retune, undirected};
+
+use super::file::document::Document;
+use super::file::entries::output;
+use super::file::number::Number;
+use super::file::reader::anchor::{Along, Anchor, Spot};
+use super::text::diagnostic::{Diagnostic, Diagnostics};
+use super::validate::{self, Lines};
+use crate::math::Vec3;
+use crate::math::jet::Jet;
+use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::input::signal::{Pieces, Signal};
+use crate::mechanics::marker::Marker;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::mechanics::system::builder::SystemBuilder;
+use crate::solve::step::mobility::set_mobilities;
+use std::sync::Arc;
+
+/// The system as drawn.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// The system.
+    pub system: System,
+    /// Its state as drawn, velocities as given.
+    pub state: State,
+}
+
+/// Whether the parameters of now make a system, as far as that can be seen without building it.
+///
+/// # Errors
+/// Every mistake that the geometry shows, in file order.
+pub fn check(document: &Document) -> Result<(), Diagnostics> {
+    let (_, mistakes) = validate::examine(document);
+    if mistakes.is_empty() { Ok(()) } else { Err(Diagnostics(mistakes)) }
+}
+
+/// Builds the system with the parameters of now; `start` is the time of the drawing, s.
+///
+/// # Errors
+/// Every mistake that the geometry shows, in file order.
+pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
+    let (lines, mistakes) = validate::examine(document);
+    if !mistakes.is_empty() {
+        return Err(Diagnostics(mistakes));
+    }
+    let origin = origin::of(document, &lines);
+    let mut builder =
+        Builder { document, lines: &lines, origin, system: SystemBuilder::new(start), mistakes: Vec::new() };
+    for (number, beam) in document.beams.iter().enumerate() {
+        builder.add_beam(beam, lines.line(number).expect("without mistakes every beam is drawn"));
+    }
+    document.bodies.iter().for_each(|body| builder.add_body(body));
+    document.frames.iter().for_each(|frame| builder.add_frame(frame));
+    document.springs.iter().for_each(|spring| builder.add_spring(spring));
+    document.joints.iter().for_each(|joint| builder.add_joint(joint));
+    document.drives.iter().for_each(|drive| builder.add_drive(drive));
+    document.loads.iter().for_each(|load| builder.add_load(load));
+    document.outputs.iter().for_each(|output| builder.add_sensors(&output.target));
+    if !builder.mistakes.is_empty() {
+        return Err(Diagnostics(builder.mistakes));
+    }
+    let (mut system, state) = builder.system.finish(vector(document, document.model.gravity));
+    system.origin = origin;
+    set_mobilities(&mut system, &state, document.largest_step());
+    Ok(Built { system, state })
+}
+
+fn vector(document: &Document, numbers: [Number; 3]) -> Vec3 {
+    Vec3::from(document.vector(numbers))
+}
+
+fn signal(document: &Document, number: Number) -> Signal {
+    signal_from(document, number, 0.0)
+}
+
+/// The function of time that a number of the file is, counted from `origin`.
+fn signal_from(document: &Document, number: Number, origin: f64) -> Signal {
+    let function = document.function(number);
+    if function.is_constant() {
+        return Signal::Constant(function.value(0.0) - origin);
+    }
+    let breaks = function.limits().to_vec();
+    let jet = move |time| {
+        let jet = function.jet(time);
+        Jet { value: jet.value - origin, ..jet }
+    };
+    if breaks.is_empty() {
+        Signal::Function(Arc::new(jet))
+    } else {
+        Signal::Pieces(Arc::new(Pieces { jet: Box::new(jet), breaks }))
+    }
+}
+
+/// Builds what [`validate::examine`] has found sound.
+struct Builder<'a> {
+    document: &'a Document,
+    lines: &'a Lines,
+    /// See [`System::origin`].
+    origin: Vec3,
+    system: SystemBuilder,
+    /// What only the start time shows to be wrong.
+    mistakes: Vec<Diagnostic>,
+}
+
+impl Builder<'_> {
+    /// The fraction of its length at which a point of a beam is.
+    fn fraction(&self, beam: usize, along: Along) -> f64 {
+        self.lines.fraction(self.document, beam, along).expect("without mistakes every point is on its beam")
+    }
+
+    /// A position of the file, as the state has it, m.
+    fn position(&self, numbers: [Number; 3]) -> Vec3 {
+        vector(self.document, numbers) - self.origin
+    }
+
+    /// What an anchor names, with its own axes: a section, a body, a frame, the ground.
+    fn anchored(&self, anchor: &Anchor) -> Marker {
+        match anchor.spot {
+            Spot::Ground => Marker::Ground(Pose { place: Vec3::zeros() - self.origin, ..Pose::default() }),
+            Spot::Beam { beam, along } => self.system.section_at(beam, self.fraction(beam, along)),
+            Spot::Body(body) => self.system.body(body),
+            Spot::Frame(frame) => self.system.frame(frame),
+        }
+    }
+
+    /// What an output looks at: a point for each station; joints and drives are looked at without one.
+    /// Adds [`output::Target::sensors`] sensors.
+    fn add_sensors(&mut self, target: &output::Target) {
+        match target {
+            output::Target::At(anchor) => {
+                if let Spot::Beam { beam, along } = anchor.spot {
+                    self.system.add_sensor(beam, self.fraction(beam, along));
+                } else {
+                    self.system.watch(self.anchored(anchor), None);
+                }
+            }
+            output::Target::On { beam, stations } => {
+                for station in 0..*stations {
+                    self.system.add_sensor(*beam, station as f64 / (stations - 1) as f64);
+                }
+            }
+            output::Target::Joint(_) | output::Target::Drive(_) => {}
+        }
+    }
+}

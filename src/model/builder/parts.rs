@@ -1,0 +1,161 @@
+//! Beams, bodies, frames and loads of the file as parts of the system.
+
+use super::{Builder, signal, signal_from, tune, vector};
+use crate::math::Mat3;
+use crate::mechanics::beam::centerline::Centerline;
+use crate::mechanics::beam::design::BeamDesign;
+use crate::mechanics::beam::material::Material;
+use crate::mechanics::beam::section::{Outline, Section};
+use crate::mechanics::body::rigid_body::BodyDesign;
+use crate::mechanics::force::load::{self, Direction, LoadGuide};
+use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::input::prescribed::FrameGuide;
+use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::body::{BodySpec, Inertia};
+use crate::model::file::entries::frame::{FrameSpec, Orientation};
+use crate::model::file::entries::load::{LoadSpec, Target};
+use crate::model::file::entries::material::Lateral;
+use crate::model::file::entries::section::{SectionSpec, Shape};
+use crate::model::file::number::Number;
+use nalgebra::Rotation3;
+
+impl Builder<'_> {
+    pub(super) fn add_beam(&mut self, beam: &BeamSpec, line: &Centerline) {
+        let document = self.document;
+        let material = &document.materials[beam.material];
+        let young = document.value(material.young);
+        let shear = match material.lateral {
+            Lateral::Poisson(poisson) => Material::shear_from_poisson(young, document.value(poisson)),
+            Lateral::Shear(shear) => document.value(shear),
+        };
+        let (density, damping) = (document.value(material.density), document.value(material.damping));
+        let number = self.system.add_beam(&BeamDesign {
+            name: beam.name.clone(),
+            line: line.moved(&-self.origin),
+            y_axis: vector(document, beam.y_axis),
+            pretwist: document.value(beam.pretwist),
+            material: Material { young, shear, density, damping },
+            section: self.section(&document.sections[beam.section]),
+            elements: beam.formulation,
+            velocity: vector(document, beam.velocity),
+            angular_velocity: vector(document, beam.angular_velocity),
+        });
+        if let Some(element) = self.system.impossible_element(number) {
+            let message = format!("beam {} is bent or pretwisted too sharply for a solid section", beam.name);
+            let label = format!("element {element}, counted from 0, has fibres without length");
+            let help =
+                "element = \"ancf24\" has a solid section: take a slimmer one, more elements, or element = \"ancf14\"";
+            self.mistakes.push(document.diagnostic(beam.place, &message, &label, help));
+        }
+    }
+
+    /// Integrals of the shape, those that are written instead of the shape's own.
+    fn section(&self, written: &SectionSpec) -> Section {
+        let value = |number| self.document.value(number);
+        let given = |number: Option<Number>, own: f64| number.map_or(own, value);
+        let shape = match written.shape {
+            Shape::Rectangle { width, height } => Section::rectangle(value(width), value(height)),
+            Shape::Circle { radius } => Section::circle(value(radius)),
+            Shape::Tube { inner, outer } => Section::tube(value(inner), value(outer)),
+            Shape::General => Section {
+                area: 0.0,
+                second_moment_y: 0.0,
+                second_moment_z: 0.0,
+                torsion_constant: 0.0,
+                polar_moment: 0.0,
+                fourth_moments: [0.0; 3],
+                outline: Outline::General,
+            },
+        };
+        let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
+        let second_moment_z = given(written.second_moment_z, shape.second_moment_z);
+        let area = given(written.area, shape.area);
+        let fourth_moments = match (written.fourth_moments, written.shape) {
+            (Some(numbers), _) => self.document.vector(numbers),
+            (None, Shape::General) => Section::rectangular_fourth_moments(area, second_moment_y, second_moment_z),
+            (None, _) => shape.fourth_moments,
+        };
+        Section {
+            area,
+            second_moment_y,
+            second_moment_z,
+            torsion_constant: given(written.torsion_constant, shape.torsion_constant),
+            polar_moment: given(written.polar_moment, second_moment_y + second_moment_z),
+            fourth_moments,
+            outline: shape.outline,
+        }
+    }
+
+    pub(super) fn add_body(&mut self, body: &BodySpec) {
+        let document = self.document;
+        let inertia = match body.inertia {
+            Inertia::Principal(numbers) => Mat3::from_diagonal(&vector(document, numbers)),
+            Inertia::Tensor(numbers) => {
+                let [xx, yy, zz, xy, yz, zx] = numbers.map(|number| document.value(number));
+                Mat3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz)
+            }
+        };
+        let axes = body.axes.map_or_else(Mat3::identity, |rows| {
+            // As written they are orthonormal to some digits: the nearest rotation is meant.
+            let written = Mat3::from_columns(&rows.map(|row| vector(document, row)));
+            *Rotation3::from_matrix(&written).matrix()
+        });
+        self.system.add_body(&BodyDesign {
+            name: body.name.clone(),
+            mass: document.value(body.mass),
+            position: self.position(body.position),
+            inertia,
+            axes,
+            velocity: vector(document, body.velocity),
+            angular_velocity: vector(document, body.angular_velocity),
+        });
+    }
+
+    pub(super) fn add_frame(&mut self, frame: &FrameSpec) {
+        let document = self.document;
+        let (guide, target) = match frame.orientation {
+            Orientation::Rotation(rotation) if !frame.input => {
+                let [x, y, z] = frame.position;
+                let place =
+                    [(x, 0), (y, 1), (z, 2)].map(|(number, axis)| signal_from(document, number, self.origin[axis]));
+                let rotation = rotation.map(|number| signal(document, number));
+                (FrameGuide::Signals { place, rotation }, Pose::default())
+            }
+            orientation => {
+                let axes = tune::axes(orientation, |number| document.value(number));
+                let place = self.position(frame.position);
+                (FrameGuide::Host, Pose { place, axes: axes.unwrap_or_else(Mat3::identity) })
+            }
+        };
+        self.system.add_frame(&frame.name, guide, target);
+    }
+
+    pub(super) fn add_load(&mut self, written: &LoadSpec) {
+        let points = match &written.target {
+            Target::At(anchor) => {
+                let marker = self.anchored(anchor);
+                // A force acts on the axis alone.
+                let is_zero = |number: &Number| {
+                    let function = self.document.function(*number);
+                    function.is_constant() && function.value(0.0) == 0.0
+                };
+                if written.input || !written.moment.iter().all(is_zero) {
+                    self.system.stiffen(&marker);
+                }
+                vec![(marker, 1.0)]
+            }
+            Target::On(beam) => self.system.sections_of(*beam),
+        };
+        let signals = |numbers: [Number; 3]| numbers.map(|number| signal(self.document, number));
+        self.system.add_load(load::Load {
+            name: written.name.clone(),
+            points,
+            guide: if written.input {
+                LoadGuide::Host
+            } else {
+                LoadGuide::Signals { force: signals(written.force), moment: signals(written.moment) }
+            },
+            direction: if written.follower { Direction::Follower } else { Direction::Global },
+        });
+    }
+}

@@ -1,0 +1,182 @@
+//! What may change while the system runs: gravity, loads, springs and dampers, and where a host wants drives and frames to be.
+
+use super::{signal, vector};
+use crate::math::jet::Jet;
+use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::force::load::LoadGuide;
+use crate::mechanics::geometry::pose::{Pose, angular_velocity};
+use crate::mechanics::input::excitation::{HostWrench, Wrench};
+use crate::mechanics::input::host_motion::Targets;
+use crate::mechanics::marker::relative_coordinate::Measure;
+use crate::mechanics::system::System;
+use crate::model::file::document::Document;
+use crate::model::file::entries::drive::Motion;
+use crate::model::file::entries::frame::{FrameSpec, Orientation};
+use crate::model::file::entries::joint::JointSpec;
+use crate::model::file::entries::spring::SpringSpec;
+use crate::model::file::number::Number;
+use nalgebra::Quaternion;
+
+/// The numbers of a spring.
+pub(super) struct Tuned {
+    pub stiffness: Number,
+    pub damping: Number,
+    /// The value of the coordinate at which it is free of force; none: the one as drawn.
+    pub rest: Option<Number>,
+}
+
+/// The numbers of a two-point spring.
+pub(super) fn spring(spring: &SpringSpec) -> Tuned {
+    Tuned { stiffness: spring.stiffness, damping: spring.damping, rest: spring.length }
+}
+
+/// The springs of a joint with what they measure, in the order of their building.
+pub(super) fn springs_of(joint: &JointSpec) -> Vec<(Measure, Tuned)> {
+    let coordinates = [(Measure::Angle(0), joint.angle), (Measure::Distance(0), joint.distance)];
+    let on_coordinates = coordinates.into_iter().filter_map(|(measure, own)| {
+        own.map(|own| (measure, Tuned { stiffness: own.stiffness, damping: own.damping, rest: None }))
+    });
+    let mut springs: Vec<_> = on_coordinates.collect();
+    if let Some(bushing) = joint.bushing {
+        for axis in 0..3 {
+            let (stiffness, damping) = (bushing.stiffness[axis], bushing.damping[axis]);
+            springs.push((Measure::Distance(axis), Tuned { stiffness, damping, rest: None }));
+        }
+        for axis in 0..3 {
+            let (stiffness, damping) = (bushing.rotational_stiffness[axis], bushing.rotational_damping[axis]);
+            springs.push((Measure::Rotation(axis), Tuned { stiffness, damping, rest: None }));
+        }
+    }
+    springs
+}
+
+/// Brings a built system to the tunable parameters of now.
+pub fn retune(document: &Document, system: &mut System) {
+    system.gravity = vector(document, document.model.gravity);
+    for (load, written) in system.loads.iter_mut().zip(&document.loads) {
+        if let LoadGuide::Signals { force, moment } = &mut load.guide {
+            *force = written.force.map(|number| signal(document, number));
+            *moment = written.moment.map(|number| signal(document, number));
+        }
+    }
+    system.collect_breaks();
+    for (beam, written) in system.beams.iter().zip(&document.beams) {
+        let damping = document.value(document.materials[written.material].damping);
+        for element in &mut system.mesh.elements[beam.element_range()] {
+            element.set_damping(damping);
+        }
+    }
+    let System { springs, joint_parts, .. } = system;
+    let mut set = |number: usize, tuned: Tuned| {
+        let spring = &mut springs[number];
+        spring.stiffness = document.value(tuned.stiffness);
+        spring.damping = document.value(tuned.damping);
+        if let Some(rest) = tuned.rest {
+            spring.rest = document.value(rest);
+        }
+    };
+    // The springs of the file are built before those of joints.
+    document.springs.iter().enumerate().for_each(|(number, written)| set(number, spring(written)));
+    for (parts, joint) in joint_parts.iter().zip(&document.joints) {
+        parts.springs.iter().zip(springs_of(joint)).for_each(|(number, (_, tuned))| set(*number, tuned));
+    }
+}
+
+/// The frames that a host gives a quaternion of length 0 for the end of a step from `begin` to `end`, s, which says nothing of their orientation.
+pub fn undirected(
+    document: &Document,
+    line: impl Fn(Number) -> (f64, f64),
+    [begin, end]: [f64; 2],
+) -> impl Iterator<Item = (&FrameSpec, [Number; 4])> {
+    document.frames.iter().filter_map(move |frame| match frame.orientation {
+        Orientation::Quaternion(numbers) => {
+            let at_end = |number: Number| line(number).0 + line(number).1 * (end - begin);
+            axes(frame.orientation, at_end).is_none().then_some((frame, numbers))
+        }
+        Orientation::Rotation(_) => None,
+    })
+}
+
+/// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads act until then. `line` is the
+/// value of an input and its derivative by time. A frame whose quaternion is 0 keeps its orientation.
+pub fn aim(
+    document: &Document,
+    origin: &Vec3,
+    line: impl Fn(Number) -> (f64, f64),
+    [begin, end]: [f64; 2],
+    targets: &mut Targets,
+) {
+    let at_end = |number: Number| {
+        let (value, slope) = line(number);
+        value + slope * (end - begin)
+    };
+    targets.end = end;
+    let departure = &mut targets.departure;
+    let first = departure.is_first();
+    for ((target, course), drive) in targets.drives.iter_mut().zip(&mut departure.drives).zip(&document.drives) {
+        let number = drive.motion.number();
+        if !drive.input {
+            continue;
+        }
+        *target = at_end(number);
+        if first && matches!(drive.motion, Motion::Value(_)) {
+            course.start_with(line(number).1);
+        }
+    }
+    for ((target, course), frame) in targets.frames.iter_mut().zip(&mut departure.frames).zip(&document.frames) {
+        if !frame.input {
+            continue;
+        }
+        let axes = axes(frame.orientation, at_end).unwrap_or(target.axes);
+        *target = Pose { place: Vec3::from(frame.position.map(at_end)) - origin, axes };
+        if first {
+            let velocity = Vec3::from(frame.position.map(|number| line(number).1));
+            course.start_with([velocity, spin(frame.orientation, &line)]);
+        }
+    }
+    for (target, load) in targets.loads.iter_mut().zip(&document.loads).filter(|(_, load)| load.input) {
+        let lines = [load.force, load.moment].map(|numbers| numbers.map(&line));
+        let part = |select: fn(&(f64, f64)) -> f64| {
+            let [force, moment] = lines.each_ref().map(|line| Vec3::from_fn(|i, _| select(&line[i])));
+            Wrench { force, moment }
+        };
+        *target = HostWrench { value: part(|line| line.0), rate: part(|line| line.1), since: begin };
+    }
+}
+
+/// Shortest quaternion that has a direction.
+const SHORTEST: f64 = 1e-9;
+
+/// The axes of an orientation with the numbers `value`; none: its quaternion has no length.
+pub(super) fn axes(orientation: Orientation, value: impl Fn(Number) -> f64) -> Option<Mat3> {
+    match orientation {
+        Orientation::Rotation(numbers) => Some(rotation_matrix(&Vec3::from(numbers.map(value)))),
+        Orientation::Quaternion(numbers) => {
+            let [w, x, y, z] = numbers.map(value);
+            let length = Vec3::new(x, y, z).norm().hypot(w);
+            (length > SHORTEST).then(|| quaternion_matrix([w, x, y, z].map(|part| part / length)))
+        }
+    }
+}
+
+/// The angular velocity of an orientation whose numbers change, in global axes: of a quaternion `2 Im(q' q⁻¹)`; 0 where it has no direction.
+fn spin(orientation: Orientation, line: impl Fn(Number) -> (f64, f64)) -> Vec3 {
+    match orientation {
+        Orientation::Rotation(numbers) => {
+            let vector = numbers.map(&line).map(|(value, first)| Jet { value, first, second: 0.0 });
+            let [now, change, _] = rotation_matrix_jet(&vector).map(|axes| Pose { place: Vec3::zeros(), axes });
+            angular_velocity(&now, &change)
+        }
+        Orientation::Quaternion(numbers) => {
+            let part = |select: fn((f64, f64)) -> f64| {
+                let [w, x, y, z] = numbers.map(&line).map(select);
+                Quaternion::new(w, x, y, z)
+            };
+            let (now, change) = (part(|line| line.0), part(|line| line.1));
+            let square = now.norm_squared();
+            let turn = (change * now.conjugate()).imag() * 2.0;
+            if square > SHORTEST * SHORTEST { turn / square } else { Vec3::zeros() }
+        }
+    }
+}

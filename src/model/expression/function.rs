@@ -1,0 +1,99 @@
+//! A number that may depend on time (or on the curve parameter): one expression, or pieces with ascending limits.
+
+use super::{Jet, Program};
+
+/// One piece: valid while the variable is below `until`; the last one has no limit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// The limit, free of the variable; none: for ever.
+    pub until: Option<Program>,
+    /// The value.
+    pub is: Program,
+}
+
+/// A number as written: it still knows the parameters it uses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    pieces: Vec<Piece>,
+}
+
+impl Formula {
+    /// One expression.
+    pub fn single(is: Program) -> Self {
+        Self { pieces: vec![Piece { until: None, is }] }
+    }
+
+    /// Several pieces, of which the last has no limit.
+    pub fn piecewise(pieces: Vec<Piece>) -> Self {
+        assert!(pieces.last().is_some_and(|piece| piece.until.is_none()), "the reader checks the pieces");
+        Self { pieces }
+    }
+
+    /// Whether the variable does not occur: neither in a piece nor by there being several.
+    pub fn is_constant(&self) -> bool {
+        self.pieces.len() == 1 && self.pieces[0].is.is_constant()
+    }
+
+    /// The parameters that occur, repeats included.
+    pub fn parameters(&self) -> impl Iterator<Item = usize> + '_ {
+        let programs = self.pieces.iter().flat_map(|piece| piece.until.iter().chain([&piece.is]));
+        programs.flat_map(Program::parameters)
+    }
+
+    /// With the parameters as numbers.
+    pub fn bound(&self, parameters: impl Fn(usize) -> f64) -> Function {
+        let last = self.pieces.len() - 1;
+        let limit = |piece: &Piece| piece.until.as_ref().map_or(f64::INFINITY, |until| until.value(0.0, &parameters));
+        Function {
+            limits: self.pieces[..last].iter().map(limit).collect(),
+            pieces: self.pieces.iter().map(|piece| piece.is.bound(&parameters)).collect(),
+        }
+    }
+}
+
+/// A number that may depend on time, ready for evaluation: no parameters, no allocation.
+///
+/// Outside the domain of a function in it (`sqrt(-1)`) value and derivatives are NaN: the caller knows the time and the name
+/// ([`crate::model::document::Document::name`]) for the message.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    limits: Vec<f64>,
+    pieces: Vec<Program>,
+}
+
+impl Function {
+    /// The function that does not change.
+    pub fn constant(value: f64) -> Self {
+        Self { limits: Vec::new(), pieces: vec![Program::constant(value)] }
+    }
+
+    /// Whether it does not depend on the variable.
+    pub fn is_constant(&self) -> bool {
+        self.limits.is_empty() && self.pieces[0].is_constant()
+    }
+
+    /// `f(t)`.
+    pub fn value(&self, t: f64) -> f64 {
+        self.jet(t).value
+    }
+
+    /// `(f, f', f'')` at t; at a limit those of the piece that begins there.
+    pub fn jet(&self, t: f64) -> Jet {
+        let place = self.limits.iter().position(|limit| t < *limit).unwrap_or(self.limits.len());
+        self.pieces[place].jet(t, |_| f64::NAN)
+    }
+
+    /// Where its pieces meet.
+    pub fn limits(&self) -> &[f64] {
+        &self.limits
+    }
+
+    /// What is wrong with the limits: they must be finite and ascend.
+    pub fn objection(&self) -> Option<String> {
+        if let Some(limit) = self.limits.iter().find(|limit| !limit.is_finite()) {
+            return Some(format!("must have finite limits, this one is {limit}"));
+        }
+        let descent = self.limits.windows(2).find(|pair| pair[0] >= pair[1])?;
+        Some(format!("must have ascending limits, but {} comes after {}", descent[1], descent[0]))
+    }
+}

@@ -1,0 +1,398 @@
+//! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
+
+use super::entries::beam::BeamSpec;
+use super::entries::body::BodySpec;
+use super::entries::drive::DriveSpec;
+use super::entries::frame::FrameSpec;
+use super::entries::joint::JointSpec;
+use super::entries::load::LoadSpec;
+use super::entries::material::MaterialSpec;
+use super::entries::output::{OutputSpec, Things};
+use super::entries::overview::ModelSpec;
+use super::entries::parameters;
+use super::entries::section::SectionSpec;
+use super::entries::simulation::{Analysis, SimulationSpec, Steps};
+use super::entries::spring::SpringSpec;
+use super::number::{Number, Numbers, Written};
+use super::parameter::Parameter;
+use super::range::Range;
+use super::reader::{Context, Reader};
+use crate::model::expression::function::Function;
+use crate::model::text::diagnostic::{Diagnostic, Place, Report, Source};
+use crate::model::text::names::{Kind, Named, Names, SECTIONS, is_legal, is_reserved, suggestion};
+use crate::model::text::overrides;
+use crate::model::text::tree::{self, Entry, Node};
+use crate::solve::step::pacing::Pacing;
+
+/// Rows of results of a file that says neither how far they are apart nor a step: of a motion, and of a row of equilibria.
+const ROWS_OF_MOTION: f64 = 500.0;
+const ROWS_OF_EQUILIBRIA: f64 = 50.0;
+
+/// A model file.
+#[derive(Clone, Debug)]
+pub struct Document {
+    source: Source,
+    pub(in crate::model) numbers: Numbers,
+    pub(super) parameters: Vec<Parameter>,
+    /// Name, description, gravity.
+    pub model: ModelSpec,
+    /// Materials, in file order.
+    pub materials: Vec<MaterialSpec>,
+    /// Sections, in file order.
+    pub sections: Vec<SectionSpec>,
+    /// Beams, in file order.
+    pub beams: Vec<BeamSpec>,
+    /// Bodies, in file order.
+    pub bodies: Vec<BodySpec>,
+    /// Frames, in file order.
+    pub frames: Vec<FrameSpec>,
+    /// Joints, in file order.
+    pub joints: Vec<JointSpec>,
+    /// Drives, in file order.
+    pub drives: Vec<DriveSpec>,
+    /// Springs, in file order.
+    pub springs: Vec<SpringSpec>,
+    /// Loads, in file order.
+    pub loads: Vec<LoadSpec>,
+    /// Outputs, in file order.
+    pub outputs: Vec<OutputSpec>,
+    /// What is computed.
+    pub simulation: SimulationSpec,
+}
+
+/// The only version of the format.
+const FORMAT: i64 = 1;
+
+impl Document {
+    /// Reads a file with its overrides, key and value each, except for what only its geometry shows; the report has everything that is
+    /// wrong with the file and the overrides, in their order. Without a document the report is not empty.
+    pub(in crate::model) fn read<'a>(
+        source: &'a Source,
+        text: &str,
+        overrides: &[(String, String)],
+    ) -> (Option<Self>, Report<'a>) {
+        let mut report = Report::new(source);
+        let Some(mut tree) = tree::parse(text, &mut report) else { return (None, report) };
+        overrides::apply(&mut tree, overrides, &mut report);
+        let mut context = Context { report, numbers: Numbers::default(), names: Names::default() };
+        context.names = collect_names(&tree, &mut context);
+        let mut tree = Top(tree);
+        tree.format(&mut context);
+        let empty = Vec::new();
+        parameters::read(&mut context, tree.table("parameters").as_ref().unwrap_or(&empty));
+        context.numbers.sort(&mut context.report);
+
+        let model = tree.single(&mut context, "model").map(ModelSpec::read);
+        let materials = tree.named(&mut context, "material", MaterialSpec::read);
+        let sections = tree.named(&mut context, "section", SectionSpec::read);
+        let beams = tree.named(&mut context, "beam", BeamSpec::read);
+        let bodies = tree.named(&mut context, "body", BodySpec::read);
+        let frames = tree.named(&mut context, "frame", FrameSpec::read);
+        let joints = tree.named(&mut context, "joint", JointSpec::read);
+        let drives = tree.named(&mut context, "drive", |name, reader| DriveSpec::read(name, reader, &joints));
+        DriveSpec::report_doubles(&drives, &mut context.report);
+        let springs = tree.named(&mut context, "spring", SpringSpec::read);
+        let loads = tree.named(&mut context, "load", LoadSpec::read);
+        let things = Things { beams: &beams, sections: &sections, joints: &joints, drives: &drives };
+        let outputs = tree.named(&mut context, "output", |name, reader| OutputSpec::read(name, reader, things));
+        let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
+        tree.finish(&mut context);
+
+        let Context { mut report, mut numbers, .. } = context;
+        numbers.resolve();
+        numbers.spread_tunable();
+        report_objections(&numbers, &sections, &mut report);
+        let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };
+        let parameters = Parameter::table(&numbers);
+        let document = Self {
+            source: source.clone(),
+            numbers,
+            parameters,
+            model,
+            materials,
+            sections,
+            beams,
+            bodies,
+            frames,
+            joints,
+            drives,
+            springs,
+            loads,
+            outputs,
+            simulation,
+        };
+        (Some(document), report)
+    }
+
+    /// The value of a number, parameters resolved; of one that changes in time the value at 0.
+    pub fn value(&self, number: Number) -> f64 {
+        self.numbers.values[number.0]
+    }
+
+    /// Time between two rows of results, s.
+    pub fn output_step(&self) -> f64 {
+        let SimulationSpec { analysis, stop, steps, output_step, .. } = &self.simulation;
+        match (output_step, steps, analysis) {
+            (Some(number), ..) | (None, Steps::Fixed(number), _) => self.value(*number),
+            (None, Steps::ForAccuracy(_), Analysis::Dynamic) => self.value(*stop) / ROWS_OF_MOTION,
+            (None, Steps::ForAccuracy(_), Analysis::Static) => self.value(*stop) / ROWS_OF_EQUILIBRIA,
+        }
+    }
+
+    /// The largest internal step, s; where the solver chooses the steps of a motion, one that does not depend on the rows.
+    pub fn largest_step(&self) -> f64 {
+        let SimulationSpec { analysis, stop, steps, .. } = &self.simulation;
+        match (steps, analysis) {
+            (Steps::Fixed(step), _) => self.value(*step),
+            (Steps::ForAccuracy(_), Analysis::Dynamic) => self.value(*stop) / ROWS_OF_MOTION,
+            (Steps::ForAccuracy(_), Analysis::Static) => self.output_step(),
+        }
+    }
+
+    /// What a host's relative tolerance stands for: the accuracy of a motion whose steps follow from it, else what Newton may leave of a step.
+    pub fn asked_accuracy(&self) -> f64 {
+        let SimulationSpec { analysis, steps, tolerance, .. } = self.simulation;
+        match (analysis, steps) {
+            (Analysis::Dynamic, Steps::ForAccuracy(accuracy)) => self.value(accuracy),
+            _ => self.value(tolerance),
+        }
+    }
+
+    /// How the solver chooses the steps of a motion from `start`, s; none where they are given.
+    pub fn pacing(&self, start: f64) -> Option<Pacing> {
+        let SimulationSpec { analysis: Analysis::Dynamic, steps: Steps::ForAccuracy(accuracy), stop, .. } =
+            self.simulation
+        else {
+            return None;
+        };
+        let stop = self.value(stop);
+        Some(Pacing { accuracy: self.value(accuracy), duration: if stop > start { stop - start } else { stop } })
+    }
+
+    /// The values of three numbers.
+    pub fn vector(&self, numbers: [Number; 3]) -> [f64; 3] {
+        numbers.map(|number| self.value(number))
+    }
+
+    /// A number as a function of time with the parameters of now: it owns what it needs.
+    pub fn function(&self, number: Number) -> Function {
+        self.numbers.function(number)
+    }
+
+    /// Whether everything that a number is made of is finite; if not, that is reported.
+    pub fn is_sound(&self, number: Number) -> bool {
+        self.numbers.is_sound(number.0)
+    }
+
+    /// Why the value of a number is not allowed; none: it is.
+    pub fn objection(&self, number: Number) -> Option<String> {
+        self.numbers.slots[number.0].meta.objection(self.value(number))
+    }
+
+    /// The allowed values of a number.
+    pub fn range(&self, number: Number) -> Range {
+        self.numbers.slots[number.0].meta.range
+    }
+
+    /// The name of a number: `tip.force[1]`.
+    pub fn name(&self, number: Number) -> &str {
+        &self.numbers.slots[number.0].meta.name
+    }
+
+    /// Where a number is written; for a default the name of its section.
+    pub fn place(&self, number: Number) -> Place {
+        self.numbers.slots[number.0].place
+    }
+
+    /// Where a number is written, for messages: `line 7`, or the override.
+    pub fn origin(&self, number: Number) -> String {
+        let place = self.place(number);
+        match place.source {
+            0 => format!("line {}", self.source.line(place)),
+            _ => String::from("--set"),
+        }
+    }
+
+    /// A message of the solver at the line of the first part of the model that it names; none if it names none.
+    pub fn locate(&self, message: &str) -> Option<Diagnostic> {
+        let words: Vec<&str> =
+            message.split_whitespace().map(|word| word.trim_matches([',', ';', ':', '\''])).collect();
+        let place = words.iter().enumerate().find_map(|(k, word)| {
+            let name = word.split(['.', '@']).next().unwrap_or(word);
+            let before = k.checked_sub(1).map_or("", |k| words[k]);
+            let is_point = name.len() < word.len() || words.get(k + 1).is_some_and(|next| next.starts_with('('));
+            let mut parts = self.parts().filter(|(_, known, _)| *known == name);
+            parts.find(|(kind, ..)| is_point || before == *kind || before == "bushing").map(|(.., place)| place)
+        });
+        place.map(|place| self.diagnostic(place, message, "", ""))
+    }
+
+    /// What the solver's messages name: kind, name and place.
+    fn parts(&self) -> impl Iterator<Item = (&'static str, &str, Place)> {
+        let beams = self.beams.iter().map(|part| ("beam", part.name.as_str(), part.place));
+        let bodies = self.bodies.iter().map(|part| ("body", part.name.as_str(), part.place));
+        let frames = self.frames.iter().map(|part| ("frame", part.name.as_str(), part.place));
+        let joints = self.joints.iter().map(|part| ("joint", part.name.as_str(), part.place));
+        let drives = self.drives.iter().map(|part| ("drive", part.name.as_str(), part.place));
+        let springs = self.springs.iter().map(|part| ("spring", part.name.as_str(), part.place));
+        let loads = self.loads.iter().map(|part| ("load", part.name.as_str(), part.place));
+        beams.chain(bodies).chain(frames).chain(joints).chain(drives).chain(springs).chain(loads)
+    }
+
+    /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help` below it.
+    pub fn diagnostic(&self, place: Place, message: &str, label: &str, help: &str) -> Diagnostic {
+        Diagnostic::new(&self.source, place, message, label, help)
+    }
+}
+
+/// The top level of the file; sections are taken out of it one by one.
+struct Top(Vec<Entry>);
+
+impl Top {
+    fn take(&mut self, key: &str) -> Option<Entry> {
+        self.0.iter().position(|entry| entry.key == key).map(|at| self.0.remove(at))
+    }
+
+    fn format(&mut self, context: &mut Context<'_>) {
+        match self.take("format") {
+            Some(Entry { item, .. }) => {
+                if !matches!(item.node, Node::Integer(FORMAT)) {
+                    let message = "this version reads format 1 only";
+                    context.report.error(item.place, message, "format = 1 was expected", "");
+                }
+            }
+            None => {
+                let help = "the first line of every model file is: format = 1";
+                context.report.error(Place::file(0..0), "the file does not say its format", "missing here", help);
+            }
+        }
+    }
+
+    /// The entries of a section that may be missing; a wrong type is reported with the names.
+    fn table(&mut self, key: &str) -> Option<Vec<Entry>> {
+        match self.take(key)?.item.node {
+            Node::Table(entries) => Some(entries),
+            _ => None,
+        }
+    }
+
+    /// A section that must be there.
+    fn single<'c, 'a>(&mut self, context: &'c mut Context<'a>, key: &str) -> Option<Reader<'c, 'a>> {
+        match self.take(key) {
+            Some(Entry { key_place, item, .. }) => match item.node {
+                Node::Table(entries) => {
+                    let prefix = if key == "model" { String::new() } else { format!("{key}.") };
+                    Some(Reader::new(context, format!("[{key}]"), prefix, key_place, entries))
+                }
+                _ => {
+                    context.wrong_type(key, &item, &format!("a section [{key}]"));
+                    None
+                }
+            },
+            None => {
+                let message = format!("the section [{key}] is missing");
+                let end = context.report.source.end();
+                context.report.error(end, &message, "missing at the end of the file", "");
+                None
+            }
+        }
+    }
+
+    /// All sections of a kind, in file order.
+    fn named<T>(
+        &mut self,
+        context: &mut Context<'_>,
+        word: &str,
+        read: impl Fn(&str, Reader<'_, '_>) -> Option<T>,
+    ) -> Vec<T> {
+        let mut list = Vec::new();
+        for Entry { key: name, key_place, item } in self.table(word).unwrap_or_default() {
+            let Node::Table(entries) = item.node else { continue };
+            let title = format!("[{word}.{name}]");
+            list.extend(read(&name, Reader::new(context, title, format!("{name}."), key_place, entries)));
+        }
+        list
+    }
+
+    /// What is left over, and whether there is anything to move.
+    fn finish(self, context: &mut Context<'_>) {
+        let known = || SECTIONS.iter().map(|(word, _)| *word).chain(["format", "model", "parameters", "simulation"]);
+        for entry in &self.0 {
+            let message = format!("unknown section or key `{}`", entry.key);
+            let help = format!("known here: {}", known().collect::<Vec<_>>().join(", "));
+            context.report.error(entry.key_place, &message, &suggestion(&entry.key, known()), &help);
+        }
+        let none = |kind: Kind| context.names.of(kind).next().is_none();
+        if none(Kind::Beam) && none(Kind::Body) {
+            let end = context.report.source.end();
+            let label = "a section [beam.NAME] or [body.NAME] is missing";
+            context.report.error(end, "the file has no beam and no body", label, "");
+        }
+    }
+}
+
+/// Every name with what it stands for; illegal, reserved and double ones are reported.
+fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
+    let mut names = Names::default();
+    let report = &mut context.report;
+    let mut found: Vec<(Kind, usize, &Entry)> = Vec::new();
+    for entry in tree {
+        let kind = match SECTIONS.iter().find(|(word, _)| *word == entry.key) {
+            Some((_, kind)) => *kind,
+            None if entry.key == "parameters" => Kind::Parameter,
+            None => continue,
+        };
+        let title = if kind == Kind::Parameter { "[parameters]".to_owned() } else { format!("[{}.NAME]", entry.key) };
+        let Node::Table(things) = &entry.item.node else {
+            let message = format!("`{}` is {}", entry.key, entry.item.node.describe());
+            report.error(entry.item.place, &message, &format!("a section {title} was expected"), "");
+            continue;
+        };
+        let mut index = 0;
+        for thing in things {
+            if kind != Kind::Parameter && !matches!(thing.item.node, Node::Table(_)) {
+                let message = format!("`{}` in [{}] is {}", thing.key, entry.key, thing.item.node.describe());
+                let help = format!("each {} has its own section with its own name", entry.key);
+                report.error(thing.key_place, &message, &format!("a section {title} was expected"), &help);
+                continue;
+            }
+            found.push((kind, index, thing));
+            index += 1;
+        }
+    }
+    found.sort_by_key(|(_, _, thing)| thing.key_place);
+    for (kind, index, thing) in found {
+        let name = &thing.key;
+        let mut named = Named { name: name.clone(), kind, index, place: thing.key_place };
+        if !is_legal(name) {
+            let help = "a name is a letter, then letters, digits and _";
+            report.error(thing.key_place, &format!("`{name}` is not a valid name"), "", help);
+        } else if is_reserved(name) {
+            report.error(thing.key_place, &format!("the name `{name}` is reserved"), "another name was expected", "");
+        } else if let Some(first) = names.find(name) {
+            let line = report.source.line(first.place);
+            let message = format!("the name `{name}` is used twice");
+            let label = format!("line {line} has a {} of this name", first.kind.word());
+            report.error(thing.key_place, &message, &label, "names are unique in the whole file");
+            named.index = index;
+        }
+        names.0.push(named);
+    }
+    names
+}
+
+/// Reports every number that is out of its range.
+fn report_objections(numbers: &Numbers, sections: &[SectionSpec], report: &mut Report<'_>) {
+    let tubes = sections.iter().filter_map(|section| section.objection(numbers));
+    for (number, objection) in numbers.objections().into_iter().chain(tubes) {
+        let slot = &numbers.slots[number.0];
+        let value = numbers.values[number.0];
+        let unit = if slot.meta.unit.is_empty() || !value.is_finite() { "" } else { &format!(" {}", slot.meta.unit) };
+        let verb = if matches!(slot.written, Written::Plain(_)) { "this is" } else { "this gives" };
+        let label = match &slot.written {
+            Written::Formula(formula) if !formula.is_constant() => String::new(),
+            _ => format!("{verb} {value}{unit}"),
+        };
+        report.error(slot.place, &format!("`{}` {objection}", slot.meta.name), &label, "");
+    }
+}

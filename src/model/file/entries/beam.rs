@@ -1,0 +1,121 @@
+//! `[beam.NAME]`: a beam and how it is divided and formulated; its line is in curve.rs.
+
+use super::curve::Line;
+use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
+use crate::mechanics::beam::ancf14::strain::Strain;
+use crate::mechanics::beam::ancf24::law::Shear;
+use crate::mechanics::beam::design::{Elements, Torsion};
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::schema;
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::Kind;
+
+/// A section `[beam.NAME]`.
+#[derive(Clone, Debug)]
+pub struct BeamSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// Place in the list of materials.
+    pub material: usize,
+    /// Place in the list of sections.
+    pub section: usize,
+    /// The line it follows; none: it is wrong, and reported.
+    pub line: Option<Line>,
+    /// Direction of the section's y at the start, to be made perpendicular to the tangent.
+    pub y_axis: [Number; 3],
+    /// Number of elements.
+    pub elements: Number,
+    /// How its elements are formulated.
+    pub formulation: Elements,
+    /// Additional turn of the section from start to end, rad.
+    pub pretwist: Number,
+    /// Initial velocity of the start, m/s.
+    pub velocity: [Number; 3],
+    /// Initial angular velocity, rad/s.
+    pub angular_velocity: [Number; 3],
+}
+
+/// The words of `strain`.
+const STRAINS: [(&str, Strain); 3] =
+    [("large", Strain::Large), ("large_truncated", Strain::LargeTruncated), ("small", Strain::Small)];
+
+/// The words of `twist`.
+const TWISTS: [(&str, Twist); 2] = [("linear", Twist::Linear), ("quadratic", Twist::Quadratic)];
+
+/// The words of `ancf24_shear`.
+const SHEARS: [(&str, Shear); 2] = [("section", Shear::Section), ("continuum", Shear::Continuum)];
+
+/// The words of `element`.
+const ELEMENTS: [(&str, Word); 2] = [("ancf14", Word::Ancf14), ("ancf24", Word::Ancf24)];
+
+#[derive(Clone, Copy)]
+enum Word {
+    Ancf14,
+    Ancf24,
+}
+
+/// Reads how the elements of a beam are formulated. Keys of the other formulation are mistakes; those of the file go with its `element`,
+/// where an override gives another one.
+fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
+    let is_overridden = reader.is_overridden("element");
+    let foreign = |reader: &mut Reader<'_, '_>, keys: &[&str], own: &str, other: &str| {
+        for key in keys {
+            if is_overridden {
+                reader.set_aside(key);
+            }
+            let message = format!("`{key}` belongs to element = \"{own}\"");
+            reader.refuse(key, &message, &format!("element = \"{other}\" has none: remove it"));
+        }
+    };
+    let (own14, own24) = (["strain", "twist", "torsion"], ["ancf24_poisson", "ancf24_shear"]);
+    match reader.word("element", &ELEMENTS, Some(Word::Ancf14)).unwrap_or(Word::Ancf14) {
+        Word::Ancf14 => {
+            foreign(reader, &own24, "ancf24", "ancf14");
+            Elements::Ancf14 {
+                strain: reader.word("strain", &STRAINS, Some(Strain::Large)).unwrap_or(Strain::Large),
+                twist: reader.word("twist", &TWISTS, Some(Twist::Linear)).unwrap_or(Twist::Linear),
+                torsion: if reader.boolean("torsion", true) { Torsion::Free } else { Torsion::Suppressed },
+            }
+        }
+        Word::Ancf24 => {
+            foreign(reader, &own14, "ancf14", "ancf24");
+            Elements::Ancf24 {
+                poisson: reader.boolean("ancf24_poisson", false),
+                shear: reader.word("ancf24_shear", &SHEARS, Some(Shear::Section)).unwrap_or(Shear::Section),
+            }
+        }
+    }
+}
+
+impl BeamSpec {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+        // The first ones stand in for what is reported: the beam must keep its place in the list.
+        let material = reader.reference("material", Kind::Material).unwrap_or(0);
+        let section = reader.reference("section", Kind::Section).unwrap_or(0);
+        let line = Line::read(&mut reader);
+        let y_axis = reader.vector_or(&schema::Y_AXIS, [0.0, 1.0, 0.0]);
+        let elements = reader.number(&schema::ELEMENTS);
+        let formulation = formulation(&mut reader);
+        let pretwist = reader.number_or(&schema::PRETWIST, 0.0);
+        let velocity = reader.vector_or(&schema::VELOCITY, [0.0; 3]);
+        let angular_velocity = reader.vector_or(&schema::ANGULAR_VELOCITY, [0.0; 3]);
+        let place = reader.place;
+        reader.finish();
+        Some(Self {
+            name: name.to_owned(),
+            place,
+            material,
+            section,
+            line,
+            y_axis,
+            elements,
+            formulation,
+            pretwist,
+            velocity,
+            angular_velocity,
+        })
+    }
+}

@@ -1,0 +1,60 @@
+//! `[body.NAME]`: a rigid body.
+
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::schema;
+use crate::model::text::diagnostic::Place;
+
+/// A section `[body.NAME]`.
+#[derive(Clone, Debug)]
+pub struct BodySpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// Mass, kg.
+    pub mass: Number,
+    /// Center of mass as drawn, global, m.
+    pub position: [Number; 3],
+    /// Inertia about the center of mass, kg m².
+    pub inertia: Inertia,
+    /// Body axes as drawn, global, one per row; default: the global axes.
+    pub axes: Option<[[Number; 3]; 3]>,
+    /// Initial velocity of the center of mass, global, m/s.
+    pub velocity: [Number; 3],
+    /// Initial angular velocity, global, rad/s.
+    pub angular_velocity: [Number; 3],
+}
+
+/// Inertia about the center of mass in body axes, kg m².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Inertia {
+    /// The body axes are principal axes: a moment about each.
+    Principal([Number; 3]),
+    /// The components xx, yy, zz, xy, yz, zx of the tensor: xy is minus the integral of x y dm.
+    Tensor([Number; 6]),
+}
+
+impl BodySpec {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+        let mass = reader.number(&schema::MASS);
+        let position = reader.vector(&schema::CENTER);
+        let inertia = Inertia::read(&mut reader);
+        let axes = reader.table(&schema::AXES);
+        let velocity = reader.vector_or(&schema::BODY_VELOCITY, [0.0; 3]);
+        let angular_velocity = reader.vector_or(&schema::ANGULAR_VELOCITY, [0.0; 3]);
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, mass, position, inertia, axes, velocity, angular_velocity })
+    }
+}
+
+impl Inertia {
+    fn read(reader: &mut Reader<'_, '_>) -> Self {
+        let expected = "a list of 3 or 6";
+        match reader.length_of(schema::INERTIA.key) {
+            Some(6) => Self::Tensor(reader.list(&schema::INERTIA, expected)),
+            _ => Self::Principal(reader.list(&schema::PRINCIPAL_INERTIA, expected)),
+        }
+    }
+}

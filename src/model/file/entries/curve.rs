@@ -1,0 +1,131 @@
+//! The line of a `[beam.NAME]`: straight by `from` and `to`, or a `curve`.
+
+use crate::mechanics::beam::centerline::Spacing;
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::schema;
+use crate::model::text::diagnostic::Place;
+
+/// What the beam follows.
+#[derive(Clone, Debug)]
+pub enum Line {
+    /// A straight line.
+    Straight {
+        /// Start, global, m.
+        from: [Number; 3],
+        /// End, global, m.
+        to: [Number; 3],
+    },
+    /// A curve.
+    Curved(CurveSpec),
+}
+
+/// A `curve`.
+#[derive(Clone, Debug)]
+pub struct CurveSpec {
+    /// Where it is written.
+    pub place: Place,
+    /// What it goes through.
+    pub shape: Shape,
+    /// true: straight pieces, welded at the corners.
+    pub polyline: bool,
+    /// How the ends of the elements are spaced.
+    pub spacing: Spacing,
+}
+
+/// What a curve goes through.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// Coordinates as functions of the curve parameter.
+    Expressions {
+        /// x, y, z, global, m.
+        coordinates: [Number; 3],
+        /// The parameter at the start and at the end.
+        range: [Number; 2],
+    },
+    /// Points, global, m: two or more.
+    Points(Vec<[Number; 3]>),
+}
+
+/// The words of `spacing`.
+const SPACINGS: [(&str, Spacing); 2] = [("arc", Spacing::Arc), ("s", Spacing::Parameter)];
+/// What a curve looks like.
+const FORMS: &str = "{ x = .., y = .., z = .., s = [0, 1] } or { points = [[0, 0, 0], ..] }";
+
+impl Line {
+    /// None: a mistake, which is reported.
+    pub(in crate::model) fn read(reader: &mut Reader<'_, '_>) -> Option<Self> {
+        let curved = reader.has("curve");
+        if reader.has("from") || reader.has("to") {
+            reader.exclude("curve", "from` and `to");
+        }
+        if reader.has("curve") {
+            return CurveSpec::read(reader).map(Self::Curved);
+        }
+        // Of a curve that `from` and `to` exclude the spacing is none too many.
+        match curved {
+            true => drop(reader.take("spacing")),
+            false => reader.refuse("spacing", "`spacing` belongs to a curve", "a straight beam has equal elements"),
+        }
+        // Beside a curve, one of the ends may be missing: which of the two was meant is not known.
+        let stand_in = |reader: &mut Reader<'_, '_>, rule| match curved {
+            true => reader.vector_or(rule, [0.0; 3]),
+            false => reader.vector(rule),
+        };
+        let (from, to) = (stand_in(reader, &schema::FROM), stand_in(reader, &schema::TO));
+        (!curved).then_some(Self::Straight { from, to })
+    }
+}
+
+impl CurveSpec {
+    fn read(reader: &mut Reader<'_, '_>) -> Option<Self> {
+        let place = reader.place_of("curve");
+        let inner = reader.inner("curve", FORMS).map(Shape::read);
+        // Without the table nobody knows whether a spacing belongs to it.
+        let Some((shape, polyline)) = inner else {
+            reader.take("spacing");
+            return None;
+        };
+        if polyline && matches!(shape, Some(Shape::Points(_))) {
+            let label = "between points elements are shared by length";
+            reader.refuse("spacing", "`spacing` does not belong to a polyline of points", label);
+        }
+        let spacing = reader.word("spacing", &SPACINGS, Some(Spacing::Arc)).unwrap_or(Spacing::Arc);
+        shape.map(|shape| Self { place, shape, polyline, spacing })
+    }
+}
+
+impl Shape {
+    /// The shape, none after a mistake, and whether it is a polyline.
+    fn read(mut reader: Reader<'_, '_>) -> (Option<Self>, bool) {
+        let expressions = ["x", "y", "z", "s"].map(|key| reader.has(key));
+        let shape = if reader.has("points") {
+            for key in ["x", "y", "z", "s"] {
+                reader.exclude(key, "points");
+            }
+            Self::points(&mut reader)
+        } else if expressions.contains(&true) {
+            let coordinates = [&schema::CURVE_X, &schema::CURVE_Y, &schema::CURVE_Z].map(|rule| reader.number(rule));
+            let range = reader.list(&schema::CURVE_S, "a list of 2");
+            Some(Self::Expressions { coordinates, range })
+        } else {
+            reader.missing("points", "or x, y, z as expressions of s, and s = [0, 1]");
+            None
+        };
+        let polyline = reader.boolean("polyline", false);
+        reader.finish();
+        (shape, polyline)
+    }
+
+    fn points(reader: &mut Reader<'_, '_>) -> Option<Self> {
+        let (count, place) = (reader.length_of("points"), reader.place_of("points"));
+        let points = reader.points(&schema::CURVE_POINTS)?;
+        if let Some(count) = count.filter(|count| *count < 2) {
+            let message = format!("{} has {}", reader.title, if count == 1 { "a single point" } else { "no points" });
+            reader.context.report.error(place, &message, "2 points or more were expected", "");
+            return None;
+        }
+        // What is no point is reported.
+        (Some(points.len()) == count).then_some(Self::Points(points))
+    }
+}

@@ -1,0 +1,153 @@
+//! `[drive.NAME]`: prescribes a free coordinate of a joint.
+
+use super::joint::{self, Coordinate, JointSpec};
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::reader::input::{REACHED, make_input};
+use crate::model::file::schema::{self, Rule};
+use crate::model::text::diagnostic::{Place, Report};
+use crate::model::text::names::Kind;
+
+/// A section `[drive.NAME]`.
+#[derive(Clone, Debug)]
+pub struct DriveSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// Place in the list of joints.
+    pub joint: usize,
+    /// The coordinate of the joint: the joint has it.
+    pub coordinate: Coordinate,
+    /// What is prescribed.
+    pub motion: Motion,
+    /// true: the host gives it; the number is the start value.
+    pub input: bool,
+}
+
+/// What a drive prescribes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Motion {
+    /// The coordinate itself, rad or m; may change in time.
+    Value(Number),
+    /// Its rate, rad/s or m/s; may change in time. The coordinate is its integral, from 0 at t = 0.
+    Rate(Number),
+}
+
+impl Motion {
+    /// The number of either.
+    pub fn number(self) -> Number {
+        let (Self::Value(number) | Self::Rate(number)) = self;
+        number
+    }
+}
+
+/// What the host gives, a word of `input`.
+#[derive(Clone, Copy, PartialEq)]
+enum Word {
+    Value,
+    Rate,
+}
+
+const COORDINATES: [(&str, Coordinate); 2] = [("angle", Coordinate::Angle), ("distance", Coordinate::Distance)];
+const INPUTS: [(&str, Word); 2] = [("value", Word::Value), ("rate", Word::Rate)];
+
+impl Word {
+    /// The rule of the key of this word.
+    fn rule(self, coordinate: Coordinate) -> &'static Rule {
+        match (self, coordinate) {
+            (Self::Value, Coordinate::Angle) => &schema::ANGLE,
+            (Self::Value, Coordinate::Distance) => &schema::DISTANCE,
+            (Self::Rate, Coordinate::Angle) => &schema::ANGLE_RATE,
+            (Self::Rate, Coordinate::Distance) => &schema::DISTANCE_RATE,
+        }
+    }
+}
+
+impl DriveSpec {
+    /// Whether it prescribes an angle, not a distance.
+    pub fn is_angle(&self) -> bool {
+        self.coordinate == Coordinate::Angle
+    }
+
+    /// Reads a section; `joints` are those of the file that could be read.
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
+        let joint = reader.reference("joint", Kind::Joint);
+        let place = reader.place_of("coordinate");
+        let coordinate = reader.word("coordinate", &COORDINATES, None);
+        // Without the coordinate nobody knows what the numbers are.
+        let Some(coordinate) = coordinate else {
+            reader.abandon();
+            return None;
+        };
+        let driven = joint.and_then(|joint| reader.context.names.name(Kind::Joint, joint));
+        if let Some(driven) = joints.iter().find(|joint| Some(joint.name.as_str()) == driven) {
+            check_coordinate(&mut reader, coordinate, place, driven);
+        }
+        let input = reader.has("input");
+        let motion = if input { given(&mut reader, coordinate) } else { written(&mut reader, coordinate) };
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, joint: joint?, coordinate, motion: motion?, input })
+    }
+
+    /// Reports every drive of a coordinate that another one before it drives already.
+    pub(in crate::model) fn report_doubles(drives: &[Self], report: &mut Report<'_>) {
+        for (k, drive) in drives.iter().enumerate() {
+            let same = |other: &&Self| (other.joint, other.coordinate) == (drive.joint, drive.coordinate);
+            let Some(first) = drives[..k].iter().find(same) else { continue };
+            let message = format!("two drives prescribe the {} of the same joint", drive.coordinate.word());
+            let label = format!("line {} has the drive {}", report.source.line(first.place), first.name);
+            report.error(drive.place, &message, &label, "");
+        }
+    }
+}
+
+fn check_coordinate(reader: &mut Reader<'_, '_>, coordinate: Coordinate, place: Place, joint: &JointSpec) {
+    let known = joint.kind.coordinates();
+    if known.contains(&coordinate) {
+        return;
+    }
+    let message = format!("the {} joint {} has no {}", joint.kind.word(), joint.name, coordinate.word());
+    reader.context.report.error(place, &message, &Coordinate::listing(known), joint::COORDINATES);
+}
+
+/// `value` or `rate`, as the file has it.
+fn written(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion> {
+    if let Some(value) = reader.optional(Word::Value.rule(coordinate)) {
+        reader.exclude("rate", "value");
+        return Some(Motion::Value(value));
+    }
+    let rate = reader.optional(Word::Rate.rule(coordinate)).map(Motion::Rate);
+    if rate.is_none() {
+        reader.missing("value", "or `rate`, or input = \"value\" or \"rate\": the host gives it");
+    }
+    rate
+}
+
+/// `value` or `rate`, as the host gives it: the file has its start value, default 0.
+fn given(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion> {
+    let Some(word) = reader.word("input", &INPUTS, None) else {
+        // Which of the two belongs here is unknown: neither is reported.
+        for (_, word) in INPUTS {
+            reader.optional(word.rule(coordinate));
+        }
+        return None;
+    };
+    let number = reader.number_or(word.rule(coordinate), 0.0);
+    for (other, _) in INPUTS.iter().filter(|(_, other)| *other != word) {
+        let own = word.rule(coordinate).key;
+        let message = format!("{} has an input and a {other}", reader.title);
+        reader.refuse(
+            other,
+            &message,
+            &format!("with input = \"{own}\", only `{own}` is allowed; it sets the start value"),
+        );
+    }
+    make_input(reader.context, number);
+    reader.context.numbers.slots[number.0].meta.description.push_str(&format!(", {REACHED}"));
+    Some(match word {
+        Word::Value => Motion::Value(number),
+        Word::Rate => Motion::Rate(number),
+    })
+}

@@ -1,0 +1,218 @@
+//! `[joint.NAME]`: holds two points together, all but some relative motions.
+
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::reader::anchor::{Anchor, SIDES};
+use crate::model::file::schema::{self, Rule};
+use crate::model::text::diagnostic::Place;
+
+/// A section `[joint.NAME]`.
+#[derive(Clone, Debug)]
+pub struct JointSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// What it leaves free.
+    pub kind: JointKind,
+    /// The first side: an axis is fixed in it.
+    pub a: Anchor,
+    /// The second side.
+    pub b: Anchor,
+    /// Its place as drawn, global, m; default: that of b, of a where b is the ground.
+    pub at: Option<[Number; 3]>,
+    /// Its axis as drawn, global; there exactly where the kind has one. Of an inplane joint the normal of the plane.
+    pub axis: Option<[Number; 3]>,
+    /// The axis that is fixed in b, as drawn, global; there exactly for a universal joint.
+    pub axis2: Option<[Number; 3]>,
+    /// Spring and damper on its angle; there exactly where the kind has one.
+    pub angle: Option<SpringDamper>,
+    /// Spring and damper on its distance; there exactly where the kind has one.
+    pub distance: Option<SpringDamper>,
+    /// What holds the sides of a bushing together; there exactly for a bushing.
+    pub bushing: Option<Bushing>,
+}
+
+/// A spring and a damper on a free coordinate, at rest as drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpringDamper {
+    /// N m/rad, or N/m.
+    pub stiffness: Number,
+    /// N m s/rad, or N s/m.
+    pub damping: Number,
+}
+
+/// Springs and dampers along the global axes as drawn, fixed in a, and about them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bushing {
+    /// Against displacement, N/m.
+    pub stiffness: [Number; 3],
+    /// Against velocity, N s/m.
+    pub damping: [Number; 3],
+    /// Against turning, N m/rad.
+    pub rotational_stiffness: [Number; 3],
+    /// Against angular velocity, N m s/rad.
+    pub rotational_damping: [Number; 3],
+}
+
+/// What a joint leaves free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointKind {
+    /// Nothing.
+    Weld,
+    /// All turns.
+    Spherical,
+    /// The turn about its axis.
+    Revolute,
+    /// The turn about its axis and the way along it.
+    Cylindrical,
+    /// The way along its axis.
+    Prismatic,
+    /// The turns about its two axes.
+    Universal,
+    /// All turns, and the way along its axis.
+    Inline,
+    /// All turns, and the ways in the plane normal to its axis.
+    Inplane,
+    /// Everything, against springs and dampers.
+    Bushing,
+}
+
+/// A coordinate that a joint leaves free: 0 as drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coordinate {
+    /// Of b relative to a, right-handed about the axis, rad.
+    Angle,
+    /// Of b's place from a's along the axis, m.
+    Distance,
+}
+
+/// The kinds: word, kind.
+const KINDS: [(&str, JointKind); 9] = [
+    ("weld", JointKind::Weld),
+    ("spherical", JointKind::Spherical),
+    ("revolute", JointKind::Revolute),
+    ("cylindrical", JointKind::Cylindrical),
+    ("prismatic", JointKind::Prismatic),
+    ("universal", JointKind::Universal),
+    ("inline", JointKind::Inline),
+    ("inplane", JointKind::Inplane),
+    ("bushing", JointKind::Bushing),
+];
+
+impl JointKind {
+    /// The word of the file.
+    pub fn word(self) -> &'static str {
+        KINDS.iter().find(|(_, kind)| *kind == self).map_or("", |(word, _)| word)
+    }
+
+    /// Whether the joint has an axis.
+    pub fn has_axis(self) -> bool {
+        !matches!(self, Self::Weld | Self::Spherical | Self::Bushing)
+    }
+
+    /// Whether it has a second axis.
+    pub fn has_second_axis(self) -> bool {
+        self == Self::Universal
+    }
+
+    /// The coordinates that can be driven and measured.
+    pub fn coordinates(self) -> &'static [Coordinate] {
+        match self {
+            Self::Revolute => &[Coordinate::Angle],
+            Self::Cylindrical => &[Coordinate::Angle, Coordinate::Distance],
+            Self::Prismatic | Self::Inline => &[Coordinate::Distance],
+            Self::Weld | Self::Spherical | Self::Universal | Self::Inplane | Self::Bushing => &[],
+        }
+    }
+}
+
+impl Coordinate {
+    /// The word of the file.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Angle => "angle",
+            Self::Distance => "distance",
+        }
+    }
+
+    /// What there is instead of a coordinate that there is not, for messages.
+    pub(super) fn listing(known: &[Self]) -> String {
+        match known.iter().map(|coordinate| coordinate.word()).collect::<Vec<_>>().as_slice() {
+            [] => String::from("it has no coordinate"),
+            words => format!("it has: {}", words.join(", ")),
+        }
+    }
+}
+
+/// The kinds of joints that have a coordinate, for messages.
+pub(super) const COORDINATES: &str = "angle: revolute, cylindrical; distance: cylindrical, prismatic, inline";
+
+impl JointSpec {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+        let kind = reader.word("type", &KINDS, None);
+        let a = Anchor::read(&mut reader, "a", &SIDES);
+        let b = Anchor::read(&mut reader, "b", &SIDES);
+        let at = reader.optional_vector(&schema::AT);
+        // Without the kind nobody knows which keys belong here.
+        let Some(kind) = kind else {
+            reader.abandon();
+            return None;
+        };
+        Anchor::expect_motion(&mut reader, a, b);
+        let axis = kind.has_axis().then(|| reader.vector(&schema::AXIS));
+        let axis2 = kind.has_second_axis().then(|| reader.vector(&schema::AXIS2));
+        let [angle, distance] = free_coordinates(&mut reader, kind);
+        let bushing = (kind == JointKind::Bushing).then(|| Bushing::read(&mut reader));
+        refuse_rest(&mut reader, kind);
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, kind, a: a?, b: b?, at, axis, axis2, angle, distance, bushing })
+    }
+}
+
+/// Spring and damper on the angle and on the distance.
+fn free_coordinates(reader: &mut Reader<'_, '_>, kind: JointKind) -> [Option<SpringDamper>; 2] {
+    let mut pair = |stiffness: &Rule, damping: &Rule| {
+        let (stiffness, damping) = (reader.number_or(stiffness, 0.0), reader.number_or(damping, 0.0));
+        Some(SpringDamper { stiffness, damping })
+    };
+    let mut distance = None;
+    if kind.coordinates().contains(&Coordinate::Distance) {
+        distance = pair(&schema::DISTANCE_STIFFNESS, &schema::DISTANCE_DAMPING);
+    }
+    let angle = match (kind.coordinates().contains(&Coordinate::Angle), distance) {
+        (false, _) => None,
+        (true, None) => pair(&schema::ANGLE_STIFFNESS, &schema::ANGLE_DAMPING),
+        (true, Some(_)) => pair(&schema::ROTATIONAL_STIFFNESS, &schema::ROTATIONAL_DAMPING),
+    };
+    [angle, distance]
+}
+
+impl Bushing {
+    fn read(reader: &mut Reader<'_, '_>) -> Self {
+        Self {
+            stiffness: reader.vector_or(&schema::BUSHING_STIFFNESS, [0.0; 3]),
+            damping: reader.vector_or(&schema::BUSHING_DAMPING, [0.0; 3]),
+            rotational_stiffness: reader.vector_or(&schema::ROTATIONAL_STIFFNESS, [0.0; 3]),
+            rotational_damping: reader.vector_or(&schema::ROTATIONAL_DAMPING, [0.0; 3]),
+        }
+    }
+}
+
+/// Keys of other kinds of joints: what is left of them does not belong to this one.
+fn refuse_rest(reader: &mut Reader<'_, '_>, kind: JointKind) {
+    let turns = "cylindrical joints and bushings have it";
+    let moves = "revolute, cylindrical, prismatic and inline joints and bushings have it";
+    for (key, what, label) in [
+        ("axis", "axis", "all joints but welds, spherical joints and bushings have one"),
+        ("axis2", "second axis", "universal joints have one"),
+        ("stiffness", "free coordinate for a stiffness", moves),
+        ("damping", "free coordinate for a damping", moves),
+        ("rotational_stiffness", "rotational stiffness", turns),
+        ("rotational_damping", "rotational damping", turns),
+    ] {
+        let message = format!("{} has no {what}: its type is {}", reader.title, kind.word());
+        reader.refuse(key, &message, label);
+    }
+}

@@ -1,0 +1,81 @@
+//! `[load.NAME]`: a force and a moment at a point of a beam or at a body, or along a beam.
+
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::reader::anchor::{Anchor, LOADED, Spot};
+use crate::model::file::reader::input::{HELD, make_input};
+use crate::model::file::schema;
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::Kind;
+
+/// A section `[load.NAME]`.
+#[derive(Clone, Debug)]
+pub struct LoadSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// What it acts on.
+    pub target: Target,
+    /// Force, N, or N/m along a beam; may change in time.
+    pub force: [Number; 3],
+    /// Moment, N m, or N along a beam; may change in time.
+    pub moment: [Number; 3],
+    /// true: it turns with the section, or with the body.
+    pub follower: bool,
+    /// true: the host gives force and moment; the numbers are start values.
+    pub input: bool,
+}
+
+/// What a load acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// A point of a beam, or a body.
+    At(Anchor),
+    /// A whole beam, by its place in the list: force and moment are per length.
+    On(usize),
+}
+
+impl LoadSpec {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+        let along = reader.has("on");
+        let target = if along {
+            reader.exclude("at", "on");
+            reader.reference("on", Kind::Beam).map(Target::On)
+        } else {
+            Anchor::read(&mut reader, "at", &LOADED).map(Target::At)
+        };
+        let (force, moment) = match along {
+            false => (&schema::FORCE, &schema::MOMENT),
+            true => (&schema::FORCE_PER_LENGTH, &schema::MOMENT_PER_LENGTH),
+        };
+        if !reader.has("force") && !reader.has("moment") {
+            reader.missing("force", "or `moment`, or both: each a list of 3");
+        }
+        let force = reader.vector_or(force, [0.0; 3]);
+        let moment = reader.vector_or(moment, [0.0; 3]);
+        let follower = reader.boolean("follower", false);
+        let input = reader.boolean("input", false);
+        for (what, verb, numbers) in [("Force", "along", force), ("Moment", "about", moment)] {
+            for (number, axis) in numbers.into_iter().zip(["x", "y", "z"]) {
+                let per_length = if along { " per length" } else { "" };
+                let frame = match (follower, target) {
+                    (false, _) => "global",
+                    (true, Some(Target::At(Anchor { spot: Spot::Body(_), .. }))) => "the body's",
+                    (true, _) => "the section's",
+                };
+                let held = if input { format!(", {HELD}") } else { String::new() };
+                reader.context.numbers.slots[number.0].meta.description =
+                    format!("{what}{per_length} of load {name} {verb} {frame} {axis}{held}");
+            }
+        }
+        if input {
+            for number in force.into_iter().chain(moment) {
+                make_input(reader.context, number);
+            }
+        }
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, target: target?, force, moment, follower, input })
+    }
+}

@@ -1,0 +1,56 @@
+//! `[material.NAME]`: a linear elastic, isotropic material.
+
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::schema;
+use crate::model::text::diagnostic::Place;
+
+/// A section `[material.NAME]`.
+#[derive(Clone, Debug)]
+pub struct MaterialSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// Young's modulus, Pa.
+    pub young: Number,
+    /// What gives the shear modulus.
+    pub lateral: Lateral,
+    /// Density, kg/m³.
+    pub density: Number,
+    /// Kelvin-Voigt damping, s: stress = E (strain + damping * strain rate).
+    pub damping: Number,
+}
+
+/// The second elastic constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lateral {
+    /// Poisson's ratio: G = E / (2 (1 + ν)).
+    Poisson(Number),
+    /// The shear modulus itself, Pa.
+    Shear(Number),
+}
+
+impl MaterialSpec {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+        let young = reader.number(&schema::YOUNG);
+        let lateral = match reader.optional(&schema::POISSON) {
+            Some(poisson) => {
+                reader.exclude("shear", "poisson");
+                Lateral::Poisson(poisson)
+            }
+            None => match reader.optional(&schema::SHEAR) {
+                Some(shear) => Lateral::Shear(shear),
+                None => {
+                    reader.missing("poisson", "or `shear`, the shear modulus in Pa");
+                    Lateral::Poisson(young)
+                }
+            },
+        };
+        let density = reader.number(&schema::DENSITY);
+        let damping = reader.number_or(&schema::MATERIAL_DAMPING, 0.0);
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, young, lateral, density, damping })
+    }
+}

@@ -1,0 +1,18 @@
+//! The sections of a file, one module each: the typed data, and how it is read.
+
+pub mod beam;
+pub mod body;
+pub mod curve;
+pub mod drive;
+pub mod frame;
+pub mod joint;
+pub mod load;
+pub mod material;
+pub mod output;
+pub mod overview;
+pub mod parameters;
+pub mod section;
+pub mod simulation;
+pub mod spring;
+
+pub use super::reader::anchor;

@@ -1,0 +1,254 @@
+//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive or a frame, or along a beam.
+
+use super::beam::BeamSpec;
+use super::drive::DriveSpec;
+use super::joint::{self, Coordinate, JointSpec};
+use super::section::{SectionSpec, Shape};
+use crate::model::file::quantity::{QUANTITIES, Quantity, Row, Site};
+use crate::model::file::reader::anchor::{Anchor, Spot, WATCHED};
+use crate::model::file::reader::{Reader, either, listing};
+use crate::model::file::schema;
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::{Kind, Names, suggestion};
+use crate::model::text::tree::{Item, Node};
+
+/// A section `[output.NAME]`.
+#[derive(Clone, Debug)]
+pub struct OutputSpec {
+    /// Its name: the first part of the names of its variables.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// What it looks at.
+    pub target: Target,
+    /// What is measured, in the order of the file; all of it can be measured there.
+    pub quantities: Vec<Quantity>,
+}
+
+/// What an output looks at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// A point of a beam, a body or a frame.
+    At(Anchor),
+    /// A joint, by its place in the list.
+    Joint(usize),
+    /// A drive, by its place in the list.
+    Drive(usize),
+    /// A whole beam.
+    On {
+        /// Place in the list of beams.
+        beam: usize,
+        /// Number of equally spaced points, both ends included.
+        stations: usize,
+    },
+}
+
+impl Target {
+    /// The number of its sensors, which read what is not of a joint or a drive.
+    pub fn sensors(&self) -> usize {
+        match self {
+            Self::At(_) => 1,
+            Self::On { stations, .. } => *stations,
+            Self::Joint(_) | Self::Drive(_) => 0,
+        }
+    }
+}
+
+/// The things of the file that could be read and that outputs ask about.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::model) struct Things<'a> {
+    pub beams: &'a [BeamSpec],
+    pub sections: &'a [SectionSpec],
+    pub joints: &'a [JointSpec],
+    pub drives: &'a [DriveSpec],
+}
+
+/// Default of `stations`.
+const STATIONS: usize = 21;
+
+impl OutputSpec {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, things: Things<'_>) -> Option<Self> {
+        let target = target(&mut reader);
+        let quantities = match reader.take("quantities") {
+            None => {
+                reader.missing("quantities", "a list like [\"position\", \"twist\"]");
+                Vec::new()
+            }
+            Some(entry) => quantities(&mut reader, &entry.item, target, things),
+        };
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, target: target?, quantities })
+    }
+
+    /// Unit label of one of its quantities: an effort is a torque or a force.
+    pub fn unit(&self, quantity: Quantity, drives: &[DriveSpec]) -> &'static str {
+        let driven = match self.target {
+            Target::Drive(drive) => drives.get(drive),
+            Target::Joint(joint) => drives.iter().find(|drive| drive.joint == joint),
+            Target::At(_) | Target::On { .. } => None,
+        };
+        match driven.map(|drive| drive.coordinate) {
+            Some(Coordinate::Distance) if quantity == Quantity::Effort => "N",
+            _ => quantity.row().unit,
+        }
+    }
+}
+
+fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
+    if reader.has("on") {
+        reader.exclude("at", "on");
+        let stations = reader.count_or(&schema::STATIONS, STATIONS);
+        return reader.reference("on", Kind::Beam).map(|beam| Target::On { beam, stations });
+    }
+    reader.refuse("stations", "`stations` belong to a whole beam", "they need on = \"BEAM\" instead of `at`");
+    let whole = reader.text_of("at").and_then(|name| reader.context.names.find_among(name, WATCHED.kinds));
+    match whole.map(|named| (named.kind, named.index)) {
+        Some((Kind::Joint, index)) => {
+            reader.take("at");
+            Some(Target::Joint(index))
+        }
+        Some((Kind::Drive, index)) => {
+            reader.take("at");
+            Some(Target::Drive(index))
+        }
+        _ => Anchor::read(reader, "at", &WATCHED).map(Target::At),
+    }
+}
+
+fn quantities(reader: &mut Reader<'_, '_>, item: &Item, target: Option<Target>, things: Things<'_>) -> Vec<Quantity> {
+    let known = || QUANTITIES.iter().map(|row| row.word);
+    let items = match &item.node {
+        Node::Array(items) if !items.is_empty() => items,
+        _ => {
+            reader.context.wrong_type("quantities", item, "a list of at least one word");
+            return Vec::new();
+        }
+    };
+    let mut quantities = Vec::new();
+    for item in items {
+        let Node::Text(word) = &item.node else {
+            reader.context.wrong_type("quantities", item, "a word in quotes");
+            continue;
+        };
+        let names = &reader.context.names;
+        let report = &mut reader.context.report;
+        let Some(row) = QUANTITIES.iter().find(|row| row.word == word) else {
+            let message = format!("unknown quantity \"{word}\"");
+            let near = suggestion(word, known());
+            report.error(item.place, &message, &near, &format!("known here: {}", listing(known())));
+            continue;
+        };
+        if quantities.contains(&row.quantity) {
+            report.error(item.place, &format!("quantity \"{word}\" is listed twice"), "the second one", "");
+            continue;
+        }
+        if let Some(mistake) = target.and_then(|target| things.objection(row, target, names)) {
+            report.error(item.place, &mistake.message, &mistake.label, &mistake.help);
+        }
+        quantities.push(row.quantity);
+    }
+    quantities
+}
+
+/// Why a quantity cannot be measured.
+struct Mistake {
+    message: String,
+    label: String,
+    help: String,
+}
+
+impl Target {
+    /// What kind of thing it is.
+    pub fn site(self) -> Site {
+        match self {
+            Self::At(Anchor { spot: Spot::Body(_), .. }) => Site::Body,
+            Self::At(Anchor { spot: Spot::Frame(_), .. }) => Site::Frame,
+            Self::At(_) | Self::On { .. } => Site::Beam,
+            Self::Joint(_) => Site::Joint,
+            Self::Drive(_) => Site::Drive,
+        }
+    }
+}
+
+impl<'a> Things<'a> {
+    /// Why a quantity cannot be measured at a target; none: it can, or what it depends on is reported already.
+    fn objection(&self, row: &Row, target: Target, names: &Names) -> Option<Mistake> {
+        let site = target.site();
+        let measurable = |row: &&Row| row.sites.contains(&site);
+        if !measurable(&row) {
+            let words = QUANTITIES.iter().filter(measurable).map(|row| row.word);
+            let sites: Vec<_> = row.sites.iter().map(|site| site.words()).collect();
+            return Some(Mistake {
+                message: format!("\"{}\" cannot be measured at {}", row.word, site.words()),
+                label: format!("it belongs to {}", either(&sites)),
+                help: format!("possible here: {}", listing(words)),
+            });
+        }
+        match (row.quantity, target) {
+            (Quantity::Stress, _) => self.without_outline(target, names),
+            (Quantity::Angle, _) => self.without_coordinate(Coordinate::Angle, target, names),
+            (Quantity::Distance, _) => self.without_coordinate(Coordinate::Distance, target, names),
+            (Quantity::Effort, Target::Joint(joint)) => self.without_one_drive(joint, names),
+            _ => None,
+        }
+    }
+
+    /// A stress needs the outline of the section.
+    fn without_outline(&self, target: Target, names: &Names) -> Option<Mistake> {
+        let beam = match target {
+            Target::On { beam, .. } | Target::At(Anchor { spot: Spot::Beam { beam, .. }, .. }) => {
+                self.beams.get(beam)?
+            }
+            _ => return None,
+        };
+        let name = names.name(Kind::Section, beam.section)?;
+        let section = self.sections.iter().find(|section| section.name == name)?;
+        (section.shape == Shape::General).then(|| Mistake {
+            message: format!("the stress of beam {} is not known", beam.name),
+            label: format!("section {name} is general: it has no outline"),
+            help: String::from("section_force and section_moment can be measured"),
+        })
+    }
+
+    fn without_coordinate(&self, coordinate: Coordinate, target: Target, names: &Names) -> Option<Mistake> {
+        let (known, what) = match target {
+            Target::Joint(joint) => {
+                let joint = self.joint(joint, names)?;
+                (joint.kind.coordinates().to_vec(), format!("the {} joint {}", joint.kind.word(), joint.name))
+            }
+            Target::Drive(drive) => {
+                let name = names.name(Kind::Drive, drive)?;
+                let drive = self.drives.iter().find(|drive| drive.name == name)?;
+                (vec![drive.coordinate], format!("the drive {name}"))
+            }
+            _ => return None,
+        };
+        (!known.contains(&coordinate)).then(|| Mistake {
+            message: format!("{what} has no {}", coordinate.word()),
+            label: Coordinate::listing(&known),
+            help: String::from(joint::COORDINATES),
+        })
+    }
+
+    /// The effort of a joint is that of its only drive.
+    fn without_one_drive(&self, joint: usize, names: &Names) -> Option<Mistake> {
+        if self.drives.len() < names.of(Kind::Drive).count() {
+            return None;
+        }
+        let joint = names.name(Kind::Joint, joint)?;
+        let own = |drive: &&DriveSpec| names.name(Kind::Joint, drive.joint) == Some(joint);
+        let drives: Vec<_> = self.drives.iter().filter(own).map(|drive| drive.name.as_str()).collect();
+        let (message, label) = match drives.as_slice() {
+            [_] => return None,
+            [] => (format!("joint {joint} has no effort"), String::from("no drive acts on it")),
+            many => (format!("joint {joint} has {} drives", many.len()), format!("at = one of them: {}", either(many))),
+        };
+        Some(Mistake { message, label, help: String::from("the effort is the torque or force of a drive") })
+    }
+
+    fn joint(&self, joint: usize, names: &Names) -> Option<&'a JointSpec> {
+        let name = names.name(Kind::Joint, joint)?;
+        self.joints.iter().find(|joint| joint.name == name)
+    }
+}

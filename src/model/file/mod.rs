@@ -1,0 +1,15 @@
+//! A model file as typed data: [`document::Document`], whose [`entries`] the [`reader`] reads key by key.
+
+mod disk;
+pub mod document;
+pub mod entries;
+pub mod number;
+pub mod parameter;
+pub mod quantity;
+pub mod range;
+pub(super) mod reader;
+pub(super) mod schema;
+mod settings;
+pub mod unit;
+
+pub use disk::text;

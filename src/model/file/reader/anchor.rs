@@ -1,0 +1,186 @@
+//! What joints, springs, loads and outputs hold on to: `ground`, `arm.start`, `arm.end`, `arm@0.5`, `arm.node[3]`, a body, a frame.
+
+use super::{Context, Reader, either};
+use crate::model::expression::Variable;
+use crate::model::expression::function::Formula;
+use crate::model::file::number::{Meta, Number, Slot, Written};
+use crate::model::file::schema;
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::{Kind, suggestion};
+
+/// A point to hold on to, and where the file says so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Anchor {
+    /// Where it is written.
+    pub place: Place,
+    /// What it is.
+    pub spot: Spot,
+}
+
+/// A point to hold on to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spot {
+    /// The ground.
+    Ground,
+    /// A point of a beam.
+    Beam {
+        /// Place of the beam in the list of beams.
+        beam: usize,
+        /// Where on it.
+        along: Along,
+    },
+    /// The center of mass of a body, by its place in the list of bodies.
+    Body(usize),
+    /// A frame, by its place in the list of frames.
+    Frame(usize),
+}
+
+/// A point along a beam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Along {
+    /// Its first node.
+    Start,
+    /// Its last node.
+    End,
+    /// A fraction of its undeformed arc length, 0 to 1.
+    Fraction(Number),
+    /// Node k, from 0.
+    Node(usize),
+}
+
+/// What a key may name.
+#[derive(Debug)]
+pub struct Allowed {
+    /// Kinds of things.
+    pub kinds: &'static [Kind],
+    /// Whether the ground makes sense.
+    pub ground: bool,
+    /// What may be written, for messages.
+    pub forms: &'static str,
+}
+
+/// The sides of joints and springs.
+pub const SIDES: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Frame, Kind::Beam],
+    ground: true,
+    forms: "ground, BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY or FRAME",
+};
+/// What a load can move.
+pub const LOADED: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Beam],
+    ground: false,
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3] or BODY",
+};
+/// What can be looked at, by an anchor or otherwise.
+pub const WATCHED: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Frame, Kind::Joint, Kind::Drive, Kind::Beam],
+    ground: false,
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, JOINT or DRIVE",
+};
+
+impl Allowed {
+    /// `a body, frame or point of a beam was expected`.
+    fn expected(&self) -> String {
+        let word = |kind: &Kind| if *kind == Kind::Beam { "point of a beam" } else { kind.word() };
+        format!("a {} was expected", either(&self.kinds.iter().map(word).collect::<Vec<_>>()))
+    }
+}
+
+impl Anchor {
+    /// Reads `key`; none if it is missing or wrong, which is reported.
+    pub(in crate::model) fn read(reader: &mut Reader<'_, '_>, key: &'static str, allowed: &Allowed) -> Option<Self> {
+        let written = reader.has(key);
+        let Some((text, place)) = reader.text(key) else {
+            if !written {
+                reader.missing(key, allowed.forms);
+            }
+            return None;
+        };
+        if text == "ground" && !allowed.ground {
+            let message = format!("`{key}` of {} is the ground", reader.title);
+            reader.context.report.error(place, &message, &allowed.expected(), "");
+            return None;
+        }
+        parse(reader.context, &text, place, allowed).map(|spot| Self { place, spot })
+    }
+
+    /// Reports a joint or spring of which neither side can move.
+    pub(in crate::model) fn expect_motion(reader: &mut Reader<'_, '_>, a: Option<Self>, b: Option<Self>) {
+        let (Some(a), Some(b)) = (a, b) else { return };
+        let moves = |anchor: Self| matches!(anchor.spot, Spot::Beam { .. } | Spot::Body(_));
+        if !moves(a) && !moves(b) {
+            let message = format!("nothing that {} holds can move", reader.title);
+            reader.context.report.error(b.place, &message, "one side must be a beam or a body", "");
+        }
+    }
+}
+
+fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed) -> Option<Spot> {
+    if text == "ground" {
+        return Some(Spot::Ground);
+    }
+    let length = text.find(['.', '@']).unwrap_or(text.len());
+    let (name, rest) = text.split_at(length);
+    let at = context.report.source.inside(place, text, 0..length);
+    let Some(named) = context.names.find_among(name, allowed.kinds) else {
+        let known = allowed.kinds.iter().flat_map(|kind| context.names.of(*kind));
+        let near = suggestion(name, known.chain(allowed.ground.then_some("ground")));
+        let label = if near.is_empty() { allowed.expected() } else { near };
+        let help = format!("possible: {}", allowed.forms);
+        context.report.error(at, &format!("nothing in the file is named `{name}`"), &label, &help);
+        return None;
+    };
+    let (kind, beam) = (named.kind, named.index);
+    if !allowed.kinds.contains(&kind) {
+        let message = format!("`{name}` is a {}", kind.word());
+        context.report.error(at, &message, &allowed.expected(), &format!("possible: {}", allowed.forms));
+        return None;
+    }
+    if kind != Kind::Beam {
+        if !rest.is_empty() {
+            let at = context.report.source.inside(place, text, length..text.len());
+            let message = format!("a {} has no points", kind.word());
+            context.report.error(at, &message, &format!("`{name}` alone was expected"), "");
+            return None;
+        }
+        return match kind {
+            Kind::Body => Some(Spot::Body(named.index)),
+            Kind::Frame => Some(Spot::Frame(named.index)),
+            _ => None,
+        };
+    }
+    let along = if let Some(fraction) = rest.strip_prefix('@') {
+        let at = context.report.source.inside(place, text, length + 1..text.len());
+        let program = context.program(fraction, at, Variable::None);
+        let written = program.map_or(Written::Broken, |program| Written::Formula(Formula::single(program)));
+        let meta = Meta::of(&schema::FRACTION, format!("{name}@"));
+        Along::Fraction(context.numbers.push(Slot { meta, place: at, listed: None, written }))
+    } else {
+        match rest {
+            ".start" => Along::Start,
+            ".end" => Along::End,
+            _ => match node(rest) {
+                Some(node) => Along::Node(node),
+                None => {
+                    let message = match rest {
+                        "" => format!("`{name}` is a whole beam, a point was expected"),
+                        _ => format!("a beam has no point `{rest}`"),
+                    };
+                    let label = suggestion(rest, [".start", ".end", ".node[0]"]);
+                    let help = format!("{name}.start, {name}.end, {name}@0.5 or {name}.node[3]");
+                    let at = if rest.is_empty() { 0 } else { length };
+                    let at = context.report.source.inside(place, text, at..text.len());
+                    context.report.error(at, &message, &label, &help);
+                    return None;
+                }
+            },
+        }
+    };
+    Some(Spot::Beam { beam, along })
+}
+
+/// `.node[3]` to 3.
+fn node(rest: &str) -> Option<usize> {
+    let digits = rest.strip_prefix(".node[")?.strip_suffix(']')?;
+    digits.chars().all(|c| c.is_ascii_digit()).then(|| digits.parse().ok()).flatten()
+}

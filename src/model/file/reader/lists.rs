@@ -1,0 +1,125 @@
+//! Reads lists of numbers: vectors, longer lists, tables. Each component is a number of its own.
+
+use super::{Reader, unit_words};
+use crate::model::file::number::{Number, Written};
+use crate::model::file::schema::Rule;
+use crate::model::text::tree::{Entry, Item, Node};
+
+/// What a vector is.
+const VECTOR: &str = "a list of 3";
+
+impl Reader<'_, '_> {
+    /// Three numbers that must be there.
+    pub fn vector(&mut self, rule: &Rule) -> [Number; 3] {
+        self.list(rule, VECTOR)
+    }
+
+    /// Three numbers, or their default.
+    pub fn vector_or(&mut self, rule: &Rule, default: [f64; 3]) -> [Number; 3] {
+        match self.take(rule.key) {
+            Some(entry) => self.components(rule, &entry, VECTOR, Some(default)),
+            None => std::array::from_fn(|i| self.default(rule, Some(i + 1), Written::Plain(default[i]))),
+        }
+    }
+
+    /// Three numbers that may be left out.
+    pub fn optional_vector(&mut self, rule: &Rule) -> Option<[Number; 3]> {
+        let entry = self.take(rule.key)?;
+        Some(self.components(rule, &entry, VECTOR, None))
+    }
+
+    /// Numbers that must be there; `expected` says how many: `a list of 3 or 6`.
+    pub fn list<const N: usize>(&mut self, rule: &Rule, expected: &str) -> [Number; N] {
+        match self.take(rule.key) {
+            Some(entry) => self.components(rule, &entry, expected, None),
+            None => {
+                self.missing(rule.key, &format!("{}: {expected}{}", rule.meaning, unit_words(rule)));
+                self.broken(rule)
+            }
+        }
+    }
+
+    /// How many components the list has that a key gives; none: it gives none.
+    pub fn length_of(&self, key: &str) -> Option<usize> {
+        self.entries.iter().find(|entry| entry.key == key).and_then(|entry| match &entry.item.node {
+            Node::Array(items) => Some(items.len()),
+            _ => None,
+        })
+    }
+
+    /// Three rows of three numbers that may be left out. A table: none of its numbers is a parameter.
+    pub fn table(&mut self, rule: &Rule) -> Option<[[Number; 3]; 3]> {
+        let entry = self.take(rule.key)?;
+        let rows = match three(&entry.item) {
+            Some(rows) => self.rows(rule, rows),
+            None => {
+                let name = format!("{}{}", self.prefix, rule.key);
+                self.context.wrong_type(&name, &entry.item, "a list of 3 rows of 3 numbers");
+                return None;
+            }
+        };
+        rows.try_into().ok()
+    }
+
+    /// Any number of rows of three numbers that may be left out. None of the numbers is a parameter.
+    pub fn points(&mut self, rule: &Rule) -> Option<Vec<[Number; 3]>> {
+        let entry = self.take(rule.key)?;
+        match &entry.item.node {
+            Node::Array(rows) => Some(self.rows(rule, rows)),
+            _ => {
+                let name = format!("{}{}", self.prefix, rule.key);
+                self.context.wrong_type(&name, &entry.item, "a list of points, [x, y, z] each,");
+                None
+            }
+        }
+    }
+
+    /// The rows that are rows of three numbers; the others are reported.
+    fn rows(&mut self, rule: &Rule, rows: &[Item]) -> Vec<[Number; 3]> {
+        let mut table = Vec::new();
+        for (i, row) in rows.iter().enumerate() {
+            let name = format!("{}{}[{}]", self.prefix, rule.key, i + 1);
+            let Some(items) = three(row) else {
+                self.context.wrong_type(&name, row, "a row of 3 numbers");
+                continue;
+            };
+            table.push(std::array::from_fn(|j| {
+                let name = format!("{}{}[{},{}]", self.prefix, rule.key, i + 1, j + 1);
+                self.scalar(rule, name, &items[j], None, None)
+            }));
+        }
+        table
+    }
+
+    fn components<const N: usize>(
+        &mut self,
+        rule: &Rule,
+        entry: &Entry,
+        expected: &str,
+        default: Option<[f64; N]>,
+    ) -> [Number; N] {
+        let name = format!("{}{}", self.prefix, rule.key);
+        match &entry.item.node {
+            Node::Array(items) if items.len() == N => std::array::from_fn(|i| {
+                let name = format!("{name}[{}]", i + 1);
+                self.scalar(rule, name, &items[i], self.listed(entry), default.map(|default| default[i]))
+            }),
+            _ => {
+                self.context.wrong_type(&name, &entry.item, &format!("{expected} numbers"));
+                self.broken(rule)
+            }
+        }
+    }
+
+    /// Stand-ins for numbers that are reported.
+    fn broken<const N: usize>(&mut self, rule: &Rule) -> [Number; N] {
+        std::array::from_fn(|i| self.default(rule, Some(i + 1), Written::Broken))
+    }
+}
+
+fn three(item: &Item) -> Option<&[Item; 3]> {
+    match &item.node {
+        Node::Array(items) => items.as_slice().try_into().ok(),
+        _ => None,
+    }
+}

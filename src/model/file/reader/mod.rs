@@ -1,0 +1,418 @@
+//! Reads one section: every key that is asked for is known, what is left over at the end is a mistake.
+
+pub mod anchor;
+pub mod input;
+mod lists;
+
+use super::number::{Meta, Number, Numbers, Slot, Written};
+use super::schema::Rule;
+use crate::model::expression::function::{Formula, Piece};
+use crate::model::expression::{Program, Variable, compile};
+use crate::model::text::diagnostic::{Place, Report};
+use crate::model::text::names::{FUNCTION, Kind, Names, nearest, suggestion, suggestion_for};
+use crate::model::text::syntax;
+use crate::model::text::tree::{Entry, Item, Node};
+
+/// What all sections are read with.
+#[derive(Debug)]
+pub struct Context<'a> {
+    /// The mistakes so far.
+    pub report: Report<'a>,
+    /// The numbers so far.
+    pub numbers: Numbers,
+    /// All names of the file.
+    pub names: Names,
+}
+
+impl Context<'_> {
+    /// Compiles an expression that stands at `place`.
+    pub fn program(&mut self, text: &str, place: Place, variable: Variable) -> Option<Program> {
+        let numbers = &self.numbers;
+        match compile(text, variable, &|name| numbers.parameter(name)) {
+            Ok(program) => Some(program),
+            Err(error) => {
+                if syntax::has_unit(text) {
+                    let help = "numbers are in SI units: 0.02 for 20 mm, pi/6 for 30 degrees";
+                    self.report.error(place, "a number stands without its unit", "this has one", help);
+                    return None;
+                }
+                let unknown = error.unknown.as_deref().filter(|_| !self.report.is_full());
+                let near = unknown.map_or(String::new(), |name| {
+                    let functions = crate::model::expression::program::FUNCTIONS.iter().map(|(name, _)| *name);
+                    suggestion_for(FUNCTION, name, self.names.of(Kind::Parameter).chain(functions).chain(["pi"]))
+                });
+                let place = self.report.source.inside(place, text, error.range);
+                self.report.error(place, &error.message, &error.label, &near);
+                None
+            }
+        }
+    }
+
+    /// Reports a value of the wrong type.
+    pub fn wrong_type(&mut self, name: &str, item: &Item, expected: &str) {
+        let message = format!("`{name}` is {}", item.node.describe());
+        self.report.error(item.place, &message, &format!("{expected} was expected"), "");
+    }
+}
+
+/// A section while it is read.
+#[derive(Debug)]
+pub struct Reader<'c, 'a> {
+    /// Report, numbers and names of the whole file.
+    pub context: &'c mut Context<'a>,
+    /// `[material.steel]`, for messages.
+    pub title: String,
+    /// Where the section's name stands.
+    pub place: Place,
+    prefix: String,
+    entries: Vec<Entry>,
+    known: Vec<&'static str>,
+    missing: Vec<(String, String)>,
+    /// Whether its numbers are parameters: those of tables in a section are not.
+    lists: bool,
+}
+
+impl<'c, 'a> Reader<'c, 'a> {
+    /// Begins with a section; `prefix` comes before the names of its numbers: `steel.`.
+    pub fn new(context: &'c mut Context<'a>, title: String, prefix: String, place: Place, entries: Vec<Entry>) -> Self {
+        Self { context, title, place, prefix, entries, known: Vec::new(), missing: Vec::new(), lists: true }
+    }
+
+    /// A table that a key gives, read as a section of its own; its numbers are no parameters. None: the key is not there, or
+    /// gives something else, which is reported.
+    pub fn inner(&mut self, key: &'static str, expected: &str) -> Option<Reader<'_, 'a>> {
+        let entry = self.take(key)?;
+        let name = format!("{}{key}", self.prefix);
+        match entry.item.node {
+            Node::Table(entries) => {
+                let inner =
+                    Reader::new(self.context, format!("`{name}`"), format!("{name}."), entry.key_place, entries);
+                Some(Reader { lists: false, ..inner })
+            }
+            _ => {
+                self.context.wrong_type(&name, &entry.item, expected);
+                None
+            }
+        }
+    }
+
+    /// The place in the file that makes an entry a parameter: an override alone does not.
+    fn listed(&self, entry: &Entry) -> Option<usize> {
+        (self.lists && entry.key_place.source == 0).then_some(entry.key_place.start)
+    }
+
+    /// Takes a key out of the section.
+    pub fn take(&mut self, key: &'static str) -> Option<Entry> {
+        self.know(key);
+        self.entries.iter().position(|entry| entry.key == key).map(|at| self.entries.remove(at))
+    }
+
+    /// Whether a key is there; it is still to be read.
+    pub fn has(&mut self, key: &'static str) -> bool {
+        self.know(key);
+        self.entries.iter().any(|entry| entry.key == key)
+    }
+
+    fn know(&mut self, key: &'static str) {
+        if !self.known.contains(&key) {
+            self.known.push(key);
+        }
+    }
+
+    /// A key is missing: reported at the end, unless it is only mistyped.
+    pub fn missing(&mut self, key: &str, help: &str) {
+        self.missing.push((key.to_owned(), help.to_owned()));
+    }
+
+    /// Reports every key that is missing and every key that nobody asked for.
+    pub fn finish(mut self) {
+        let help = format!("known here: {}", self.known.join(", "));
+        for entry in std::mem::take(&mut self.entries) {
+            let message = format!("unknown key `{}` in {}", entry.key, self.title);
+            let meant = nearest(&entry.key, self.known.iter().copied());
+            self.missing.retain(|(key, _)| Some(key.as_str()) != meant);
+            let label = suggestion(&entry.key, self.known.iter().copied());
+            self.context.report.error(entry.key_place, &message, &label, &help);
+        }
+        self.abandon();
+    }
+
+    /// Reports what is missing; without it nobody knows which of the other keys belong here.
+    pub fn abandon(self) {
+        for (key, help) in &self.missing {
+            let message = format!("{} needs the key `{key}`", self.title);
+            self.context.report.error(self.place, &message, "missing here", help);
+        }
+    }
+
+    /// Reports a key of the format that has no meaning in this very section; `label` stands behind the underlining.
+    pub fn refuse(&mut self, key: &str, message: &str, label: &str) {
+        if let Some(at) = self.entries.iter().position(|entry| entry.key == key) {
+            let entry = self.entries.remove(at);
+            self.context.report.error(entry.key_place, message, label, "");
+        }
+    }
+
+    /// Whether an override gives the value of a key.
+    pub fn is_overridden(&self, key: &str) -> bool {
+        self.place_of(key).source > 0
+    }
+
+    /// Leaves out a key unless an override gives it: one that an override of another key has robbed of its meaning.
+    pub fn set_aside(&mut self, key: &str) {
+        if !self.is_overridden(key) {
+            self.entries.retain(|entry| entry.key != key);
+        }
+    }
+
+    /// Where the value of a key stands; the section's name where it does not.
+    pub fn place_of(&self, key: &str) -> Place {
+        self.entries.iter().find(|entry| entry.key == key).map_or(self.place, |entry| entry.item.place)
+    }
+
+    /// The text that a key gives; it is still to be read.
+    pub fn text_of(&self, key: &str) -> Option<&str> {
+        self.entries.iter().find(|entry| entry.key == key).and_then(|entry| match &entry.item.node {
+            Node::Text(text) => Some(text.as_str()),
+            _ => None,
+        })
+    }
+
+    /// A key that cannot stand together with another one that is there.
+    pub fn exclude(&mut self, key: &'static str, other: &str) {
+        if let Some(entry) = self.take(key) {
+            let message = format!("`{key}` and `{other}` cannot both be given in {}", self.title);
+            self.context.report.error(entry.key_place, &message, &format!("either this or `{other}`"), "");
+        }
+    }
+
+    /// A number that must be there.
+    pub fn number(&mut self, rule: &Rule) -> Number {
+        match self.optional(rule) {
+            Some(number) => number,
+            None => {
+                self.missing(rule.key, &format!("{}{}", rule.meaning, unit_words(rule)));
+                self.default(rule, None, Written::Broken)
+            }
+        }
+    }
+
+    /// A number, or its default.
+    pub fn number_or(&mut self, rule: &Rule, default: f64) -> Number {
+        self.optional(rule).unwrap_or_else(|| self.default(rule, None, Written::Plain(default)))
+    }
+
+    /// A number that may be left out.
+    pub fn optional(&mut self, rule: &Rule) -> Option<Number> {
+        let entry = self.take(rule.key)?;
+        let name = format!("{}{}", self.prefix, rule.key);
+        Some(self.scalar(rule, name, &entry.item, self.listed(&entry), None))
+    }
+
+    /// A count that shapes the table of variables: a whole number in the file, no parameter and no expression.
+    pub fn count_or(&mut self, rule: &Rule, default: usize) -> usize {
+        let Some(entry) = self.take(rule.key) else { return default };
+        let name = format!("{}{}", self.prefix, rule.key);
+        let Node::Integer(count) = entry.item.node else {
+            self.context.wrong_type(&name, &entry.item, "a whole number");
+            return default;
+        };
+        if let Some(objection) = Meta::of(rule, name.clone()).objection(count as f64) {
+            let message = format!("`{name}` {objection}");
+            self.context.report.error(entry.item.place, &message, &format!("this is {count}"), "");
+            return default;
+        }
+        usize::try_from(count).unwrap_or(default)
+    }
+
+    /// A number that is not written in the file.
+    fn default(&mut self, rule: &Rule, component: Option<usize>, written: Written) -> Number {
+        let index = component.map_or(String::new(), |i| format!("[{i}]"));
+        let meta = Meta::of(rule, format!("{}{}{index}", self.prefix, rule.key));
+        self.context.numbers.push(Slot { meta, place: self.place, listed: None, written })
+    }
+
+    fn scalar(
+        &mut self,
+        rule: &Rule,
+        name: String,
+        item: &Item,
+        listed: Option<usize>,
+        default: Option<f64>,
+    ) -> Number {
+        let variable = rule.variable;
+        let written = match &item.node {
+            Node::Integer(value) => Written::Plain(*value as f64),
+            Node::Float(value) => Written::Plain(*value),
+            Node::Text(text) => match self.context.program(text, item.place, variable) {
+                Some(program) => Written::Formula(Formula::single(program)),
+                None => Written::Broken,
+            },
+            Node::Array(pieces) if variable != Variable::None => match self.pieces(&name, item, pieces, variable) {
+                Some(formula) => Written::Formula(formula),
+                None => Written::Broken,
+            },
+            Node::Missing if default.is_some() => Written::Plain(default.unwrap_or_default()),
+            Node::Missing => {
+                let message = format!("`{name}` has no value");
+                self.context.report.error(item.place, &message, "the other components must be given too", "");
+                Written::Broken
+            }
+            _ => {
+                self.context.wrong_type(&name, item, "a number, or an expression in quotes,");
+                Written::Broken
+            }
+        };
+        let meta = Meta::of(rule, name);
+        self.context.numbers.push(Slot { meta, place: item.place, listed, written })
+    }
+
+    /// `[{ until = .., is = .. }, { is = .. }]`.
+    fn pieces(&mut self, name: &str, item: &Item, items: &[Item], variable: Variable) -> Option<Formula> {
+        let mut pieces = Vec::new();
+        let mut sound = !items.is_empty();
+        if items.is_empty() {
+            self.context.wrong_type(name, item, "a number, an expression, or a list of pieces");
+        }
+        for (k, item) in items.iter().enumerate() {
+            let Node::Table(entries) = &item.node else {
+                let expected = format!("a piece like {{ until = 1, is = \"{}\" }}", variable.word());
+                self.context.wrong_type(name, item, &expected);
+                sound = false;
+                continue;
+            };
+            let mut until = None;
+            let mut is = None;
+            for entry in entries {
+                match entry.key.as_str() {
+                    "until" => until = Some(self.piece_value(name, &entry.item, Variable::None)),
+                    "is" => is = Some(self.piece_value(name, &entry.item, variable)),
+                    _ => {
+                        let message = format!("unknown key `{}` in a piece of `{name}`", entry.key);
+                        let label = suggestion(&entry.key, ["until", "is"]);
+                        self.context.report.error(entry.key_place, &message, &label, "known here: until, is");
+                        sound = false;
+                    }
+                }
+            }
+            let last = k + 1 == items.len();
+            let complaint = match (is.is_some(), until.is_some(), last) {
+                (false, _, _) => Some("a piece needs its value, `is`"),
+                (_, false, false) => Some("every piece but the last needs `until`"),
+                (_, true, true) => Some("the last piece has no `until`: it is valid for ever"),
+                _ => None,
+            };
+            if let Some(complaint) = complaint {
+                let help = format!("{name} = [{{ until = 1, is = \"{}\" }}, {{ is = 1 }}]", variable.word());
+                self.context.report.error(item.place, complaint, "", &help);
+            }
+            let broken = complaint.is_some() || matches!(is, Some(None)) || matches!(until, Some(None));
+            sound &= !broken;
+            if let (false, Some(Some(is))) = (broken, is) {
+                pieces.push(Piece { until: until.flatten(), is });
+            }
+        }
+        sound.then(|| Formula::piecewise(pieces))
+    }
+
+    fn piece_value(&mut self, name: &str, item: &Item, variable: Variable) -> Option<Program> {
+        match &item.node {
+            Node::Integer(value) => Some(Program::constant(*value as f64)),
+            Node::Float(value) => Some(Program::constant(*value)),
+            Node::Text(text) => self.context.program(text, item.place, variable),
+            _ => {
+                self.context.wrong_type(name, item, "a number, or an expression in quotes,");
+                None
+            }
+        }
+    }
+
+    /// A word out of a table.
+    pub fn word<T: Copy>(&mut self, key: &'static str, words: &[(&'static str, T)], default: Option<T>) -> Option<T> {
+        let Some(entry) = self.take(key) else {
+            if default.is_none() {
+                self.missing(key, &format!("one of {}", listing(words.iter().map(|(word, _)| *word))));
+            }
+            return default;
+        };
+        let name = format!("{}{key}", self.prefix);
+        let listing = listing(words.iter().map(|(word, _)| *word));
+        let Node::Text(word) = &entry.item.node else {
+            self.context.wrong_type(&name, &entry.item, &listing);
+            return default;
+        };
+        if let Some((_, value)) = words.iter().find(|(known, _)| known == word) {
+            return Some(*value);
+        }
+        let message = format!("unknown {key} \"{word}\"");
+        let near = suggestion_for(key, word, words.iter().map(|(word, _)| *word));
+        self.context.report.error(entry.item.place, &message, &near, &format!("known here: {listing}"));
+        default
+    }
+
+    /// true or false, or its default.
+    pub fn boolean(&mut self, key: &'static str, default: bool) -> bool {
+        match self.take(key) {
+            None => default,
+            Some(Entry { item: Item { node: Node::Boolean(value), .. }, .. }) => value,
+            Some(entry) => {
+                self.context.wrong_type(key, &entry.item, "true or false");
+                default
+            }
+        }
+    }
+
+    /// A text with its place.
+    pub fn text(&mut self, key: &'static str) -> Option<(String, Place)> {
+        let entry = self.take(key)?;
+        match entry.item.node {
+            Node::Text(text) => Some((text, entry.item.place)),
+            _ => {
+                self.context.wrong_type(key, &entry.item, "a string");
+                None
+            }
+        }
+    }
+
+    /// The name of another thing of the file: its place among its kind; none: a mistake, which is reported.
+    pub fn reference(&mut self, key: &'static str, kind: Kind) -> Option<usize> {
+        let known = self.has(key);
+        let Some((name, place)) = self.text(key) else {
+            if !known {
+                self.missing(key, &format!("the name of a {}", kind.word()));
+            }
+            return None;
+        };
+        let message = match self.context.names.find_among(&name, &[kind]) {
+            Some(named) if named.kind == kind => return Some(named.index),
+            Some(named) => format!("`{name}` is a {}", named.kind.word()),
+            None => format!("unknown {} `{name}`", kind.word()),
+        };
+        let is_full = self.context.report.is_full();
+        let near = if is_full { String::new() } else { suggestion(&name, self.context.names.of(kind)) };
+        let label = if near.is_empty() { format!("the name of a {} was expected", kind.word()) } else { near };
+        let names: Vec<_> = self.context.names.of(kind).collect();
+        let help = if names.is_empty() { String::new() } else { format!("known: {}", names.join(", ")) };
+        self.context.report.error(place, &message, &label, &help);
+        None
+    }
+}
+
+fn unit_words(rule: &Rule) -> String {
+    if rule.unit.is_empty() { String::new() } else { format!(", in {}", rule.unit) }
+}
+
+/// `"small", "large" or "large_truncated"`.
+pub fn listing<'s>(words: impl Iterator<Item = &'s str>) -> String {
+    let quoted: Vec<_> = words.map(|word| format!("\"{word}\"")).collect();
+    either(&quoted.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+/// `a joint, a drive or a frame`.
+pub fn either(words: &[&str]) -> String {
+    match words.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        Some((last, _)) => (*last).to_owned(),
+        None => String::new(),
+    }
+}

@@ -1,0 +1,172 @@
+//! Every numeric key of the format: one row each, with meaning, unit, allowed range, and whether it may change while the model runs.
+
+use super::range::{Limit, Range};
+use crate::model::expression::Variable;
+
+/// The rule for a numeric key.
+#[derive(Clone, Copy, Debug)]
+pub struct Rule {
+    /// The key as written in the file.
+    pub key: &'static str,
+    /// What the number is.
+    pub meaning: &'static str,
+    /// Unit label; empty: dimensionless.
+    pub unit: &'static str,
+    /// Allowed values.
+    pub range: Range,
+    /// A count.
+    pub integer: bool,
+    /// The solver takes a change between two steps.
+    pub tunable: bool,
+    /// What it may depend on: t, or along a curve s.
+    pub variable: Variable,
+}
+
+const fn rule(key: &'static str, meaning: &'static str, unit: &'static str) -> Rule {
+    Rule { key, meaning, unit, range: Range::ALL, integer: false, tunable: false, variable: Variable::None }
+}
+
+impl Rule {
+    const fn above(mut self, limit: f64) -> Self {
+        self.range.lower = Some(Limit { value: limit, included: false });
+        self
+    }
+
+    const fn below(mut self, limit: f64) -> Self {
+        self.range.upper = Some(Limit { value: limit, included: false });
+        self
+    }
+
+    const fn from(mut self, limit: f64) -> Self {
+        self.range.lower = Some(Limit { value: limit, included: true });
+        self
+    }
+
+    const fn to(mut self, limit: f64) -> Self {
+        self.range.upper = Some(Limit { value: limit, included: true });
+        self
+    }
+
+    const fn count(mut self) -> Self {
+        self.integer = true;
+        self
+    }
+
+    const fn tunable(mut self) -> Self {
+        self.tunable = true;
+        self
+    }
+
+    const fn in_time(mut self) -> Self {
+        self.variable = Variable::Time;
+        self
+    }
+
+    const fn along_curve(mut self) -> Self {
+        self.variable = Variable::Curve;
+        self
+    }
+}
+
+pub const GRAVITY: Rule = rule("gravity", "acceleration of gravity in global axes", "m/s2").tunable();
+
+pub const YOUNG: Rule = rule("young", "Young's modulus", "Pa").above(0.0);
+pub const POISSON: Rule = rule("poisson", "Poisson's ratio", "").above(-1.0).below(0.5);
+pub const SHEAR: Rule = rule("shear", "shear modulus", "Pa").above(0.0);
+pub const DENSITY: Rule = rule("density", "density", "kg/m3").above(0.0);
+pub const MATERIAL_DAMPING: Rule =
+    rule("damping", "viscous stress per strain rate, over the modulus", "s").from(0.0).tunable();
+
+pub const WIDTH: Rule = rule("width", "width of the section along its y", "m").above(0.0);
+pub const HEIGHT: Rule = rule("height", "height of the section along its z", "m").above(0.0);
+pub const RADIUS: Rule = rule("radius", "radius of the section", "m").above(0.0);
+pub const INNER: Rule = rule("inner", "inner radius of the section", "m").from(0.0);
+pub const OUTER: Rule = rule("outer", "outer radius of the section", "m").above(0.0);
+pub const AREA: Rule = rule("area", "area of the section", "m2").above(0.0);
+pub const SECOND_MOMENT_Y: Rule = rule("second_moment_y", "second moment of area, integral of z^2", "m4").above(0.0);
+pub const SECOND_MOMENT_Z: Rule = rule("second_moment_z", "second moment of area, integral of y^2", "m4").above(0.0);
+pub const TORSION_CONSTANT: Rule = rule("torsion_constant", "Saint-Venant torsion constant", "m4").above(0.0);
+pub const POLAR_MOMENT: Rule = rule("polar_moment", "polar second moment of area", "m4").above(0.0);
+pub const FOURTH_MOMENTS: Rule = rule("fourth_moments", "fourth moment of area (yyyy, yyzz, zzzz)", "m6").from(0.0);
+
+pub const FROM: Rule = rule("from", "start of the beam, global", "m");
+pub const TO: Rule = rule("to", "end of the beam, global", "m");
+pub const CURVE_X: Rule = rule("x", "global x of the beam along its curve", "m").along_curve();
+pub const CURVE_Y: Rule = rule("y", "global y of the beam along its curve", "m").along_curve();
+pub const CURVE_Z: Rule = rule("z", "global z of the beam along its curve", "m").along_curve();
+pub const CURVE_S: Rule = rule("s", "curve parameter at the start and at the end of the beam", "");
+pub const CURVE_POINTS: Rule = rule("points", "points of the beam's curve, global", "m");
+pub const Y_AXIS: Rule = rule("y_axis", "direction of the section's y at the start, global", "");
+/// More elements than this are a slip of the finger.
+const MOST_ELEMENTS: f64 = 1e5;
+pub const ELEMENTS: Rule = rule("elements", "number of elements", "").from(1.0).to(MOST_ELEMENTS).count();
+pub const PRETWIST: Rule = rule("pretwist", "additional turn of the section from start to end", "rad");
+pub const VELOCITY: Rule = rule("velocity", "initial velocity of the start, global axes", "m/s");
+pub const ANGULAR_VELOCITY: Rule = rule("angular_velocity", "initial angular velocity, global axes", "rad/s");
+
+pub const MASS: Rule = rule("mass", "mass", "kg").above(0.0);
+pub const CENTER: Rule = rule("position", "centre of mass as drawn, global", "m");
+pub const PRINCIPAL_INERTIA: Rule =
+    rule("inertia", "moment of inertia about the centre of mass, body axes", "kg.m2").above(0.0);
+pub const INERTIA: Rule =
+    rule("inertia", "tensor of inertia about the centre of mass, body axes (xx, yy, zz, xy, yz, zx)", "kg.m2");
+pub const AXES: Rule = rule("axes", "body axes as drawn, global, one per row", "");
+pub const BODY_VELOCITY: Rule = rule("velocity", "initial velocity of the centre of mass, global axes", "m/s");
+
+pub const FRAME_POSITION: Rule = rule("position", "place of the frame, global", "m").in_time();
+pub const FRAME_ROTATION: Rule = rule("rotation", "rotation vector of the frame, global axes", "rad").in_time();
+/// In the place of a rotation that the host gives.
+pub const QUATERNION: Rule = rule("quaternion", "orientation of the frame", "");
+
+pub const AT: Rule = rule("at", "place of the joint as drawn, global", "m");
+pub const AXIS: Rule = rule("axis", "axis of the joint as drawn, global", "");
+pub const AXIS2: Rule = rule("axis2", "second axis of the joint as drawn, global", "");
+pub const ANGLE_STIFFNESS: Rule = rule("stiffness", "stiffness of the angle", "N.m/rad").from(0.0).tunable();
+pub const ANGLE_DAMPING: Rule = rule("damping", "damping of the angle", "N.m.s/rad").from(0.0).tunable();
+pub const DISTANCE_STIFFNESS: Rule = rule("stiffness", "stiffness of the distance", "N/m").from(0.0).tunable();
+pub const DISTANCE_DAMPING: Rule = rule("damping", "damping of the distance", "N.s/m").from(0.0).tunable();
+pub const BUSHING_STIFFNESS: Rule =
+    rule("stiffness", "stiffness along the global axis as drawn", "N/m").from(0.0).tunable();
+pub const BUSHING_DAMPING: Rule =
+    rule("damping", "damping along the global axis as drawn", "N.s/m").from(0.0).tunable();
+pub const ROTATIONAL_STIFFNESS: Rule =
+    rule("rotational_stiffness", "stiffness against turning", "N.m/rad").from(0.0).tunable();
+pub const ROTATIONAL_DAMPING: Rule =
+    rule("rotational_damping", "damping of the turning", "N.m.s/rad").from(0.0).tunable();
+
+pub const ANGLE: Rule = rule("value", "angle that the drive prescribes", "rad").in_time();
+pub const DISTANCE: Rule = rule("value", "distance that the drive prescribes", "m").in_time();
+pub const ANGLE_RATE: Rule = rule("rate", "rate of the angle that the drive prescribes", "rad/s").in_time();
+pub const DISTANCE_RATE: Rule = rule("rate", "rate of the distance that the drive prescribes", "m/s").in_time();
+
+pub const SPRING_STIFFNESS: Rule = rule("stiffness", "stiffness of the spring", "N/m").from(0.0).tunable();
+pub const SPRING_DAMPING: Rule = rule("damping", "damping along the spring", "N.s/m").from(0.0).tunable();
+pub const SPRING_LENGTH: Rule = rule("length", "unstretched length of the spring", "m").from(0.0).tunable();
+
+pub const FORCE: Rule = rule("force", "force", "N").tunable().in_time();
+pub const MOMENT: Rule = rule("moment", "moment", "N.m").tunable().in_time();
+pub const FORCE_PER_LENGTH: Rule = rule("force", "force per length", "N/m").tunable().in_time();
+pub const MOMENT_PER_LENGTH: Rule = rule("moment", "moment per length", "N").tunable().in_time();
+/// The number behind the `@` of a point of a beam.
+pub const FRACTION: Rule = rule("at", "fraction of the beam's length", "").from(0.0).to(1.0);
+
+/// More stations than this are a slip of the finger: each is a row of the table of variables.
+const MOST_STATIONS: f64 = 1e4;
+/// A count that is no parameter.
+pub const STATIONS: Rule =
+    rule("stations", "number of equally spaced points of the beam", "").from(2.0).to(MOST_STATIONS).count();
+
+pub const STOP: Rule = rule("stop", "end of the simulation", "s").above(0.0);
+pub const STEP: Rule = rule("step", "largest internal step", "s").above(0.0);
+pub const ACCURACY: Rule = rule("accuracy", "error of a motion because of its steps, as a share of its range", "")
+    .from(FINEST_ACCURACY)
+    .to(COARSEST_ACCURACY);
+/// What [`ACCURACY`] may be: below, round-off is more; above, the steps of a motion say nothing of it.
+pub const FINEST_ACCURACY: f64 = 1e-9;
+pub const COARSEST_ACCURACY: f64 = 0.1;
+pub const OUTPUT_STEP: Rule = rule("output_step", "time between two rows of results", "s").above(0.0);
+pub const TOLERANCE: Rule = rule("tolerance", "bound of the last Newton increment", "").from(1e-14).to(1e-3);
+pub const CONSERVED_RADIUS: Rule =
+    rule("spectral_radius", "share of the fastest oscillations that a step keeps", "").from(0.6).to(1.0);
+pub const SPECTRAL_RADIUS: Rule =
+    rule("spectral_radius", "share of the fastest oscillations that a step keeps", "").from(0.0).to(1.0);

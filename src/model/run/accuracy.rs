@@ -1,0 +1,294 @@
+//! How far the results are off because of the lengths of the steps: the error that the state carries along, as each result shows it.
+
+use super::scale::{self, Measures, Span};
+use crate::math::histogram::Histogram;
+use crate::mechanics::state::State;
+use crate::mechanics::state::time_error::TimeError;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::variation::Variation;
+use crate::model::file::quantity::Quantity;
+use crate::model::file::schema::FINEST_ACCURACY;
+use crate::model::variables::{Moment, Source, Table};
+use crate::solve::step::response::{Responder, Response};
+use serde::{Deserialize, Serialize};
+
+/// Results are looked at again after this many steps: what a look costs is little beside them.
+const STEPS: u64 = 8;
+/// The first looks come after each step, so that short runs are looked at too.
+const FIRST_STEPS: u64 = 8;
+/// How far a state is moved along its error, as a share of the system's size or rad: so little that results follow linearly.
+const REACH: f64 = 1e-6;
+/// Most that a state is moved, in errors.
+const LARGEST_MULTIPLE: f64 = 1e3;
+/// Share of its range that a reader expects a result to be right to.
+const EXPECTED: f64 = 0.005;
+/// Share of the looks in which a force, a strain or an acceleration may be off by more: it jumps where the motion only bends.
+const ROUGH_SHARE: f64 = 0.05;
+/// A force or moment is compared with this share of the largest one of the system at least.
+const SMALL_FORCE: f64 = 0.1;
+/// The share that a proposed step is chosen for.
+const PROPOSED: f64 = 0.002;
+
+/// The results that are followed; they never change.
+#[derive(Debug)]
+pub struct Columns {
+    columns: Vec<Column>,
+    /// In the order of first mention.
+    families: Vec<Family>,
+}
+
+/// A result that is followed.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    /// Its number among the results.
+    result: usize,
+    family: usize,
+    /// Counts from zero, not from its lowest value: kinetic and elastic energy.
+    from_zero: bool,
+}
+
+/// All components of an output, or all energies.
+#[derive(Debug)]
+struct Family {
+    name: String,
+    unit: String,
+    /// It may be off by more in some looks: [`Quantity::is_rough`].
+    is_rough: bool,
+}
+
+/// What has been seen of the results so far.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Accuracy {
+    /// Lowest and highest value of each column.
+    ranges: Vec<[f64; 2]>,
+    /// The errors of each family, of each look the largest one among its columns.
+    errors: Vec<Histogram>,
+    /// Steps at the last look.
+    looked: u64,
+}
+
+/// Scratch memory of a look.
+#[derive(Debug, Default)]
+pub struct Looker {
+    moved: Option<State>,
+    variation: Variation,
+    frames: FrameCache,
+    response: Response,
+    snapshot: FrameCache,
+    values: Vec<f64>,
+    largest: Vec<f64>,
+}
+
+/// A family of results and its estimated error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inexact {
+    /// Name of the family, for instance `tip.velocity`.
+    pub name: String,
+    /// Its largest error so far, as a share of its range.
+    pub error: f64,
+}
+
+impl Columns {
+    /// Those of `table`.
+    pub fn new(table: &Table) -> Self {
+        let (mut columns, mut families) = (Vec::new(), Vec::<Family>::new());
+        for (variable, source) in table.variables.iter().zip(&table.sources) {
+            let Source::Result(result) = *source else { continue };
+            let quantity = table.quantity_of(result);
+            let name = scale::family(&variable.name);
+            if quantity.is_none() && name != scale::ENERGY {
+                continue;
+            }
+            let family = families.iter().position(|own| own.name == name).unwrap_or_else(|| {
+                let is_rough = quantity.is_some_and(Quantity::is_rough);
+                families.push(Family { name: name.to_owned(), unit: variable.quantity.unit.clone(), is_rough });
+                families.len() - 1
+            });
+            columns.push(Column { result, family, from_zero: scale::counts_from_zero(&variable.name) });
+        }
+        Self { columns, families }
+    }
+}
+
+impl Accuracy {
+    /// Includes `results` in the ranges.
+    pub fn include(&mut self, columns: &Columns, results: &[f64]) {
+        self.ranges.resize(columns.columns.len(), [f64::INFINITY, f64::NEG_INFINITY]);
+        for (column, [low, high]) in columns.columns.iter().zip(&mut self.ranges) {
+            (*low, *high) = (low.min(results[column.result]), high.max(results[column.result]));
+        }
+    }
+
+    /// Whether the errors are to be looked at after `steps` steps.
+    pub fn is_due(&self, steps: u64) -> bool {
+        steps <= FIRST_STEPS || steps >= self.looked.saturating_add(STEPS)
+    }
+
+    /// Looks at the errors of the `results` of `state`, which have been included; `responder` is there if results ask for a response.
+    pub fn look(
+        &mut self,
+        (columns, table): (&Columns, &Table),
+        (system, state): (&System, &State),
+        responder: Option<&mut Responder>,
+        results: &[f64],
+        looker: &mut Looker,
+    ) {
+        if !state.time_error.is_known() {
+            return;
+        }
+        let Some(multiple) = looker.move_along(system, state) else { return };
+        let Looker { moved: Some(moved), response, snapshot, values, largest, .. } = looker else { return };
+        if responder.is_some_and(|responder| responder.respond(system, moved, response).is_err()) {
+            return;
+        }
+        self.looked = state.statistics.steps;
+        table.measure(&Moment { system, state: moved, response, fibres: &[] }, snapshot, values);
+        largest.clear();
+        largest.resize(columns.families.len(), 0.0);
+        for column in &columns.columns {
+            let error = (values[column.result] - results[column.result]).abs() / multiple;
+            let worst = &mut largest[column.family];
+            *worst = if error.is_nan() { f64::INFINITY } else { error.max(*worst) };
+        }
+        self.errors.resize(columns.families.len(), Histogram::default());
+        self.errors.iter_mut().zip(largest).for_each(|(errors, largest)| errors.add(*largest));
+    }
+
+    /// All families of results with their errors, after `duration` s; none of quantities that are zero.
+    pub fn errors(&self, columns: &Columns, system: &System, duration: f64) -> Vec<Inexact> {
+        let mut spans = vec![Span::default(); columns.families.len()];
+        let mut energy = 0.0_f64;
+        for (column, [low, high]) in columns.columns.iter().zip(&self.ranges) {
+            let span = &mut spans[column.family];
+            let size = low.abs().max(high.abs());
+            span.include(if column.from_zero { size } else { high - low }, size);
+            if columns.families[column.family].name == scale::ENERGY {
+                energy = energy.max(span.range);
+            }
+        }
+        let measures = Measures { size: system.size, duration, energy, gravity: system.gravity.norm() };
+        let families = || columns.families.iter().zip(&spans);
+        let largest_force = |unit: &str| {
+            let alike = families().filter(|(family, _)| family.unit == unit && matches!(unit, "N" | "N.m"));
+            alike.map(|(_, span)| span.size).fold(0.0, f64::max)
+        };
+        let found = families().zip(&self.errors).filter_map(|((Family { name, unit, is_rough }, span), errors)| {
+            let scale = span.scale(measures.natural(unit));
+            let error = errors.exceeded_by(if *is_rough { ROUGH_SHARE } else { 0.0 });
+            let error = error / scale.max(SMALL_FORCE * largest_force(unit));
+            (scale > 0.0).then(|| Inexact { name: name.clone(), error })
+        });
+        found.collect()
+    }
+}
+
+impl Looker {
+    /// Moves a copy of `state` along its error; returns by how many errors, none where it cannot be said.
+    fn move_along(&mut self, system: &System, state: &State) -> Option<f64> {
+        let Self { moved, variation, frames, snapshot, .. } = self;
+        let TimeError { position, velocity, rates, .. } = &state.time_error;
+        let (size, _) = system.correction_size(position);
+        if !size.is_finite() || velocity.iter().any(|value| !value.is_finite()) {
+            return None;
+        }
+        let multiple = (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE);
+        let moved = moved.get_or_insert_with(|| state.clone());
+        moved.clone_from(state);
+        variation.q.clone_from(position);
+        variation.velocity.clone_from(velocity);
+        variation.viscous.clear();
+        if !rates.is_empty() {
+            // The error of the velocities may turn about with every step as they do.
+            variation.viscous.resize(state.strain_rates.len(), 0.0);
+            system.set_strain_rates(&snapshot.of(system, state), rates, &mut variation.viscous);
+        }
+        variation.apply(system, multiple, moved, frames);
+        Some(multiple)
+    }
+}
+
+/// The setting that the lengths of the steps follow from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Setting {
+    /// Their length, s.
+    Step(f64),
+    /// The accuracy asked for.
+    Accuracy(f64),
+}
+
+impl Setting {
+    /// What it should be for an error that is `factor` times as large, in words. Errors grow as the square of the steps, and as the accuracy.
+    fn proposed(self, factor: f64) -> String {
+        match self {
+            Self::Step(step) => format!("{}: {:.1e} s", self.name(), step * factor.sqrt()),
+            Self::Accuracy(accuracy) => {
+                format!("{}: {:.1e}", self.name(), (accuracy * factor).max(FINEST_ACCURACY))
+            }
+        }
+    }
+
+    /// Its key in the model file.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Step(_) => "simulation.step",
+            Self::Accuracy(_) => "simulation.accuracy",
+        }
+    }
+}
+
+impl Inexact {
+    /// The warning about a run whose results are off by more than a reader expects; `setting` is the one of its steps.
+    pub fn warning(&self, setting: Setting) -> Option<String> {
+        let Self { name, error } = self;
+        // Beyond the whole range the estimate has a size, but no number that a step could follow from.
+        let remedy = match *error {
+            error if error > 1.0 => format!("take a far smaller {}", setting.name()),
+            error => format!(
+                "take a smaller {} for about {} where the motion is smooth",
+                setting.proposed(PROPOSED / error),
+                percent(PROPOSED)
+            ),
+        };
+        (*error > EXPECTED).then(|| {
+            format!(
+                "{name} is off by {} of its range because of the length of the steps, as estimated during the run; {remedy}",
+                self.size(),
+            )
+        })
+    }
+
+    /// Its error in words: `about 0.17 %`; one beyond the whole range says no more than that.
+    pub fn size(&self) -> String {
+        if self.error > 1.0 { String::from("more than 100 %") } else { format!("about {}", percent(self.error)) }
+    }
+}
+
+/// A share in percent, with two digits.
+fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    let digits = if percent == 0.0 { 0 } else { (1 - percent.log10().floor() as i32).clamp(0, 6) as usize };
+    format!("{percent:.digits$} %")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An error of 2 % asks for a step of a third, for a tenth of it; one beyond the whole range for no number.
+    #[test]
+    fn the_remedy_follows_from_the_error() {
+        let warning = |error: f64| Inexact { name: String::from("tip.velocity"), error }.warning(Setting::Step(1e-3));
+        assert_eq!(warning(0.004), None);
+        let found = warning(0.02).unwrap();
+        assert!(
+            found.ends_with("take a smaller simulation.step: 3.2e-4 s for about 0.20 % where the motion is smooth"),
+            "{found}"
+        );
+        let found = warning(1e9).unwrap();
+        assert!(
+            found.contains("more than 100 %") && found.ends_with("; take a far smaller simulation.step"),
+            "{found}"
+        );
+    }
+}

@@ -1,0 +1,8 @@
+//! Runs a model: [`simulation::Simulation`] is what a host, a program and the command line step through time.
+
+pub mod accuracy;
+pub mod effort;
+pub mod rows;
+pub(super) mod scale;
+pub mod simulation;
+pub mod watch;

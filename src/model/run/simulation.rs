@@ -1,0 +1,492 @@
+//! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
+
+mod derivatives;
+mod runner;
+mod saved;
+mod start_derivatives;
+
+pub use saved::Snapshot;
+
+use self::derivatives::{Derived, LastStep};
+use self::runner::{Runner, Solver};
+use super::accuracy::{Accuracy, Columns, Inexact, Looker, Setting};
+use super::watch::Watch;
+use crate::error::Error;
+use crate::fmi::variable::{Variability, Variable};
+use crate::fmi::{About, Failure, LogCategory, Model, Value};
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
+use crate::model::builder;
+use crate::model::file::document::Document;
+use crate::model::file::entries::frame::FrameSpec;
+use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
+use crate::model::file::number::Number;
+use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
+use crate::model::variables::inputs::Inputs;
+use crate::model::variables::{Moment, Source, Table};
+use std::sync::Arc;
+
+/// The parameter that a host's tolerance stands for.
+const ACCURACY: &str = "simulation.accuracy";
+
+/// A model file, its system and its state.
+#[derive(Debug)]
+pub struct Simulation {
+    about: About,
+    table: Arc<Table>,
+    document: Arc<Document>,
+    runner: Runner,
+    results: Vec<f64>,
+    frames: FrameCache,
+    warnings: Vec<String>,
+    watch: Watch,
+    columns: Arc<Columns>,
+    accuracy: Accuracy,
+    looker: Looker,
+    inputs: Inputs,
+    last: LastStep,
+    derived: Derived,
+    warned_of_quaternion: bool,
+}
+
+impl Simulation {
+    /// Reads and builds a model file; `overrides` are keys and values of `--set`, `file_name` is for messages.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file, each with its place.
+    pub fn load(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Failure> {
+        let document = Document::parse(file_name, text, overrides).map_err(|mistakes| wrong(mistakes.to_string()))?;
+        let built = builder::build(&document, 0.0).map_err(|mistakes| wrong(mistakes.to_string()))?;
+        let table = Table::new(&document);
+        let about = About {
+            name: document.model.name.clone(),
+            identifier: document.model.identifier.clone(),
+            description: document.model.description.clone(),
+            guid: guid(text, overrides, &table),
+            stop: document.value(document.simulation.stop),
+            credits: document.model.credits.clone(),
+            output_step: document.output_step(),
+            tolerance: document.asked_accuracy(),
+        };
+        let document = Arc::new(document);
+        let mut simulation = Self {
+            about,
+            columns: Arc::new(Columns::new(&table)),
+            accuracy: Accuracy::default(),
+            looker: Looker::default(),
+            table: Arc::new(table),
+            runner: Runner::new(built, &document, 0.0),
+            inputs: Inputs::new(&document),
+            document,
+            results: Vec::new(),
+            frames: FrameCache::default(),
+            warnings: Vec::new(),
+            watch: Watch::default(),
+            last: LastStep::default(),
+            derived: Derived::default(),
+            warned_of_quaternion: false,
+        };
+        simulation.read_results().map_err(|error| failure(&error))?;
+        Ok(simulation)
+    }
+
+    /// The file that is simulated.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The system.
+    pub fn system(&self) -> &System {
+        &self.runner.system
+    }
+
+    /// The state it has reached.
+    pub fn state(&self) -> &State {
+        &self.runner.state
+    }
+
+    /// Multipliers of the joints' conditions, N or N m, where they are those of the very instant: always of equilibria and of generalized-alpha, otherwise
+    /// where an output asks for what follows from them.
+    pub fn multipliers(&self) -> Option<&[f64]> {
+        let simulation = &self.document.simulation;
+        let is_at_instant = simulation.analysis == Analysis::Static
+            || matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
+            || self.table.needs_response();
+        is_at_instant.then_some(&self.runner.response.multipliers)
+    }
+
+    /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion; empty where that is not known.
+    pub fn estimated_errors(&self) -> Vec<Inexact> {
+        let Runner { system, state, start, .. } = &self.runner;
+        if !state.time_error.is_known() {
+            return Vec::new();
+        }
+        self.accuracy.errors(&self.columns, system, state.time - start)
+    }
+
+    /// The family of results with the largest estimated error.
+    pub fn least_accurate(&self) -> Option<Inexact> {
+        self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
+    }
+
+    /// Sets parameter `index` of the file, and what follows from it; one that is tunable at once in a system that runs.
+    fn set_parameter(&mut self, index: usize, value: Value, variability: Variability) -> Result<(), Failure> {
+        let before = self.document.parameter_value(index);
+        let runs = variability == Variability::Tunable && self.runner.is_initialized();
+        let stepped = (runs && self.last.known && !self.runner.stale).then(|| self.document.settings());
+        let document = Arc::make_mut(&mut self.document);
+        document.set_parameter(index, value).map_err(wrong)?;
+        if runs {
+            // Nothing later checks what follows from a tunable parameter. Its old value was legal.
+            if document.feeds_others(index)
+                && let Err(objection) = document.check()
+            {
+                document.set_parameter(index, before).map_err(wrong)?;
+                return Err(wrong(objection));
+            }
+            if let Some(settings) = stepped {
+                self.last.settings = settings;
+            }
+            self.runner.stale = true;
+            self.derived.forget_rates();
+        }
+        Ok(())
+    }
+
+    /// Where inputs are at the start: as set, but for a frame whose quaternion is 0, which is as the file has it.
+    fn starts(&self) -> Vec<(Number, f64)> {
+        let time = self.runner.state.time;
+        let undirected = builder::undirected(&self.document, |number| self.inputs.line(number), [time; 2]);
+        let as_drawn: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
+        let start = |(number, value)| match as_drawn.contains(&number) {
+            true => (number, self.document.start(number).unwrap_or(value)),
+            false => (number, value),
+        };
+        self.inputs.iter().map(start).collect()
+    }
+
+    /// Warns, once, of a quaternion of 0 for the end of a step from `begin` to `end`, s.
+    fn warn_of_quaternions(&mut self, span: [f64; 2]) {
+        if self.warned_of_quaternion {
+            return;
+        }
+        let mut undirected = builder::undirected(&self.document, |number| self.inputs.line(number), span);
+        if let Some((FrameSpec { name, .. }, _)) = undirected.next() {
+            self.warnings.push(format!(
+                "the quaternion of frame {name} is 0, which is no orientation: the frame keeps the one it has; set \
+                 {name}.quaternion[1] to 1 for no rotation, or take input = \"rotation\" for the frame, whose inputs may all be 0"
+            ));
+            self.warned_of_quaternion = true;
+        }
+    }
+
+    /// There is no last step any more that derivatives could be of.
+    fn forget_step(&mut self) {
+        self.last.known = false;
+        self.last.settings.clear();
+        self.derived = Derived::default();
+    }
+
+    /// Reads all results off the state that the system has reached, and looks whether they are odd.
+    fn measure(&mut self) -> Result<(), Failure> {
+        self.read_results().map_err(|error| failure(&error))?;
+        if let Some(number) = self.results.iter().position(|result| !result.is_finite()) {
+            return Err(wrong(self.not_finite(number)));
+        }
+        let runner = &self.runner;
+        let odd = self.watch.look(&runner.system, &runner.state, &self.table, &self.results, &mut self.frames);
+        self.warnings.extend(odd);
+        self.accuracy.include(&self.columns, &self.results);
+        if self.accuracy.is_due(self.runner.state.statistics.steps) {
+            self.look();
+        }
+        Ok(())
+    }
+
+    /// Looks how far the results of the state that is reached are off.
+    fn look(&mut self) {
+        let Runner { system, state, responder, .. } = &mut self.runner;
+        let responder = responder.as_deref_mut();
+        self.accuracy.look((&self.columns, &self.table), (system, state), responder, &self.results, &mut self.looker);
+    }
+
+    /// What is wrong with result `number`.
+    fn not_finite(&self, number: usize) -> String {
+        let name = self.table.result_name(number);
+        let (value, time) = (self.results[number], self.runner.state.time);
+        format!(
+            "{name} is {value} at t = {time} s: a parameter or an input is far too large or too small for this mechanism; set \
+             a reasonable value"
+        )
+    }
+
+    /// Reads all results off the state that the system has reached.
+    fn read_results(&mut self) -> Result<(), Error> {
+        let runner = &mut self.runner;
+        runner.respond()?;
+        let (system, state, response) = (&*runner.system, &runner.state, &runner.response);
+        let moment = Moment { system, state, response, fibres: &[] };
+        self.table.measure(&moment, &mut self.frames, &mut self.results);
+        Ok(())
+    }
+}
+
+impl Model for Simulation {
+    type Snapshot = Snapshot;
+
+    fn about(&self) -> &About {
+        &self.about
+    }
+
+    fn variables(&self) -> &[Variable] {
+        &self.table.variables
+    }
+
+    fn value(&self, reference: usize) -> Value {
+        match self.table.sources[reference] {
+            Source::Parameter(index) => self.document.parameter_value(index),
+            Source::Input(place) => Value::Real(self.inputs.value(place)),
+            Source::Result(number) => match self.table.variables[reference].start {
+                Value::Real(_) => Value::Real(self.results[number]),
+                // A count that outgrows FMI's Integer stays at the largest one.
+                Value::Integer(_) => Value::Integer(self.results[number] as i32),
+            },
+        }
+    }
+
+    fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure> {
+        let variable = &self.table.variables[reference];
+        match (self.table.sources[reference], value) {
+            (Source::Result(_), _) => Err(wrong(format!("`{}` is a result and cannot be set", variable.name))),
+            (Source::Input(_), Value::Integer(_)) => {
+                Err(wrong(format!("`{}` is a Real, not an Integer", variable.name)))
+            }
+            (Source::Input(place), Value::Real(number)) => {
+                if !self.inputs.set(place, number) {
+                    self.document.accept(self.inputs.number(place), number).map_err(wrong)?;
+                }
+                Ok(())
+            }
+            (Source::Parameter(index), _) => self.set_parameter(index, value, variable.variability),
+        }
+    }
+
+    fn set_tolerance(&mut self, tolerance: f64) -> Option<f64> {
+        let place = self.table.variables.iter().position(|variable| variable.name == ACCURACY)?;
+        let accuracy = tolerance.clamp(FINEST_ACCURACY, COARSEST_ACCURACY);
+        self.set_value(place, Value::Real(accuracy)).ok().map(|()| accuracy)
+    }
+
+    fn set_input_derivative(&mut self, reference: usize, derivative: f64) {
+        if let Source::Input(place) = self.table.sources[reference] {
+            self.inputs.set_slope(place, derivative);
+        }
+    }
+
+    fn check(&self) -> Result<(), Failure> {
+        self.document.check().map_err(wrong)?;
+        builder::check(&self.document).map_err(|mistakes| wrong(mistakes.to_string()))
+    }
+
+    fn initialize(&mut self, start: f64) -> Result<(), Failure> {
+        self.warn_of_quaternions([start; 2]);
+        let starts = self.starts();
+        if starts.iter().any(|(number, value)| self.document.value(*number) != *value) {
+            let document = Arc::make_mut(&mut self.document);
+            starts.iter().for_each(|(number, value)| document.set_start(*number, *value));
+        }
+        self.document.check().map_err(wrong)?;
+        let document = &self.document;
+        let mut runner = match self.runner.if_drawn(document, start) {
+            Some(runner) => runner,
+            None => {
+                let built = builder::build(document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;
+                Runner::new(built, document, start)
+            }
+        };
+        let origin = runner.system.origin;
+        builder::aim(document, &origin, |number| self.inputs.line(number), [start; 2], &mut runner.state.targets);
+        let warnings = runner.find_initial_state(document, self.table.needs_response());
+        self.warnings.extend(warnings.map_err(|error| failure(&error))?);
+        let before = std::mem::replace(&mut self.runner, runner);
+        self.forget_step();
+        self.watch = Watch::new(&self.document);
+        self.accuracy = Accuracy::default();
+        let outcome = self.measure();
+        if outcome.is_err() {
+            self.runner = before;
+        }
+        outcome
+    }
+
+    fn time(&self) -> f64 {
+        self.runner.state.time
+    }
+
+    fn shortest_step(&self) -> f64 {
+        self.runner.shortest_step()
+    }
+
+    fn accept_step(&self, end: f64) -> Result<(), Failure> {
+        let begin = self.runner.state.time;
+        self.runner.plan(begin, end).map(|_| ()).map_err(|error| failure(&error))
+    }
+
+    fn advance(&mut self, end: f64) -> Result<(), Failure> {
+        if end - self.runner.state.time < self.shortest_step() {
+            // The last step is what it was.
+            self.inputs.end_step();
+            return Ok(());
+        }
+        self.forget_step();
+        self.warn_of_quaternions([self.runner.state.time, end]);
+        let runner = &mut self.runner;
+        runner.settle(&self.document);
+        runner.keep();
+        let begin = runner.state.time;
+        runner.state.targets.depart(begin, &runner.state.prescribed);
+        let line = |number| self.inputs.line(number);
+        let origin = runner.system.origin;
+        builder::aim(&self.document, &origin, line, [begin, end], &mut runner.state.targets);
+        let outcome = runner.advance(end).map_err(|error| failure(&error)).and_then(|()| self.measure());
+        if outcome.is_err() {
+            self.runner.go_back();
+            // They were those of this state before the step, so that they can be read.
+            let _ = self.read_results();
+        }
+        if let Solver::Statics(statics) = &mut self.runner.solver {
+            self.warnings.extend(statics.take_remarks());
+        }
+        if outcome.is_ok() {
+            self.last.known = true;
+            self.last.inputs.copy_from(&self.inputs);
+            self.last.end = end;
+        }
+        self.inputs.end_step();
+        outcome
+    }
+
+    fn conclude(&mut self) {
+        self.look();
+        let Runner { pacing, state, .. } = &self.runner;
+        let setting = match pacing {
+            Some(pacing) => Setting::Accuracy(pacing.accuracy),
+            None => Setting::Step(state.time_error.step),
+        };
+        self.warnings.extend(self.least_accurate().and_then(|worst| worst.warning(setting)));
+    }
+
+    fn take_warnings(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.warnings)
+    }
+
+    fn reset(&mut self) {
+        Arc::make_mut(&mut self.document).reset();
+        // The file was built with these very numbers when it was loaded.
+        if let Ok(built) = builder::build(&self.document, 0.0) {
+            self.runner = Runner::new(built, &self.document, 0.0);
+        }
+        self.warnings.clear();
+        self.warned_of_quaternion = false;
+        self.inputs = Inputs::new(&self.document);
+        self.forget_step();
+        // Nothing is solved for before the initialization, so that nothing can fail.
+        let _ = self.read_results();
+    }
+
+    fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure> {
+        match self.table.sources[reference] {
+            Source::Result(result) => Ok(self.rate(result)),
+            _ => Err(wrong(format!("`{}` is no result", self.table.variables[reference].name))),
+        }
+    }
+
+    fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure> {
+        match (self.table.sources[output], self.table.sources[input]) {
+            (Source::Result(result), Source::Input(place)) => Simulation::partial_derivative(self, result, place),
+            _ => Err(wrong(String::from("only results have derivatives, and only by inputs"))),
+        }
+    }
+
+    fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure> {
+        self.start_derivative(unknown, known)
+    }
+
+    fn snapshot(&self) -> Snapshot {
+        self.save()
+    }
+
+    fn restore(&mut self, snapshot: &Snapshot) {
+        self.go_back_to(snapshot);
+    }
+
+    fn write(&self, snapshot: &Snapshot, bytes: Vec<u8>) -> Vec<u8> {
+        snapshot.write(bytes)
+    }
+
+    fn read(&self, bytes: &[u8]) -> Result<Snapshot, Failure> {
+        Snapshot::read(&self.document, self.results.len(), bytes).map_err(wrong)
+    }
+}
+
+fn wrong(message: String) -> Failure {
+    Failure { message, category: LogCategory::StatusError }
+}
+
+pub(in crate::model) fn failure(error: &Error) -> Failure {
+    Failure { message: error.to_string(), category: category(error) }
+}
+
+fn category(error: &Error) -> LogCategory {
+    match error {
+        Error::Singular { .. } => LogCategory::SingularLinearSystems,
+        Error::NotConverged { .. } => LogCategory::NonlinearSystems,
+        Error::StepTooSmall { reason, .. } | Error::RampStuck { reason, .. } => category(reason),
+        _ => LogCategory::StatusError,
+    }
+}
+
+/// A name-based hash of the file, of its overrides and of what a host knows variables by: what its XML and the model must agree on. It has no
+/// number that was computed: the last bits of a sine depend on the processor and on the C library.
+fn guid(text: &str, overrides: &[(String, String)], table: &Table) -> String {
+    let mut content = format!("ancf14 {}\n{text}\n", env!("CARGO_PKG_VERSION"));
+    for (key, value) in overrides {
+        content.push_str(&format!("{key}={value}\n"));
+    }
+    let mut content = content.into_bytes();
+    for Variable { name, causality, variability, quantity, .. } in &table.variables {
+        content.extend([*causality as u8, *variability as u8]);
+        for text in [name, &quantity.unit] {
+            content.extend(text.as_bytes());
+            content.push(0);
+        }
+    }
+    format!("{{{}}}", uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_URL, &content))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two processors, or two C libraries, may give a start value different last bits; the file is the same all the same.
+    #[test]
+    fn regression_start_values_are_not_in_the_guid() {
+        let text = include_str!("../../../models/crane.toml");
+        let document = Document::parse("crane.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+        let mut table = Table::new(&document);
+        let here = guid(text, &[], &table);
+        for variable in &mut table.variables {
+            if let Value::Real(start) = &mut variable.start {
+                *start = start.next_up();
+            }
+        }
+        assert_eq!(guid(text, &[], &table), here);
+        table.variables[0].name.push('_');
+        assert_ne!(guid(text, &[], &table), here);
+        assert_ne!(
+            guid(text, &[(String::from("foot.position[1]"), String::from("1"))], &table),
+            guid(text, &[], &table)
+        );
+    }
+}

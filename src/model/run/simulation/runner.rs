@@ -1,0 +1,402 @@
+//! The system of a model that runs: built, brought to its initial state, advanced on the grid of internal steps.
+
+use crate::error::Error;
+use crate::mechanics::state::State;
+use crate::mechanics::system::{AT_BREAK, System};
+use crate::model::builder::{self, Built};
+use crate::model::file::document::Document;
+use crate::model::file::entries::simulation::{Analysis, Initial, IntegratorSpec};
+use crate::solve::dynamics::generalized_alpha::GeneralizedAlpha;
+use crate::solve::dynamics::midpoint::Midpoint;
+use crate::solve::dynamics::start;
+use crate::solve::statics::Statics;
+use crate::solve::step::integrator::{Integrator, grid_step};
+use crate::solve::step::limits;
+use crate::solve::step::pacing::Pacing;
+use crate::solve::step::response::{Responder, Response};
+use std::sync::Arc;
+
+/// How near to a point of the grid of internal steps a communication point must be to be that point, in steps.
+const ON_GRID: f64 = 1e-9;
+/// Most internal steps in one call: beyond, times a step apart are hardly different numbers, and nobody waits for the end.
+const MOST_STEPS: f64 = 1e9;
+/// Round-off of a time that is one sum, relative: far from 0 it can be more than a share of the internal step.
+const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Round-off that a communication step may have before it takes one internal step more, in steps. A step that is shorter is left to the
+/// next one: it would be all round-off, and velocities are differences of places.
+const STEP_ROUNDING: f64 = 1e-6;
+
+/// The system as built, the state it has reached, and the means to go on.
+#[derive(Debug)]
+pub(super) struct Runner {
+    /// The file as it was when the system was built.
+    pub(super) drawn: Arc<Document>,
+    pub(super) system: Arc<System>,
+    pub(super) state: State,
+    /// Tunable parameters have been set since the system was brought to them.
+    pub(super) stale: bool,
+    /// The state before the running call, to go back to when it fails.
+    pub(super) backup: State,
+    /// Start of the grid of internal steps, s.
+    pub(super) start: f64,
+    /// Internal step, s; the largest one where the solver chooses them.
+    pub(super) step: f64,
+    /// None: internal steps are given.
+    pub(super) pacing: Option<Pacing>,
+    /// The initialization that the system is from; none yet: no solver. Shared with the snapshots taken since, of which a
+    /// solver is scratch memory only.
+    pub(super) initialization: Arc<()>,
+    pub(super) solver: Solver,
+    /// Computes accelerations and multipliers, where results ask for them.
+    pub(super) responder: Option<Box<Responder>>,
+    pub(super) response: Response,
+}
+
+/// What takes a step.
+#[derive(Debug)]
+pub(super) enum Solver {
+    /// Not initialized yet.
+    None,
+    Midpoint(Box<Midpoint>),
+    GeneralizedAlpha(Box<GeneralizedAlpha>),
+    Statics(Box<Statics>),
+}
+
+impl Runner {
+    pub(super) fn new(built: Built, document: &Arc<Document>, start: f64) -> Self {
+        Self::drawn(Arc::new(built.system), built.state, document, start)
+    }
+
+    /// The system that `document` draws at `start`, s, if this is one and has not been initialized yet: drawing it anew would give the same.
+    pub(super) fn if_drawn(&self, document: &Arc<Document>, start: f64) -> Option<Self> {
+        let same = Arc::ptr_eq(&self.drawn, document) && self.start == start && !self.is_initialized();
+        same.then(|| Self::drawn(Arc::clone(&self.system), self.state.clone(), document, start))
+    }
+
+    fn drawn(system: Arc<System>, state: State, document: &Arc<Document>, start: f64) -> Self {
+        Self {
+            drawn: Arc::clone(document),
+            system,
+            stale: false,
+            backup: state.clone(),
+            state,
+            start,
+            step: document.largest_step(),
+            pacing: document.pacing(start),
+            initialization: Arc::new(()),
+            solver: Solver::None,
+            responder: None,
+            response: Response::default(),
+        }
+    }
+
+    pub(super) fn is_initialized(&self) -> bool {
+        !matches!(self.solver, Solver::None)
+    }
+
+    /// Sets up the solver and finds the state at the start; returns what the user should know of it.
+    pub(super) fn find_initial_state(&mut self, document: &Document, responds: bool) -> Result<Vec<String>, Error> {
+        start::check_assembled(&self.system, &self.state)?;
+        self.solver = Solver::new(document, &self.system, self.pacing)?;
+        if responds {
+            self.responder = Some(Box::new(Responder::new(&self.system)));
+        }
+        let simulation = &document.simulation;
+        let moving = self.state.velocity.iter().any(|value| *value != 0.0);
+        let mut warnings = self.system.too_fine_meshes();
+        if simulation.analysis == Analysis::Dynamic {
+            warnings.extend(self.system.jumps(self.start, document.value(simulation.stop)));
+            match simulation.initial {
+                Initial::AsDrawn => start::check_drives(&self.system, &self.state)?,
+                Initial::Equilibrium => {
+                    let tolerance = document.value(simulation.tolerance);
+                    warnings.extend(start::find_equilibrium(&self.system, &mut self.state, tolerance)?);
+                    if moving {
+                        let why = "the motion begins at an equilibrium";
+                        warnings.push(format!("the given initial velocities are not used: {why}"));
+                    }
+                }
+            }
+        }
+        let changed = match &mut self.solver {
+            Solver::None => 0.0,
+            Solver::Midpoint(midpoint) => start::set_motion(&self.system, midpoint, &mut self.state)?,
+            Solver::GeneralizedAlpha(alpha) => {
+                warnings.extend(alpha.objection(&self.system));
+                start::set_motion(&self.system, alpha, &mut self.state)?
+            }
+            Solver::Statics(statics) => {
+                self.state.velocity.fill(0.0);
+                self.state.targets.straight = true;
+                statics.find(&self.system, &mut self.state, self.start)?;
+                warnings.extend(statics.take_remarks());
+                if moving {
+                    warnings.push(String::from("the initial velocities are not used: the analysis is static"));
+                }
+                if self.system.is_damped() {
+                    warnings.push(String::from("dampers are not used: the analysis is static"));
+                }
+                0.0
+            }
+        };
+        if simulation.analysis == Analysis::Dynamic && self.pacing.is_none() {
+            warnings.extend(start::unresolved_dampers(&self.system, &self.state, self.step));
+        }
+        if changed > 0.0 {
+            warnings.push(format!(
+                "the given initial velocities do not fit the joints: they were changed to the nearest that do, a change of {} of their \
+                 kinetic energy",
+                percent(changed)
+            ));
+        }
+        Ok(warnings)
+    }
+
+    /// Computes the response of the state that is reached, if results ask for it.
+    pub(super) fn respond(&mut self) -> Result<(), Error> {
+        let Self { system, state, solver, responder, response, .. } = self;
+        match responder {
+            Some(responder) => solver.respond(responder, system, state, response)?,
+            None => response.set_at_rest(state),
+        }
+        Ok(())
+    }
+
+    /// The state before the last internal step on the way from the backup to `end`, s; and its response.
+    pub(super) fn before_last_part(&mut self, end: f64) -> Result<(State, Response), Error> {
+        let plan = self.plan(self.backup.time, end)?;
+        let mut state = self.backup.clone();
+        state.targets.clone_from(&self.state.targets);
+        let mut before = state.clone();
+        let system = &self.system;
+        match &mut self.solver {
+            Solver::None => Err(Error::NotInitialized),
+            Solver::Midpoint(own) => plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state),
+            Solver::GeneralizedAlpha(own) => {
+                plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state)
+            }
+            Solver::Statics(own) => {
+                plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state)?;
+                // They have been told already.
+                own.take_remarks();
+                Ok(())
+            }
+        }?;
+        let mut response = Response::default();
+        self.solver.respond(&mut Responder::new(system), system, &before, &mut response)?;
+        Ok((before, response))
+    }
+
+    /// The state one internal step after the present one, and its response, with the tunable parameters of now; inputs stay as they are.
+    pub(super) fn after_next_part(&mut self, document: &Document) -> Result<(State, Response), Error> {
+        let begin = self.state.time;
+        let wanted = if self.pacing.is_some() { self.state.pace.wanted } else { 0.0 };
+        let step = if wanted > 0.0 { wanted.min(self.step) } else { self.step };
+        let plan = self.plan(begin, begin + step)?;
+        let mut state = self.state.clone();
+        if let Some(pacing) = self.pacing.filter(|_| self.stale) {
+            pacing.jump(&mut state);
+        }
+        state.targets.depart(begin, &self.state.prescribed);
+        state.targets.end = plan.end;
+        let system = &self.settled(document);
+        match &mut self.solver {
+            Solver::None => Err(Error::NotInitialized),
+            Solver::Midpoint(own) => plan.march(own.as_mut(), system, &mut state),
+            Solver::GeneralizedAlpha(own) => plan.march(own.as_mut(), system, &mut state),
+            Solver::Statics(own) => {
+                let outcome = plan.march(own.as_mut(), system, &mut state);
+                // The step that is taken will tell of what it finds.
+                own.take_remarks();
+                own.forget();
+                outcome
+            }
+        }?;
+        let mut response = Response::default();
+        self.solver.respond(&mut Responder::new(system), system, &state, &mut response)?;
+        Ok((state, response))
+    }
+
+    /// The system with the tunable parameters of now.
+    pub(super) fn settled(&self, document: &Document) -> Arc<System> {
+        let mut system = Arc::clone(&self.system);
+        if self.stale {
+            builder::retune(document, Arc::make_mut(&mut system));
+        }
+        system
+    }
+
+    /// Brings the system to the tunable parameters of now.
+    pub(super) fn settle(&mut self, document: &Document) {
+        if std::mem::take(&mut self.stale) {
+            builder::retune(document, Arc::make_mut(&mut self.system));
+            self.state.balance.forget_last();
+            if let Some(pacing) = self.pacing {
+                pacing.jump(&mut self.state);
+            }
+        }
+    }
+
+    /// Keeps the state, for [`Self::go_back`].
+    pub(super) fn keep(&mut self) {
+        self.backup.clone_from(&self.state);
+    }
+
+    /// Goes back to the state that was kept.
+    pub(super) fn go_back(&mut self) {
+        self.state.clone_from(&self.backup);
+    }
+
+    /// Advances to `end`, s.
+    pub(super) fn advance(&mut self, end: f64) -> Result<(), Error> {
+        let plan = self.plan(self.state.time, end)?;
+        self.state.targets.end = plan.end;
+        if matches!(self.solver, Solver::Statics(_)) {
+            limits::check_drives(&self.system, &self.state, plan.end, plan.count)?;
+        }
+        let (system, state) = (&self.system, &mut self.state);
+        match &mut self.solver {
+            Solver::None => Err(Error::NotInitialized),
+            Solver::Midpoint(midpoint) => plan.march(midpoint.as_mut(), system, state),
+            Solver::GeneralizedAlpha(alpha) => plan.march(alpha.as_mut(), system, state),
+            Solver::Statics(statics) => plan.march(statics.as_mut(), system, state),
+        }
+    }
+
+    /// The shortest communication step that is taken, s.
+    pub(super) fn shortest_step(&self) -> f64 {
+        f64::max(STEP_ROUNDING * self.step, TIME_ROUNDING * self.state.time.abs())
+    }
+
+    /// The internal steps from `begin` to `end`, s: on the grid `start + k step` where both are on it, else equal ones.
+    pub(super) fn plan(&self, begin: f64, end: f64) -> Result<Plan, Error> {
+        let Self { start, step, pacing, .. } = *self;
+        let grid = |number: f64| start + number * step;
+        let nearest = |time: f64| ((time - start) / step).round();
+        let last = nearest(end);
+        let on_grid = (end - grid(last)).abs() <= ON_GRID * step;
+        let end = if on_grid { grid(last) } else { end };
+        let first = nearest(begin);
+        let needed = (end - begin) / step;
+        if needed > MOST_STEPS {
+            return Err(Error::TooManySteps { count: needed, step, from: begin, to: end });
+        }
+        if on_grid && begin == grid(first) {
+            return Ok(Plan { begin: start, first, end, step, count: (last - first) as u64, pacing });
+        }
+        let count = (needed - STEP_ROUNDING).ceil().max(1.0);
+        Ok(Plan { begin, first: 0.0, end, step: (end - begin) / count, count: count as u64, pacing })
+    }
+}
+
+/// A share in percent, with three decimals.
+fn percent(share: f64) -> String {
+    if share < 1e-5 { String::from("less than 0.001 %") } else { format!("{:.3} %", 100.0 * share) }
+}
+
+/// The internal steps of a communication step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Plan {
+    /// Where their counting begins, s, and the number of the first one.
+    begin: f64,
+    first: f64,
+    /// Where the last one ends, s.
+    pub(super) end: f64,
+    /// Length of each, s.
+    step: f64,
+    count: u64,
+    /// None: the steps are these.
+    pacing: Option<Pacing>,
+}
+
+impl Plan {
+    /// Takes them all.
+    pub(super) fn march(
+        &self,
+        integrator: &mut impl Integrator,
+        system: &System,
+        state: &mut State,
+    ) -> Result<(), Error> {
+        if let Some(pacing) = self.pacing {
+            return pacing.march(integrator, system, state, self.end);
+        }
+        for number in 1..=self.count {
+            let next =
+                if number == self.count { self.end } else { self.begin + (self.first + number as f64) * self.step };
+            let whole = march_to_last_break(integrator, system, state, next, AT_BREAK * self.step)?;
+            let step = if whole { self.step } else { next - state.time };
+            grid_step(integrator, system, state, step, next)?;
+        }
+        Ok(())
+    }
+}
+
+/// Takes `state` to the last break before `next`, s, from one to the next; breaks within `margin` s of an end count as that end. Returns
+/// whether there is none.
+fn march_to_last_break<I: Integrator>(
+    integrator: &mut I,
+    system: &System,
+    state: &mut State,
+    next: f64,
+    margin: f64,
+) -> Result<bool, Error> {
+    let mut whole = true;
+    while let Some(time) = system.break_between(state.time, next, margin).filter(|_| I::RESOLVES_TIME) {
+        let step = time - state.time;
+        grid_step(integrator, system, state, step, time)?;
+        whole = false;
+    }
+    Ok(whole)
+}
+
+/// An integrator that keeps the state before the step it took last.
+struct Remembering<'a, I>(&'a mut I, &'a mut State);
+
+impl<I: Integrator> Integrator for Remembering<'_, I> {
+    const RESOLVES_TIME: bool = I::RESOLVES_TIME;
+
+    fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
+        let Self(integrator, before) = self;
+        before.clone_from(state);
+        integrator.step(system, state, step, end)
+    }
+}
+
+impl Solver {
+    /// Sets `response` to that of `state`.
+    pub(super) fn respond(
+        &self,
+        responder: &mut Responder,
+        system: &System,
+        state: &State,
+        response: &mut Response,
+    ) -> Result<(), Error> {
+        match self {
+            Self::Midpoint(_) => responder.respond(system, state, response)?,
+            // It computes accelerations and multipliers at the ends of steps.
+            Self::GeneralizedAlpha(_) => response.set_from(state),
+            Self::None | Self::Statics(_) => response.set_at_rest(state),
+        }
+        Ok(())
+    }
+
+    pub(super) fn new(document: &Document, system: &System, pacing: Option<Pacing>) -> Result<Self, Error> {
+        let simulation = &document.simulation;
+        let tolerance = document.value(simulation.tolerance);
+        Ok(match (simulation.analysis, simulation.integrator) {
+            (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance))),
+            (Analysis::Dynamic, IntegratorSpec::Conserving { spectral_radius }) => {
+                let spectral_radius = spectral_radius.map_or(1.0, |number| document.value(number));
+                let midpoint = Midpoint::new(system, spectral_radius, document.largest_step(), tolerance);
+                Self::Midpoint(Box::new(match pacing {
+                    Some(pacing) => midpoint.paced(pacing)?,
+                    None => midpoint,
+                }))
+            }
+            (Analysis::Dynamic, IntegratorSpec::GeneralizedAlpha { spectral_radius }) => {
+                let spectral_radius = document.value(spectral_radius);
+                Self::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(system, spectral_radius, tolerance)))
+            }
+        })
+    }
+}

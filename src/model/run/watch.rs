@@ -1,0 +1,119 @@
+//! What a run is watched for: signs that its numbers should not be trusted. Each is warned of once.
+
+mod alternation;
+mod mesh;
+
+use self::alternation::AlternationWatch;
+use self::mesh::MeshWatch;
+use crate::error::decimal;
+use crate::mechanics::state::State;
+use crate::mechanics::state::energy_balance::Alarm;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
+use crate::model::file::document::Document;
+use crate::model::file::entries::simulation::IntegratorSpec;
+use crate::model::file::quantity::Quantity;
+use crate::model::variables::Table;
+use serde::{Deserialize, Serialize};
+
+/// Quantities that an axial force is read from.
+const BY_AXIAL_FORCE: [Quantity; 3] = [Quantity::SectionForce, Quantity::Stress, Quantity::AxialStrain];
+
+/// What has been seen and warned of.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Watch {
+    twist_warned: bool,
+    axial_warned: bool,
+    energy_warned: bool,
+    /// The integrator damps by itself: the energy may fall.
+    damps: bool,
+    mesh: MeshWatch,
+    alternation: AlternationWatch,
+}
+
+impl Watch {
+    /// Of a run of `document`.
+    pub fn new(document: &Document) -> Self {
+        let damps = match document.simulation.integrator {
+            IntegratorSpec::Conserving { spectral_radius } => {
+                spectral_radius.is_some_and(|own| document.value(own) < 1.0)
+            }
+            IntegratorSpec::GeneralizedAlpha { .. } => true,
+        };
+        let analysis = document.simulation.analysis;
+        let (mesh, alternation) = (MeshWatch::new(analysis), AlternationWatch::new(analysis));
+        Self { damps, mesh, alternation, ..Self::default() }
+    }
+
+    /// Looks at a new state and returns what the user should know of it; `table` has what is read off it, and `results` what was.
+    pub fn look(
+        &mut self,
+        system: &System,
+        state: &State,
+        table: &Table,
+        results: &[f64],
+        frames: &mut FrameCache,
+    ) -> Vec<String> {
+        let twist = self.twist(system, state, frames);
+        let axial = self.axial(system, state, table, frames);
+        let mesh = self.mesh.look(system, state, table, frames);
+        let alternation = self.alternation.look(system, state, table, results);
+        twist.into_iter().chain(axial).chain(mesh).chain(alternation).chain(self.energy(state)).collect()
+    }
+
+    /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.
+    fn axial(&mut self, system: &System, state: &State, table: &Table, frames: &mut FrameCache) -> Option<String> {
+        if self.axial_warned {
+            return None;
+        }
+        let mut points = table.points().filter(|(quantity, _)| BY_AXIAL_FORCE.contains(quantity)).peekable();
+        points.peek()?;
+        let configuration = frames.of(system, state);
+        let (word, (node, jump)) = points.find_map(|(quantity, mut sensors)| {
+            let jump = sensors.find_map(|sensor| system.axial_jump_near(&configuration, &system.sensors[sensor]))?;
+            Some((quantity.row().word, jump))
+        })?;
+        self.axial_warned = true;
+        Some(format!(
+            "an output of {word} is within one element of {node}, where the axial force jumps by about {jump:.1e} N at t = {} s: elements spread a jump over both \
+             sides, so that values there are off by up to half of it; read them an element further away",
+            decimal(state.time)
+        ))
+    }
+
+    /// Warns of a beam that is twisted beyond half the rate above which its energy has no lower bound (MECHANICS 3.7).
+    fn twist(&mut self, system: &System, state: &State, frames: &mut FrameCache) -> Option<String> {
+        if self.twist_warned {
+            return None;
+        }
+        let (beam, rate, limit) = system.twist_near_limit(state, frames)?;
+        self.twist_warned = true;
+        Some(format!(
+            "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: its torsion softens and fails above {limit:.3} rad/m, because \
+             strain = \"large_truncated\" or the section's fourth_moments leave the stiffening by twist out; use strain = \"large\" with the \
+             section's true fourth_moments",
+            decimal(state.time)
+        ))
+    }
+
+    /// Warns of energy that cannot come from anywhere, or that has gone nowhere (MECHANICS 7.4: accuracy is the step's).
+    fn energy(&mut self, state: &State) -> Option<String> {
+        let Alarm { time, drift, largest } = state.balance.alarm().filter(|_| !self.energy_warned)?;
+        self.energy_warned = true;
+        let (time, share) = (decimal(time), 100.0 * drift.abs() / largest.max(drift.abs()));
+        Some(if self.damps && drift < 0.0 {
+            format!(
+                "numerical damping has taken {:.4e} J, {share:.1} % of the largest energy, by t = {time} s: the steps do not resolve the motion; take \
+                 smaller steps (simulation.step or simulation.accuracy), or a larger spectral_radius if that motion matters",
+                -drift
+            )
+        } else {
+            let way = if drift > 0.0 { "gained" } else { "lost" };
+            format!(
+                "by t = {time} s the integrator has {way} {:.4e} J, {share:.1} % of the largest energy, that loads, drives and dampers do not account for: \
+                 the steps are too large for this motion, and the results are not to be trusted; take smaller steps (simulation.step or simulation.accuracy) or material damping",
+                drift.abs()
+            )
+        })
+    }
+}

@@ -1,0 +1,230 @@
+//! Whether a mesh is too coarse for what the system does: the energy that its elements leave out, and section forces and moments that are off where they are read.
+
+use crate::error::decimal;
+use crate::mechanics::marker::configuration::Configuration;
+use crate::mechanics::marker::sensor::Sensor;
+use crate::mechanics::output::mesh_error::{Deformation, MeshError};
+use crate::mechanics::state::State;
+use crate::mechanics::state::energy_balance::Energies;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
+use crate::model::file::entries::simulation::Analysis;
+use crate::model::file::quantity::Quantity;
+use crate::model::variables::Table;
+use serde::{Deserialize, Serialize};
+
+/// Energy that a mesh may leave out, of the largest energy so far: under loads that is by how much displacements are off, and 1 % is called right.
+const LEFT_OUT: f64 = 0.01;
+/// By how much section forces and moments may be off where they are read, of their largest value so far: they converge more slowly than displacements.
+const OFF: f64 = 0.05;
+/// Energy left out, and error of a section's force, that the mesh that is recommended should have.
+const WANTED: [f64; 2] = [1e-3, 0.01];
+/// Largest refinement that is recommended at a time: an estimate from a mesh that resolves nothing says little about a much finer one.
+const LARGEST_REFINEMENT: f64 = 8.0;
+
+/// A force or moment is compared with this share of the largest one of its system at least: what is far smaller does not matter.
+const SMALL: f64 = 0.1;
+/// The same for a moment, of the largest axial force times the size of the system, below which it is the round-off of that force.
+const ROUND_OFF: f64 = 1e-6;
+
+/// In dynamics one communication point of so many is looked at, which makes the look cheap beside the steps,
+const STRIDE: u64 = 4;
+/// and so many must show it: a sudden load bends the nearest element first, until the wave is as long as some.
+const SIGHTINGS: u32 = 3;
+
+/// What has been seen of the mesh.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MeshWatch {
+    is_static: bool,
+    points: u64,
+    largest_energy: f64,
+    largest_moment: f64,
+    largest_force: f64,
+    energy: Sightings,
+    energy_warned: bool,
+    /// Of all quantities that are read at points, in the order of the table.
+    readings: Vec<Reading>,
+    reading_warned: bool,
+}
+
+/// How often something was seen while its scale was about the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+struct Sightings {
+    /// The scale at the first of them.
+    scale: f64,
+    count: u32,
+}
+
+/// What was read of a quantity, at all of its points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+struct Reading {
+    largest: f64,
+    off: Sightings,
+}
+
+/// A force or moment at a section, N or N m.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Section {
+    /// How large the whole of it is, whichever component is read: what is small beside the others does little.
+    size: f64,
+    /// By how much what is read is off.
+    off: f64,
+}
+
+impl Sightings {
+    /// Whether `error` has been beyond `bound` of `scale` often enough. What was seen when the scale was half as large does not count: it was the beginning.
+    fn add(&mut self, error: f64, scale: f64, bound: f64, enough: u32) -> bool {
+        if scale > 2.0 * self.scale {
+            *self = Self { scale, count: 0 };
+        }
+        if error > bound * scale {
+            self.count = self.count.saturating_add(1);
+        }
+        self.count >= enough
+    }
+}
+
+impl Section {
+    /// What `quantity` is read from at `sensor`; none where it is no force or moment of a section of ANCF14.
+    fn new(quantity: Quantity, system: &System, c: &Configuration, sensor: &Sensor) -> Option<Self> {
+        let components = match quantity {
+            Quantity::SectionForce | Quantity::AxialStrain => 0..0,
+            Quantity::Torsion => 0..1,
+            Quantity::Curvature => 1..3,
+            Quantity::SectionMoment | Quantity::Stress => 0..3,
+            _ => return None,
+        };
+        let (read, smooth) = (sensor.section_forces(c), system.smooth_forces(c, sensor)?);
+        if components.is_empty() {
+            // Beside a jump of the axial force there is a warning of its own.
+            let beam = &system.beams[sensor.on_beam?.0];
+            if sensor.places().any(|(element, _)| system.is_beside_jump(beam, element - beam.first_element)) {
+                return None;
+            }
+            return Some(Self { size: read.axial.hypot(smooth.shear), off: (read.axial - smooth.axial).abs() });
+        }
+        let largest = |sizes: &[f64]| sizes.iter().fold(0.0, |largest, size| size.abs().max(largest));
+        let off: [f64; 3] = std::array::from_fn(|k| read.moment[k] - smooth.moment[k]);
+        Some(Self { size: largest(&read.moment), off: largest(&off[components]) })
+    }
+}
+
+impl MeshWatch {
+    /// Of a run of this analysis.
+    pub fn new(analysis: Analysis) -> Self {
+        Self { is_static: analysis == Analysis::Static, ..Self::default() }
+    }
+
+    /// Looks at a new state and returns what the user should know of its mesh.
+    pub fn look(&mut self, system: &System, state: &State, table: &Table, frames: &mut FrameCache) -> Vec<String> {
+        let point = self.points;
+        self.points = point.wrapping_add(1);
+        let is_skipped = !self.is_static && !point.is_multiple_of(STRIDE);
+        if is_skipped || system.beams.is_empty() || (self.energy_warned && self.reading_warned) {
+            return Vec::new();
+        }
+        let c = frames.of(system, state);
+        let error = system.mesh_error(&c);
+        let Energies { kinetic, elastic } = state.balance.last.unwrap_or(Energies { kinetic: 0.0, elastic: 0.0 });
+        self.largest_energy = self.largest_energy.max(kinetic + elastic.max(error.energy));
+        self.largest_moment = self.largest_moment.max(error.largest_moment);
+        self.largest_force = self.largest_force.max(error.largest_force);
+        if error.energy <= error.round_off {
+            return Vec::new();
+        }
+        let energy = self.left_out(system, state, &error);
+        let reading = self.readings(system, state, table, &c);
+        energy.into_iter().chain(reading).collect()
+    }
+
+    /// How often something must be seen.
+    fn enough(&self) -> u32 {
+        if self.is_static { 1 } else { SIGHTINGS }
+    }
+
+    /// Warns of energy that the elements leave out.
+    fn left_out(&mut self, system: &System, state: &State, error: &MeshError) -> Option<String> {
+        let enough = self.enough();
+        if self.energy_warned || !self.energy.add(error.left_out, self.largest_energy, LEFT_OUT, enough) {
+            return None;
+        }
+        let worst = error.worst.as_ref()?;
+        self.energy_warned = true;
+        let share = error.left_out / self.largest_energy;
+        let (beam, number) = system.beam_of(worst.element);
+        let [begin, end] = System::ends_of(beam, number);
+        let (word, order, remedy) = match worst.deformation {
+            Deformation::Bending => ("bending", 4, ""),
+            Deformation::Torsion => ("torsion", 2, ", or twist = \"quadratic\""),
+            Deformation::Stretching => ("stretching", 4, ""),
+        };
+        Some(format!(
+            "the mesh is too coarse: at t = {} s its elements miss about {:.1} % of the largest energy so far, most of it {word} of beam {} between {begin:.2} and \
+             {end:.2} of its length; results are off by up to about as much, and by far more where the machine buckles; take elements = {} or more for this \
+             beam{remedy}",
+            decimal(state.time),
+            100.0 * share,
+            beam.name,
+            refined(beam.elements(), share / WANTED[0], order)
+        ))
+    }
+
+    /// Warns of a quantity that is off where it is read.
+    fn readings(&mut self, system: &System, state: &State, table: &Table, c: &Configuration) -> Option<String> {
+        if self.reading_warned {
+            return None;
+        }
+        let (enough, moment, force) = (self.enough(), self.largest_moment, self.largest_force);
+        let mut found = None;
+        for (place, (quantity, sensors)) in table.points().enumerate() {
+            if place == self.readings.len() {
+                self.readings.push(Reading::default());
+            }
+            let is_force = matches!(quantity, Quantity::SectionForce | Quantity::AxialStrain);
+            let least = match is_force {
+                true => SMALL * force.max(moment / system.size),
+                false => (SMALL * moment).max(ROUND_OFF * force * system.size),
+            };
+            let Reading { largest, off } = &mut self.readings[place];
+            let mut worst = (0.0, None);
+            for sensor in sensors.map(|sensor| &system.sensors[sensor]) {
+                let Some(section) = Section::new(quantity, system, c, sensor) else { continue };
+                *largest = largest.max(section.size);
+                if section.off > worst.0 {
+                    worst = (section.off, Some(sensor));
+                }
+            }
+            let scale = largest.max(least);
+            if let (error, Some(sensor)) = worst
+                && off.add(error, scale, OFF, enough)
+                && error > OFF * scale
+            {
+                found = found.or_else(|| off_at(system, state, quantity, sensor, error / scale));
+            }
+        }
+        self.reading_warned = found.is_some();
+        found
+    }
+}
+
+/// Warns of `quantity`, which is off by `off` of its largest value at `sensor`.
+fn off_at(system: &System, state: &State, quantity: Quantity, sensor: &Sensor, off: f64) -> Option<String> {
+    let (beam, fraction) = sensor.on_beam?;
+    let beam = &system.beams[beam];
+    Some(format!(
+        "the mesh is too coarse for the {} at {}@{}: at t = {} s it is off by about {:.0} % of its largest value so far, judged by the elements around it; \
+         take elements = {} or more for this beam",
+        quantity.row().word,
+        beam.name,
+        decimal(fraction),
+        decimal(state.time),
+        100.0 * off,
+        refined(beam.elements(), off / WANTED[1], 2)
+    ))
+}
+
+/// The number of elements that takes an error which is `excess` times too large away, where it falls with this order.
+fn refined(elements: usize, excess: f64, order: i32) -> usize {
+    let factor = excess.powf(1.0 / f64::from(order)).clamp(2.0, LARGEST_REFINEMENT);
+    (factor * elements as f64).ceil() as usize
+}

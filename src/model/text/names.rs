@@ -1,0 +1,226 @@
+//! Names: which are legal, what each stands for, and which known one is nearest to a mistyped one.
+
+use super::diagnostic::Place;
+use crate::fmi::header::is_identifier;
+use crate::model::expression::program::FUNCTIONS;
+
+/// What a name stands for: the sections that carry names, and the entries of `[parameters]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each is the section of its name")]
+pub enum Kind {
+    Parameter,
+    Material,
+    Section,
+    Beam,
+    Body,
+    Frame,
+    Joint,
+    Drive,
+    Spring,
+    Load,
+    Output,
+}
+
+/// The sections of named things: their word in the file.
+pub const SECTIONS: [(&str, Kind); 10] = [
+    ("material", Kind::Material),
+    ("section", Kind::Section),
+    ("body", Kind::Body),
+    ("beam", Kind::Beam),
+    ("frame", Kind::Frame),
+    ("joint", Kind::Joint),
+    ("drive", Kind::Drive),
+    ("spring", Kind::Spring),
+    ("load", Kind::Load),
+    ("output", Kind::Output),
+];
+
+impl Kind {
+    /// The word for messages: `a beam`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Parameter => "parameter",
+            _ => SECTIONS.iter().find(|(_, kind)| *kind == self).map_or("", |(word, _)| word),
+        }
+    }
+}
+
+/// Names that would collide with result columns, constants or variables of expressions.
+const RESERVED: [&str; 11] =
+    ["ground", "gravity", "simulation", "statistics", "energy", "momentum", "model", "time", "t", "s", "pi"];
+
+/// Whether a name is taken by the format itself.
+pub fn is_reserved(name: &str) -> bool {
+    name == "e" || RESERVED.contains(&name) || FUNCTIONS.iter().any(|(function, _)| *function == name)
+}
+
+/// Letter first, then letters, digits, `_`.
+pub fn is_legal(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+/// One named thing of the file.
+#[derive(Clone, Debug)]
+pub struct Named {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Its place among those of its kind, in file order.
+    pub index: usize,
+    /// Where the name is given.
+    pub place: Place,
+}
+
+/// All names of a file.
+#[derive(Clone, Debug, Default)]
+pub struct Names(pub Vec<Named>);
+
+impl Names {
+    /// What a name stands for.
+    pub fn find(&self, name: &str) -> Option<&Named> {
+        self.0.iter().find(|named| named.name == name)
+    }
+
+    /// What a name stands for where one of `kinds` is expected. A name that is used twice, which is reported, means the fitting one.
+    pub fn find_among(&self, name: &str, kinds: &[Kind]) -> Option<&Named> {
+        let fitting = self.0.iter().find(|named| named.name == name && kinds.contains(&named.kind));
+        fitting.or_else(|| self.find(name))
+    }
+
+    /// The name of a thing by its place among its kind.
+    pub fn name(&self, kind: Kind, index: usize) -> Option<&str> {
+        self.0.iter().find(|named| named.kind == kind && named.index == index).map(|named| named.name.as_str())
+    }
+
+    /// The names of a kind, in file order.
+    pub fn of(&self, kind: Kind) -> impl Iterator<Item = &str> {
+        self.0.iter().filter(move |named| named.kind == kind).map(|named| named.name.as_str())
+    }
+}
+
+/// The candidate nearest to `word`, if it is near enough to be meant: at most a third of the letters differ.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word: Vec<char> = word.chars().take(LONGEST).collect();
+    let limit = word.len().div_ceil(3).max(1);
+    let rated = candidates.into_iter().map(|candidate| (distance(&word, candidate), candidate));
+    rated
+        .filter(|(distance, candidate)| *distance <= limit && *distance < candidate.len())
+        .min_by_key(|(d, _)| *d)
+        .map(|(_, c)| c)
+}
+
+/// Letters that are compared: a name of a megabyte must not take a minute.
+const LONGEST: usize = 100;
+
+/// Letters to insert, delete, replace or swap with the neighbor to make one word of the other; case counts nothing.
+fn distance(a: &[char], b: &str) -> usize {
+    let lower = |c: &char| c.to_ascii_lowercase();
+    let a: Vec<char> = a.iter().map(lower).collect();
+    let b: Vec<char> = b.chars().take(LONGEST).map(|c| c.to_ascii_lowercase()).collect();
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                let mut best = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    best = best.min(rows[i - 2][j - 2] + 1);
+                }
+                best
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+/// `did you mean `young`?`, or nothing.
+pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(word, candidates).map_or(String::new(), |name| format!("did you mean `{name}`?"))
+}
+
+/// Words of other programs and languages: where they stand, and what they are called here.
+const SYNONYMS: [(&str, &[&str], &str); 18] = [
+    ("type", &["fixed", "rigid", "fix", "clamp", "clamped"], "weld"),
+    ("type", &["hinge", "pin", "pivot", "hinged", "pinned"], "revolute"),
+    ("type", &["ball", "ball_joint", "sphere"], "spherical"),
+    ("type", &["slider", "translational", "slide"], "prismatic"),
+    ("type", &["cardan", "hooke"], "universal"),
+    ("shape", &["i", "h", "l", "c", "t", "u", "z", "angle", "channel", "ibeam", "box"], "general"),
+    ("shape", &["round", "rod", "disk", "solid"], "circle"),
+    ("shape", &["pipe", "hollow", "ring"], "tube"),
+    ("shape", &["square", "rect", "strip"], "rectangle"),
+    ("integrator", &["alpha", "hht", "newmark"], "generalized_alpha"),
+    (FUNCTION, &["log", "loge"], "ln"),
+    (FUNCTION, &["arcsin"], "asin"),
+    (FUNCTION, &["arccos"], "acos"),
+    (FUNCTION, &["arctan"], "atan"),
+    (FUNCTION, &["arctan2"], "atan2"),
+    (FUNCTION, &["fabs", "magnitude"], "abs"),
+    (FUNCTION, &["sgn", "signum"], "sign"),
+    (FUNCTION, &["time"], "t"),
+];
+
+/// Where the words of expressions stand.
+pub const FUNCTION: &str = "function";
+
+/// `did you mean `weld`?` for a word that another program has for it, else for the nearest candidate, or nothing.
+pub fn suggestion_for<'a>(key: &str, word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
+    let lower = word.to_ascii_lowercase();
+    let meant = SYNONYMS.iter().find(|(place, words, _)| *place == key && words.contains(&lower.as_str()));
+    meant.map_or_else(|| suggestion(word, candidates), |(.., meant)| format!("did you mean `{meant}`?"))
+}
+
+/// A C identifier made of free text, never empty and no keyword: the FMU's modelIdentifier.
+pub fn identifier(text: &str) -> String {
+    let mut name: String =
+        text.trim().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).take(IDENTIFIER).collect();
+    if name.chars().all(|c| c == '_') {
+        name = "model".to_owned();
+    }
+    if name.starts_with(|c: char| c.is_ascii_digit()) {
+        name.insert(0, '_');
+    }
+    // Only a word that C or C++ keeps for itself is left to object to.
+    if !is_identifier(&name) {
+        name.push('_');
+    }
+    name
+}
+
+/// Length of an identifier: it becomes a file name.
+const IDENTIFIER: usize = 60;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slip of the finger finds its word; a different word finds nothing.
+    #[test]
+    fn nearest_names() {
+        let keys = ["young", "poisson", "density", "shear"];
+        assert_eq!(nearest("yuong", keys), Some("young"));
+        assert_eq!(nearest("Density", keys), Some("density"));
+        assert_eq!(nearest("poison", keys), Some("poisson"));
+        assert_eq!(nearest("wavelength", keys), None);
+        assert_eq!(nearest("x", ["y"]), None);
+    }
+
+    /// Whatever the name, C must accept the identifier.
+    #[test]
+    fn identifiers_are_legal_in_c() {
+        for (text, expected) in [
+            ("LateralBuckling", "LateralBuckling"),
+            ("My beam, v2", "My_beam__v2"),
+            ("4-bar", "_4_bar"),
+            ("Träger", "Tr_ger"),
+            ("", "model"),
+            ("äöü", "model"),
+            ("int", "int_"),
+        ] {
+            assert_eq!(identifier(text), expected);
+        }
+    }
+}

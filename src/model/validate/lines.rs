@@ -1,0 +1,422 @@
+//! The lines of beams as drawn, from what is written; and what is wrong with them, in words.
+
+use crate::math::curve::Curve;
+use crate::math::flaw::{Flaw, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
+use crate::math::{Vec3, spline};
+use crate::mechanics::beam::centerline::{Centerline, Spacing, Span, shares};
+use crate::mechanics::beam::division::Division;
+use crate::model::file::document::Document;
+use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
+use crate::model::file::number::Number;
+use crate::model::file::reader::anchor::{Along, Anchor, Spot};
+use crate::model::text::diagnostic::{Diagnostic, Place};
+use std::sync::Arc;
+
+/// Cosine of the sharpest corner of a polyline: one degree from going back.
+const SHARPEST_COSINE: f64 = -0.999_847_7;
+/// How near two places must be to be one, of the length of all: their round-off.
+const SAME_PLACE: f64 = 1e-12;
+/// A difference of places on a curve that is none in a message, of its whole range.
+const NOTHING: f64 = 1e-6;
+/// The most pretwist of an element, rad: a right angle with the round-off of the fractions of nodes.
+const LARGEST_TWIST: f64 = LARGEST_BEND * (1.0 + 1e-9);
+/// More elements than this are not proposed.
+const MOST_PROPOSED: usize = 10_000;
+
+/// A line; none where a number in it is wrong, which is reported elsewhere.
+type Drawn = Result<Option<Centerline>, Box<Diagnostic>>;
+
+/// The lines of all beams, in file order; none where something is wrong.
+#[derive(Clone, Debug, Default)]
+pub struct Lines {
+    lines: Vec<Option<Centerline>>,
+    /// How they are divided: of a straight beam that is known without its line.
+    divisions: Vec<Option<Division>>,
+}
+
+impl Lines {
+    /// As far as they can be drawn.
+    pub fn of(document: &Document) -> Self {
+        let mut lines = Self::default();
+        for beam in &document.beams {
+            lines.push(
+                document,
+                beam,
+                whole(document, beam).and_then(|count| line(document, beam, count).ok().flatten()),
+            );
+        }
+        lines
+    }
+
+    /// Adds the line of the next beam.
+    pub fn push(&mut self, document: &Document, beam: &BeamSpec, line: Option<Centerline>) {
+        let is_straight = matches!(beam.line, Some(Line::Straight { .. }));
+        let own = line.as_ref().map(|line| line.division.clone());
+        let straight = || is_straight.then(|| whole(document, beam).map(Division::Equal)).flatten();
+        self.divisions.push(own.or_else(straight));
+        self.lines.push(line);
+    }
+
+    /// The line of beam `beam`.
+    pub fn line(&self, beam: usize) -> Option<&Centerline> {
+        self.lines.get(beam).and_then(Option::as_ref)
+    }
+
+    /// How beam `beam` is divided into elements.
+    pub fn division(&self, beam: usize) -> Option<&Division> {
+        self.divisions.get(beam).and_then(Option::as_ref)
+    }
+
+    /// The fraction of the arc length of beam `beam` at which a point of it is, 0 to 1.
+    pub fn fraction(&self, document: &Document, beam: usize, along: Along) -> Option<f64> {
+        let fraction = match along {
+            Along::Start => 0.0,
+            Along::End => 1.0,
+            Along::Fraction(number) => document.value(number),
+            Along::Node(node) => self.division(beam)?.fraction(node)?,
+        };
+        fraction.is_finite().then_some(fraction)
+    }
+
+    /// Place of an anchor as drawn, of a frame that moves at t = 0, global, m; the ground has none.
+    pub fn place(&self, document: &Document, anchor: Anchor) -> Option<Vec3> {
+        match anchor.spot {
+            Spot::Ground => None,
+            Spot::Beam { beam, along } => {
+                Some(self.line(beam)?.place(self.fraction(document, beam, along)?.clamp(0.0, 1.0)))
+            }
+            Spot::Body(body) => Some(Vec3::from(document.vector(document.bodies.get(body)?.position))),
+            Spot::Frame(frame) => Some(Vec3::from(document.vector(document.frames.get(frame)?.position))),
+        }
+    }
+}
+
+/// The number of elements of a beam; none: it is wrong, which is reported elsewhere.
+pub fn whole(document: &Document, beam: &BeamSpec) -> Option<usize> {
+    let elements = document.value(beam.elements);
+    (document.objection(beam.elements).is_none() && elements.is_finite()).then_some(elements as usize)
+}
+
+/// The line of a beam in `elements` elements.
+///
+/// # Errors
+/// The mistake of the geometry.
+pub fn line(document: &Document, beam: &BeamSpec, elements: usize) -> Drawn {
+    match &beam.line {
+        None => Ok(None),
+        Some(Line::Straight { from, to }) => straight(document, beam, [*from, *to], elements),
+        Some(Line::Curved(curve)) => match &curve.shape {
+            Shape::Points(points) => through(document, beam, curve, points, elements),
+            Shape::Expressions { coordinates, range } => {
+                let Some(found) = expressions(document, *coordinates, *range)? else { return Ok(None) };
+                if curve.polyline {
+                    return sampled(document, beam, curve, &found, elements);
+                }
+                smooth(document, beam, curve, &found, elements)
+            }
+        },
+    }
+}
+
+/// How a beam in `elements` elements is divided; none where it cannot be drawn.
+pub fn division(document: &Document, beam: &BeamSpec, elements: usize) -> Option<Division> {
+    line(document, beam, elements).ok()?.map(|line| line.division)
+}
+
+/// Whether a beam of `elements` elements could be drawn and had a node at a fraction.
+pub fn fits(document: &Document, beam: &BeamSpec, elements: usize, fraction: f64) -> bool {
+    let is_equal = match &beam.line {
+        Some(Line::Curved(curve)) => !curve.polyline && curve.spacing == Spacing::Arc,
+        _ => true,
+    };
+    if is_equal && Division::Equal(elements).end_at(fraction).is_none() {
+        return false;
+    }
+    matches!(line(document, beam, elements), Ok(Some(line)) if line.division.end_at(fraction).is_some())
+}
+
+fn mistake<T>(document: &Document, place: Place, message: &str, label: &str, help: &str) -> Result<T, Box<Diagnostic>> {
+    Err(Box::new(document.diagnostic(place, message, label, help)))
+}
+
+fn straight(document: &Document, beam: &BeamSpec, ends: [[Number; 3]; 2], elements: usize) -> Drawn {
+    let [Some(from), Some(to)] = ends.map(|end| super::vector(document, end)) else { return Ok(None) };
+    let length = (to - from).norm();
+    let place = document.place(ends[1][0]);
+    if length == 0.0 {
+        let message = format!("beam {} has no length", beam.name);
+        return mistake(document, place, &message, "`to` must differ from `from`", "");
+    }
+    if !length.is_finite() {
+        let message = format!("beam {} is too long to compute with", beam.name);
+        return mistake(document, place, &message, "this is too far away", "");
+    }
+    Ok(Some(Centerline::straight(from, to, elements)))
+}
+
+/// The curve that three expressions of the parameter give; none where a number is wrong.
+fn expressions(
+    document: &Document,
+    coordinates: [Number; 3],
+    range: [Number; 2],
+) -> Result<Option<Curve>, Box<Diagnostic>> {
+    let functions = coordinates.map(|number| document.function(number));
+    let sound = coordinates.iter().chain(&range).all(|number| document.is_sound(*number));
+    let [begin, end] = range.map(|number| document.value(number));
+    let ascend = functions.iter().all(|function| function.objection().is_none());
+    if !(sound && ascend && begin.is_finite() && end.is_finite()) {
+        return Ok(None);
+    }
+    if begin >= end {
+        let name = document.name(range[0]);
+        let message = format!("`{}` does not ascend", name.strip_suffix("[1]").unwrap_or(name));
+        let place = document.place(range[0]).to(document.place(range[1]));
+        let label = format!("this runs from {begin} to {end}");
+        return mistake(document, place, &message, &label, "a curve runs from the smaller to the greater s");
+    }
+    let limits = functions.iter().flat_map(|function| function.limits().to_vec()).collect();
+    let coordinates = Arc::new(move |s| functions.each_ref().map(|function| function.jet(s)));
+    Ok(Some(Curve::new(coordinates, [begin, end], limits)))
+}
+
+/// Through points: straight pieces or a spline.
+fn through(document: &Document, beam: &BeamSpec, curve: &CurveSpec, points: &[[Number; 3]], elements: usize) -> Drawn {
+    let places: Option<Vec<Vec3>> = points.iter().map(|point| super::vector(document, *point)).collect();
+    let Some(places) = places else { return Ok(None) };
+    let place_of = |k: usize| document.place(points[k][0]).to(document.place(points[k][2]));
+    let lengths: Vec<f64> = places.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+    if let Some(k) = lengths.iter().position(|length| !length.is_finite()) {
+        let message = format!("beam {} is too long to compute with", beam.name);
+        return mistake(document, place_of(k + 1), &message, "this is too far away", "");
+    }
+    if let Some(k) = same_place(&lengths, lengths.iter().sum()) {
+        let message = format!("points {} and {} of beam {} are at the same place", k + 1, k + 2, beam.name);
+        return mistake(document, place_of(k + 1), &message, "another place was expected", "");
+    }
+    if !curve.polyline {
+        return smooth(document, beam, curve, &spline::through(&places), elements);
+    }
+    if let Some((k, angle)) = way_back(&places) {
+        let message = format!("beam {} turns back on itself at point {}", beam.name, k + 1);
+        let label = format!("by {angle:.2} degrees");
+        return mistake(document, place_of(k), &message, &label, "a corner turns by 179 degrees at most");
+    }
+    if elements < lengths.len() {
+        let message = format!("beam {} has {} straight pieces and {elements} elements", beam.name, lengths.len());
+        let label = format!("at least one element a piece: {} or more", lengths.len());
+        return mistake(document, document.place(beam.elements), &message, &label, "");
+    }
+    Ok(Some(Centerline::polyline(&places, &shares(&lengths, elements))))
+}
+
+/// Straight pieces between samples of a curve, an element each.
+fn sampled(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Curve, elements: usize) -> Drawn {
+    if let Some(flaw) = crate::math::flaw::of_length(curve) {
+        return flawed(document, beam, written, curve, &flaw, elements);
+    }
+    let ends = written.spacing.ends(curve, elements);
+    let places: Vec<Vec3> = ends.iter().map(|s| curve.at(*s)[0]).collect();
+    let at_s = |k: usize| format!("s = {}", shown_in(curve.range, ends[k]));
+    let lengths: Vec<f64> = places.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+    if let Some(k) = same_place(&lengths, curve.length()) {
+        let message = format!("nodes {k} and {} of beam {} are at the same place", k + 1, beam.name);
+        let label = format!("at {} and {}", at_s(k), at_s(k + 1));
+        let help = "between nodes a polyline is straight: with more elements they come apart";
+        return mistake(document, written.place, &message, &label, help);
+    }
+    if let Some((k, angle)) = way_back(&places) {
+        let message = format!("beam {} turns back on itself at node {k}", beam.name);
+        let label = format!("by {angle:.2} degrees at {}", at_s(k));
+        let help = "between nodes a polyline is straight: a corner turns by 179 degrees at most";
+        return mistake(document, written.place, &message, &label, help);
+    }
+    Ok(Some(Centerline::polyline(&places, &vec![1; elements])))
+}
+
+/// The first piece that has no length beside the `whole`, m.
+fn same_place(lengths: &[f64], whole: f64) -> Option<usize> {
+    lengths.iter().position(|length| *length <= SAME_PLACE * whole)
+}
+
+/// The first corner at which a polyline turns back on itself, and its angle, degrees.
+fn way_back(places: &[Vec3]) -> Option<(usize, f64)> {
+    let corner = |k: &usize| {
+        let (before, after) = (places[*k] - places[k - 1], places[k + 1] - places[*k]);
+        before.normalize().dot(&after.normalize())
+    };
+    let k = (1..places.len() - 1).find(|k| corner(k) < SHARPEST_COSINE)?;
+    Some((k, corner(&k).clamp(-1.0, 1.0).acos().to_degrees()))
+}
+
+fn smooth(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Curve, elements: usize) -> Drawn {
+    match Centerline::curved(curve, written.spacing, elements) {
+        Ok(line) => Ok(Some(line)),
+        Err(flaw) => flawed(document, beam, written, curve, &flaw, elements),
+    }
+}
+
+/// What is wrong with a curve, in words.
+fn flawed(
+    document: &Document,
+    beam: &BeamSpec,
+    written: &CurveSpec,
+    curve: &Curve,
+    flaw: &Flaw,
+    elements: usize,
+) -> Drawn {
+    let name = &beam.name;
+    let shown = super::shown;
+    let is_spline = matches!(written.shape, Shape::Points(_));
+    let at = |s: f64| match &written.shape {
+        Shape::Points(points) => point_near(document, points, s),
+        Shape::Expressions { .. } => format!("s = {}", shown_in(curve.range, s)),
+    };
+    let (message, label, help) = match *flaw {
+        Flaw::NoLength => (
+            format!("the curve of beam {name} has no length"),
+            String::from("all of it is at one place"),
+            String::new(),
+        ),
+        Flaw::NotFinite { s } => (
+            format!("the curve of beam {name} is not finite at {}", at(s)),
+            String::new(),
+            String::from(match is_spline {
+                true => "the points are too far apart to compute with",
+                false => "x, y, z and their derivatives must be finite from the first s to the last",
+            }),
+        ),
+        Flaw::Unmeasured { s } => (
+            format!("the length of the curve of beam {name} could not be found"),
+            format!("it is not finite, or the curve is too wild, near {}", at(s)),
+            String::from("a curve may not reach a pole, nor oscillate faster than its elements can follow"),
+        ),
+        Flaw::Cusp { s } => (
+            format!("the curve of beam {name} has no tangent at {}", at(s)),
+            String::from("its derivative is zero there"),
+            String::from(match is_spline {
+                true => {
+                    "a spline through points that lead back the way they came turns on the spot: move them, or add others"
+                }
+                false => "a cusp, or a parameter that stops: the derivatives of x, y and z must not all be 0",
+            }),
+        ),
+        Flaw::Jump { s, size, length } => (
+            format!("the curve of beam {name} jumps at {}", at(s)),
+            format!("by {} m", shown(size)),
+            format!(
+                "pieces must meet to {} % of an element's length, here {} m",
+                100.0 * LARGEST_JUMP,
+                shown(LARGEST_JUMP * length)
+            ),
+        ),
+        Flaw::Corner { s, angle } => (
+            format!("the curve of beam {name} has a corner at {}", at(s)),
+            format!("of {} degrees", shown(angle.to_degrees())),
+            format!(
+                "a smooth beam may have corners of {} degrees; with polyline = true straight pieces are welded at corners",
+                LARGEST_CORNER.to_degrees().round()
+            ),
+        ),
+        Flaw::Bend { range, angle } => {
+            let message = format!("an element of beam {name} turns by {:.1} degrees", angle.to_degrees());
+            let [from, to] = range.map(|s| shown_in(curve.range, s));
+            let label = format!("from s = {from} to s = {to}");
+            let most = format!("an element can follow {} degrees", LARGEST_BEND.to_degrees().round());
+            let help = match enough(curve, written.spacing, elements, angle) {
+                Some(count) => format!("{most}: with elements = {count} all do"),
+                None => most,
+            };
+            return mistake(document, document.place(beam.elements), &message, &label, &help);
+        }
+    };
+    mistake(document, written.place, &message, &label, &help)
+}
+
+/// A parameter as a message shows it: what is nothing beside the range is 0.
+fn shown_in([begin, end]: [f64; 2], s: f64) -> String {
+    super::shown(if s.abs() < NOTHING * (end - begin) { 0.0 } else { s })
+}
+
+/// The point, or the points between which a spline has the parameter `s`, its chord length, m.
+fn point_near(document: &Document, points: &[[Number; 3]], s: f64) -> String {
+    let places: Vec<Vec3> = points.iter().map(|point| Vec3::from(document.vector(*point))).collect();
+    let mut chords = vec![0.0];
+    chords.extend(places.windows(2).scan(0.0, |sum, pair| {
+        *sum += (pair[1] - pair[0]).norm();
+        Some(*sum)
+    }));
+    let near = NOTHING * chords[chords.len() - 1];
+    match chords.iter().position(|chord| (chord - s).abs() <= near) {
+        Some(k) => format!("point {}", k + 1),
+        None => {
+            let k = chords.partition_point(|chord| *chord < s).clamp(1, chords.len() - 1);
+            format!("a place between points {k} and {}", k + 1)
+        }
+    }
+}
+
+/// The mistake of a beam that has an element with too much pretwist.
+pub fn overtwisted(document: &Document, beam: &BeamSpec, line: &Centerline) -> Option<Diagnostic> {
+    let pretwist = document.value(beam.pretwist);
+    let angle = most_twisted(pretwist, line);
+    if !pretwist.is_finite() || angle <= LARGEST_TWIST {
+        return None;
+    }
+    let elements = line.spans.len();
+    let message = format!("an element of beam {} is pretwisted by {:.1} degrees", beam.name, angle.to_degrees());
+    let label = format!("{} rad over {elements} elements", super::shown(pretwist));
+    let most = format!("the limit is {} degrees an element", LARGEST_BEND.to_degrees().round());
+    let help = match enough_for_twist(document, beam, pretwist, elements, angle) {
+        Some(count) => format!("{most}: take elements = {count}; pretwist is in rad, from start to end"),
+        None => format!("{most}; pretwist is in rad, from start to end"),
+    };
+    Some(document.diagnostic(document.place(beam.pretwist), &message, &label, &help))
+}
+
+/// The largest share of a pretwist, which grows with the arc length, that an element has, rad.
+fn most_twisted(pretwist: f64, line: &Centerline) -> f64 {
+    let share = |span: &Span| line.nodes[span.node + 1].fraction - line.nodes[span.node].fraction;
+    line.spans.iter().map(|span| (pretwist * share(span)).abs()).fold(0.0, f64::max)
+}
+
+/// A number of elements, more than `elements`, none of which has too much pretwist; with so many one has `angle`, rad.
+fn enough_for_twist(
+    document: &Document,
+    beam: &BeamSpec,
+    pretwist: f64,
+    elements: usize,
+    mut angle: f64,
+) -> Option<usize> {
+    let mut count = elements;
+    while angle > LARGEST_TWIST {
+        count = usize::max(count + 1, (count as f64 * angle / LARGEST_TWIST).ceil() as usize);
+        if count > MOST_PROPOSED {
+            return None;
+        }
+        angle = most_twisted(pretwist, &line(document, beam, count).ok()??);
+    }
+    Some(count)
+}
+
+/// Attempts at a number of elements that is hardly more than is needed.
+const CAREFUL: u32 = 4;
+
+/// A number of elements, more than `elements`, none of which turns too far; with so many one turns by `angle`, rad.
+fn enough(curve: &Curve, spacing: Spacing, elements: usize, mut angle: f64) -> Option<usize> {
+    let mut count = elements;
+    for attempt in 0.. {
+        // A sharp bend keeps its angle while elements become shorter: counts that grow by one would take thousands of attempts.
+        let least = if attempt < CAREFUL { count + 1 } else { 2 * count };
+        count = usize::max(least, (count as f64 * angle / LARGEST_BEND).ceil() as usize);
+        if count > MOST_PROPOSED {
+            return None;
+        }
+        match Centerline::curved(curve, spacing, count) {
+            Ok(_) => return Some(count),
+            Err(Flaw::Bend { angle: still, .. }) => angle = still,
+            Err(_) => return None,
+        }
+    }
+    None
+}

@@ -1,0 +1,338 @@
+//! The mistakes that only the geometry shows: beams without length, axes without direction, joints beside nodes. A document without them
+//! is what [`Document::parse`] gives.
+//!
+//! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here. The lines of beams are in lines.rs.
+
+mod lines;
+pub mod notes;
+
+pub use lines::{Lines, division};
+
+use super::file::document::Document;
+use super::file::entries::beam::BeamSpec;
+use super::file::entries::body::{BodySpec, Inertia};
+use super::file::entries::curve::Line;
+use super::file::entries::joint::JointSpec;
+use super::file::entries::material::Lateral;
+use super::file::entries::spring::SpringSpec;
+use super::file::entries::{load, output};
+use super::file::number::Number;
+use super::file::reader::anchor::{Along, Anchor, Spot};
+use super::text::diagnostic::{Diagnostic, Diagnostics, Place, Source};
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam::centerline::{Centerline, Spacing};
+use crate::mechanics::beam::design::Elements;
+
+/// Sine of the smallest angle between a beam and its `y_axis`: one degree.
+const SMALLEST_SINE: f64 = 0.017_452_4;
+/// How far axes may be from perpendicular (cosine) and from length 1: what is printed with six digits passes.
+const AXES_TOLERANCE: f64 = 1e-6;
+/// How far the largest principal moment of inertia may be above the sum of the others, relative: the round-off of a flat body.
+const INERTIA_TOLERANCE: f64 = 1e-9;
+
+impl Document {
+    /// Reads a file with its overrides, key and value each. `file_name` is for messages only.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file and the overrides, in their order.
+    pub fn parse(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Diagnostics> {
+        let source = Source::new(file_name, text, overrides);
+        let (document, mut report) = Self::read(&source, text, overrides);
+        report.extend(document.as_ref().map_or(Vec::new(), mistakes));
+        document.filter(|_| report.is_empty()).ok_or_else(|| report.finish())
+    }
+}
+
+/// All mistakes of the geometry with the parameters of now, in file order.
+pub fn mistakes(document: &Document) -> Vec<Diagnostic> {
+    examine(document).1
+}
+
+/// The lines of all beams with the parameters of now, and all mistakes of the geometry, in file order.
+pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
+    let mut checker = Checker { document, lines: Lines::default(), mistakes: Vec::new() };
+    for beam in &document.beams {
+        let line = checker.check_beam(beam);
+        checker.lines.push(document, beam, line);
+    }
+    for body in &document.bodies {
+        checker.check_axes(body);
+        checker.check_inertia(body);
+    }
+    for joint in &document.joints {
+        checker.check_joint(joint);
+    }
+    for spring in &document.springs {
+        checker.check_spring(spring);
+    }
+    let loaded = document.loads.iter().filter_map(|load| match &load.target {
+        load::Target::At(anchor) => Some(anchor),
+        load::Target::On(_) => None,
+    });
+    let watched = document.outputs.iter().filter_map(|output| match &output.target {
+        output::Target::At(anchor) => Some(anchor),
+        output::Target::Joint(_) | output::Target::Drive(_) | output::Target::On { .. } => None,
+    });
+    for anchor in loaded.chain(watched) {
+        checker.fraction(anchor);
+    }
+    let Checker { lines, mut mistakes, .. } = checker;
+    mistakes.sort_by_key(|mistake| mistake.place);
+    (lines, mistakes)
+}
+
+/// Three numbers; none if one of them is wrong.
+fn vector(document: &Document, numbers: [Number; 3]) -> Option<Vec3> {
+    let vector = Vec3::from(document.vector(numbers));
+    vector.iter().all(|value| value.is_finite()).then_some(vector)
+}
+
+struct Checker<'a> {
+    document: &'a Document,
+    lines: Lines,
+    mistakes: Vec<Diagnostic>,
+}
+
+impl Checker<'_> {
+    fn mistake(&mut self, place: Place, message: &str, label: &str, help: &str) {
+        self.mistakes.push(self.document.diagnostic(place, message, label, help));
+    }
+
+    /// The line of a beam, if it can be drawn.
+    fn check_beam(&mut self, beam: &BeamSpec) -> Option<Centerline> {
+        let document = self.document;
+        let elements = lines::whole(document, beam);
+        // A straight beam can be looked at with any number of elements.
+        let is_straight = matches!(beam.line, Some(Line::Straight { .. }));
+        let line = match lines::line(document, beam, elements.or(is_straight.then_some(1))?) {
+            Ok(line) => line?,
+            Err(mistake) => {
+                self.mistakes.push(*mistake);
+                return None;
+            }
+        };
+        if let Some(y_axis) = vector(document, beam.y_axis) {
+            let sine = line.nodes[0].tangent.cross(&y_axis).norm() / y_axis.norm();
+            if y_axis.norm() == 0.0 || !y_axis.norm().is_finite() {
+                let message = format!("the y_axis of beam {} has no direction", beam.name);
+                self.mistake(document.place(beam.y_axis[0]), &message, "a vector other than zero was expected", "");
+            } else if sine < SMALLEST_SINE {
+                let message = format!("the y_axis of beam {} is along the beam", beam.name);
+                let place = document.place(beam.y_axis[0]);
+                let help = format!("give {} a y_axis that is more than 1 degree off its direction", beam.name);
+                self.mistake(place, &message, "the section's y must be across the beam", &help);
+            }
+        }
+        self.check_law(beam);
+        elements?;
+        self.mistakes.extend(lines::overtwisted(document, beam, &line));
+        Some(line)
+    }
+
+    /// Hooke's law in three dimensions needs a Poisson's ratio below 0.5, also where the moduli alone are given.
+    fn check_law(&mut self, beam: &BeamSpec) {
+        let document = self.document;
+        let Some(material) = document.materials.get(beam.material) else { return };
+        let (Elements::Ancf24 { poisson: true, .. }, Lateral::Shear(shear)) = (beam.formulation, material.lateral)
+        else {
+            return;
+        };
+        let (young, modulus) = (document.value(material.young), document.value(shear));
+        let poisson = 0.5 * young / modulus - 1.0;
+        if poisson >= 0.5 {
+            let message =
+                format!("the moduli of {} are those of a Poisson's ratio of {}", material.name, shown(poisson));
+            let label = format!("ancf24_poisson = true of beam {} needs one below 0.5", beam.name);
+            let help =
+                format!("take a shear modulus above young/3 = {} Pa, or ancf24_poisson = false", shown(young / 3.0));
+            self.mistake(document.place(shear), &message, &label, &help);
+        }
+    }
+
+    /// Beam and fraction of its length; none for the ground, or after a mistake.
+    fn fraction(&mut self, anchor: &Anchor) -> Option<(usize, f64)> {
+        let Spot::Beam { beam, along } = anchor.spot else { return None };
+        let document = self.document;
+        let written = document.beams.get(beam)?;
+        let elements = lines::whole(document, written)?;
+        if let Along::Node(node) = along
+            && node > elements
+        {
+            let message = format!("beam {} has no node {node}", written.name);
+            let label = format!("{elements} elements have the nodes 0 to {elements}");
+            self.mistake(anchor.place, &message, &label, "");
+            return None;
+        }
+        self.lines.fraction(document, beam, along).map(|fraction| (beam, fraction))
+    }
+
+    /// Beam and node that an anchor names; none for the ground, or after a mistake.
+    fn node(&mut self, anchor: &Anchor) -> Option<(usize, usize)> {
+        let (beam, fraction) = self.fraction(anchor)?;
+        let document = self.document;
+        let division = self.lines.division(beam)?;
+        let node = division.end_at(fraction);
+        // Beyond the ends the fraction itself is out of its range.
+        if node.is_none() && (0.0..=1.0).contains(&fraction) {
+            let written = &document.beams[beam];
+            let (element, _) = division.place(fraction);
+            let nearest = [element, element + 1].map(|end| division.fraction(end).unwrap_or(1.0));
+            let message = format!("there is no node of beam {} at the fraction {fraction}", written.name);
+            let label = format!("the nearest nodes are at {} and {}", nearest[0], nearest[1]);
+            let closer = element + usize::from(nearest[1] - fraction < fraction - nearest[0]);
+            let fits = |count: &usize| lines::fits(document, written, *count, fraction);
+            let counts: Vec<String> = (1..=100).filter(fits).take(5).map(|count| count.to_string()).collect();
+            let help = match counts.is_empty() {
+                true => {
+                    let name = format!("take the node {}.node[{closer}]", written.name);
+                    let uneven =
+                        matches!(&written.line, Some(Line::Curved(curve)) if curve.spacing == Spacing::Parameter);
+                    let even = if uneven {
+                        ", or set spacing = \"arc\" and a count of elements that puts a node there"
+                    } else {
+                        ""
+                    };
+                    format!("joints attach to nodes only, and no element count up to 100 puts one there: {name}{even}")
+                }
+                false => format!("joints attach to nodes only; elements = {} puts one there", counts.join(", ")),
+            };
+            self.mistake(anchor.place, &message, &label, &help);
+        }
+        node.map(|node| (beam, node))
+    }
+
+    fn check_axes(&mut self, body: &BodySpec) {
+        let document = self.document;
+        let Some(numbers) = body.axes else { return };
+        let [Some(x), Some(y), Some(z)] = numbers.map(|row| vector(document, row)) else { return };
+        let rows = [x, y, z];
+        let place = document.place(numbers[0][0]).to(document.place(numbers[2][2]));
+        let message = format!("the axes of body {} are not perpendicular unit vectors", body.name);
+        let help = "one row for each body axis, right-handed, to 6 digits: \"sqrt(0.5)\" for 0.707...";
+        if let Some(k) = (0..3).find(|k| (rows[*k].norm() - 1.0).abs() > AXES_TOLERANCE) {
+            self.mistake(place, &message, &format!("row {} has length {}", k + 1, rows[k].norm()), help);
+        } else if let Some((i, j)) =
+            [(0, 1), (0, 2), (1, 2)].into_iter().find(|(i, j)| rows[*i].dot(&rows[*j]).abs() > AXES_TOLERANCE)
+        {
+            let angle = rows[i].angle(&rows[j]).to_degrees();
+            let label = format!("rows {} and {} are {angle:.4} degrees apart", i + 1, j + 1);
+            self.mistake(place, &message, &label, help);
+        } else if x.cross(&y).dot(&z) < 0.0 {
+            let message = format!("the axes of body {} are left-handed", body.name);
+            let third = x.cross(&y);
+            let label = format!("row 3 must be row 1 x row 2: [{}, {}, {}]", third[0], third[1], third[2]);
+            self.mistake(place, &message, &label, "");
+        }
+    }
+
+    /// No body has principal moments of which one is above the sum of the other two.
+    fn check_inertia(&mut self, body: &BodySpec) {
+        let document = self.document;
+        let span = |first, last| document.place(first).to(document.place(last));
+        let (place, mut moments) = match body.inertia {
+            Inertia::Principal(numbers) => (span(numbers[0], numbers[2]), document.vector(numbers)),
+            Inertia::Tensor(numbers) => {
+                let [xx, yy, zz, xy, yz, zx] = numbers.map(|number| document.value(number));
+                let tensor = Mat3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz);
+                if tensor.iter().any(|value| !value.is_finite()) {
+                    return;
+                }
+                // Of a tensor near 1: the iteration for the eigenvalues must not overflow.
+                let size = tensor.amax();
+                let values = (tensor / if size > 0.0 { size } else { 1.0 }).symmetric_eigenvalues() * size;
+                (span(numbers[0], numbers[5]), values.into())
+            }
+        };
+        moments.sort_by(f64::total_cmp);
+        let [small, middle, large] = moments;
+        let is_tensor = matches!(body.inertia, Inertia::Tensor(_));
+        // A principal moment that is not positive is out of the range of its key, which is reported there.
+        if moments.iter().any(|moment| !moment.is_finite()) || (!is_tensor && small <= 0.0) {
+            return;
+        }
+        let label = format!("principal moments {}, {} and {} kg.m2", shown(small), shown(middle), shown(large));
+        let (message, help) = if small <= 0.0 {
+            let help =
+                "all must be positive: xy, yz and zx are tensor components, minus the integral of x y dm and so on";
+            ("is not positive", help)
+        } else if large - (small + middle) > INERTIA_TOLERANCE * large {
+            (
+                "is not physically possible",
+                "none can be greater than the sum of the other two: check their order and unit",
+            )
+        } else {
+            return;
+        };
+        let message = format!("the inertia of body {} {message}", body.name);
+        self.mistake(place, &message, &label, help);
+    }
+
+    fn check_joint(&mut self, joint: &JointSpec) {
+        let document = self.document;
+        let (a, b) = (self.node(&joint.a), self.node(&joint.b));
+        let same_body = matches!(joint.a.spot, Spot::Body(_)) && joint.a.spot == joint.b.spot;
+        if (a.is_some() && a == b) || same_body {
+            let what = if same_body { "a body" } else { "a point" };
+            let message = format!("joint {} joins {what} to itself", joint.name);
+            self.mistake(joint.b.place, &message, "another point was expected", "");
+        }
+        let axis = self.axis(joint, joint.axis, "axis");
+        let axis2 = self.axis(joint, joint.axis2, "axis2");
+        if let (Some(axis), Some(axis2), Some(numbers)) = (axis, axis2, joint.axis2)
+            && axis.normalize().dot(&axis2.normalize()).abs() > AXES_TOLERANCE
+        {
+            let message = format!("the axes of joint {} are not perpendicular", joint.name);
+            let label = format!("axis and axis2 are {:.4} degrees apart", axis.angle(&axis2).to_degrees());
+            let place = document.place(numbers[0]).to(document.place(numbers[2]));
+            self.mistake(place, &message, &label, "the cross of a universal joint has a right angle");
+        }
+    }
+
+    /// An axis of a joint; none if the joint has none, or after a mistake.
+    fn axis(&mut self, joint: &JointSpec, numbers: Option<[Number; 3]>, key: &str) -> Option<Vec3> {
+        let numbers = numbers?;
+        let axis = vector(self.document, numbers)?;
+        if axis.norm() == 0.0 || !axis.norm().is_finite() {
+            let message = format!("the {key} of joint {} has no direction", joint.name);
+            self.mistake(self.document.place(numbers[0]), &message, "a vector other than zero was expected", "");
+            return None;
+        }
+        Some(axis)
+    }
+
+    fn check_spring(&mut self, spring: &SpringSpec) {
+        let document = self.document;
+        for end in [&spring.a, &spring.b] {
+            self.fraction(end);
+        }
+        // Where a moving frame is at the start, which need not be t = 0, the builder sees.
+        let moves = |anchor: &Anchor| match anchor.spot {
+            Spot::Frame(frame) => document
+                .frames
+                .get(frame)
+                .is_none_or(|frame| frame.position.iter().any(|number| !document.function(*number).is_constant())),
+            Spot::Ground | Spot::Beam { .. } | Spot::Body(_) => false,
+        };
+        if moves(&spring.a) || moves(&spring.b) {
+            return;
+        }
+        let ends = [spring.a, spring.b];
+        let drawn = |end: &Anchor| end.spot == Spot::Ground || self.lines.place(document, *end).is_some();
+        let [a, b] = ends.map(|end| self.lines.place(document, end).unwrap_or_else(Vec3::zeros));
+        if ends.iter().all(drawn) && a == b {
+            let message = format!("the ends of spring {} are at the same place", spring.name);
+            let label = "another place was expected: a spring needs a direction";
+            let help = "the ground of a spring is the origin; a [frame.NAME] gives any other fixed point";
+            self.mistake(spring.b.place, &message, label, help);
+        }
+    }
+}
+
+/// A number with as many digits as tell it from its neighbors in a message.
+fn shown(value: f64) -> String {
+    // Through the text of six digits: 2.0325, not 2.0325000000000002.
+    let text = format!("{value:.5e}");
+    let Ok(value) = text.parse::<f64>() else { return text };
+    let is_plain = value == 0.0 || !value.is_finite() || (1e-5..1e9).contains(&value.abs());
+    if is_plain { (value + 0.0).to_string() } else { format!("{value:e}") }
+}

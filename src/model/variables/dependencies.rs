@@ -1,0 +1,122 @@
+//! What initial values are found from: which inputs and parameters a host must know first.
+//!
+//! A master that sees how little that is finds no loop between two units that start from their drawings. What is said here is never less than
+//! the truth, and may be more: an equilibrium is found from everything.
+
+use crate::model::file::document::Document;
+use crate::model::file::entries::frame::Orientation;
+use crate::model::file::entries::output::Target;
+use crate::model::file::entries::simulation::{Analysis, Initial};
+use crate::model::file::number::{Number, Written};
+use crate::model::file::quantity::Quantity;
+use crate::model::file::reader::anchor::{Anchor, Spot};
+
+/// What an initial value is found from, besides the parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// Every input.
+    All,
+    /// No input: it is as drawn.
+    Drawing,
+    /// Where frames and drives are, and how fast: not the loads.
+    Motion,
+    /// Where this frame is.
+    Frame(usize),
+}
+
+/// The inputs of a file, by value references.
+#[derive(Clone, Debug)]
+pub struct Givens {
+    /// All parameters that can be set.
+    parameters: Vec<usize>,
+    loads: Vec<usize>,
+    drives: Vec<usize>,
+    /// Of each frame.
+    frames: Vec<Vec<usize>>,
+    /// The system begins as drawn, and moves.
+    as_drawn: bool,
+}
+
+impl Givens {
+    /// Of a file, whose parameters and inputs are the first rows of the variable table.
+    pub fn new(document: &Document) -> Self {
+        let rows = || document.parameters().iter().enumerate();
+        let input = |number: Number| rows().find(|(_, row)| row.number == number && row.is_input()).map(|(at, _)| at);
+        let simulation = &document.simulation;
+        Self {
+            parameters: rows().filter(|(_, row)| !row.is_input() && !row.is_calculated()).map(|(at, _)| at).collect(),
+            loads: document
+                .loads
+                .iter()
+                .flat_map(|load| [load.force, load.moment].concat())
+                .filter_map(input)
+                .collect(),
+            drives: document.drives.iter().filter_map(|drive| input(drive.motion.number())).collect(),
+            frames: document
+                .frames
+                .iter()
+                .map(|frame| {
+                    let turn = match &frame.orientation {
+                        Orientation::Rotation(numbers) => &numbers[..],
+                        Orientation::Quaternion(numbers) => numbers,
+                    };
+                    frame.position.iter().chain(turn).copied().filter_map(input).collect()
+                })
+                .collect(),
+            as_drawn: simulation.analysis == Analysis::Dynamic && simulation.initial == Initial::AsDrawn,
+        }
+    }
+
+    /// What the initial value of a quantity at `target` is found from.
+    pub fn of(&self, quantity: Quantity, target: &Target) -> Found {
+        use Quantity::*;
+        match (quantity, target) {
+            (Position | Displacement | Rotation | Quaternion, Target::At(Anchor { spot: Spot::Frame(frame), .. })) => {
+                Found::Frame(*frame)
+            }
+            _ if !self.as_drawn => Found::All,
+            (Acceleration | ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort, _) => Found::All,
+            (Velocity | AngularVelocity, _) => Found::Motion,
+            _ => Found::Drawing,
+        }
+    }
+
+    /// The energies and momenta of the start.
+    pub fn of_energies(&self) -> Found {
+        if self.as_drawn { Found::Motion } else { Found::All }
+    }
+
+    /// Value references of what is needed, ascending; none: everything is.
+    pub fn needed(&self, found: Found) -> Option<Vec<usize>> {
+        let frames = || self.frames.iter().flatten();
+        let inputs: Vec<usize> = match found {
+            Found::All => return None,
+            Found::Drawing => Vec::new(),
+            Found::Motion => self.drives.iter().chain(frames()).copied().collect(),
+            Found::Frame(frame) => self.frames[frame].clone(),
+        };
+        if inputs.len() == self.loads.len() + self.drives.len() + frames().count() {
+            return None;
+        }
+        let mut needed = [self.parameters.clone(), inputs].concat();
+        needed.sort_unstable();
+        Some(needed)
+    }
+}
+
+/// The parameters that calculated parameter `index` follows from, by their value references, ascending.
+pub fn of_calculated(document: &Document, index: usize) -> Vec<usize> {
+    let numbers = &document.numbers;
+    let (mut open, mut seen) = (vec![document.parameters()[index].number.0], Vec::new());
+    while let Some(place) = open.pop() {
+        if seen.contains(&place) {
+            continue;
+        }
+        seen.push(place);
+        if let Written::Formula(formula) = &numbers.slots[place].written {
+            open.extend(formula.parameters());
+        }
+    }
+    let rows = document.parameters().iter().enumerate();
+    rows.filter(|(_, row)| seen.contains(&row.number.0) && !row.is_calculated()).map(|(at, _)| at).collect()
+}

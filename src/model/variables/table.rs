@@ -1,0 +1,407 @@
+//! The variable table of a model: parameters as the file has them, then results in the order of results.csv.
+//! One row has the FMI variable and what it is read from.
+
+use super::dependencies::{self, Found, Givens};
+use super::inputs::Inputs;
+use crate::fmi::Value;
+use crate::fmi::variable::{Causality, Variability, Variable};
+use crate::math::Vec3;
+use crate::mechanics::beam::resultants::Fibre;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::output::joint_loads::JointLoads;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
+use crate::model::file::document::Document;
+use crate::model::file::entries::output::{OutputSpec, Target};
+use crate::model::file::quantity::Quantity;
+use crate::model::file::reader::anchor::{Anchor, Spot};
+use crate::model::file::unit;
+use crate::solve::step::response::Response;
+use std::ops::Range;
+
+/// What a row is read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Parameter of this number in the file.
+    Parameter(usize),
+    /// Input of this place among the inputs.
+    Input(usize),
+    /// Result of this number.
+    Result(usize),
+}
+
+/// What the results are made of, in their order.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Measure {
+    /// A quantity at sensors: one of a point, several of a whole beam.
+    Sensors(Range<usize>, Quantity),
+    /// What a moving frame must supply, by its number.
+    Frame(usize, Quantity),
+    /// A quantity of a joint, by its place in the file.
+    Joint(usize, Quantity),
+    /// A quantity of a drive, by its place in the file.
+    Drive(usize, Quantity),
+    /// Kinetic, elastic, gravity and total energy.
+    Energy,
+    /// Linear and angular momentum.
+    Momentum,
+    /// Steps, iterations, rejected steps.
+    Statistics,
+}
+
+impl Measure {
+    /// Number of its results.
+    fn results(&self) -> usize {
+        match self {
+            Self::Sensors(sensors, quantity) => sensors.len() * quantity.row().components,
+            Self::Frame(_, quantity) | Self::Joint(_, quantity) | Self::Drive(_, quantity) => quantity.row().components,
+            Self::Energy => 4,
+            Self::Momentum => 6,
+            Self::Statistics => 3,
+        }
+    }
+}
+
+/// A state with all that results are read from.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment<'a> {
+    /// The system.
+    pub system: &'a System,
+    /// Its state.
+    pub state: &'a State,
+    /// Accelerations and multipliers at the time of the state; needed where [`Table::needs_response`].
+    pub response: &'a Response,
+    /// The fibres of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty: the largest ones are.
+    pub fibres: &'a [Fibre],
+}
+
+/// The variable table, and where each row's value comes from.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// The rows; a variable's value reference is its place.
+    pub variables: Vec<Variable>,
+    /// Sources of the rows.
+    pub sources: Vec<Source>,
+    /// What the results are made of.
+    pub measures: Vec<Measure>,
+}
+
+impl Table {
+    /// Of a model file.
+    pub fn new(document: &Document) -> Self {
+        let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new() };
+        let inputs = Inputs::new(document);
+        for (index, parameter) in document.parameters().iter().enumerate() {
+            let input = inputs.place(parameter.number).map(Source::Input);
+            let found_from = parameter.is_calculated().then(|| dependencies::of_calculated(document, index));
+            let variable = Variable { found_from, ..parameter.variable.clone() };
+            table.push(variable, input.unwrap_or(Source::Parameter(index)));
+        }
+        let givens = Givens::new(document);
+        let mut sensor = 0;
+        for output in &document.outputs {
+            let sensors = output.target.sensors();
+            for quantity in &output.quantities {
+                let first = table.variables.len();
+                table.push_quantity(document, output, *quantity, sensor..sensor + sensors);
+                table.find_from(first, &givens, givens.of(*quantity, &output.target));
+            }
+            sensor += sensors;
+        }
+        let energies = table.variables.len();
+        for (name, meaning) in [
+            ("energy.kinetic", "Kinetic energy"),
+            ("energy.elastic", "Strain energy of beams and energy of springs"),
+            ("energy.gravity", "Potential energy of gravity, zero at the origin"),
+            ("energy.total", "Sum of kinetic, elastic and gravity energy"),
+        ] {
+            table.push_result(name, 1, "J", meaning);
+        }
+        table.measures.push(Measure::Energy);
+        table.push_result("momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");
+        table.push_result("momentum.angular", 3, "kg.m2/s", "Angular momentum about the origin, in global axes");
+        table.measures.push(Measure::Momentum);
+        table.find_from(energies, &givens, givens.of_energies());
+        for (name, meaning) in [
+            ("statistics.steps", "Accepted internal steps since the start"),
+            ("statistics.iterations", "Newton iterations since the start, those of rejected steps included"),
+            ("statistics.rejected", "Rejected internal steps since the start"),
+        ] {
+            table.push_result(name, 1, "", meaning);
+        }
+        table.measures.push(Measure::Statistics);
+        table
+    }
+
+    fn push(&mut self, variable: Variable, source: Source) {
+        self.variables.push(variable);
+        self.sources.push(source);
+    }
+
+    /// Says of all rows from `first` on what their initial values are found from.
+    fn find_from(&mut self, first: usize, givens: &Givens, found: Found) {
+        let needed = givens.needed(found);
+        self.variables[first..].iter_mut().for_each(|variable| variable.found_from.clone_from(&needed));
+    }
+
+    /// Rows of a quantity of an output whose sensors are `sensors`.
+    fn push_quantity(&mut self, document: &Document, output: &OutputSpec, quantity: Quantity, sensors: Range<usize>) {
+        let row = quantity.row();
+        let unit = output.unit(quantity, &document.drives);
+        let name = format!("{}.{}", output.name, row.word);
+        let meaning = format!("{}: {}", output.name, row.meaning);
+        let measure = match output.target {
+            Target::At(Anchor { spot: Spot::Frame(frame), .. }) if quantity.is_transmitted() => {
+                Measure::Frame(frame, quantity)
+            }
+            Target::At(_) => Measure::Sensors(sensors, quantity),
+            Target::Joint(joint) => Measure::Joint(joint, quantity),
+            Target::Drive(drive) => Measure::Drive(drive, quantity),
+            Target::On { stations, .. } => {
+                for station in 1..=stations {
+                    for component in 1..=row.components {
+                        let (index, part) = match row.components {
+                            1 => (format!("[{station}]"), String::new()),
+                            _ => (format!("[{station},{component}]"), format!(", component {component}")),
+                        };
+                        let meaning = format!("{meaning}, station {station} of {stations} from start to end{part}");
+                        self.push_result(&format!("{name}{index}"), 1, unit, &meaning);
+                    }
+                }
+                self.measures.push(Measure::Sensors(sensors, quantity));
+                return;
+            }
+        };
+        self.push_result(&name, row.components, unit, &meaning);
+        self.measures.push(measure);
+    }
+
+    /// The quantities that are read from sensors, with the sensors.
+    pub fn points(&self) -> impl Iterator<Item = (Quantity, Range<usize>)> + '_ {
+        self.measures.iter().filter_map(|measure| match measure {
+            Measure::Sensors(sensors, quantity) => Some((*quantity, sensors.clone())),
+            _ => None,
+        })
+    }
+
+    /// Whether accelerations or multipliers are among what results are read from.
+    pub fn needs_response(&self) -> bool {
+        self.measures.iter().any(|measure| match measure {
+            Measure::Sensors(_, quantity) => *quantity == Quantity::Acceleration,
+            Measure::Frame(..) => true,
+            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
+                quantity.is_transmitted() || *quantity == Quantity::Effort
+            }
+            Measure::Energy | Measure::Momentum | Measure::Statistics => false,
+        })
+    }
+
+    /// Whether a result follows from positions and velocities: not from accelerations, multipliers or momenta, nor is it a count.
+    pub fn follows_from_motion(&self, result: usize) -> bool {
+        self.measure_of(result).is_some_and(|measure| match measure {
+            Measure::Sensors(_, quantity) => *quantity != Quantity::Acceleration,
+            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
+                matches!(quantity, Quantity::Angle | Quantity::Distance)
+            }
+            Measure::Energy => true,
+            Measure::Frame(..) | Measure::Momentum | Measure::Statistics => false,
+        })
+    }
+
+    /// The quantity that a result belongs to; none: an energy, a momentum, a count.
+    pub fn quantity_of(&self, result: usize) -> Option<Quantity> {
+        match self.measure_of(result)? {
+            Measure::Sensors(_, quantity)
+            | Measure::Joint(_, quantity)
+            | Measure::Drive(_, quantity)
+            | Measure::Frame(_, quantity) => Some(*quantity),
+            Measure::Energy | Measure::Momentum | Measure::Statistics => None,
+        }
+    }
+
+    /// The fibres of all sensors that bear most at a moment, for [`Moment::fibres`]; none where no stress is told.
+    pub fn fibres(&self, moment: &Moment, snapshot: &mut FrameCache) -> Vec<Fibre> {
+        let tells_stress = |measure: &Measure| matches!(measure, Measure::Sensors(_, Quantity::Stress));
+        if !self.measures.iter().any(tells_stress) {
+            return Vec::new();
+        }
+        let configuration = snapshot.of(moment.system, moment.state);
+        let sensors = moment.system.sensors.iter();
+        sensors.map(|sensor| sensor.worst_fibre(moment.system, &configuration).unwrap_or_default()).collect()
+    }
+
+    /// What result `result` is a part of.
+    fn measure_of(&self, result: usize) -> Option<&Measure> {
+        let mut end = 0;
+        self.measures.iter().find(|measure| {
+            end += measure.results();
+            result < end
+        })
+    }
+
+    /// The quantities of outputs, each with its unit and the numbers of its results.
+    pub fn quantities(&self) -> impl Iterator<Item = (&str, Range<usize>)> + '_ {
+        let first = self.first_result();
+        let mut end = 0;
+        self.measures.iter().filter_map(move |measure| {
+            let numbers = end..end + measure.results();
+            end = numbers.end;
+            let is_of_output = !matches!(measure, Measure::Energy | Measure::Momentum | Measure::Statistics);
+            is_of_output.then(|| (self.variables[first + numbers.start].quantity.unit.as_str(), numbers))
+        })
+    }
+
+    /// The name of a result.
+    pub fn result_name(&self, result: usize) -> &str {
+        &self.variables[self.first_result() + result].name
+    }
+
+    /// The row of the first result: all rows behind it are results, in their order.
+    fn first_result(&self) -> usize {
+        let is_result = |source: &Source| matches!(source, Source::Result(_));
+        self.sources.iter().position(is_result).unwrap_or(self.sources.len())
+    }
+
+    /// Number of results so far.
+    fn results(&self) -> usize {
+        self.sources.iter().filter(|source| matches!(source, Source::Result(_))).count()
+    }
+
+    /// Rows of one quantity: `name`, or `name[1]` and so on.
+    fn push_result(&mut self, name: &str, components: usize, unit: &str, meaning: &str) {
+        let start = if name.starts_with("statistics.") { Value::Integer(0) } else { Value::Real(0.0) };
+        for component in 1..=components {
+            let number = self.results();
+            let variable = match components {
+                1 => result(name, unit, meaning.to_owned(), start),
+                _ => {
+                    let name = format!("{name}[{component}]");
+                    result(&name, unit, format!("{meaning}, component {component}"), start)
+                }
+            };
+            self.push(variable, Source::Result(number));
+        }
+    }
+
+    /// Writes all results of a moment into `values`.
+    pub fn measure(&self, moment: &Moment, snapshot: &mut FrameCache, values: &mut Vec<f64>) {
+        let Moment { system, state, response, .. } = *moment;
+        let configuration = snapshot.of(system, state);
+        let passage = Passage::of(state);
+        let loads = JointLoads { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
+        values.clear();
+        for measure in &self.measures {
+            match measure {
+                Measure::Sensors(sensors, quantity) => {
+                    for sensor in sensors.clone() {
+                        push_point(values, moment, &configuration, sensor, *quantity);
+                    }
+                }
+                Measure::Frame(frame, quantity) => push_wrench(values, loads.frame_reaction(*frame), *quantity),
+                Measure::Joint(number, quantity) => {
+                    let parts = &system.joint_parts[*number];
+                    match quantity {
+                        quantity if quantity.is_transmitted() => {
+                            push_wrench(values, loads.reaction(parts), *quantity);
+                        }
+                        Quantity::Effort => values.push(parts.drives.iter().map(|d| loads.effort(*d)).sum()),
+                        _ => {
+                            let is_angle = *quantity == Quantity::Angle;
+                            let coordinate = if is_angle { parts.angle } else { parts.distance };
+                            let coordinate =
+                                coordinate.expect("the file is refused: the joint leaves no such coordinate free");
+                            values.push(state.relative_values[coordinate]);
+                        }
+                    }
+                }
+                Measure::Drive(number, quantity) => match quantity {
+                    Quantity::Effort => values.push(loads.effort(*number)),
+                    _ => values.push(state.relative_values[system.drives[*number].coordinate]),
+                },
+                Measure::Energy => {
+                    let parts = [
+                        system.kinetic_energy(&state.velocity),
+                        system.elastic_energy(&configuration),
+                        system.gravity_energy(&state.q),
+                    ];
+                    values.extend(parts);
+                    values.push(parts.iter().sum());
+                }
+                Measure::Momentum => {
+                    let (linear, angular) = system.momentum(&state.q, &state.momentum);
+                    values.extend(linear.iter().chain(angular.iter()));
+                }
+                Measure::Statistics => {
+                    let counts = &state.statistics;
+                    // Counts are far below 2^53: exact.
+                    values.extend([counts.steps, counts.iterations, counts.rejected].map(|count| count as f64));
+                }
+            }
+        }
+    }
+}
+
+fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
+    let Moment { system, state, response, fibres } = *moment;
+    let sensor = &system.sensors[number];
+    let rotation = &state.rotations[number];
+    let mut push = |v: Vec3| values.extend(v.iter());
+    match quantity {
+        Quantity::Position => push(system.global(sensor.marker.pose(c).place)),
+        Quantity::Displacement => push(sensor.marker.pose(c).place - sensor.drawn.place),
+        Quantity::Velocity => push(sensor.motion(c, &state.velocity).0),
+        Quantity::Acceleration => push(sensor.acceleration(c, &response.acceleration)),
+        Quantity::Rotation => push(*rotation),
+        Quantity::Quaternion => values.extend(sensor.quaternion(rotation)),
+        Quantity::AngularVelocity => push(sensor.motion(c, &state.velocity).1),
+        Quantity::Twist => values.push(sensor.twist(system, c)),
+        Quantity::AxialStrain => values.push(sensor.strains(c).axial),
+        Quantity::Curvature => values.extend(sensor.strains(c).curvature),
+        Quantity::Torsion => values.push(sensor.strains(c).torsion),
+        Quantity::SectionForce => values.push(sensor.section_forces(c).axial),
+        Quantity::SectionMoment => values.extend(sensor.section_forces(c).moment),
+        Quantity::Stress => {
+            let stress = match fibres.get(number) {
+                Some(fibre) => sensor.stress_of(fibre, system, c),
+                None => sensor.stress(system, c),
+            };
+            values.push(stress.expect("the file is refused: a general section has no stress"));
+        }
+        Quantity::ReactionForce
+        | Quantity::ReactionMoment
+        | Quantity::AppliedForce
+        | Quantity::AppliedMoment
+        | Quantity::Angle
+        | Quantity::Distance
+        | Quantity::Effort => unreachable!("the file is refused: these belong to joints, drives and frames"),
+    }
+}
+
+fn push_wrench(values: &mut Vec<f64>, (force, moment): (Vec3, Vec3), quantity: Quantity) {
+    let wanted = match quantity {
+        Quantity::ReactionForce => force,
+        Quantity::ReactionMoment => moment,
+        Quantity::AppliedForce => Vec3::zeros() - force, // 0 where it is 0, not -0
+        _ => Vec3::zeros() - moment,
+    };
+    values.extend(wanted.iter());
+}
+
+fn result(name: &str, unit: &str, description: String, start: Value) -> Variable {
+    Variable {
+        name: name.to_owned(),
+        description,
+        causality: Causality::Output,
+        variability: match start {
+            Value::Integer(_) => Variability::Discrete,
+            Value::Real(_) => Variability::Continuous,
+        },
+        start,
+        min: None,
+        max: None,
+        quantity: unit::quantity(unit),
+        display_unit: None,
+        found_from: None,
+    }
+}
