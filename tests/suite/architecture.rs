@@ -74,8 +74,6 @@ const CIRCLES: &[(&str, &str, &str)] = &[
     ("fmi", "documentation", "package"),
     // Errors of the order of calls name the call, and the table of legal calls makes errors.
     ("fmi", "error", "lifecycle"),
-    // A host's targets begin where the prescribed motion is, and go on to give it.
-    ("mechanics/input", "host_motion", "prescribed"),
     // The list of all elements has those that implement what it asks for.
     ("mechanics/beam", "element", "ancf14"),
     ("mechanics/beam", "element", "ancf24"),

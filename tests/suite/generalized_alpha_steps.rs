@@ -17,7 +17,7 @@ use ancf14::mechanics::constraint::spherical;
 use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
 use ancf14::mechanics::force::spring::Spring;
 use ancf14::mechanics::geometry::pose::Pose;
-use ancf14::mechanics::input::prescribed::{FrameGuide, Guide};
+use ancf14::mechanics::input::guide::{FrameGuide, Guide};
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::marker::relative_coordinate::Measure;

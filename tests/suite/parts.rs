@@ -27,7 +27,7 @@ use ancf14::mechanics::constraint::universal;
 use ancf14::mechanics::constraint::weld;
 use ancf14::mechanics::force::spring::Spring;
 use ancf14::mechanics::geometry::pose::{Pose, axis_place};
-use ancf14::mechanics::input::prescribed::FrameGuide;
+use ancf14::mechanics::input::guide::FrameGuide;
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::marker::relative_coordinate::Measure;

@@ -1,11 +1,7 @@
-//! Motion that is prescribed: drives and moving frames, by functions of time or by a host (`host_motion`).
-//!
-//! A rate that a function gives is integrated to round-off.
+//! What is prescribed at an instant: the values of drives and the motion of frames.
 
-use super::host_motion::Targets;
-use super::signal::Signal;
 use crate::math::jet::Jet;
-use crate::math::rotation::{rotation_matrix, rotation_matrix_jet, rotation_vector_near};
+use crate::math::rotation::{rotation_matrix, rotation_vector_near};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::geometry::pose::Pose;
 use serde::{Deserialize, Serialize};
@@ -28,53 +24,6 @@ pub struct MovingPose {
     pub velocity: Pose,
     /// Second derivative.
     pub acceleration: Pose,
-}
-
-/// Where a drive has its motion from.
-#[derive(Clone, Debug)]
-pub enum Guide {
-    /// Its value is a function of time.
-    Value(Signal),
-    /// Its rate is a function of time; the value begins at 0.
-    Rate(Signal),
-    /// A host gives the value.
-    HostValue,
-    /// A host gives the rate; the value begins at 0.
-    HostRate,
-}
-
-/// A drive: prescribes a relative coordinate.
-#[derive(Clone, Debug)]
-pub struct Drive {
-    /// Name in the model file.
-    pub name: String,
-    /// What it prescribes, by the number of the relative coordinate.
-    pub coordinate: usize,
-    /// Where its motion comes from.
-    pub guide: Guide,
-}
-
-/// Where a frame has its motion from.
-#[derive(Clone, Debug)]
-pub enum FrameGuide {
-    /// Place (m) and rotation vector (rad) are functions of time.
-    Signals {
-        /// Place in global axes, m.
-        place: [Signal; 3],
-        /// Rotation vector from the global axes, rad.
-        rotation: [Signal; 3],
-    },
-    /// A host gives the pose.
-    Host,
-}
-
-/// A frame whose motion is prescribed.
-#[derive(Clone, Debug)]
-pub struct MovingFrame {
-    /// Name in the model file.
-    pub name: String,
-    /// Where its motion comes from.
-    pub guide: FrameGuide,
 }
 
 impl Prescribed {
@@ -157,80 +106,6 @@ impl MovingPose {
     /// Whether pose and velocity are finite: a kink of the acceleration does no harm.
     pub fn is_finite(&self) -> bool {
         self.pose.is_finite() && self.velocity.is_finite()
-    }
-}
-
-impl Drive {
-    /// Its value and rate at the start, `time` s.
-    pub fn start(&self, time: f64, target: f64) -> Jet {
-        match &self.guide {
-            Guide::Value(signal) => signal.jet(time),
-            Guide::Rate(signal) => rated(0.0, signal.jet(time)),
-            Guide::HostValue => Jet::constant(target),
-            Guide::HostRate => Jet { value: 0.0, first: target, second: 0.0 },
-        }
-    }
-
-    /// The function of time that its value or rate is; none where a host gives it.
-    pub fn signal(&self) -> Option<&Signal> {
-        match &self.guide {
-            Guide::Value(signal) | Guide::Rate(signal) => Some(signal),
-            Guide::HostValue | Guide::HostRate => None,
-        }
-    }
-
-    /// Its value and rate at `next` s, from the value `from` at `time` s; `number` is its own among the `targets`.
-    pub fn advanced(&self, number: usize, from: f64, (time, next): (f64, f64), targets: &Targets) -> Jet {
-        match &self.guide {
-            Guide::Value(signal) => signal.jet(next),
-            Guide::Rate(signal) => rated(from + signal.integral(time, next), signal.jet(next)),
-            Guide::HostValue => targets.value(number, next),
-            Guide::HostRate => targets.rate(number, next),
-        }
-    }
-}
-
-/// A value with the rate and acceleration of a signal that is a rate.
-fn rated(value: f64, rate: Jet) -> Jet {
-    Jet { value, first: rate.value, second: rate.first }
-}
-
-impl MovingFrame {
-    /// The functions of time that its position and rotation vector are; none where a host gives them.
-    pub fn signals(&self) -> impl Iterator<Item = &Signal> {
-        let components = match &self.guide {
-            FrameGuide::Signals { place, rotation } => Some(place.iter().chain(rotation)),
-            FrameGuide::Host => None,
-        };
-        components.into_iter().flatten()
-    }
-
-    /// Its motion at the start, `time` s.
-    pub fn start(&self, time: f64, target: &Pose) -> MovingPose {
-        match &self.guide {
-            FrameGuide::Signals { place, rotation } => of_signals(place, rotation, time),
-            FrameGuide::Host => MovingPose::at_rest(*target),
-        }
-    }
-
-    /// Its motion at `time`, s; `number` is its own among the `targets`.
-    pub fn at(&self, number: usize, time: f64, targets: &Targets) -> MovingPose {
-        match &self.guide {
-            FrameGuide::Signals { place, rotation } => of_signals(place, rotation, time),
-            FrameGuide::Host => targets.pose(number, time),
-        }
-    }
-}
-
-fn of_signals(place: &[Signal; 3], rotation: &[Signal; 3], time: f64) -> MovingPose {
-    let jets = |signals: &[Signal; 3]| [0, 1, 2].map(|i| signals[i].jet(time));
-    let place = jets(place);
-    let [axes, axes_t, axes_tt] = rotation_matrix_jet(&jets(rotation));
-    let part = |select: fn(&Jet) -> f64| Vec3::from_fn(|i, _| select(&place[i]));
-    MovingPose {
-        pose: Pose { place: part(|jet| jet.value), axes },
-        velocity: Pose { place: part(|jet| jet.first), axes: axes_t },
-        acceleration: Pose { place: part(|jet| jet.second), axes: axes_tt },
     }
 }
 

@@ -1,7 +1,7 @@
 //! The times at which functions of time change from one piece to the next: steps end there, and a motion must not jump there.
 
 use crate::error::decimal;
-use crate::mechanics::input::prescribed::Guide;
+use crate::mechanics::input::guide::Guide;
 use crate::mechanics::input::signal::Signal;
 use crate::mechanics::system::System;
 

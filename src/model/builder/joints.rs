@@ -16,7 +16,7 @@ use crate::mechanics::constraint::universal;
 use crate::mechanics::constraint::weld;
 use crate::mechanics::force::spring;
 use crate::mechanics::geometry::pose::Pose;
-use crate::mechanics::input::prescribed::Guide;
+use crate::mechanics::input::guide::Guide;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::joint_parts::JointParts;

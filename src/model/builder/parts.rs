@@ -9,7 +9,7 @@ use crate::mechanics::beam::section::{Outline, Section};
 use crate::mechanics::body::rigid_body::BodyDesign;
 use crate::mechanics::force::load::{self, Direction, LoadGuide};
 use crate::mechanics::geometry::pose::Pose;
-use crate::mechanics::input::prescribed::FrameGuide;
+use crate::mechanics::input::guide::FrameGuide;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::body::{BodySpec, Inertia};
 use crate::model::file::entries::frame::{FrameSpec, Orientation};

@@ -13,10 +13,11 @@
 //! out what the tangent leaves out. Velocities that follow by projection, and the response of the end, are solved for alike.
 
 pub mod mover;
+mod pass;
 
-use self::mover::{Mover, Step};
+use self::mover::Step;
+use self::pass::{Pass, Scratch, add_scaled, set_moved};
 use crate::error::Error;
-use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -32,11 +33,6 @@ use crate::solve::step::response::{Responder, Response};
 const REACH: f64 = 1e-3;
 /// Offsets and weights of the central difference of fourth order.
 pub const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
-/// Most solves with one tangent: the second takes out what the tangent leaves out, the third what is left of that.
-const SOLVES: usize = 3;
-/// A correction this small leaves its square, relative to the whole: round-off.
-const SMALL_CORRECTION: f64 = 1e-6;
-
 /// What the host gives, as the sensitivities ask for it.
 pub trait Inputs {
     /// Number of inputs.
@@ -56,6 +52,8 @@ pub struct Sensitivity {
     /// `[M Gᵀ; G 0]` at the end of a step.
     flow: Kkt,
     responder: Responder,
+    /// The state before the internal step.
+    before: State,
     scratch: Scratch,
 }
 
@@ -65,25 +63,6 @@ struct Column {
     response: Response,
 }
 
-#[derive(Debug, Default)]
-struct Scratch {
-    /// The state before the internal step.
-    before: State,
-    unknowns: Vec<f64>,
-    moved_unknowns: Vec<f64>,
-    /// Derivatives of the unknowns.
-    change: Vec<f64>,
-    right: Vec<f64>,
-    sum: Vec<f64>,
-    product: Vec<f64>,
-    strays: Vec<f64>,
-    gradients: Vec<JointGradient>,
-    gradients_after: Vec<JointGradient>,
-    mover: Mover,
-    arrived: State,
-    variation: Variation,
-}
-
 impl Sensitivity {
     /// Of a system that starts a communication step at `start`, which depends on none of the `inputs` of that step.
     pub fn new(system: &System, start: &State, inputs: &impl Inputs) -> Self {
@@ -91,9 +70,8 @@ impl Sensitivity {
         columns.resize_with(inputs.count(), Column::default);
         columns.iter_mut().for_each(|column| column.variation.set_zero(start));
         let size = system.coordinates() + system.constraints();
-        let list = || vec![0.0; size];
-        let scratch = Scratch { change: list(), right: list(), sum: list(), product: list(), ..Scratch::default() };
-        Self { columns, flow: Kkt::for_projections(system), responder: Responder::new(system), scratch }
+        let (flow, responder) = (Kkt::for_projections(system), Responder::new(system));
+        Self { columns, flow, responder, before: State::default(), scratch: Scratch::new(size) }
     }
 
     /// Repeats the communication step `step` and differentiates it. `state` is at its end, and is so again; `march` takes its internal
@@ -143,7 +121,7 @@ impl Sensitivity {
         }
     }
 
-    /// Takes the derivatives over the internal step from the state before it, in the scratch memory, to `after`.
+    /// Takes the derivatives over the internal step from the state before it, which is kept, to `after`.
     fn pass<I: Linearized>(
         &mut self,
         integrator: &mut I,
@@ -152,83 +130,15 @@ impl Sensitivity {
         after: &State,
         span: Span,
     ) -> Result<(), Error> {
-        let Self { columns, flow, scratch, .. } = self;
-        let Scratch { before, unknowns, moved_unknowns, change, right, sum, product, .. } = scratch;
-        let Scratch { strays, gradients, gradients_after, mover, arrived, variation, .. } = scratch;
-        let inaccurate = |Singular| Error::Singular { time: span.end, what: String::from("the derivatives of a step") };
+        let Self { columns, flow, scratch, before, .. } = self;
         let from = if I::MEMORY { &*before } else { after };
-        integrator.unknowns(after, unknowns);
-        integrator.factorize(system, from, span, unknowns)?;
-        moved_unknowns.resize(unknowns.len(), 0.0);
-        if I::PROJECTS {
-            mover.gradients_at(system, after, gradients_after);
-            flow.blocks.clear();
-            system.add_mass(1.0, &mut flow.blocks);
-            flow.set_constraints(system, gradients_after, gradients_after, 1.0);
-            flow.factorize(system, span.end)?;
-            // P = M v + Gᵀ ν before the momentum was steadied.
-            strays.clear();
-            strays.extend(after.strays.iter().zip(&before.strays).map(|(after, before)| 2.0 * after - before));
-        }
-        let coordinates = system.coordinates();
+        let mut pass = Pass { integrator, system, step, from, after, span, flow, scratch };
+        pass.prepare(before)?;
         for (number, column) in columns.iter_mut().enumerate() {
             if !I::MEMORY {
                 column.variation.set_zero(after);
             }
-            let own = &column.variation;
-            change.fill(0.0);
-            for solve in 0..SOLVES {
-                let unit = step.reach(system, number, own, change, span.step);
-                sum.fill(0.0);
-                for (offset, weight) in STENCIL {
-                    let by = offset * unit;
-                    let moved = mover.move_from(system, step, number, from, own, by);
-                    set_moved(moved_unknowns, unknowns, change, by);
-                    integrator.balance(system, moved, span, moved_unknowns, right);
-                    add_scaled(sum, right, weight / unit);
-                }
-                integrator.solve(sum).map_err(inaccurate)?;
-                add_scaled(change, sum, 1.0);
-                if solve > 0 && system.correction_size(sum).0 <= SMALL_CORRECTION * system.correction_size(change).0 {
-                    break;
-                }
-            }
-
-            let unit = step.reach(system, number, own, change, span.step);
-            variation.set_zero(after);
-            sum.fill(0.0);
-            product.fill(0.0);
-            for (offset, weight) in STENCIL {
-                let by = offset * unit;
-                let moved = mover.move_from(system, step, number, from, own, by);
-                set_moved(moved_unknowns, unknowns, change, by);
-                integrator.conclude(system, moved, span, moved_unknowns, arrived);
-                variation.add_between(system, weight / unit, after, arrived);
-                if I::PROJECTS {
-                    let (forces, rates) = right.split_at_mut(coordinates);
-                    let configuration = mover.gradients_at(system, arrived, gradients);
-                    system.constraint_rates(&configuration, rates);
-                    system.add_constraint_rates(gradients, &after.velocity, rates);
-                    forces.fill(0.0);
-                    system.add_constraint_forces(gradients, strays, 1.0, forces);
-                    add_scaled(sum, right, -weight / unit);
-                    system.add_constraint_forces(gradients, &after.strays, weight / unit, &mut product[..coordinates]);
-                }
-            }
-            if I::PROJECTS {
-                // `[M Gᵀ; G 0][dv; dν] = [dP − dGᵀ ν; −d(g_t + G v)]`, then `dP = M dv + Gᵀ ds + dGᵀ s` with the steadied `s`.
-                add_scaled(sum, &variation.momentum, 1.0);
-                flow.solve_again(sum).map_err(inaccurate)?;
-                let (velocity, stray) = sum.split_at(coordinates);
-                variation.velocity.copy_from_slice(velocity);
-                for (own, stray) in variation.strays.iter_mut().zip(stray) {
-                    *own = 0.5 * (*own + stray);
-                }
-                system.mass_times(velocity, &mut variation.momentum);
-                system.add_constraint_forces(gradients_after, &variation.strays, 1.0, &mut variation.momentum);
-                add_scaled(&mut variation.momentum, &product[..coordinates], 1.0);
-            }
-            std::mem::swap(&mut column.variation, variation);
+            pass.differentiate(number, &mut column.variation)?;
         }
         Ok(())
     }
@@ -244,7 +154,7 @@ impl Sensitivity {
         after: &State,
         response: &Response,
     ) -> Result<(), Error> {
-        let Self { columns, flow, responder, scratch } = self;
+        let Self { columns, flow, responder, scratch, .. } = self;
         let Scratch { right, sum, mover, .. } = scratch;
         for (number, column) in columns.iter_mut().enumerate() {
             let Column { variation, response: own } = column;
@@ -306,24 +216,12 @@ impl<I: Linearized, N: Inputs> Integrator for Differentiated<'_, I, N> {
     const RESOLVES_TIME: bool = I::RESOLVES_TIME;
 
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
-        self.sensitivity.scratch.before.clone_from(state);
+        self.sensitivity.before.clone_from(state);
         self.integrator.step(system, state, step, end)?;
         if self.failure.is_none() {
             let passed = self.sensitivity.pass(self.integrator, system, &self.step, state, Span { step, end });
             self.failure = passed.err();
         }
         Ok(())
-    }
-}
-
-fn add_scaled(target: &mut [f64], values: &[f64], factor: f64) {
-    for (target, value) in target.iter_mut().zip(values) {
-        *target += factor * value;
-    }
-}
-
-fn set_moved(moved: &mut [f64], values: &[f64], change: &[f64], by: f64) {
-    for ((moved, value), change) in moved.iter_mut().zip(values).zip(change) {
-        *moved = value + by * change;
     }
 }

@@ -3,7 +3,7 @@
 //! They are asked for whenever the standard allows it, also where there is no last step: no result depends on an input then, and what
 //! does not follow from the motion changes as in an internal step on trial.
 
-use super::runner::{Plan, Runner, Solver};
+use super::runner::{Plan, Solver};
 use super::{Simulation, failure, wrong};
 use crate::error::Error;
 use crate::fmi::Failure;
@@ -204,43 +204,39 @@ impl Simulation {
         Ok(now.iter().zip(&values).map(|(now, other)| (now - other) / passed).collect())
     }
 
+    /// Derivatives of all results with respect to all inputs over the last communication step, a column an input.
     fn jacobian(&mut self) -> Result<Vec<f64>, Error> {
         let Self { runner, last, document, table, results, .. } = self;
-        let Runner { system, backup, .. } = &*runner;
-        let begin = backup.time;
-        let given = Given::new(document, &last.inputs, [begin, last.end], system);
-        let plan = runner.plan(begin, last.end)?;
-        let responds = table.needs_response();
-        let mut columns = Vec::new();
-        let (system, state, start) = (&runner.system, &runner.state, &runner.backup);
+        let span = [runner.backup.time, last.end];
+        let given = Given::new(document, &last.inputs, span, &runner.system);
+        let plan = runner.plan(span[0], span[1])?;
+        let (system, state) = (&runner.system, &runner.state);
         let moves = !matches!(runner.solver, Solver::Statics(_));
-        let step = Step { start, inputs: &given, moves };
-        let mut frames = FrameCache::default();
-        let mut values = Vec::new();
-        let mut all = |sensitivity: &mut Sensitivity, after: &State, response: &Response| {
-            let fibres = table.fibres(&Moment { system, state: after, response, fibres: &[] }, &mut frames);
-            for number in 0..last.inputs.count() {
-                let mut sum = vec![0.0; results.len()];
-                sensitivity.look(system, step, (after, response), number, |state, response, weight| {
-                    table.measure(&Moment { system, state, response, fibres: &fibres }, &mut frames, &mut values);
-                    add_weighted(&mut sum, &values, weight);
-                });
-                columns.extend_from_slice(&sum);
-            }
-        };
+        let step = Step { start: &runner.backup, inputs: &given, moves };
         let mut response = Response::default();
+        let responds = table.needs_response();
         if responds {
             runner.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         } else {
             response.set_at_rest(state);
         }
-        let present = (state, &response);
-        match &mut runner.solver {
+        let end = (state, responds.then_some(&response));
+        let (mut sensitivity, after) = match &mut runner.solver {
             Solver::None => Err(Error::NotInitialized),
-            Solver::Midpoint(midpoint) => run(midpoint.as_mut(), system, step, plan, present, responds, &mut all),
-            Solver::GeneralizedAlpha(alpha) => run(alpha.as_mut(), system, step, plan, present, responds, &mut all),
-            Solver::Statics(statics) => run(statics.as_mut(), system, step, plan, present, responds, &mut all),
+            Solver::Midpoint(midpoint) => differentiate(midpoint.as_mut(), system, step, plan, end),
+            Solver::GeneralizedAlpha(alpha) => differentiate(alpha.as_mut(), system, step, plan, end),
+            Solver::Statics(statics) => differentiate(statics.as_mut(), system, step, plan, end),
         }?;
+        let (mut frames, mut values, mut columns) = (FrameCache::default(), Vec::new(), Vec::new());
+        let fibres = table.fibres(&Moment { system, state: &after, response: &response, fibres: &[] }, &mut frames);
+        for number in 0..last.inputs.count() {
+            let mut sum = vec![0.0; results.len()];
+            sensitivity.look(system, step, (&after, &response), number, |state, response, weight| {
+                table.measure(&Moment { system, state, response, fibres: &fibres }, &mut frames, &mut values);
+                add_weighted(&mut sum, &values, weight);
+            });
+            columns.extend_from_slice(&sum);
+        }
         Ok(columns)
     }
 }
@@ -259,23 +255,21 @@ pub(super) fn finite(derivative: f64) -> Result<f64, Failure> {
     }
 }
 
-/// Differentiates the step that led to `state` and hands what it found to `all`.
-fn run<I: Linearized>(
+/// Repeats the step that led to `state` and differentiates it, with the `response` there if results ask for it. Returns the derivatives with
+/// the state that they are of.
+fn differentiate<I: Linearized>(
     integrator: &mut I,
     system: &System,
     step: Step<'_, Given<'_>>,
     plan: Plan,
-    (state, response): (&State, &Response),
-    responds: bool,
-    all: &mut impl FnMut(&mut Sensitivity, &State, &Response),
-) -> Result<(), Error> {
+    (state, response): (&State, Option<&Response>),
+) -> Result<(Sensitivity, State), Error> {
     let mut sensitivity = Sensitivity::new(system, step.start, step.inputs);
     let mut after = state.clone();
     sensitivity
         .of_step(integrator, system, step, &mut after, |integrator, state| plan.march(integrator, system, state))?;
-    if responds {
+    if let Some(response) = response {
         sensitivity.of_response::<I>(system, step, &after, response)?;
     }
-    all(&mut sensitivity, &after, response);
-    Ok(())
+    Ok((sensitivity, after))
 }

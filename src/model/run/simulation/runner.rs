@@ -101,46 +101,40 @@ impl Runner {
         if responds {
             self.responder = Some(Box::new(Responder::new(&self.system)));
         }
-        let simulation = &document.simulation;
-        let moving = self.state.velocity.iter().any(|value| *value != 0.0);
         let mut warnings = self.system.too_fine_meshes();
-        if simulation.analysis == Analysis::Dynamic {
-            warnings.extend(self.system.jumps(self.start, document.value(simulation.stop)));
-            match simulation.initial {
-                Initial::AsDrawn => start::check_drives(&self.system, &self.state)?,
-                Initial::Equilibrium => {
-                    let tolerance = document.value(simulation.tolerance);
-                    warnings.extend(start::find_equilibrium(&self.system, &mut self.state, tolerance)?);
-                    if moving {
-                        let why = "the motion begins at an equilibrium";
-                        warnings.push(format!("the given initial velocities are not used: {why}"));
-                    }
+        match document.simulation.analysis {
+            Analysis::Dynamic => self.find_motion(document, &mut warnings)?,
+            Analysis::Static => self.find_equilibrium(&mut warnings)?,
+        }
+        Ok(warnings)
+    }
+
+    /// Sets the system in motion where it is drawn, or at an equilibrium.
+    fn find_motion(&mut self, document: &Document, warnings: &mut Vec<String>) -> Result<(), Error> {
+        let Self { system, state, solver, start: time, step, pacing, .. } = self;
+        let simulation = &document.simulation;
+        warnings.extend(system.jumps(*time, document.value(simulation.stop)));
+        match simulation.initial {
+            Initial::AsDrawn => start::check_drives(system, state)?,
+            Initial::Equilibrium => {
+                let moves = is_moving(state);
+                warnings.extend(start::find_equilibrium(system, state, document.value(simulation.tolerance))?);
+                if moves {
+                    let why = "the motion begins at an equilibrium";
+                    warnings.push(format!("the given initial velocities are not used: {why}"));
                 }
             }
         }
-        let changed = match &mut self.solver {
-            Solver::None => 0.0,
-            Solver::Midpoint(midpoint) => start::set_motion(&self.system, midpoint, &mut self.state)?,
+        let changed = match solver {
+            Solver::Midpoint(midpoint) => start::set_motion(system, midpoint, state)?,
             Solver::GeneralizedAlpha(alpha) => {
-                warnings.extend(alpha.objection(&self.system));
-                start::set_motion(&self.system, alpha, &mut self.state)?
+                warnings.extend(alpha.objection(system));
+                start::set_motion(system, alpha, state)?
             }
-            Solver::Statics(statics) => {
-                self.state.velocity.fill(0.0);
-                self.state.targets.straight = true;
-                statics.find(&self.system, &mut self.state, self.start)?;
-                warnings.extend(statics.take_remarks());
-                if moving {
-                    warnings.push(String::from("the initial velocities are not used: the analysis is static"));
-                }
-                if self.system.is_damped() {
-                    warnings.push(String::from("dampers are not used: the analysis is static"));
-                }
-                0.0
-            }
+            Solver::None | Solver::Statics(_) => 0.0,
         };
-        if simulation.analysis == Analysis::Dynamic && self.pacing.is_none() {
-            warnings.extend(start::unresolved_dampers(&self.system, &self.state, self.step));
+        if pacing.is_none() {
+            warnings.extend(start::unresolved_dampers(system, state, *step));
         }
         if changed > 0.0 {
             warnings.push(format!(
@@ -149,7 +143,24 @@ impl Runner {
                 percent(changed)
             ));
         }
-        Ok(warnings)
+        Ok(())
+    }
+
+    /// Finds the first equilibrium of a static analysis.
+    fn find_equilibrium(&mut self, warnings: &mut Vec<String>) -> Result<(), Error> {
+        let Self { system, state, solver: Solver::Statics(statics), start: time, .. } = self else { return Ok(()) };
+        let moves = is_moving(state);
+        state.velocity.fill(0.0);
+        state.targets.straight = true;
+        statics.find(system, state, *time)?;
+        warnings.extend(statics.take_remarks());
+        if moves {
+            warnings.push(String::from("the initial velocities are not used: the analysis is static"));
+        }
+        if system.is_damped() {
+            warnings.push(String::from("dampers are not used: the analysis is static"));
+        }
+        Ok(())
     }
 
     /// Computes the response of the state that is reached, if results ask for it.
@@ -399,4 +410,9 @@ impl Solver {
             }
         })
     }
+}
+
+/// Whether the file gives the state initial velocities.
+fn is_moving(state: &State) -> bool {
+    state.velocity.iter().any(|value| *value != 0.0)
 }
