@@ -14,7 +14,7 @@ use quick_xml::{
 use super::{
     About, Value,
     error::Error,
-    header::is_identifier,
+    identifier::is_identifier,
     log,
     unit::{display_factor, natural},
     variable::{Causality, Exponents, Quantity, Variability, Variable},
@@ -261,8 +261,8 @@ fn scalar_variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::
     if !variable.description.is_empty() {
         attributes.push(("description", clean(&variable.description).into()));
     }
-    attributes.push(("causality", causality(variable.causality).into()));
-    attributes.push(("variability", variability(variable.variability).into()));
+    attributes.push(("causality", variable.causality.word().into()));
+    attributes.push(("variability", variable.variability.word().into()));
     if let Some(initial) = initial(variable.causality) {
         attributes.push(("initial", initial.into()));
     }
@@ -327,27 +327,6 @@ fn model_structure(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
         })?;
     }
     Ok(())
-}
-
-/// The words of the standard.
-pub fn causality(causality: Causality) -> &'static str {
-    match causality {
-        Causality::Parameter => "parameter",
-        Causality::CalculatedParameter => "calculatedParameter",
-        Causality::Input => "input",
-        Causality::Output => "output",
-        Causality::Independent => "independent",
-    }
-}
-
-/// The words of the standard.
-pub fn variability(variability: Variability) -> &'static str {
-    match variability {
-        Variability::Fixed => "fixed",
-        Variability::Tunable => "tunable",
-        Variability::Discrete => "discrete",
-        Variability::Continuous => "continuous",
-    }
 }
 
 fn initial(causality: Causality) -> Option<&'static str> {

@@ -6,7 +6,6 @@ use quick_xml::escape::escape;
 
 use super::{
     About, Credits, Value,
-    description::{causality, variability},
     package::{Contents, LICENCES_FILE},
     variable::{Causality, Variable},
 };
@@ -241,7 +240,7 @@ fn table(
             out,
             "<tr><td><code>{}</code></td><td>{reference}</td><td>{} {}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
             escape(variable.name.as_str()),
-            variability(variable.variability),
+            variable.variability.word(),
             variable.type_name(),
             escape(variable.quantity.unit.as_str()),
             start(variable),
@@ -260,7 +259,7 @@ fn number(value: Value) -> String {
 
 /// Start value with its bounds, of what the host can set.
 fn start(variable: &Variable) -> String {
-    if !matches!(causality(variable.causality), "parameter" | "input") {
+    if !matches!(variable.causality.word(), "parameter" | "input") {
         return String::new();
     }
     let number = number(variable.start);

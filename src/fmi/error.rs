@@ -4,20 +4,15 @@
 
 use super::{
     Failure, LogCategory, Status,
-    lifecycle::{Call, Mode, way_out},
+    lifecycle::{Illegal, Mode},
 };
 
 /// Why a call, a description or a package failed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// The calling table forbids the call in this mode.
-    #[error("not allowed now; {}", way_out(*.call, *.mode))]
-    Illegal {
-        /// The call.
-        call: Call,
-        /// The mode it came in.
-        mode: Mode,
-    },
+    #[error(transparent)]
+    Illegal(#[from] Illegal),
     /// A required pointer is NULL.
     #[error("the argument `{argument}` is NULL; pass a valid address")]
     Null {
@@ -297,7 +292,7 @@ impl Error {
     pub fn status(&self) -> Status {
         match self {
             Self::NoSuchStatus { .. } => Status::Discard,
-            Self::Fault { .. } | Self::Illegal { mode: Mode::Fatal, .. } => Status::Fatal,
+            Self::Fault { .. } | Self::Illegal(Illegal { mode: Mode::Fatal, .. }) => Status::Fatal,
             _ => Status::Error,
         }
     }

@@ -8,6 +8,7 @@ pub mod description;
 pub mod documentation;
 pub mod error;
 pub mod header;
+pub mod identifier;
 pub mod instance;
 pub mod lifecycle;
 pub mod location;

@@ -12,20 +12,15 @@ use std::{
 
 use zip::{CompressionMethod, DateTime, ZipWriter, result::ZipResult, write::SimpleFileOptions};
 
-use super::{About, description, documentation, error::Error, variable::Variable};
-
-/// The model file inside `resources`.
-pub const MODEL_FILE: &str = "model.toml";
+use super::{
+    About, description, documentation,
+    error::Error,
+    location::{LIBRARY, MODEL_FILE},
+    variable::Variable,
+};
 
 /// Where the licences are inside `documentation` (FMI 2.0.1 and later, section 2.3).
 pub const LICENCES_FILE: &str = "licenses/license.txt";
-
-/// The shared library for the machine this was built for, as cargo names it.
-pub const LIBRARY: &str = match Platform::NATIVE {
-    Platform::Linux32 | Platform::Linux64 => "libancf14.so",
-    Platform::Win32 | Platform::Win64 => "ancf14.dll",
-    Platform::Darwin64 => "libancf14.dylib",
-};
 
 /// A machine that an FMU can bring a library for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

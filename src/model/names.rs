@@ -2,7 +2,7 @@
 
 use super::diagnostic::Place;
 use super::expression::program::FUNCTIONS;
-use crate::fmi::header::is_identifier;
+use crate::fmi::identifier::is_identifier;
 
 /// What a name stands for: the sections that carry names, and the entries of `[parameters]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

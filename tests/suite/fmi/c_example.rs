@@ -8,7 +8,7 @@ use std::{
 };
 
 use ancf14::{
-    fmi::{Model, Value, header, instance::Instance, package, variable::Causality},
+    fmi::{Model, Value, header, instance::Instance, location, package, variable::Causality},
     model::simulation::Simulation,
 };
 use tempfile::TempDir;
@@ -38,7 +38,7 @@ impl Example {
         zip::ZipArchive::new(Cursor::new(fmu)).unwrap().extract(here.join("unit")).unwrap();
         let header = here.join(format!("{}.h", prefix.to_lowercase()));
         fs::write(header, header::text(model.about(), model.variables(), prefix).unwrap()).unwrap();
-        fs::copy(library_path(), here.join(package::LIBRARY)).unwrap();
+        fs::copy(library_path(), here.join(location::LIBRARY)).unwrap();
         let built = Command::new("cc")
             .current_dir(here)
             .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I.", "-L.", "-o", name])

@@ -11,7 +11,7 @@ use std::{
 
 use ancf14::{
     ffi::types::*,
-    fmi::{Model, package::LIBRARY},
+    fmi::{Model, location::LIBRARY},
     model::simulation::Simulation,
 };
 use libloading::Library;

@@ -7,7 +7,8 @@ use std::{
     path::Path,
 };
 
-use ancf14::fmi::package::{Contents, LIBRARY, Platform, find_library, fmu, read};
+use ancf14::fmi::location::LIBRARY;
+use ancf14::fmi::package::{Contents, Platform, find_library, fmu, read};
 use zip::{CompressionMethod, ZipArchive};
 
 use super::toy;

@@ -20,7 +20,7 @@ const ARM: &str = include_str!("../../../c-examples/arm.toml");
 fn mistakes_are_errors() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    fs::copy(library_path(), here.join(ancf14::fmi::package::LIBRARY)).unwrap();
+    fs::copy(library_path(), here.join(ancf14::fmi::location::LIBRARY)).unwrap();
     fs::write(here.join("arm.toml"), ARM).unwrap();
     fs::write(here.join("bad.toml"), ARM.replace("radius", "diameter")).unwrap();
     let built = Command::new("cc")

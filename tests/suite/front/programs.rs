@@ -23,7 +23,7 @@ impl Workplace {
             symlink(root().join(name), here.join(name)).unwrap();
         }
         fs::create_dir(here.join("built")).unwrap();
-        fs::copy(library_path(), here.join("built").join(ancf14::fmi::package::LIBRARY)).unwrap();
+        fs::copy(library_path(), here.join("built").join(ancf14::fmi::location::LIBRARY)).unwrap();
         fs::copy(program(), here.join("built/ancf14")).unwrap();
         Self(folder)
     }
