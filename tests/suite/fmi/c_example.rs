@@ -13,7 +13,8 @@ use ancf14::{
 };
 use tempfile::TempDir;
 
-use super::ffi::{MODEL, library_path};
+use super::ffi::MODEL;
+use super::library_path;
 
 /// The model of all examples but `simulate_fmi2.c`, which takes any.
 const ARM: &str = include_str!("../../../c-examples/arm.toml");

@@ -20,5 +20,6 @@ mod package;
 mod sequences;
 mod serialized;
 mod short_steps;
-mod toy;
 mod unit;
+
+use ancf14_testing::{library_path, toy};

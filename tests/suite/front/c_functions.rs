@@ -10,8 +10,9 @@ use std::ptr::null;
 use ancf14::ffi::front::*;
 use ancf14::ffi::front_types::ancf14_status::ANCF14_OK;
 
-use super::{printed, root};
-use crate::fmi::ffi::library_path;
+use super::printed;
+use ancf14_testing::library_path;
+use ancf14_testing::root;
 
 /// A clamped arm whose end can be pushed.
 const ARM: &str = include_str!("../../../c-examples/arm.toml");
