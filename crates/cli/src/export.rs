@@ -3,15 +3,14 @@
 use super::output::{self, Input};
 use super::picture::undrawn;
 use super::{MODEL_FILE, Stop, complain, load, say};
-use ancf14::fmi::package::{self, Contents, Platform};
 use ancf14::fmi::{Model, header};
 use ancf14::model::drawing::Drawing;
 use ancf14::model::notes;
+use ancf14_pack::contents::{Contents, LICENCES};
+use ancf14_pack::libraries::{self, Platform};
+use ancf14_pack::package;
 use ancf14_report::{draw, picture};
 use std::path::{Path, PathBuf};
-
-/// Licences of all that is linked into the library; made by scripts/licenses.py.
-const LICENCES: &str = include_str!("../../../licenses/license.txt");
 
 /// `win64=ancf14.dll`.
 pub fn platform_and_path(text: &str) -> Result<(Platform, PathBuf), String> {
@@ -32,11 +31,11 @@ pub fn pack(file: &Path, output: &Path, library: Option<&Path>, others: Vec<(Pla
         .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?;
     let (simulation, text) = load(file, &[])?;
     // No library at the place that was given is a wrong argument; a failed write is not.
-    let own = package::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    let mut libraries = vec![(Platform::NATIVE, own)];
-    libraries.extend(others);
-    let packed = libraries.iter().map(|(_, path)| ("a library to pack", path.as_path()));
-    let inputs: Vec<Input<'_>> = packed.chain([(MODEL_FILE, file)]).collect();
+    let own = libraries::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    let mut packed = vec![(Platform::NATIVE, own)];
+    packed.extend(others);
+    let read = packed.iter().map(|(_, path)| ("a library to pack", path.as_path()));
+    let inputs: Vec<Input<'_>> = read.chain([(MODEL_FILE, file)]).collect();
     output::spare(&inputs, &[output.to_owned()])?;
     let drawing = Drawing::new(simulation.document());
     let contents = Contents {
@@ -46,14 +45,14 @@ pub fn pack(file: &Path, output: &Path, library: Option<&Path>, others: Vec<(Pla
         drawing: &draw::svg(&drawing, ""),
         legend: &draw::legend(&drawing),
     };
-    let bytes = package::read(&libraries).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    let bytes = libraries::read(&packed).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let fmu = package::fmu(simulation.about(), simulation.variables(), &contents, &bytes);
     output::write(output, &fmu.map_err(|reason| Stop::Failed(format!("error: {reason}")))?)?;
     for note in notes::notes(simulation.document()) {
         complain(&format!("warning: {note}"));
     }
     let packed: Vec<_> =
-        libraries.iter().map(|(platform, path)| format!("{} ({})", platform.name(), path.display())).collect();
+        packed.iter().map(|(platform, path)| format!("{} ({})", platform.name(), path.display())).collect();
     say(&format!("{} packed for {}", output.display(), packed.join(", ")))
 }
 

@@ -15,10 +15,10 @@ mod run;
 mod verify;
 mod view;
 
-use ancf14::fmi::package::Platform;
 use ancf14::fmi::{Failure, Model};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::{file, notes};
+use ancf14_pack::libraries::Platform;
 use ancf14_report::view::Film;
 use clap::{Args, Parser, Subcommand};
 use std::ffi::OsStr;

@@ -8,10 +8,11 @@ use std::{
 };
 
 use ancf14::fmi::location::LIBRARY;
-use ancf14::fmi::package::{Contents, Platform, find_library, fmu, read};
+use ancf14_pack::contents::Contents;
+use ancf14_pack::libraries::{Platform, find_library, read};
+use ancf14_pack::package::fmu;
+use ancf14_testing::toy;
 use zip::{CompressionMethod, ZipArchive};
-
-use super::toy;
 
 const MODEL: &str = "format = 1\n";
 

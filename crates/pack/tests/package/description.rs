@@ -1,12 +1,11 @@
 //! Does modelDescription.xml say what the instance does? The whole text of the toy is golden; beyond that, rules that no
 //! checker looks at.
 
-use ancf14::fmi::{Value, description::xml, error::Error, variable::Causality};
+use ancf14::fmi::{Value, variable::Causality};
+use ancf14_pack::{description::xml, error::Error};
+use ancf14_testing::{golden, toy};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-
-use super::toy;
-use crate::golden;
 
 /// The XML of the toy, as reviewed.
 #[test]

@@ -11,14 +11,11 @@ use quick_xml::{
     events::{BytesDecl, Event},
 };
 
-use super::{
-    About, Value,
-    error::Error,
-    identifier::is_identifier,
-    log,
-    unit::{display_factor, natural},
-    variable::{Causality, Exponents, Quantity, Variability, Variable},
-};
+use crate::error::Error;
+use ancf14::fmi::identifier::is_identifier;
+use ancf14::fmi::unit::{display_factor, natural};
+use ancf14::fmi::variable::{Causality, Exponents, Quantity, Variability, Variable};
+use ancf14::fmi::{About, Credits, Value, log};
 
 type Xml = Writer<Vec<u8>>;
 
@@ -108,7 +105,7 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
 
 /// Who made the model, when, and under which terms, as far as it says so.
 fn credits(about: &About) -> Attributes<'_> {
-    let super::Credits { author, version, license, copyright, date } = &about.credits;
+    let Credits { author, version, license, copyright, date } = &about.credits;
     let list = [
         ("author", author),
         ("version", version),

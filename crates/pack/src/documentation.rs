@@ -4,11 +4,9 @@ use std::fmt::{Error, Write};
 
 use quick_xml::escape::escape;
 
-use super::{
-    About, Credits, Value,
-    package::{Contents, LICENCES_FILE},
-    variable::{Causality, Variable},
-};
+use crate::contents::{Contents, LICENCES_FILE};
+use ancf14::fmi::variable::{Causality, Variable};
+use ancf14::fmi::{About, Credits, Value};
 
 /// Look of the page; nothing is loaded from elsewhere.
 const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#222}\
