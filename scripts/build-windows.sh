@@ -9,4 +9,4 @@ set -eu
 cd "$(dirname "$0")/.."
 # Debian's own compiler, not one of rustup; building the standard library is an unstable feature of cargo.
 export PATH=/usr/bin:/bin RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1
-/usr/bin/cargo rustc --locked --profile fmu --lib --crate-type cdylib --target x86_64-pc-windows-gnu -Zbuild-std=std,panic_unwind
+/usr/bin/cargo rustc --locked --profile fmu --package ancf14 --lib --crate-type cdylib --target x86_64-pc-windows-gnu -Zbuild-std=std,panic_unwind

@@ -9,6 +9,6 @@ if [ "$(uname -sm)" = "Linux x86_64" ]; then
     scripts/python-env.sh
     set -- -C linker=scripts/linker.sh -C linker-features=-lld
 fi
-cargo rustc --locked --profile fmu --bin ancf14 -- "$@"
+cargo rustc --locked --profile fmu --package ancf14-cli --bin ancf14 -- "$@"
 # On its own: together with the rlib, cargo would silently drop the link-time optimization.
-cargo rustc --locked --profile fmu --lib --crate-type cdylib -- "$@"
+cargo rustc --locked --profile fmu --package ancf14 --lib --crate-type cdylib -- "$@"

@@ -2,8 +2,8 @@
 
     target/python-env/bin/python scripts/licenses.py
 
-Crates are those that Cargo.lock reaches from the code of the library on Linux; of crates without a file of their licence the text is
-that of their licence expression.
+Crates are those that the package of the library depends on under Linux; of crates without a file of their licence the text is that of
+their licence expression.
 """
 
 import json
@@ -16,8 +16,6 @@ import ziglang
 ROOT = Path(__file__).resolve().parents[1]
 TARGET = ROOT / "licenses/license.txt"
 FILES = re.compile(r"(?i)(licen[sc]e|copying|copyright|notice|unlicense)")
-# Used by the command line only.
-OUTSIDE = {"cli", "main.rs"}
 TRIPLE = "x86_64-unknown-linux-gnu"
 GRANT = "Permission is hereby granted, free of charge"
 LINE = "=" * 100
@@ -53,17 +51,9 @@ def linked() -> list[dict]:
     """The packages whose code can be in the library, by name and version; compiler plugins stay outside."""
     packages = json.loads(cargo("metadata", "--format-version", "1"))["packages"]
     by_name = {(package["name"], package["version"]): package for package in packages}
-    code = [path for path in sorted((ROOT / "src").rglob("*.rs")) if path.relative_to(ROOT / "src").parts[0] not in OUTSIDE]
-    text = "\n".join(path.read_text() for path in code)
-    tree = ["tree", "--edges", "normal,no-proc-macro", "--target", TRIPLE, "--no-dedupe", "--prefix", "depth", "--format", " {p}"]
-    reached, wanted = set(), False
-    for line in cargo(*tree).splitlines()[1:]:
-        depth, name, version = line.split()[:3]
-        if depth == "1":
-            wanted = re.search(rf"\b{name.replace('-', '_')}::", text) is not None
-        if wanted:
-            reached.add((name, version.removeprefix("v")))
-    return [by_name[key] for key in sorted(reached)]
+    tree = ["tree", "--package", "ancf14", "--edges", "normal,no-proc-macro", "--target", TRIPLE, "--prefix", "none", "--format", "{p}"]
+    lines = [line.split() for line in cargo(*tree).splitlines()[1:]]
+    return [by_name[key] for key in sorted({(name, version.removeprefix("v")) for name, version, *_ in lines})]
 
 
 def clean(text: str) -> str:

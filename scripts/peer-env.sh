@@ -5,7 +5,7 @@
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
-peer="$root/benches/peer/requirements.txt"
+peer="$root/crates/tools/benches/peer/requirements.txt"
 environment="${CARGO_TARGET_DIR:-$root/target}/peer-env"
 made_from="$environment/made-from.txt"
 

@@ -14,8 +14,8 @@ use crate::fmi::{
     Failure, LogCategory, Model, Status,
     error::Error,
     instance::Instance,
-    location, log,
-    package::{LIBRARY, MODEL_FILE},
+    location::{self, LIBRARY, MODEL_FILE},
+    log,
 };
 
 /// The host as an instance sees it.

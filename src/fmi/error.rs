@@ -4,20 +4,15 @@
 
 use super::{
     Failure, LogCategory, Status,
-    lifecycle::{Call, Mode, way_out},
+    lifecycle::{Illegal, Mode},
 };
 
-/// Why a call, a description or a package failed.
+/// Why a call or a header failed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// The calling table forbids the call in this mode.
-    #[error("not allowed now; {}", way_out(*.call, *.mode))]
-    Illegal {
-        /// The call.
-        call: Call,
-        /// The mode it came in.
-        mode: Mode,
-    },
+    #[error(transparent)]
+    Illegal(#[from] Illegal),
     /// A required pointer is NULL.
     #[error("the argument `{argument}` is NULL; pass a valid address")]
     Null {
@@ -257,39 +252,12 @@ pub enum Error {
     /// `fmi2Instantiate` was called with something it cannot use.
     #[error("{0}")]
     Instantiate(String),
-    /// The variable table cannot be described.
-    #[error("variable {name}: {problem}")]
-    Variable {
-        /// Its name.
-        name: String,
-        /// What is wrong with it.
-        problem: String,
-    },
     /// The model identifier is not a C identifier.
     #[error(
         "the model identifier `{0}` is not a C identifier; it must be letters, digits and `_`, not begin with a digit, \
          and be no keyword"
     )]
     Identifier(String),
-    /// The shared library that goes into every FMU was not found.
-    #[error(
-        "the library {name} was not found; looked at {looked}. Build it with scripts/build.sh and pass `--library PATH`, \
-         or put it beside the executable or in ../lib"
-    )]
-    NoLibrary {
-        /// File name of the library.
-        name: String,
-        /// The places, separated by commas.
-        looked: String,
-    },
-    /// Reading or writing failed.
-    #[error("{what}: {reason}")]
-    Io {
-        /// What was attempted, with the path.
-        what: String,
-        /// The system's reason.
-        reason: String,
-    },
 }
 
 impl Error {
@@ -297,7 +265,7 @@ impl Error {
     pub fn status(&self) -> Status {
         match self {
             Self::NoSuchStatus { .. } => Status::Discard,
-            Self::Fault { .. } | Self::Illegal { mode: Mode::Fatal, .. } => Status::Fatal,
+            Self::Fault { .. } | Self::Illegal(Illegal { mode: Mode::Fatal, .. }) => Status::Fatal,
             _ => Status::Error,
         }
     }

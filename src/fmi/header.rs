@@ -4,64 +4,10 @@ use std::{collections::BTreeSet, fmt::Write};
 
 use super::{
     About, Value,
-    description::causality,
     error::Error,
+    identifier::is_identifier,
     variable::{Causality, Variable},
 };
-
-/// Words that C or C++ keep for themselves and that a model could be named.
-const KEYWORDS: [&str; 50] = [
-    "auto",
-    "bool",
-    "break",
-    "case",
-    "catch",
-    "char",
-    "class",
-    "const",
-    "continue",
-    "default",
-    "delete",
-    "do",
-    "double",
-    "else",
-    "enum",
-    "explicit",
-    "export",
-    "extern",
-    "false",
-    "float",
-    "for",
-    "friend",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "main",
-    "namespace",
-    "new",
-    "operator",
-    "private",
-    "public",
-    "register",
-    "restrict",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "struct",
-    "switch",
-    "template",
-    "this",
-    "true",
-    "typedef",
-    "union",
-    "unsigned",
-    "void",
-    "while",
-];
 
 /// The text of the header. Every name in it begins with `prefix`, usually the model identifier.
 ///
@@ -129,7 +75,7 @@ fn outputs(
 
 /// Name, kind, type, unit and description in one line.
 fn meaning(variable: &Variable) -> String {
-    let kind = causality(variable.causality);
+    let kind = variable.causality.word();
     let unit = match variable.quantity.unit.as_str() {
         "" => String::new(),
         unit => format!(", {unit}"),
@@ -153,13 +99,6 @@ fn names(variables: &[Variable], prefix: &str) -> Vec<String> {
         names.push(name);
     }
     names
-}
-
-/// Whether a text is a C identifier that is no keyword.
-pub fn is_identifier(text: &str) -> bool {
-    text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
-        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-        && !KEYWORDS.contains(&text)
 }
 
 /// A C string literal.

@@ -127,7 +127,7 @@ impl<M: Model> Instance<M> {
     /// # Errors
     /// It is not.
     pub fn check(&self, call: Call) -> Result<(), Error> {
-        lifecycle::check(call, self.control.mode)
+        Ok(lifecycle::check(call, self.control.mode)?)
     }
 
     /// Switches debug messages; no category named means all (section 2.1.5). Unknown names are warned of and left out.

@@ -6,8 +6,6 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-use super::error::Error;
-
 /// Where an instance stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
@@ -129,14 +127,24 @@ pub const TABLE: [(Call, &str); 31] = [
     (Call::GetStringStatus, "..xx~."),
 ];
 
+/// A call that the table forbids.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("not allowed now; {}", way_out(*.call, *.mode))]
+pub struct Illegal {
+    /// The call.
+    pub call: Call,
+    /// The mode it came in.
+    pub mode: Mode,
+}
+
 /// The check that every call starts with.
 ///
 /// # Errors
-/// [`Error::Illegal`] where the table has a dot.
-pub fn check(call: Call, mode: Mode) -> Result<(), Error> {
+/// The table has a dot there.
+pub fn check(call: Call, mode: Mode) -> Result<(), Illegal> {
     let (_, row) = TABLE[call as usize];
     match row.as_bytes()[mode as usize] {
-        b'.' => Err(Error::Illegal { call, mode }),
+        b'.' => Err(Illegal { call, mode }),
         _ => Ok(()),
     }
 }

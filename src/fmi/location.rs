@@ -1,4 +1,4 @@
-//! The resource location of `fmi2Instantiate` (FMI 2.0, section 2.1.5) as a directory.
+//! Where things are in an unpacked FMU: names of files, and the resource location of `fmi2Instantiate` (FMI 2.0, section 2.1.5) as a directory.
 //!
 //! The standard wants a URI; hosts pass `file:///p`, `file:/p`, `file://localhost/p`, four slashes or a bare path, with
 //! or without a final slash. URIs are percent-decoded, once; a bare path is taken literally.
@@ -6,6 +6,16 @@
 use std::path::PathBuf;
 
 use super::error::Error;
+
+/// The model file inside `resources`.
+pub const MODEL_FILE: &str = "model.toml";
+
+/// The shared library for the machine this was built for, as cargo names it.
+pub const LIBRARY: &str = match () {
+    () if cfg!(windows) => "ancf14.dll",
+    () if cfg!(target_os = "macos") => "libancf14.dylib",
+    () => "libancf14.so",
+};
 
 /// The directory that a resource location means; none where it is empty, which stands for the library's own resources.
 ///

@@ -1,18 +1,15 @@
-//! The FMI 2.0 co-simulation half: variables, description, calling table, instance, package. No mechanics.
+//! The FMI 2.0 co-simulation half: variables, calling table, instance, C header. No mechanics.
 //!
 //! [`Model`] is the whole of what this half asks of the other one. What a host calls goes to an
-//! [`instance::Instance`]; what a packed unit consists of is made from [`About`] and the variable table by
-//! [`description`], [`documentation`], [`header`] and [`package`].
+//! [`instance::Instance`]. A packed unit is made from [`About`] and the variable table, by the package of `crates/pack`.
 
-pub mod description;
-pub mod documentation;
 pub mod error;
 pub mod header;
+pub mod identifier;
 pub mod instance;
 pub mod lifecycle;
 pub mod location;
 pub mod log;
-pub mod package;
 pub mod unit;
 pub mod variable;
 

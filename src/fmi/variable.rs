@@ -53,6 +53,19 @@ pub enum Causality {
     Independent,
 }
 
+impl Causality {
+    /// The word of the standard.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Parameter => "parameter",
+            Self::CalculatedParameter => "calculatedParameter",
+            Self::Input => "input",
+            Self::Output => "output",
+            Self::Independent => "independent",
+        }
+    }
+}
+
 /// FMI variability, as far as used here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variability {
@@ -64,6 +77,18 @@ pub enum Variability {
     Discrete,
     /// Changes with time.
     Continuous,
+}
+
+impl Variability {
+    /// The word of the standard.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Fixed => "fixed",
+            Self::Tunable => "tunable",
+            Self::Discrete => "discrete",
+            Self::Continuous => "continuous",
+        }
+    }
 }
 
 /// A coherent SI unit as exponents, and the name of the type definition that carries it.

@@ -113,7 +113,7 @@ impl Error {
     pub(super) fn of(error: fmi::error::Error, time: f64) -> Self {
         use fmi::error::Error as Told;
         match error {
-            Told::Illegal { mode, .. } => match mode {
+            Told::Illegal(illegal) => match illegal.mode {
                 Mode::Instantiated | Mode::Initialization => Self::NotInitialized,
                 Mode::Step => Self::Initialized,
                 Mode::Terminated => Self::Finished { time },

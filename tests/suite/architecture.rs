@@ -38,6 +38,13 @@ fn sources(folder: &str) -> Vec<(String, String)> {
         .collect()
 }
 
+/// The sources of all packages.
+fn everything() -> Vec<(String, String)> {
+    let packages = fs::read_dir(root().join("crates")).unwrap().map(|entry| entry.unwrap().file_name());
+    let folders = packages.map(|package| format!("crates/{}/src", package.to_str().unwrap()));
+    folders.chain(["src".to_owned()]).flat_map(|folder| sources(&folder)).collect()
+}
+
 /// `math <- mechanics <- solve <- model`, `fmi <- model <- simulation`, `ffi` on top; `error` is for all of the mechanics half.
 #[test]
 fn modules_import_only_what_lies_below() {
@@ -58,22 +65,23 @@ fn modules_import_only_what_lies_below() {
             }
         }
     }
-    // The command line uses the library as anyone else does: model and fmi only.
-    for (name, code) in sources("src/cli") {
-        for inner in ["mechanics", "solve", "math", "ffi"] {
-            assert!(!code.contains(&format!("ancf14::{inner}")), "{name} must not import {inner}");
+}
+
+/// What stands on the library uses it as anyone else does: model and fmi only. Which package may use which is in their manifests, and cargo
+/// holds it. The tools and the tests look inside.
+#[test]
+fn packages_import_model_and_fmi_only() {
+    for package in ["pack", "report", "cli"] {
+        for (name, code) in sources(&format!("crates/{package}/src")) {
+            for inner in ["mechanics", "solve", "math", "ffi"] {
+                assert!(!code.contains(&format!("ancf14::{inner}")), "{name} must not import {inner}");
+            }
         }
     }
 }
 
 /// Imports between rooms that close a circle: folder, room, the room that it imports. New ones fail; one that is gone leaves this list.
 const CIRCLES: &[(&str, &str, &str)] = &[
-    // What an identifier is.
-    ("fmi", "description", "header"),
-    // The names of the files in the FMU, which the page tells.
-    ("fmi", "documentation", "package"),
-    // Errors of the order of calls name the call, and the table of legal calls makes errors.
-    ("fmi", "error", "lifecycle"),
     // The list of all elements has those that implement what it asks for.
     ("mechanics/beam", "element", "ancf14"),
     ("mechanics/beam", "element", "ancf24"),
@@ -84,11 +92,6 @@ const CIRCLES: &[(&str, &str, &str)] = &[
     ("mechanics/beam/ancf14", "element", "kinematics"),
     ("mechanics/beam/ancf14", "element", "over_step"),
     ("mechanics/beam/ancf14", "strain", "energy"),
-    // The command asks for the drawings of the modes that it found.
-    ("cli", "shapes", "modes"),
-    // A run may be verified and shown; both run the model again, with the same bar of progress.
-    ("cli", "verify", "run"),
-    ("cli", "view", "run"),
 ];
 
 /// Adds the paths that begin at `text`, after a `::`, to `paths`, each behind `prefix`; returns how long they are. `a::{b, c::d}` is two paths.
@@ -116,11 +119,12 @@ fn add_paths(text: &str, prefix: &[&str], paths: &mut Vec<Vec<String>>) -> usize
     }
 }
 
-/// The modules that file `name` below `src/` names by paths from `crate` or from above itself, tests left out.
+/// The modules that file `name` below `src/` of a package names by paths from `crate` or from above itself, tests left out.
 fn named(name: &str, code: &str) -> Vec<Vec<String>> {
     let code = code.split("#[cfg(test)]").next().unwrap();
-    let mut own: Vec<&str> = name.strip_suffix(".rs").unwrap().split('/').skip(1).collect();
-    own.pop_if(|last| *last == "mod");
+    let below = name.split_once("src/").unwrap().1;
+    let mut own: Vec<&str> = below.strip_suffix(".rs").unwrap().split('/').collect();
+    own.pop_if(|last| ["mod", "lib", "main"].contains(last));
     let mut paths = Vec::new();
     for (at, word) in code.match_indices("crate::").chain(code.match_indices("super::")) {
         // The second of `super::super::`, and the middle of a name.
@@ -142,17 +146,22 @@ fn named(name: &str, code: &str) -> Vec<Vec<String>> {
     paths
 }
 
-/// The rooms of a folder below `src`, files and folders, each with the rooms that it imports.
+/// The rooms of a folder, files and folders, each with the rooms that it imports.
 fn rooms(folder: &str) -> BTreeMap<String, BTreeSet<String>> {
-    let files = sources(&format!("src/{folder}"));
-    let above: Vec<&str> = folder.split('/').collect();
-    let room_of = |name: &str| name.split('/').nth(1 + above.len()).unwrap().trim_end_matches(".rs").to_owned();
+    let files = sources(folder);
+    let room_of = |name: &str| {
+        let room = name.strip_prefix(folder).unwrap().split('/').nth(1).unwrap();
+        room.trim_end_matches(".rs").to_owned()
+    };
+    let above: Vec<&str> = folder.split_once("src").unwrap().1.split('/').skip(1).collect();
     let mut rooms: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for (name, _) in &files {
         rooms.insert(room_of(name), BTreeSet::new());
     }
-    // The folder's own mod.rs is above and below them: it lists them, and holds what all of them share.
-    rooms.remove("mod");
+    // The layer's own file is above and below them: it lists them, and holds what all of them share.
+    for own in ["mod", "lib", "main"] {
+        rooms.remove(own);
+    }
     let all: BTreeSet<String> = rooms.keys().cloned().collect();
     for (name, code) in &files {
         let Some(imported) = rooms.get_mut(&room_of(name)) else { continue };
@@ -163,18 +172,16 @@ fn rooms(folder: &str) -> BTreeMap<String, BTreeSet<String>> {
                 imported.insert(room.clone());
             }
             // A name that mod.rs passes on would hide the room that it comes from.
-            assert!(folder != "model" || all.contains(room), "{name} must name {room} by its room");
+            assert!(folder != "src/model" || all.contains(room), "{name} must name {room} by its room");
         }
     }
     rooms
 }
 
-/// Every folder of source files below `src`, as `mechanics/beam`.
+/// Every folder of source files of all packages, as `src/mechanics/beam`.
 fn folders() -> BTreeSet<String> {
-    sources("src")
-        .iter()
-        .filter_map(|(name, _)| Some(name.rsplit_once('/')?.0.strip_prefix("src/")?.to_owned()))
-        .collect()
+    let folders = everything().into_iter().filter_map(|(name, _)| Some(name.rsplit_once('/')?.0.to_owned()));
+    folders.filter(|folder| folder != "src").collect()
 }
 
 /// Which rooms of a folder import which: a stack, floor above floor, but for what [`CIRCLES`] lists.
@@ -184,7 +191,7 @@ fn rooms_are_a_stack() {
     assert!(folders.len() > 30);
     for folder in &folders {
         let mut rooms = rooms(folder);
-        for (_, room, above) in CIRCLES.iter().filter(|(own, ..)| own == folder) {
+        for (_, room, above) in CIRCLES.iter().filter(|(own, ..)| folder.strip_prefix("src/") == Some(own)) {
             let found = rooms.get_mut(*room).is_some_and(|imported| imported.remove(*above));
             assert!(found, "{folder}/{room} does not import {above} any more: take it off the list");
         }
@@ -210,7 +217,8 @@ fn rooms_are_a_stack() {
 fn paths_are_read() {
     let code =
         "use super::{\n    a::{self, B},\n    c,\n};\nuse crate::x::y::*;\nfn f() { super::super::d::e(crate::z::W) }";
-    let read: Vec<String> = named("src/x/room/file.rs", code).iter().map(|path| path.join("::")).collect();
+    let read: Vec<String> =
+        named("crates/report/src/x/room/file.rs", code).iter().map(|path| path.join("::")).collect();
     let wanted = ["x::y::", "z::W", "x::room::a::self", "x::room::a::B", "x::room::c", "x::d::e"];
     assert_eq!(read, wanted);
 }
@@ -230,7 +238,7 @@ fn solvers_name_no_element() {
 #[test]
 fn unsafe_lives_in_ffi_only() {
     let word = |line: &str| line.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == "unsafe");
-    for (name, code) in sources("src") {
+    for (name, code) in everything() {
         assert!(name.starts_with("src/ffi/") || !code.lines().any(word), "{name} is unsafe");
     }
 }
@@ -244,21 +252,20 @@ fn faer_lives_in_the_linear_solver_only() {
 
 #[test]
 fn printing_lives_in_the_command_line_only() {
-    for (name, code) in sources("src") {
+    for (name, code) in everything() {
         let prints = ["println!", "eprintln!", "print!(", "dbg!", "io::stdout", "io::stderr"]
             .iter()
             .any(|word| code.contains(word));
-        assert!(name.starts_with("src/cli/") || !prints, "{name} prints");
+        let may_print = ["crates/cli/", "crates/tools/src/bin/"].iter().any(|folder| name.starts_with(folder));
+        assert!(may_print || !prints, "{name} prints");
     }
 }
 
 /// A thread, a global or a thread-local with a destructor in the library would kill hosts that load it a thousand times.
 #[test]
 fn no_threads_and_no_globals() {
-    for (name, code) in sources("src") {
-        if name.starts_with("src/cli/") {
-            continue;
-        }
+    for (name, code) in sources("src").into_iter().chain(sources("crates/pack/src")).chain(sources("crates/report/src"))
+    {
         // The place of a panic is kept without a destructor: it needs no thread key.
         let kept =
             name == "src/ffi/fault.rs" && code.contains("static PLACE: Cell<Place> = const { Cell::new(NOWHERE) };");
@@ -271,7 +278,7 @@ fn no_threads_and_no_globals() {
 
 #[test]
 fn no_file_is_longer_than_500_lines() {
-    for folder in ["src", "tests"] {
+    for folder in ["src", "tests", "crates"] {
         let mut list = Vec::new();
         files(&root().join(folder), &mut list);
         for path in list {
@@ -286,7 +293,7 @@ fn no_file_is_longer_than_500_lines() {
 fn the_page_names_every_room() {
     let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
     let rooms: BTreeSet<String> =
-        sources("src").iter().map(|(name, _)| name.rsplit_once('/').unwrap().0.to_owned()).collect();
+        everything().iter().map(|(name, _)| name.rsplit_once('/').unwrap().0.to_owned()).collect();
     assert!(rooms.len() > 30);
     for room in rooms {
         assert!(page.contains(&format!("`{room}/`")), "ARCHITECTURE.md does not say what {room}/ is");

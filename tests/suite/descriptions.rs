@@ -1,29 +1,7 @@
-//! modelDescription/ holds the XML of every model in models/: a change of names, units or flags shows in review.
-//! `ANCF14_BLESS=1 cargo test` writes the files anew.
+//! The sentences that describe variables, in the models of models/ and in one that has every key.
 
-use crate::golden;
-use ancf14::fmi::{Model, description};
+use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
-
-#[test]
-fn descriptions_are_current() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/models");
-    let mut count = 0;
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.extension().is_none_or(|extension| extension != "toml") {
-            continue;
-        }
-        let text = std::fs::read_to_string(&path).unwrap();
-        let simulation =
-            Simulation::load("model.toml", &text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
-        let stem = path.file_stem().unwrap().to_str().unwrap();
-        let xml = description::xml(simulation.about(), simulation.variables()).unwrap();
-        golden::assert_current(&format!("modelDescription/{stem}.xml"), &xml);
-        count += 1;
-    }
-    assert!(count >= 3);
-}
 
 /// A list of variables in a host shows descriptions beside names, or instead: each says whose number it is.
 #[test]

@@ -1,4 +1,4 @@
-// sources: ed6d74e236d82109
+// sources: 81ddc5530a96e64b
 /*! Contains:
 
 three 0.187.0

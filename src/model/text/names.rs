@@ -1,7 +1,7 @@
 //! Names: which are legal, what each stands for, and which known one is nearest to a mistyped one.
 
 use super::diagnostic::Place;
-use crate::fmi::header::is_identifier;
+use crate::fmi::identifier::is_identifier;
 use crate::model::expression::program::FUNCTIONS;
 
 /// What a name stands for: the sections that carry names, and the entries of `[parameters]`.

@@ -1,24 +1,24 @@
-//! Do the C examples build with our header, run a packed model to the same numbers as the safe interface gives, and give back all memory?
+//! Do the C examples build with our header, run a unit to the same numbers as the safe interface gives, and give back all memory?
 
 use std::{
     fs,
-    io::Cursor,
     path::{Path, PathBuf},
     process::{Command, Output},
 };
 
 use ancf14::{
-    fmi::{Model, Value, header, instance::Instance, package, variable::Causality},
+    fmi::{Model, Value, header, instance::Instance, location, variable::Causality},
     model::simulation::Simulation,
 };
 use tempfile::TempDir;
 
-use super::ffi::{MODEL, library_path};
+use super::ffi::MODEL;
+use super::library_path;
 
 /// The model of all examples but `simulate_fmi2.c`, which takes any.
 const ARM: &str = include_str!("../../../c-examples/arm.toml");
 
-/// An example, built, and an unpacked unit side by side.
+/// An example, built, and the resources of a unit beside it.
 struct Example {
     directory: TempDir,
     program: PathBuf,
@@ -31,14 +31,11 @@ impl Example {
         let directory = tempfile::tempdir().unwrap();
         let here = directory.path();
         let model = Simulation::load("model.toml", text, &[]).unwrap();
-        let library = fs::read(library_path()).unwrap();
-        let contents = package::Contents { model: text, licences: "", icon: &[], drawing: "", legend: "" };
-        let fmu =
-            package::fmu(model.about(), model.variables(), &contents, &[(package::Platform::NATIVE, library)]).unwrap();
-        zip::ZipArchive::new(Cursor::new(fmu)).unwrap().extract(here.join("unit")).unwrap();
+        fs::create_dir_all(here.join("unit/resources")).unwrap();
+        fs::write(here.join("unit/resources").join(location::MODEL_FILE), text).unwrap();
         let header = here.join(format!("{}.h", prefix.to_lowercase()));
         fs::write(header, header::text(model.about(), model.variables(), prefix).unwrap()).unwrap();
-        fs::copy(library_path(), here.join(package::LIBRARY)).unwrap();
+        fs::copy(library_path(), here.join(location::LIBRARY)).unwrap();
         let built = Command::new("cc")
             .current_dir(here)
             .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I.", "-L.", "-o", name])

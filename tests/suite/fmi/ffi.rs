@@ -5,29 +5,18 @@
 use std::{
     ffi::{CString, c_int, c_void},
     fs,
-    path::PathBuf,
     ptr::{null, null_mut},
 };
 
-use ancf14::{
-    ffi::types::*,
-    fmi::{Model, package::LIBRARY},
-    model::simulation::Simulation,
-};
+use ancf14::{ffi::types::*, fmi::Model, model::simulation::Simulation};
 use libloading::Library;
 use tempfile::TempDir;
 
 use super::host::Lines;
+use super::library_path;
 
 /// The model of these tests.
 pub const MODEL: &str = include_str!("model.toml");
-
-/// The library as cargo built it for this test: beside the test executable.
-pub fn library_path() -> PathBuf {
-    let path = std::env::current_exe().unwrap().parent().unwrap().join(LIBRARY);
-    assert!(path.is_file(), "{} was not built", path.display());
-    path
-}
 
 type Call = unsafe extern "C" fn(*mut c_void) -> fmi2Status;
 type GetReal = unsafe extern "C" fn(*mut c_void, *const u32, usize, *mut f64) -> fmi2Status;

@@ -5,7 +5,7 @@
 use ancf14::fmi::{
     error::Error,
     instance::{Instance, StatusKind},
-    lifecycle::{Call, Mode, TABLE},
+    lifecycle::{Call, Illegal, Mode, TABLE},
 };
 
 use super::toy::{Toy, Trap, toy};
@@ -131,7 +131,7 @@ fn every_call_in_every_mode() {
         for (function, _) in TABLE {
             let mut instance = in_mode(mode);
             assert_eq!(instance.mode(), mode);
-            let refused = call(&mut instance, function) == Err(Error::Illegal { call: function, mode });
+            let refused = call(&mut instance, function) == Err(Error::Illegal(Illegal { call: function, mode }));
             assert_eq!(!refused, legal.contains(&function) || tolerated.contains(&function), "{function} {mode}");
             if refused {
                 assert_eq!(instance.mode(), mode, "{function} {mode}");

@@ -10,8 +10,9 @@ use std::ptr::null;
 use ancf14::ffi::front::*;
 use ancf14::ffi::front_types::ancf14_status::ANCF14_OK;
 
-use super::{printed, root};
-use crate::fmi::ffi::library_path;
+use super::printed;
+use ancf14_testing::library_path;
+use ancf14_testing::root;
 
 /// A clamped arm whose end can be pushed.
 const ARM: &str = include_str!("../../../c-examples/arm.toml");
@@ -20,7 +21,7 @@ const ARM: &str = include_str!("../../../c-examples/arm.toml");
 fn mistakes_are_errors() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    fs::copy(library_path(), here.join(ancf14::fmi::package::LIBRARY)).unwrap();
+    fs::copy(library_path(), here.join(ancf14::fmi::location::LIBRARY)).unwrap();
     fs::write(here.join("arm.toml"), ARM).unwrap();
     fs::write(here.join("bad.toml"), ARM.replace("radius", "diameter")).unwrap();
     let built = Command::new("cc")

@@ -4,11 +4,11 @@
 
 use std::fs;
 
-use super::root;
+use ancf14_testing::pages::{PROGRAMMING, README};
+use ancf14_testing::root;
+
 use crate::golden;
 
-pub const PAGE: &str = "docs/programming.md";
-pub const README: &str = "README.md";
 const FILES: [&str; 6] = [
     "c-examples/simulate.c",
     "c-examples/simulate.cpp",
@@ -20,7 +20,7 @@ const FILES: [&str; 6] = [
 
 #[test]
 fn the_page_on_programming_has_the_files() {
-    assert_has_files(PAGE, "../", &FILES);
+    assert_has_files(PROGRAMMING, "../", &FILES);
 }
 
 #[test]
@@ -40,19 +40,4 @@ fn assert_has_files(page: &str, up: &str, files: &[&str]) {
         text.replace_range(begin..end, &program);
     }
     golden::assert_current(page, &text);
-}
-
-/// The commands of the shell listings of `page`, in order.
-pub fn commands(page: &str) -> Vec<String> {
-    let page = fs::read_to_string(root().join(page)).unwrap();
-    let listings = page.split("```sh\n").skip(1).map(|rest| rest.split("```").next().unwrap_or_default());
-    listings.flat_map(str::lines).map(str::to_owned).collect()
-}
-
-/// What `page` says that the command `line` prints: the listing after that of the command.
-pub fn printed_by(page: &str, line: &str) -> String {
-    let text = fs::read_to_string(root().join(page)).unwrap();
-    let rest = text.split(&format!("\n{line}\n")).nth(1).unwrap_or_else(|| panic!("{page} has no command {line}"));
-    let listing = rest.split("```text\n").nth(1).unwrap();
-    listing.split("```").next().unwrap().to_owned()
 }

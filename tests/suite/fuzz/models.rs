@@ -7,12 +7,13 @@ use super::requirements::{is_readable, is_sentence, same, values};
 use super::{caught, round};
 use crate::random::Random;
 use ancf14::fmi::variable::Causality;
-use ancf14::fmi::{Failure, Model, description, header};
+use ancf14::fmi::{Failure, Model, header};
 use ancf14::model::document::Document;
 use ancf14::model::drawing::Drawing;
 use ancf14::model::entries::output::Target;
 use ancf14::model::notes::notes;
 use ancf14::model::simulation::Simulation;
+use ancf14_pack::description;
 use std::cell::RefCell;
 use std::fmt::Write;
 

@@ -1,0 +1,92 @@
+//! `check`: a model is without mistakes if it can be loaded and brought to its initial state; its variables as an aligned table.
+
+use super::picture::Target;
+use super::{Stop, progress, say, start};
+use ancf14::fmi::variable::Causality;
+use ancf14::fmi::{Model, Value};
+use ancf14::model::drawing::Drawing;
+use ancf14::model::simulation::Simulation;
+use ancf14_report::results::shortest;
+use std::path::Path;
+
+/// Columns of the table.
+const TITLES: [&str; 7] = ["ref", "name", "causality", "variability", "start", "unit", "description"];
+
+/// Draws the mechanism if asked to, looks for all that `run` refuses at its start, and lists the variables.
+pub fn check(mut simulation: Simulation, file: &Path, picture: Option<Target<'_>>) -> Result<(), Stop> {
+    // A picture helps to find the mistake in a mechanism that cannot start.
+    let about = simulation.about();
+    let drawn = picture.map(|picture| picture.draw(&Drawing::new(simulation.document()), &about.name)).transpose()?;
+    progress::last_row(&simulation)?;
+    start(&mut simulation)?;
+    say(&aligned(&rows(&simulation)))?;
+    let count =
+        |wanted: Causality| simulation.variables().iter().filter(|variable| variable.causality == wanted).count();
+    say(&format!(
+        "{}: no mistakes; {} parameters, {} inputs, {} outputs",
+        file.display(),
+        count(Causality::Parameter) + count(Causality::CalculatedParameter),
+        count(Causality::Input),
+        count(Causality::Output)
+    ))?;
+    drawn.map_or(Ok(()), |drawn| say(&drawn))
+}
+
+fn rows(simulation: &Simulation) -> Vec<[String; 7]> {
+    let mut rows = vec![TITLES.map(str::to_owned)];
+    for (reference, variable) in simulation.variables().iter().enumerate() {
+        let has_start = !matches!(variable.causality, Causality::Output | Causality::Independent);
+        let start = match (has_start, variable.start) {
+            (false, _) => String::new(),
+            (true, Value::Real(value)) => shortest(value),
+            (true, Value::Integer(value)) => format!("{value}"),
+        };
+        rows.push([
+            reference.to_string(),
+            variable.name.clone(),
+            causality(variable.causality).to_owned(),
+            variable.variability.word().to_owned(),
+            start,
+            variable.quantity.unit.clone(),
+            variable.description.clone(),
+        ]);
+    }
+    rows
+}
+
+fn causality(causality: Causality) -> &'static str {
+    match causality {
+        Causality::Parameter => "parameter",
+        Causality::CalculatedParameter => "calculated",
+        Causality::Input => "input",
+        Causality::Output => "output",
+        Causality::Independent => "independent",
+    }
+}
+
+/// Columns as wide as their widest cell.
+pub fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: [usize; N] = std::array::from_fn(width);
+    let mut text = String::new();
+    for row in rows {
+        let cells: Vec<_> = row.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        text.push_str(cells.join("  ").trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every cell of a column begins at the same place.
+    #[test]
+    fn columns_are_aligned() {
+        let row = |name: &str, unit: &str| ["0", name, "output", "fixed", "1", unit, "text"].map(str::to_owned);
+        let text = aligned(&[row("a", "kg/m3"), row("longer.name[1]", "m")]);
+        let starts: Vec<_> = text.lines().map(|line| line.find("text")).collect();
+        assert!(starts.len() == 2 && starts[0].is_some() && starts[0] == starts[1], "{text}");
+    }
+}

@@ -1,0 +1,75 @@
+//! `pack` and `header`: what leaves for other programs.
+
+use super::output::{self, Input};
+use super::picture::undrawn;
+use super::{MODEL_FILE, Stop, complain, load, say};
+use ancf14::fmi::{Model, header};
+use ancf14::model::drawing::Drawing;
+use ancf14::model::notes;
+use ancf14_pack::contents::{Contents, LICENCES};
+use ancf14_pack::libraries::{self, Platform};
+use ancf14_pack::package;
+use ancf14_report::{draw, picture};
+use std::path::{Path, PathBuf};
+
+/// `win64=ancf14.dll`.
+pub fn platform_and_path(text: &str) -> Result<(Platform, PathBuf), String> {
+    let found = text.split_once('=').and_then(|(name, path)| Some((Platform::from_name(name)?, PathBuf::from(path))));
+    found.ok_or_else(|| {
+        let names = Platform::ALL.map(Platform::name).join(", ");
+        format!("PLATFORM=PATH was expected, with a platform of {names}")
+    })
+}
+
+/// Packs the model `file` as an FMU, with the library of this platform and of others that are given.
+pub fn pack(file: &Path, output: &Path, library: Option<&Path>, others: Vec<(Platform, PathBuf)>) -> Result<(), Stop> {
+    if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fmu")) {
+        let shown = output.display();
+        return Err(Stop::Bad(format!("error: an FMU has a name that ends in .fmu, {shown} does not")));
+    }
+    let executable = std::env::current_exe()
+        .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?;
+    let (simulation, text) = load(file, &[])?;
+    // No library at the place that was given is a wrong argument; a failed write is not.
+    let own = libraries::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    let mut packed = vec![(Platform::NATIVE, own)];
+    packed.extend(others);
+    let read = packed.iter().map(|(_, path)| ("a library to pack", path.as_path()));
+    let inputs: Vec<Input<'_>> = read.chain([(MODEL_FILE, file)]).collect();
+    output::spare(&inputs, &[output.to_owned()])?;
+    let drawing = Drawing::new(simulation.document());
+    let contents = Contents {
+        model: &text,
+        licences: LICENCES,
+        icon: &picture::icon(&drawing).map_err(|reason| undrawn(&*reason))?,
+        drawing: &draw::svg(&drawing, ""),
+        legend: &draw::legend(&drawing),
+    };
+    let bytes = libraries::read(&packed).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    let fmu = package::fmu(simulation.about(), simulation.variables(), &contents, &bytes);
+    output::write(output, &fmu.map_err(|reason| Stop::Failed(format!("error: {reason}")))?)?;
+    for note in notes::notes(simulation.document()) {
+        complain(&format!("warning: {note}"));
+    }
+    let packed: Vec<_> =
+        packed.iter().map(|(platform, path)| format!("{} ({})", platform.name(), path.display())).collect();
+    say(&format!("{} packed for {}", output.display(), packed.join(", ")))
+}
+
+/// Writes the C header of the model `file`.
+pub fn header(file: &Path, output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
+    output::spare(&[(MODEL_FILE, file)], &[output.to_owned()])?;
+    if output.extension().is_some_and(|ending| ending == "toml") {
+        let shown = output.display();
+        return Err(Stop::Bad(format!(
+            "error: {shown} has the name of a model file; choose another name for the header"
+        )));
+    }
+    let (simulation, _) = load(file, &[])?;
+    let about = simulation.about();
+    let prefix = prefix.unwrap_or(&about.identifier);
+    let text =
+        header::text(about, simulation.variables(), prefix).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    output::write(output, text.as_bytes())?;
+    say(&format!("{} written", output.display()))
+}

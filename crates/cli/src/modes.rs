@@ -1,0 +1,103 @@
+//! `modes`: natural frequencies and shapes about the initial state, as a table, as CSV files and as a picture.
+
+use super::folder::Folder;
+use super::output::Input;
+use super::{Stop, complain, failed, page, say, start};
+use ancf14::fmi::Model;
+use ancf14::model::entries::simulation::Analysis;
+use ancf14::model::modes::{Kind, Modes};
+use ancf14::model::simulation::Simulation;
+use ancf14_report::modes::{digits, pace};
+use ancf14_report::view::Film;
+use ancf14_report::{modes, shapes};
+use std::path::Path;
+
+/// What is asked for.
+#[derive(clap::Args, Clone, Copy, Debug)]
+pub struct Wishes {
+    /// Number of lowest modes [default: 10]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    count: Option<u16>,
+    /// Time of the equilibrium, s; only for a static analysis [default: the start]
+    #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
+    time: Option<f64>,
+    /// Also write modes.html, a page with the vibrating shapes
+    #[arg(long)]
+    view: bool,
+}
+
+/// Modes that are found where no number is given.
+pub const COUNT: u16 = 10;
+/// The page in which the shapes swing.
+const PAGE: &str = "modes.html";
+/// What is always written.
+const FILES: [&str; 3] = ["modes.csv", "shapes.csv", "modes.svg"];
+
+/// A number of modes as an argument.
+pub fn count(text: &str) -> Result<u16, String> {
+    let count = text.parse().ok().filter(|count| *count >= 1);
+    count.ok_or_else(|| format!("a whole number from 1 to {} was expected", u16::MAX))
+}
+
+fn time(text: &str) -> Result<f64, String> {
+    let time = text.parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0);
+    time.ok_or_else(|| "a time from 0 on was expected, in s".to_owned())
+}
+
+/// Finds the modes and writes everything into `directory`.
+pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, inputs: &[Input<'_>]) -> Result<(), Stop> {
+    if wishes.time.is_some() && simulation.document().simulation.analysis != Analysis::Static {
+        return Err(Stop::Bad(
+            "error: --time is for analysis = \"static\"; other modes are those of the start".to_owned(),
+        ));
+    }
+    let stop = simulation.about().stop;
+    if let Some(time) = wishes.time.filter(|time| *time > stop) {
+        return Err(Stop::Bad(format!(
+            "error: --time {time} is after the end of the analysis: simulation.stop is {stop} s"
+        )));
+    }
+    let mut folder = Folder::open(directory)?;
+    let names = FILES.iter().chain(wishes.view.then_some(&PAGE)).map(|name| (*name).to_owned());
+    folder.claim("modes", &simulation.about().guid, &names.collect::<Vec<_>>(), inputs)?;
+    let film = wishes.view.then(|| Film::new(&simulation, 0));
+    start(&mut simulation)?;
+    if let Some(time) = wishes.time.filter(|time| *time > 0.0) {
+        let advanced = simulation.advance(time);
+        simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
+        advanced.map_err(|failure| failed(&simulation, &failure))?;
+    }
+    let found = simulation.modes(usize::from(wishes.count.unwrap_or(COUNT)));
+    let found = found.map_err(|failure| failed(&simulation, &failure))?;
+    if let Some(count) = wishes.count.filter(|count| usize::from(*count) > found.modes.len()) {
+        complain(&format!("warning: {count} modes were asked for, but the mechanism has only {}", found.modes.len()));
+    }
+    found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
+    let texts = [modes::list(&found), modes::shapes(&found), shapes::svg(&found, &simulation.about().name)];
+    for (name, text) in FILES.iter().zip(texts) {
+        folder.write(name, &text)?;
+    }
+    if let Some(mut film) = film {
+        film.look(0, &simulation);
+        film.add_modes(&simulation, &found);
+        folder.write(PAGE, &page(&film)?)?;
+    }
+    say(&table(&found))?;
+    if wishes.view {
+        say(&format!("open {} in a browser to see them swing", folder.file(PAGE).display()))?;
+    }
+    say(&format!("modes.csv, shapes.csv and modes.svg in {}", directory.display()))
+}
+
+fn table(found: &Modes) -> String {
+    let mut rows = vec![["mode", "frequency Hz", "rad/s", "moves most"].map(str::to_owned)];
+    for (number, mode) in found.modes.iter().enumerate() {
+        let omega = mode.angular_frequency();
+        let [frequency, omega] = match mode.kind {
+            Kind::Vibration => [digits(omega / std::f64::consts::TAU), digits(omega)],
+            Kind::Free | Kind::Unstable => [pace(mode), String::new()],
+        };
+        rows.push([(number + 1).to_string(), frequency, omega, mode.moves.clone()]);
+    }
+    super::check::aligned(&rows).trim_end().to_owned()
+}

@@ -1,0 +1,220 @@
+//! `run`: initialize, advance from row to row, write, plot, and say what it took.
+
+use super::folder::Folder;
+use super::keeper::{Keeper, Signal, interrupted, kept};
+use super::output::{Input, trouble};
+use super::progress::{bar, last_row};
+use super::rows::{Rows, Shared, locked};
+use super::verify::{self, Wish};
+use super::view::ended_early;
+use super::{Stop, complain, failed, page, say, start};
+use ancf14::error::decimal;
+use ancf14::fmi::Model;
+use ancf14::model::effort;
+use ancf14::model::simulation::Simulation;
+use ancf14_report::plot::Plot;
+use ancf14_report::results::Results;
+use ancf14_report::view::Film;
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::time::Instant;
+
+/// The table of results, and its name until the run has come to its end.
+const COMPLETE: &str = "results.csv";
+const PARTIAL: &str = "results.part.csv";
+/// The page that shows it move.
+const PAGE: &str = "view.html";
+
+/// Simulates and writes everything into the folder `directory`; with a `wish` the errors of the results too, with a `film` a page that shows
+/// the mechanism move.
+pub fn run(
+    mut simulation: Simulation,
+    directory: &Path,
+    inputs: &[Input<'_>],
+    wish: Option<Wish<'_>>,
+    mut film: Option<Film>,
+) -> Result<(), Stop> {
+    let last_row = last_row(&simulation)?;
+    let mut folder = Folder::open(directory)?;
+    let partial = folder.file(PARTIAL);
+    let mut results = Results::new(simulation.variables(), last_row);
+    let rows = Rows::shared(partial.clone());
+    let plots = Plot::all(&results.columns, simulation.document());
+    let of_wish = wish.iter().flat_map(|_| &verify::FILES);
+    let own =
+        [COMPLETE, PARTIAL].iter().chain(of_wish).chain(film.iter().map(|_| &PAGE)).map(|name| (*name).to_owned());
+    let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
+    folder.claim("run", &simulation.about().guid, &names, inputs)?;
+    let keeper = Keeper::start(Shared::clone(&rows))
+        .map_err(|reason| Stop::Failed(format!("error: cannot watch for signals: {reason}")))?;
+    say(&format!("rows go to {}, which becomes {COMPLETE} at the end", partial.display()))?;
+
+    let clock = Instant::now();
+    let outcome = simulate(&mut simulation, &mut results, &rows, film.as_mut(), &keeper);
+    let wall = clock.elapsed().as_secs_f64();
+    drop(keeper);
+    let is_complete = outcome.is_ok();
+    let finished = finish(&results, &rows, &plots, &folder, is_complete);
+    if is_complete {
+        simulation.conclude();
+        simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
+    }
+    let (statistics, reached) = (&simulation.state().statistics, results.reached().unwrap_or(0.0));
+    if let Some(warning) = effort::rejections(simulation.document(), statistics, reached, results.count) {
+        complain(&format!("warning: {warning}"));
+    }
+    let told = match (&finished, results.reached()) {
+        (Ok(Some(what)), Some(reached)) => {
+            say(&summary(&results, reached, wall)).and_then(|()| exactness(&simulation)).and_then(|()| say(what))
+        }
+        _ => Ok(()),
+    };
+    let outcome = outcome.map_err(|end| end.stop(&locked(&rows)));
+    let shown = film.map_or(Ok(()), |film| show(film, &folder, &outcome, reached));
+    // The first reason to fail is the one to tell.
+    outcome.and(finished.map(drop)).and(told).and(shown)?;
+    wish.map_or(Ok(()), |wish| verify::verify(&simulation, rows, last_row, &folder, wish))
+}
+
+/// Brings the rows to the disk and draws the plots; says what there is. None: there was no row.
+fn finish(
+    results: &Results,
+    rows: &Shared,
+    plots: &[Plot],
+    folder: &Folder,
+    is_complete: bool,
+) -> Result<Option<String>, Stop> {
+    let Some(reached) = results.reached() else { return Ok(None) };
+    let (partial, complete) = (folder.file(PARTIAL), folder.file(COMPLETE));
+    locked(rows).finish().map_err(|reason| trouble(&partial, &reason))?;
+    let (table, remark) = if is_complete {
+        fs::rename(&partial, &complete).map_err(|reason| trouble(&complete, &reason))?;
+        locked(rows).path.clone_from(&complete);
+        (complete, String::new())
+    } else {
+        (partial, format!(" (incomplete: to t = {} s)", decimal(reached)))
+    };
+    let drawn = if results.count > 1 { plots } else { &[] };
+    for plot in drawn {
+        let name = plot.file();
+        let svg = plot.svg(results, &remark).map_err(|reason| trouble(&folder.file(&name), &reason))?;
+        folder.write(&name, &svg)?;
+    }
+    Ok(Some(format!("{} rows in {}, {} plots beside it", results.count, table.display(), drawn.len())))
+}
+
+/// Writes the page, of a run that failed too.
+fn show(mut film: Film, folder: &Folder, outcome: &Result<(), Stop>, reached: f64) -> Result<(), Stop> {
+    if let Err(Stop::Failed(message) | Stop::Interrupted(message, _)) = outcome {
+        film.note(&ended_early(reached, message));
+    }
+    if film.instants() == 0 {
+        return Ok(());
+    }
+    folder.write(PAGE, &page(&film)?)?;
+    say(&format!("open {} in a browser to see it move", folder.file(PAGE).display()))
+}
+
+/// What ends a run early.
+enum End {
+    Model(Stop),
+    Write(io::Error),
+    Signal(Signal),
+}
+
+impl End {
+    /// The message, with the place of the rows so far.
+    fn stop(self, rows: &Rows) -> Stop {
+        let kept = rows.reached.map_or(String::new(), |reached| format!("\n{}", kept(reached, rows)));
+        match self {
+            Self::Model(Stop::Failed(message)) => Stop::Failed(format!("{message}{kept}")),
+            Self::Model(stop) => stop,
+            Self::Write(reason) => trouble(&rows.path, &reason),
+            Self::Signal(signal) => {
+                Stop::Interrupted(format!("error: {}{kept}", interrupted(signal)), signal.exit_code())
+            }
+        }
+    }
+}
+
+fn simulate(
+    simulation: &mut Simulation,
+    results: &mut Results,
+    rows: &Shared,
+    mut film: Option<&mut Film>,
+    keeper: &Keeper,
+) -> Result<(), End> {
+    let last_row = results.last_row;
+    let bar = bar(last_row);
+    let mut look = |row: u64, simulation: &Simulation| film.iter_mut().for_each(|film| film.look(row, simulation));
+    let mut record = |time: f64, simulation: &Simulation| {
+        locked(rows).push(time, &results.record(time, simulation)).map_err(End::Write)
+    };
+    // The bar appears with the first row.
+    start(simulation).map_err(End::Model)?;
+    record(0.0, simulation)?;
+    look(0, simulation);
+    let outcome = (1..=last_row).try_for_each(|row| {
+        keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
+        let time = ancf14::model::rows::time(simulation.about(), row, last_row);
+        let advanced = simulation.advance(time);
+        for warning in simulation.take_warnings() {
+            bar.suspend(|| complain(&format!("warning: {warning}")));
+        }
+        advanced.map_err(|failure| End::Model(failed(simulation, &failure)))?;
+        record(time, simulation)?;
+        look(row, simulation);
+        bar.set_message(format!("t = {time:.4} s"));
+        bar.inc(1);
+        Ok(())
+    });
+    bar.finish_and_clear();
+    outcome
+}
+
+/// What it took.
+fn summary(results: &Results, reached: f64, wall: f64) -> String {
+    let count = |name: &str| results.last(name).unwrap_or(0.0);
+    let (steps, iterations, rejected) =
+        (count("statistics.steps"), count("statistics.iterations"), count("statistics.rejected"));
+    format!(
+        "t = {} s: {steps} steps, {iterations} Newton iterations, {rejected} rejected, {wall:.3} s wall time, {}",
+        decimal(reached),
+        pace(reached, wall)
+    )
+}
+
+/// How exact the results are, where that is followed.
+fn exactness(simulation: &Simulation) -> Result<(), Stop> {
+    let Some(worst) = simulation.least_accurate() else { return Ok(()) };
+    say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))
+}
+
+/// How fast a run was beside the real machine.
+fn pace(simulated: f64, wall: f64) -> String {
+    let factor = simulated / wall;
+    match factor {
+        _ if !factor.is_finite() || factor == 0.0 => String::from("too short to measure its speed"),
+        1.0.. => format!("{} times faster than real time", two_digits(factor)),
+        _ => format!("{} times slower than real time", two_digits(1.0 / factor)),
+    }
+}
+
+/// A number with two digits at least: 1.3, 17, 2450.
+fn two_digits(value: f64) -> String {
+    if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A reader sees which of the two is the faster one.
+    #[test]
+    fn the_pace_says_faster_or_slower() {
+        assert_eq!(pace(10.0, 2.0), "5.0 times faster than real time");
+        assert_eq!(pace(1.0, 4.0), "4.0 times slower than real time");
+        assert_eq!(pace(0.0, 1.0), pace(1.0, 0.0));
+    }
+}

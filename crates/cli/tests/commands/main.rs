@@ -1,0 +1,18 @@
+//! Tests of the program `ancf14`: one binary, a file for each question.
+#![allow(clippy::unwrap_used, reason = "an unmet expectation is a failed test")]
+#![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
+
+mod command_line;
+mod modes_command;
+mod output_files;
+mod programs;
+mod same_results;
+mod view_command;
+
+use std::process::Output;
+
+/// What a program printed that succeeded.
+fn printed(ran: &Output) -> String {
+    assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+    String::from_utf8(ran.stdout.clone()).unwrap()
+}

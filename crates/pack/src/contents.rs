@@ -1,0 +1,22 @@
+//! What goes into an FMU beside its libraries and what follows from the variable table.
+
+/// Licences of all that is linked into the library; made by scripts/licenses.py.
+pub const LICENCES: &str = include_str!("../../../licenses/license.txt");
+
+/// Where the licences are inside `documentation` (FMI 2.0.1 and later, section 2.3).
+pub const LICENCES_FILE: &str = "licenses/license.txt";
+
+/// What an FMU shows and says beside its variables.
+#[derive(Clone, Copy, Debug)]
+pub struct Contents<'a> {
+    /// The model file.
+    pub model: &'a str,
+    /// Licences of all that is in the libraries.
+    pub licences: &'a str,
+    /// PNG picture that stands for the unit.
+    pub icon: &'a [u8],
+    /// SVG drawing for the documentation.
+    pub drawing: &'a str,
+    /// What is in the drawing.
+    pub legend: &'a str,
+}

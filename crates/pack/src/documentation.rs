@@ -1,0 +1,270 @@
+//! documentation/index.html of the FMU: what the unit is, how it is used and coupled, and every variable, from the variable table.
+
+use std::fmt::{Error, Write};
+
+use quick_xml::escape::escape;
+
+use crate::contents::{Contents, LICENCES_FILE};
+use ancf14::fmi::variable::{Causality, Variable};
+use ancf14::fmi::{About, Credits, Value};
+
+/// Look of the page; nothing is loaded from elsewhere.
+const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#222}\
+h2{margin-top:2em}table{border-collapse:collapse}\
+th,td{text-align:left;vertical-align:top;padding:.2em .8em .2em 0;border-bottom:1px solid #ccc}\
+code,pre{font-size:.9em}td code{white-space:nowrap}pre{background:#f4f4f4;padding:.8em;overflow-x:auto}\
+figure{margin:1em 0}figure svg{max-width:100%;height:auto;border:1px solid #ccc}figcaption{color:#555;font-size:.9em}";
+
+/// Groups of the variable listing: causality, heading, anchor.
+const GROUPS: [(Causality, &str, &str); 5] = [
+    (Causality::Input, "Inputs", "inputs"),
+    (Causality::Output, "Outputs", "outputs"),
+    (Causality::Parameter, "Parameters", "parameters"),
+    (Causality::CalculatedParameter, "Calculated parameters", "calculated"),
+    (Causality::Independent, "Independent variable", "independent"),
+];
+
+/// How the unit behaves.
+const BEHAVIOUR: [&str; 12] = [
+    "FMI 2.0 for co-simulation. The model is in <code>resources/model.toml</code>, the solver in the library; nothing else has to be \
+     installed.",
+    "Any communication step is possible; the unit divides it into internal steps. With a parameter <code>simulation.step</code> they are at most that long, and on its \
+     multiples the results do not depend on the communication step, as long as inputs do not change. With <code>simulation.accuracy</code> the unit chooses them, and a host's relative tolerance \
+     (<code>fmi2SetupExperiment</code>) takes the place of that parameter.",
+    "What a host moves goes through each communication step on a cubic: its velocity has no jumps, and constant accelerations are followed \
+     exactly. The velocity at the end follows from the mean velocities of this step and the last one. It begins at rest, or with the derivatives \
+     that the host sets for the first step. A jump of an input is reached at the end of the step too; within the next one the motion overshoots by a quarter of it.",
+    "Parameters are set before the end of the initialization, tunable ones also between steps.",
+    "The initial state is found at the end of the initialization, from what is set until then; outputs are valid from there on.",
+    "FMU states can be taken and set at any time, also to go back after a failed step, and serialized, also for another process.",
+    "A communication step shorter than a millionth of <code>simulation.step</code>, or without it of the default communication step, is done at once: the unit keeps its time and makes up for it in the \
+     next step that is long enough. So a host that adds up its time may end with a step of round-off, and no short step is lost.",
+    "A call that succeeds returns <code>fmi2OK</code>. Warnings go to the logger with the status <code>fmi2Warning</code> and the category \
+     <code>logStatusWarning</code>; <code>fmi2Warning</code> is returned only where the host asks for something odd: results before the \
+     initialization, an unknown log category.",
+    "Output derivatives (<code>fmi2GetRealOutputDerivatives</code>) are of order 1: exact for what follows from positions and velocities (position, \
+     displacement, velocity, rotation, quaternion, angular velocity, angle, distance, strains, section forces, stress, energies); for \
+     accelerations, reactions, efforts and momenta, and for everything in a static analysis, the difference quotient of the last internal step, or, \
+     before there is one, of the first internal step with unchanged inputs (0 where that step fails).",
+    "Directional derivatives (<code>fmi2GetDirectionalDerivative</code>) are those of the last communication step, all its internal steps \
+     together: of the outputs at its end by the values of the inputs during it. At one communication point no output depends on an input: the \
+     description says so by <code>dependencies=\"\"</code>, and by an annotation that the derivative is that of the step. Before the first step it is 0. A tunable \
+     parameter that is set after a step does not change the derivatives of that step.",
+    "In Initialization Mode directional derivatives are those of the initial values of outputs and calculated parameters, by inputs and \
+     parameters: differences of initial states, right to about four digits.",
+    "A step that fails returns <code>fmi2Error</code> and says why in the log; steps are never discarded. Handles of instances and states that are \
+     not alive are refused.",
+];
+
+/// Kinds of inputs: what they are, what becomes of the value, what becomes of its derivative.
+const INPUTS: [[&str; 3]; 4] = [
+    ["forces and moments", "held during the step", "added, linearly in time"],
+    [
+        "positions, angles, distances",
+        "reached at the <em>end</em> of the step, smoothly from the value before: set the value of the end of the step, or accept one \
+         step of delay",
+        "the end value is the value plus its derivative times the step",
+    ],
+    [
+        "orientations: quaternions of any length, or rotation vectors",
+        "the same, along the shortest arc; a quaternion of 0 leaves the orientation as it is, with a warning",
+        "the same",
+    ],
+    ["rates", "integrated exactly, the rate being reached at the end of the step in the same way", "the same"],
+];
+
+/// What every number means.
+const SIGNS: [&str; 5] = [
+    "SI units and radians. Display units (deg, mm, kN ...) are suggestions to the host.",
+    "Vectors have components along the global axes x, y, z as <code>[1]</code>, <code>[2]</code>, <code>[3]</code> if their description names no other \
+     axes; quaternions are w, x, y, z.",
+    "Forces and moments that are inputs act on the part that the load is at. A moment counts about the axis by the right hand.",
+    "Reactions are the force, and the moment about the joint's place, on side b of a joint; at a moving frame what the frame must supply. \
+     Applied forces and moments are the same with the other sign: what side a receives, or whatever moves the frame.",
+    "Inside a beam axial force is positive in tension; strains are positive in elongation.",
+];
+
+/// Ways to connect one end: what goes in, what comes out, when to take it, where it is in the model file.
+const COUPLING: [[&str; 4]; 4] = [
+    [
+        "force and moment",
+        "motion",
+        "the other side knows force laws: actuators, contact, fluids",
+        "a load with <code>input = true</code> and an output there",
+    ],
+    [
+        "motion",
+        "force and moment",
+        "the other side moves the end whatever it takes: robot hands, moorings, prescribed bases",
+        "a frame with <code>input = true</code>, a joint to it, <code>applied_force</code> and <code>applied_moment</code> of the frame",
+    ],
+    ["angle or distance", "effort", "drives under position control", "a drive with <code>input</code>, its effort"],
+    [
+        "motion, through a bushing",
+        "force of the bushing",
+        "explicit masters: the advised default, since the bushing between the moving frame and the end keeps the loop of two units stable",
+        "a frame with <code>input = true</code>, a bushing to it",
+    ],
+];
+
+/// The page.
+pub fn html(about: &About, variables: &[Variable], contents: &Contents<'_>) -> String {
+    let mut out = String::new();
+    write_page(&mut out, about, variables, contents).expect("a String takes every text");
+    out
+}
+
+fn write_page(out: &mut String, about: &About, variables: &[Variable], contents: &Contents<'_>) -> Result<(), Error> {
+    let name = escape(about.name.as_str());
+    writeln!(out, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">")?;
+    writeln!(out, "<title>{name}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>")?;
+    writeln!(out, "<p>{}</p>", escape(about.description.as_str()))?;
+    let Credits { author, version, license, copyright, date } = &about.credits;
+    let said =
+        [("Author", author), ("Version", version), ("License", license), ("Copyright", copyright), ("Date", date)];
+    let said: Vec<String> =
+        said.iter().filter_map(|(word, text)| Some(format!("{word}: {}.", escape(text.as_ref()?.as_str())))).collect();
+    if !said.is_empty() {
+        writeln!(out, "<p>{}</p>", said.join(" "))?;
+    }
+    writeln!(out, "<figure>\n{}<figcaption>{}</figcaption>\n</figure>", contents.drawing, escape(contents.legend))?;
+    let [stop, step] = [about.stop, about.output_step];
+    writeln!(out, "<p>Default experiment: from 0 to {stop:?} s, communication step {step:?} s. On this page:")?;
+    let heading = |(causality, heading, anchor): &(Causality, &str, &str)| {
+        let count = variables.iter().filter(|variable| variable.causality == *causality).count();
+        (count > 0).then(|| format!("<a href=\"#{anchor}\">{} ({count})</a>", heading.to_lowercase()))
+    };
+    writeln!(out, "{}.</p>", GROUPS.iter().filter_map(heading).collect::<Vec<_>>().join(", "))?;
+    list(out, "How it behaves", &BEHAVIOUR)?;
+    let inputs = variables.iter().any(|variable| variable.causality == Causality::Input);
+    if inputs {
+        rows(
+            out,
+            "Inputs during a step",
+            &["Input", "Value", "Derivative, of <code>fmi2SetRealInputDerivatives</code>"],
+            &INPUTS,
+        )?;
+        writeln!(
+            out,
+            "<p>A derivative is for the next step only. Until the end of the initialization inputs are the initial values.</p>"
+        )?;
+    }
+    list(out, "Units, axes, signs", &SIGNS)?;
+    rows(out, "Coupling with other units", &["In", "Out", "For", "In the model file"], &COUPLING)?;
+    writeln!(
+        out,
+        "<p>The choice is the model file's, for each end by itself. Masters that repeat a step take an FMU state before it; the directional \
+         derivatives of the step are the interface Jacobian that they iterate with.</p>"
+    )?;
+    hosts(out, about, variables)?;
+    for group in &GROUPS {
+        table(out, group, variables)?;
+    }
+    writeln!(
+        out,
+        "<h2>Made by</h2>\n<p>ancf14 {}. GUID <code>{}</code>. <a href=\"{LICENCES_FILE}\">Licences</a> of the software in the \
+         libraries.</p>",
+        env!("CARGO_PKG_VERSION"),
+        escape(about.guid.as_str())
+    )?;
+    writeln!(out, "</body>\n</html>")
+}
+
+fn list(out: &mut String, heading: &str, items: &[&str]) -> Result<(), Error> {
+    writeln!(out, "<h2>{heading}</h2>\n<ul>")?;
+    items.iter().try_for_each(|item| writeln!(out, "<li>{item}</li>"))?;
+    writeln!(out, "</ul>")
+}
+
+fn rows<const N: usize>(out: &mut String, heading: &str, titles: &[&str; N], rows: &[[&str; N]]) -> Result<(), Error> {
+    writeln!(out, "<h2>{heading}</h2>\n<table>\n<tr><th>{}</th></tr>", titles.join("</th><th>"))?;
+    rows.iter().try_for_each(|cells| writeln!(out, "<tr><td>{}</td></tr>", cells.join("</td><td>")))?;
+    writeln!(out, "</table>")
+}
+
+/// What to type or click in five hosts.
+fn hosts(out: &mut String, about: &About, variables: &[Variable]) -> Result<(), Error> {
+    let About { identifier, stop, output_step: step, .. } = about;
+    let parameter = variables.iter().find(|variable| variable.causality == Causality::Parameter);
+    let start_values = parameter.map_or(String::new(), |variable| {
+        format!(",\n    start_values={{\"{}\": {}}}", escape(variable.name.as_str()), number(variable.start))
+    });
+    writeln!(out, "<h2>In hosts</h2>\n<p>FMPy (Python):</p>")?;
+    writeln!(
+        out,
+        "<pre>from fmpy import simulate_fmu\nresult = simulate_fmu(\"{identifier}.fmu\", stop_time={stop:?}, \
+         output_interval={step:?}{start_values})</pre>"
+    )?;
+    writeln!(out, "<p>OMSimulator (Lua):</p>")?;
+    writeln!(
+        out,
+        "<pre>oms_newModel(\"m\")\noms_addSystem(\"m.root\", oms_system_wc)\n\
+         oms_addSubModel(\"m.root.unit\", \"{identifier}.fmu\")\noms_setFixedStepSize(\"m.root\", {step:?})\n\
+         oms_setStopTime(\"m\", {stop:?})\noms_instantiate(\"m\")\noms_initialize(\"m\")\noms_simulate(\"m\")\n\
+         oms_terminate(\"m\")\noms_delete(\"m\")</pre>"
+    )?;
+    writeln!(
+        out,
+        "<p>Simulink: an FMU block (Simulink, FMU Import) with this file; its communication step size is {step:?} s, parameters and \
+         inputs are in its dialog. Dymola and other Modelica tools: import the FMU for co-simulation, with the same communication step.</p>"
+    )?;
+    writeln!(
+        out,
+        "<p>C: unzip the file, load the library of the platform under <code>binaries/</code>, and call the functions of FMI 2.0:</p>"
+    )?;
+    writeln!(
+        out,
+        "<pre>c = fmi2Instantiate(\"{identifier}\", fmi2CoSimulation, \"{}\",\n\
+         \x20                   \"file:///path/to/resources\", &amp;callbacks, fmi2False, fmi2False);\nfmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2True, {stop:?});\nfmi2EnterInitializationMode(c);\n\
+         fmi2ExitInitializationMode(c);\nfmi2DoStep(c, 0.0, {step:?}, fmi2True);</pre>\n\
+         <p><code>ancf14 header model.toml -o model.h</code> writes names for the GUID and the references below.</p>",
+        escape(about.guid.as_str())
+    )
+}
+
+fn table(
+    out: &mut String,
+    &(wanted, heading, anchor): &(Causality, &str, &str),
+    variables: &[Variable],
+) -> Result<(), Error> {
+    let mut rows = variables.iter().enumerate().filter(|(_, variable)| variable.causality == wanted).peekable();
+    if rows.peek().is_none() {
+        return Ok(());
+    }
+    writeln!(out, "<h2 id=\"{anchor}\">{heading}</h2>\n<table>")?;
+    writeln!(out, "<tr><th>Name</th><th>Reference</th><th>Type</th><th>Unit</th><th>Start</th><th>Meaning</th></tr>")?;
+    for (reference, variable) in rows {
+        writeln!(
+            out,
+            "<tr><td><code>{}</code></td><td>{reference}</td><td>{} {}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escape(variable.name.as_str()),
+            variable.variability.word(),
+            variable.type_name(),
+            escape(variable.quantity.unit.as_str()),
+            start(variable),
+            escape(variable.description.as_str()),
+        )?;
+    }
+    writeln!(out, "</table>")
+}
+
+fn number(value: Value) -> String {
+    match value {
+        Value::Real(number) => format!("{number:?}"),
+        Value::Integer(number) => number.to_string(),
+    }
+}
+
+/// Start value with its bounds, of what the host can set.
+fn start(variable: &Variable) -> String {
+    if !matches!(variable.causality.word(), "parameter" | "input") {
+        return String::new();
+    }
+    let number = number(variable.start);
+    match (variable.min, variable.max) {
+        (None, None) => number,
+        (Some(min), None) => format!("{number} (at least {min})"),
+        (None, Some(max)) => format!("{number} (at most {max})"),
+        (Some(min), Some(max)) => format!("{number} ({min} to {max})"),
+    }
+}

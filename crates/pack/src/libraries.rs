@@ -1,0 +1,127 @@
+//! The shared libraries that an FMU brings: for which machine each is, and where they are found.
+
+use crate::error::Error;
+use ancf14::fmi::location::LIBRARY;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A machine that an FMU can bring a library for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Platform {
+    /// Linux on x86.
+    Linux32,
+    /// Linux on x86-64.
+    Linux64,
+    /// Windows on x86.
+    Win32,
+    /// Windows on x86-64.
+    Win64,
+    /// macOS on x86-64.
+    Darwin64,
+}
+
+impl Platform {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Linux32, Self::Linux64, Self::Win32, Self::Win64, Self::Darwin64];
+
+    /// The one this was built for.
+    pub const NATIVE: Self = match () {
+        () if cfg!(windows) => Self::Win64,
+        () if cfg!(target_os = "macos") => Self::Darwin64,
+        () => Self::Linux64,
+    };
+
+    /// FMI's name of it (section 2.3), as in `--binary win64=PATH`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Linux32 => "linux32",
+            Self::Linux64 => "linux64",
+            Self::Win32 => "win32",
+            Self::Win64 => "win64",
+            Self::Darwin64 => "darwin64",
+        }
+    }
+
+    /// The platform of FMI's name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|platform| platform.name() == name)
+    }
+
+    pub(crate) fn suffix(self) -> &'static str {
+        match self {
+            Self::Linux32 | Self::Linux64 => "so",
+            Self::Win32 | Self::Win64 => "dll",
+            Self::Darwin64 => "dylib",
+        }
+    }
+
+    /// What the bytes of a library are for; nothing, if they are no library or for another machine.
+    pub fn of_library(bytes: &[u8]) -> Option<Self> {
+        let at = |place: usize, wanted: &[u8]| bytes.get(place..place + wanted.len()) == Some(wanted);
+        // ELF: magic, class, byte order; type 3 is a shared object, then the machine.
+        if at(0, b"\x7fELF\x02\x01") && at(16, &[3, 0, 0x3e, 0]) {
+            return Some(Self::Linux64);
+        }
+        if at(0, b"\x7fELF\x01\x01") && at(16, &[3, 0, 3, 0]) {
+            return Some(Self::Linux32);
+        }
+        // Mach-O of 64 bits, processor x86-64, file type 6 is a dynamic library.
+        if at(0, &[0xcf, 0xfa, 0xed, 0xfe, 7, 0, 0, 1]) && at(12, &[6, 0, 0, 0]) {
+            return Some(Self::Darwin64);
+        }
+        // PE: the place of its header stands at 60; bit 13 of the characteristics is a DLL's.
+        let header = u32::from_le_bytes(bytes.get(60..64)?.try_into().ok()?) as usize;
+        let library = bytes.get(header.checked_add(23)?)? & 0x20 != 0;
+        match () {
+            () if !library || !at(0, b"MZ") || !at(header, b"PE\0\0") => None,
+            () if at(header + 4, &[0x64, 0x86]) => Some(Self::Win64),
+            () if at(header + 4, &[0x4c, 0x01]) => Some(Self::Win32),
+            () => None,
+        }
+    }
+}
+
+/// The library that goes into an FMU: `given` by the user, else beside the executable, else in `../lib`.
+///
+/// # Errors
+/// It is in none of these places; the message says how to build it.
+pub fn find_library(given: Option<&Path>, executable: &Path) -> Result<PathBuf, Error> {
+    let beside = executable.parent().unwrap_or(Path::new("."));
+    let places = match given {
+        Some(path) => vec![path.to_owned()],
+        None => vec![beside.join(LIBRARY), beside.join("../lib").join(LIBRARY)],
+    };
+    match places.iter().find(|place| place.is_file()) {
+        Some(place) => Ok(place.clone()),
+        None => {
+            let looked: Vec<String> = places.iter().map(|place| place.display().to_string()).collect();
+            Err(Error::NoLibrary { name: LIBRARY.to_owned(), looked: looked.join(", ") })
+        }
+    }
+}
+
+/// Reads libraries from their files.
+///
+/// # Errors
+/// One cannot be read, is no library for its platform, or is the second one for it.
+pub fn read(libraries: &[(Platform, PathBuf)]) -> Result<Vec<(Platform, Vec<u8>)>, Error> {
+    let mut read: Vec<(Platform, Vec<u8>)> = Vec::new();
+    for (platform, file) in libraries {
+        let bytes = fs::read(file).map_err(|reason| io(&format!("cannot read {}", file.display()), reason))?;
+        let problem = match Platform::of_library(&bytes) {
+            Some(found) if found != *platform => format!("it is a shared library for {}", found.name()),
+            None => "it is no shared library for x86 or x86-64".to_owned(),
+            Some(_) if read.iter().any(|(earlier, _)| earlier == platform) => "there is another one already".to_owned(),
+            Some(_) => {
+                read.push((*platform, bytes));
+                continue;
+            }
+        };
+        return Err(io(&format!("cannot pack {} for {}", file.display(), platform.name()), problem));
+    }
+    Ok(read)
+}
+
+fn io(what: &str, reason: impl std::fmt::Display) -> Error {
+    Error::Io { what: what.to_owned(), reason: reason.to_string() }
+}

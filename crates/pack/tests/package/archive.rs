@@ -1,0 +1,175 @@
+//! Is the archive what hosts unpack? Fixed order, fixed dates, plain deflate, the library under the model identifier,
+//! and the same bytes for the same input.
+
+use std::{
+    fs,
+    io::{Cursor, Read},
+    path::Path,
+};
+
+use ancf14::fmi::location::LIBRARY;
+use ancf14_pack::contents::Contents;
+use ancf14_pack::libraries::{Platform, find_library, read};
+use ancf14_pack::package::fmu;
+use ancf14_testing::toy;
+use zip::{CompressionMethod, ZipArchive};
+
+const MODEL: &str = "format = 1\n";
+
+/// A picture of nothing; what the package does not look at.
+const CONTENTS: Contents<'_> =
+    Contents { model: MODEL, licences: "do", icon: b"\x89PNG", drawing: "<svg></svg>\n", legend: "a & b" };
+
+fn packed() -> Vec<u8> {
+    fmu(
+        &toy::about(),
+        &toy::variables(),
+        &CONTENTS,
+        &[(Platform::Linux64, vec![7; 5000]), (Platform::Win64, vec![8; 500])],
+    )
+    .unwrap()
+}
+
+#[test]
+fn same_input_same_bytes() {
+    assert_eq!(packed(), packed());
+}
+
+#[test]
+fn entries_in_order() {
+    let mut archive = ZipArchive::new(Cursor::new(packed())).unwrap();
+    let mut names = Vec::new();
+    for place in 0..archive.len() {
+        let file = archive.by_index(place).unwrap();
+        assert_eq!(file.compression(), CompressionMethod::Deflated);
+        assert_eq!(file.last_modified().map(|date| date.year()), Some(1980));
+        names.push(file.name().unwrap().into_owned());
+    }
+    assert_eq!(
+        names,
+        [
+            "modelDescription.xml",
+            "model.png",
+            "binaries/linux64/Toy.so",
+            "binaries/win64/Toy.dll",
+            "documentation/index.html",
+            "documentation/licenses/license.txt",
+            "resources/model.toml"
+        ]
+    );
+}
+
+#[test]
+fn contents_come_back() {
+    let mut archive = ZipArchive::new(Cursor::new(packed())).unwrap();
+    let mut read = |name: &str| {
+        let mut bytes = Vec::new();
+        archive.by_name(name).unwrap().read_to_end(&mut bytes).unwrap();
+        bytes
+    };
+    assert_eq!(read("binaries/linux64/Toy.so"), [7; 5000]);
+    assert_eq!(read("resources/model.toml"), MODEL.as_bytes());
+    let page = String::from_utf8(read("documentation/index.html")).unwrap();
+    for variable in toy::variables() {
+        assert!(page.contains(&format!("<code>{}</code>", variable.name)), "{} is not documented", variable.name);
+    }
+    assert!(
+        page.contains("<svg></svg>") && page.contains("a &amp; b") && page.contains("href=\"licenses/license.txt\"")
+    );
+    assert_eq!(read("documentation/licenses/license.txt"), b"do");
+    assert_eq!(read("model.png"), b"\x89PNG");
+    assert!(page.contains("Toy &amp; &quot;friends&quot;") && page.contains("a &lt; b"));
+}
+
+/// Given, beside the executable, in ../lib: in this order; otherwise an error that says how to make one.
+#[test]
+fn the_library_is_found() {
+    let directory = tempfile::tempdir().unwrap();
+    let root = directory.path();
+    let place = |path: &str| {
+        let path = root.join(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, "").unwrap();
+        path
+    };
+    let executable = place("bin/ancf14");
+    let missing = find_library(None, &executable).unwrap_err().to_string();
+    assert!(missing.contains("scripts/build.sh"), "{missing}");
+    let in_lib = place(&format!("lib/{LIBRARY}"));
+    let found = find_library(None, &executable).unwrap();
+    assert_eq!(found.canonicalize().unwrap(), in_lib.canonicalize().unwrap());
+    let beside = place(&format!("bin/{LIBRARY}"));
+    assert_eq!(find_library(None, &executable).unwrap(), beside);
+    let given = place("else/where.so");
+    assert_eq!(find_library(Some(&given), &executable).unwrap(), given);
+    assert!(find_library(Some(Path::new("/nowhere.so")), &executable).is_err());
+}
+
+/// The first bytes of a shared library of each platform, as linkers write them.
+fn heads() -> [(Platform, Vec<u8>); 5] {
+    let elf = |class: u8, machine: u8| {
+        let mut bytes = vec![0; 64];
+        bytes[..6].copy_from_slice(&[0x7f, b'E', b'L', b'F', class, 1]);
+        (bytes[16], bytes[18]) = (3, machine);
+        bytes
+    };
+    let pe = |machine: u16| {
+        let mut bytes = vec![0; 256];
+        bytes[..2].copy_from_slice(b"MZ");
+        bytes[60] = 128;
+        bytes[128..132].copy_from_slice(b"PE\0\0");
+        bytes[132..134].copy_from_slice(&machine.to_le_bytes());
+        bytes[150..152].copy_from_slice(&0x2022_u16.to_le_bytes());
+        bytes
+    };
+    let mach_o = vec![0xcf, 0xfa, 0xed, 0xfe, 7, 0, 0, 1, 3, 0, 0, 0, 6, 0, 0, 0];
+    [
+        (Platform::Linux32, elf(1, 3)),
+        (Platform::Linux64, elf(2, 0x3e)),
+        (Platform::Win32, pe(0x014c)),
+        (Platform::Win64, pe(0x8664)),
+        (Platform::Darwin64, mach_o),
+    ]
+}
+
+/// A file is packed for the platform that it is for, once, or refused by its name.
+#[test]
+fn libraries_are_for_their_platform() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("library");
+    for (platform, bytes) in heads() {
+        fs::write(&path, &bytes).unwrap();
+        for wanted in Platform::ALL {
+            let outcome = read(&[(wanted, path.clone())]);
+            if wanted == platform {
+                assert_eq!(outcome.unwrap(), [(platform, bytes.clone())]);
+            } else {
+                let error = outcome.unwrap_err().to_string();
+                assert!(error.contains(platform.name()) && error.contains(wanted.name()), "{error}");
+            }
+        }
+        let error = read(&[(platform, path.clone()), (platform, path.clone())]).unwrap_err().to_string();
+        assert!(error.contains("another one"), "{error}");
+        for end in 0..bytes.len().min(140) {
+            assert!(end > 18 || Platform::of_library(&bytes[..end]).is_none(), "{end} bytes");
+        }
+    }
+    let [.., (_, mut program), _] = heads();
+    program[151] = 0; // no DLL
+    for bytes in [program, b"<html>".to_vec(), vec![0xff; 300], Vec::new()] {
+        fs::write(&path, bytes).unwrap();
+        let error = read(&[(Platform::Win64, path.clone())]).unwrap_err().to_string();
+        assert!(error.contains("no shared library") && error.contains("library for win64"), "{error}");
+    }
+    fs::remove_file(&path).unwrap();
+    let error = read(&[(Platform::Win64, path)]).unwrap_err().to_string();
+    assert!(error.contains("cannot read"), "{error}");
+}
+
+/// The names of `--binary` are the standard's.
+#[test]
+fn platforms_by_name() {
+    assert_eq!(Platform::from_name("win64"), Some(Platform::Win64));
+    assert_eq!(Platform::from_name("amiga"), None);
+    assert_eq!(Platform::from_name(Platform::NATIVE.name()), Some(Platform::NATIVE));
+}

@@ -1,0 +1,15 @@
+//! What a simulation leaves for people to look at, as text and bytes: tables, charts, drawings, and a page that moves.
+//!
+//! Nothing here prints, writes files or knows a terminal: the command line does that, and other programs may.
+
+pub mod bars;
+pub mod chart;
+pub mod draw;
+pub mod errors;
+pub mod modes;
+pub mod picture;
+pub mod plot;
+pub mod results;
+pub mod shapes;
+pub mod trace;
+pub mod view;

@@ -1,0 +1,73 @@
+//! Natural modes as text: their tables as CSV, and how a mode goes on in words.
+
+use crate::results::shortest;
+use ancf14::model::modes::{Kind, Mode, Modes};
+
+/// How a mode goes on, in a few words.
+pub fn pace(mode: &Mode) -> String {
+    match mode.kind {
+        Kind::Vibration => format!("{} Hz", digits(mode.angular_frequency() / std::f64::consts::TAU)),
+        Kind::Free => "free".to_owned(),
+        Kind::Unstable => format!("unstable, grows with rate {} 1/s", digits(mode.growth_rate())),
+    }
+}
+
+/// Six significant digits, without an exponent where that is as short.
+pub fn digits(value: f64) -> String {
+    let before = value.abs().log10().floor().clamp(-300.0, 300.0) as i32 + 1;
+    if (-3..=9).contains(&before) {
+        format!("{value:.*}", (6 - before).max(0) as usize)
+    } else {
+        format!("{value:.5e}")
+    }
+}
+
+/// The text of modes.csv: a row a mode.
+pub fn list(found: &Modes) -> String {
+    let mut text = "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,moves\n".to_owned();
+    for (number, mode) in found.modes.iter().enumerate() {
+        let kind = match mode.kind {
+            Kind::Vibration => "vibration",
+            Kind::Free => "free",
+            Kind::Unstable => "unstable",
+        };
+        let omega = mode.angular_frequency();
+        let numbers = [omega / std::f64::consts::TAU, omega, mode.growth_rate(), mode.eigenvalue, mode.modal_mass];
+        let numbers = numbers.map(shortest).join(",");
+        text.push_str(&format!("{},{kind},{numbers},\"{}\"\n", number + 1, mode.moves));
+    }
+    text
+}
+
+/// The text of shapes.csv: a row for each place of each mode.
+pub fn shapes(found: &Modes) -> String {
+    let vector = |name: &str| [1, 2, 3].map(|axis| format!("{name}[{axis}]")).join(",");
+    let mut text = format!("mode,place,{},{},{}\n", vector("position"), vector("displacement"), vector("turn"));
+    for (number, mode) in found.modes.iter().enumerate() {
+        for (place, motion) in found.places.iter().zip(&mode.motions) {
+            let vectors = [place.position, motion.displacement, motion.turn];
+            let numbers: Vec<_> = vectors.iter().flatten().map(|value| shortest(*value)).collect();
+            text.push_str(&format!("{},{},{}\n", number + 1, place.name, numbers.join(",")));
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of a table have six digits, whatever their size.
+    #[test]
+    fn six_digits_are_shown() {
+        for (value, text) in [
+            (9.0609999, "9.06100"),
+            (56.932, "56.9320"),
+            (123456.7, "123457"),
+            (1.5e-7, "1.50000e-7"),
+            (0.0123, "0.0123000"),
+        ] {
+            assert_eq!(digits(value), text);
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Plots of results: one SVG per quantity of an output, its components as lines over time; of a quantity at the stations of a beam the
+//! shape at some instants; and one of the energies.
+
+use crate::chart::{Chart, Line, Stroke};
+use crate::draw::flat;
+use crate::results::{Column, Results};
+use ancf14::model::document::Document;
+use ancf14::model::entries::output::Target;
+use std::error::Error;
+
+/// The lines of one plot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// `tip.displacement`, `energy`, `shape.displacement.2`.
+    name: String,
+    unit: String,
+    kind: Kind,
+    /// Places of the columns; of a beam station by station.
+    columns: Vec<usize>,
+}
+
+/// What a plot shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// Columns over time.
+    Time,
+    /// One component over the length of a beam, at some instants.
+    Length,
+    /// The positions of a beam, as the drawing of the mechanism shows them, at some instants.
+    Shape,
+}
+
+impl Plot {
+    /// All plots of these columns. Components belong together, and so do the energies; momenta and counts are in the table only.
+    pub fn all(columns: &[Column], document: &Document) -> Vec<Self> {
+        let is_beam = |name: &str| {
+            document.outputs.iter().any(|output| output.name == name && matches!(output.target, Target::On { .. }))
+        };
+        let mut plots: Vec<Self> = Vec::new();
+        for (place, column) in columns.iter().enumerate() {
+            let (quantity, index) = column.name.split_once('[').unwrap_or((column.name.as_str(), ""));
+            let (kind, name) = match quantity.split_once('.') {
+                Some(("momentum" | "statistics", _)) => continue,
+                Some(("energy", _)) => (Kind::Time, "energy".to_owned()),
+                Some((output, "position")) if is_beam(output) => (Kind::Shape, quantity.to_owned()),
+                Some((output, _)) if is_beam(output) => {
+                    let component = index.trim_end_matches(']').split_once(',');
+                    (Kind::Length, component.map_or(quantity.to_owned(), |(_, part)| format!("{quantity}.{part}")))
+                }
+                _ => (Kind::Time, quantity.to_owned()),
+            };
+            match plots.iter_mut().find(|plot| plot.name == name) {
+                Some(plot) => plot.columns.push(place),
+                None => plots.push(Self { name, unit: column.unit.clone(), kind, columns: vec![place] }),
+            }
+        }
+        plots
+    }
+
+    /// The name of its file.
+    pub fn file(&self) -> String {
+        format!("{}.svg", self.name)
+    }
+
+    /// The picture; `remark` stands behind the title.
+    ///
+    /// # Errors
+    /// It cannot be drawn.
+    pub fn svg(&self, results: &Results, remark: &str) -> Result<String, Box<dyn Error>> {
+        self.chart(results, remark).svg()
+    }
+
+    fn chart(&self, results: &Results, remark: &str) -> Chart {
+        let unit = if self.unit.is_empty() { "1" } else { &self.unit };
+        let mut words = self.name.split('.').rev();
+        let last = words.next().unwrap_or(&self.name);
+        // `shape.displacement.2`: the component stands behind the quantity.
+        let quantity = match last.parse::<u8>() {
+            Ok(component) => format!("{}, component {component}", words.next().unwrap_or("")),
+            Err(_) => last.to_owned(),
+        };
+        let value = format!("{} ({unit})", quantity.replace('_', " "));
+        let axes = match self.kind {
+            Kind::Time => [String::from("time (s)"), value],
+            Kind::Length => [String::from("fraction of the length, from start to end"), value],
+            Kind::Shape => ["x, y obliquely (m)", "z, y obliquely (m)"].map(str::to_owned),
+        };
+        let lines = match self.kind {
+            Kind::Time => self.curves(results),
+            Kind::Length | Kind::Shape => self.snapshots(results),
+        };
+        Chart { title: format!("{}{remark}", self.name), axes, shape: self.kind == Kind::Shape, lines }
+    }
+
+    fn curves(&self, results: &Results) -> Vec<Line> {
+        let line = |(colour, column): (usize, &usize)| {
+            let Column { name, trace, .. } = &results.columns[*column];
+            let label = name
+                .strip_prefix(&self.name)
+                .filter(|rest| rest.starts_with('.'))
+                .map_or_else(|| name.split_once('.').map_or(name.as_str(), |(_, rest)| rest), |rest| &rest[1..]);
+            Line { name: label.to_owned(), stroke: Stroke::Solid, colour, points: trace.points() }
+        };
+        self.columns.iter().enumerate().map(line).collect()
+    }
+
+    fn snapshots(&self, results: &Results) -> Vec<Line> {
+        let line = |(colour, (time, row)): (usize, &(f64, Vec<f64>))| {
+            let values: Vec<f64> = self.columns.iter().map(|column| row[*column]).collect();
+            let last = (values.len() - 1).max(1) as f64;
+            let points = match self.kind {
+                Kind::Shape => values.as_chunks().0.iter().map(|place: &[f64; 3]| flat(*place).into()).collect(),
+                Kind::Time | Kind::Length => {
+                    values.iter().enumerate().map(|(k, value)| (k as f64 / last, *value)).collect()
+                }
+            };
+            // Instants of equal steps have tails: six digits tell them apart.
+            let time: f64 = format!("{time:.5e}").parse().unwrap_or(*time);
+            Line { name: format!("t = {time} s"), stroke: Stroke::Solid, colour, points }
+        };
+        results.snapshots().enumerate().map(line).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::Trace;
+
+    const MODEL: &str = include_str!("../../../models/ring.toml");
+
+    /// Components and energies are lines of one plot; a beam's positions are a shape, its other quantities a plot per component.
+    #[test]
+    fn columns_are_grouped() {
+        let document = Document::parse("ring.toml", MODEL, &[]).unwrap();
+        let output = &document.outputs.iter().find(|output| matches!(output.target, Target::On { .. })).unwrap().name;
+        let columns = [
+            ("tip.position[1]", "m"),
+            ("tip.position[2]", "m"),
+            ("tip.twist", "rad"),
+            (&format!("{output}.position[1,1]"), "m"),
+            (&format!("{output}.position[1,2]"), "m"),
+            (&format!("{output}.velocity[1,1]"), "m/s"),
+            (&format!("{output}.velocity[1,2]"), "m/s"),
+            (&format!("{output}.velocity[2,1]"), "m/s"),
+            (&format!("{output}.twist[1]"), "rad"),
+            (&format!("{output}.twist[2]"), "rad"),
+            ("energy.kinetic", "J"),
+            ("energy.total", "J"),
+            ("momentum.linear[1]", "N.s"),
+            ("statistics.steps", ""),
+        ];
+        let columns = columns.map(|(name, unit)| Column::of(name, unit, Trace::new(2)));
+        let plots = Plot::all(&columns, &document);
+        let found: Vec<_> = plots.iter().map(|plot| (plot.name.as_str(), plot.kind, plot.columns.as_slice())).collect();
+        assert_eq!(
+            found,
+            [
+                ("tip.position", Kind::Time, &[0, 1][..]),
+                ("tip.twist", Kind::Time, &[2]),
+                (&format!("{output}.position"), Kind::Shape, &[3, 4]),
+                (&format!("{output}.velocity.1"), Kind::Length, &[5, 7]),
+                (&format!("{output}.velocity.2"), Kind::Length, &[6]),
+                (&format!("{output}.twist"), Kind::Length, &[8, 9]),
+                ("energy", Kind::Time, &[10, 11]),
+            ]
+        );
+    }
+}

@@ -1,0 +1,152 @@
+//! The table of results: every row becomes text, and the plots keep of the rows as much as they show.
+
+use crate::trace::Trace;
+use ancf14::error::decimal;
+use ancf14::fmi::variable::{Causality, Variable};
+use ancf14::fmi::{Model, Value};
+use std::fmt::Write;
+
+/// One column of the results.
+#[derive(Debug)]
+pub struct Column {
+    /// Place in the variable table.
+    reference: usize,
+    /// Name of the variable.
+    pub name: String,
+    /// Unit label; empty: dimensionless.
+    pub unit: String,
+    /// Its values over time.
+    pub trace: Trace,
+}
+
+#[cfg(test)]
+impl Column {
+    /// A column of no variable.
+    pub fn of(name: &str, unit: &str, trace: Trace) -> Self {
+        Self { reference: 0, name: name.to_owned(), unit: unit.to_owned(), trace }
+    }
+}
+
+/// A row: its time, s, and the values in the order of the columns.
+pub type Row = (f64, Vec<f64>);
+
+/// The results so far.
+#[derive(Debug)]
+pub struct Results {
+    /// The outputs, in the order of the variable table.
+    pub columns: Vec<Column>,
+    /// How many rows there are.
+    pub count: u64,
+    /// Rows at equally spaced instants, for shapes.
+    snapshots: Vec<Row>,
+    last: Option<Row>,
+    /// Number of the last row of a run that comes to its end.
+    pub last_row: u64,
+}
+
+/// Intervals of time that all traces together keep: some 200 MB.
+const INTERVALS: usize = 6_000_000;
+/// Of one trace: as fine as a plot can show, and still a curve.
+const FINEST: usize = 8192;
+const COARSEST: usize = 256;
+/// Snapshots are equally spaced, with so many intervals between them.
+const SNAPSHOTS: u64 = 6;
+
+impl Results {
+    /// No row yet. Row 0 is the start, `last_row` the end.
+    pub fn new(variables: &[Variable], last_row: u64) -> Self {
+        let outputs = || variables.iter().enumerate().filter(|(_, variable)| variable.causality == Causality::Output);
+        let room = (INTERVALS / outputs().count().max(1)).clamp(COARSEST, FINEST) / 2 * 2;
+        let column = |(reference, variable): (usize, &Variable)| Column {
+            reference,
+            name: variable.name.clone(),
+            unit: variable.quantity.unit.clone(),
+            trace: Trace::new(room),
+        };
+        let columns = outputs().map(column).collect();
+        Self { columns, count: 0, snapshots: Vec::new(), last: None, last_row }
+    }
+
+    /// Adds a row; returns its text for results.csv, with the header before the first one.
+    pub fn record(&mut self, time: f64, model: &impl Model) -> String {
+        let mut text = if self.count == 0 { self.header() } else { String::new() };
+        let mut values = Vec::with_capacity(self.columns.len());
+        text.push_str(&shortest(decimal(time)));
+        for column in &mut self.columns {
+            let value = model.value(column.reference);
+            // Writing into a String cannot fail.
+            let _ = match value {
+                Value::Real(value) => write!(text, ",{}", shortest(value)),
+                Value::Integer(value) => write!(text, ",{value}"),
+            };
+            column.trace.push(time, value.number());
+            values.push(value.number());
+        }
+        text.push('\n');
+        let is_snapshot = (0..=SNAPSHOTS).any(|k| (k * self.last_row + SNAPSHOTS / 2) / SNAPSHOTS == self.count);
+        if is_snapshot {
+            self.snapshots.push((time, values.clone()));
+        }
+        self.last = Some((time, values));
+        self.count += 1;
+        text
+    }
+
+    fn header(&self) -> String {
+        let mut text = String::from("time");
+        for column in &self.columns {
+            // A name with two indices has a comma in it.
+            let quote = if column.name.contains(',') { "\"" } else { "" };
+            let _ = write!(text, ",{quote}{}{quote}", column.name);
+        }
+        text.push('\n');
+        text
+    }
+
+    /// Time of the last row, s.
+    pub fn reached(&self) -> Option<f64> {
+        self.last.as_ref().map(|(time, _)| *time)
+    }
+
+    /// The last value of a column, by its name.
+    pub fn last(&self, name: &str) -> Option<f64> {
+        let column = self.columns.iter().position(|column| column.name == name)?;
+        self.last.as_ref().map(|(_, values)| values[column])
+    }
+
+    /// Rows at equally spaced instants, and the last one.
+    pub fn snapshots(&self) -> impl Iterator<Item = &Row> {
+        let taken = self.snapshots.last().map(|(time, _)| *time);
+        self.snapshots.iter().chain(self.last.as_ref().filter(move |(time, _)| Some(*time) != taken))
+    }
+}
+
+/// The shortest text that reads back to the same double.
+pub fn shortest(value: f64) -> String {
+    let (plain, exponent) = (format!("{value}"), format!("{value:e}"));
+    if exponent.len() < plain.len() { exponent } else { plain }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever the size, the text reads back exactly, and no other notation of Rust is shorter.
+    #[test]
+    fn shortest_text_reads_back() {
+        for (value, text) in [
+            (0.1, "0.1"),
+            (-0.0, "-0"),
+            (1e-300, "1e-300"),
+            (1e21, "1e21"),
+            (0.001, "1e-3"),
+            (123456.75, "123456.75"),
+            (1.0 / 3.0, "0.3333333333333333"),
+            (5e-324, "5e-324"),
+            (f64::MAX, "1.7976931348623157e308"),
+        ] {
+            assert_eq!(shortest(value), text);
+            assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()));
+        }
+    }
+}

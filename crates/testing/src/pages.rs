@@ -1,0 +1,23 @@
+//! The commands that pages print, and what the pages say that these print.
+
+use crate::root;
+use std::fs;
+
+/// The page on programs, with its listings.
+pub const PROGRAMMING: &str = "docs/programming.md";
+pub const README: &str = "README.md";
+
+/// The commands of the shell listings of `page`, in order.
+pub fn commands(page: &str) -> Vec<String> {
+    let page = fs::read_to_string(root().join(page)).unwrap();
+    let listings = page.split("```sh\n").skip(1).map(|rest| rest.split("```").next().unwrap_or_default());
+    listings.flat_map(str::lines).map(str::to_owned).collect()
+}
+
+/// What `page` says that the command `line` prints: the listing after that of the command.
+pub fn printed_by(page: &str, line: &str) -> String {
+    let text = fs::read_to_string(root().join(page)).unwrap();
+    let rest = text.split(&format!("\n{line}\n")).nth(1).unwrap_or_else(|| panic!("{page} has no command {line}"));
+    let listing = rest.split("```text\n").nth(1).unwrap();
+    listing.split("```").next().unwrap().to_owned()
+}

@@ -1,0 +1,143 @@
+//! The validation page: every benchmark of the paper and every other reference, compared with runs of model files. No number of a
+//! result is typed by hand: what the page says about sizes stands in tables that come from the runs.
+
+mod bend;
+mod buckling;
+mod chosen_steps;
+mod comparison;
+mod critical;
+mod elastica;
+mod estimates;
+mod frames;
+mod frequencies;
+mod princeton;
+mod ring;
+mod roll_up;
+mod shaft;
+mod spring;
+mod static_buckling;
+mod study;
+
+use ancf14_report::chart::{Chart, Line, Stroke};
+use std::fmt::Write;
+
+/// A section of the page.
+pub struct Section {
+    /// Markdown, title included.
+    pub text: String,
+    /// Pictures with the names of their files.
+    pub charts: Vec<(String, Chart)>,
+}
+
+/// How a section comes about.
+pub struct Case {
+    /// Its title.
+    pub title: &'static str,
+    /// What becomes of its runs.
+    pub runs: Runs,
+    write: fn(&mut Section),
+}
+
+/// Which runs a section is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Runs {
+    /// Short ones: a test repeats them.
+    Short,
+    /// Long ones.
+    Long,
+    /// Timed ones: no two come out the same, so that they run only where the section is asked for by its title.
+    Timed,
+}
+
+/// All sections in the order of the page.
+pub const CASES: [Case; 17] = [
+    Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
+    Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
+    Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
+    Case { title: "Unbalanced rotating shaft", runs: Runs::Long, write: shaft::write },
+    Case { title: "Lateral torsional buckling", runs: Runs::Long, write: buckling::write },
+    Case { title: "Two elements: equilibria", runs: Runs::Short, write: comparison::equilibria::write },
+    Case { title: "Two elements: motion", runs: Runs::Long, write: comparison::motion::write },
+    Case { title: "Two elements: time", runs: Runs::Timed, write: comparison::time::write },
+    Case { title: "45-degree bend", runs: Runs::Short, write: bend::write },
+    Case { title: "Elastica", runs: Runs::Short, write: elastica::write },
+    Case { title: "Rolling up to a circle", runs: Runs::Short, write: roll_up::write },
+    Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
+    Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
+    Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
+    Case { title: "Steps chosen by an accuracy", runs: Runs::Long, write: chosen_steps::write },
+    Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },
+    Case { title: "Estimated errors: motion", runs: Runs::Long, write: estimates::motion },
+];
+
+impl Case {
+    /// The section, from runs.
+    pub fn section(&self) -> Section {
+        let mut section = Section { text: format!("## {}\n\n", self.title), charts: Vec::new() };
+        (self.write)(&mut section);
+        section
+    }
+}
+
+impl Section {
+    /// Adds a paragraph.
+    fn say(&mut self, paragraph: &str) {
+        // Writing into a String cannot fail.
+        let _ = writeln!(self.text, "{}\n", paragraph.trim());
+    }
+
+    /// Adds a picture.
+    fn picture(&mut self, name: &str, chart: Chart) {
+        let _ = writeln!(self.text, "![{}](validation/{name}.svg)\n", chart.title);
+        self.charts.push((name.to_owned(), chart));
+    }
+}
+
+/// A line from point to point.
+fn line(name: &str, colour: usize, points: Vec<(f64, f64)>) -> Line {
+    Line { name: name.to_owned(), stroke: Stroke::Solid, colour, points }
+}
+
+/// Dots.
+fn dots(name: &str, colour: usize, points: Vec<(f64, f64)>) -> Line {
+    Line { name: name.to_owned(), stroke: Stroke::Dots, colour, points }
+}
+
+/// A chart of curves.
+fn plot(title: &str, axes: [&str; 2], lines: Vec<Line>) -> Chart {
+    Chart { title: title.to_owned(), axes: axes.map(str::to_owned), shape: false, lines }
+}
+
+/// A chart of shapes: a length is the same along both axes.
+fn shapes(title: &str, axes: [&str; 2], lines: Vec<Line>) -> Chart {
+    Chart { shape: true, ..plot(title, axes, lines) }
+}
+
+/// Pairs of a column over another, every `every`-th.
+fn points(across: &[f64], along: &[f64], every: usize) -> Vec<(f64, f64)> {
+    across.iter().copied().zip(along.iter().copied()).step_by(every).collect()
+}
+
+/// The section of this title, as a page has it.
+pub fn part<'a>(page: &'a str, title: &str) -> Option<&'a str> {
+    let start = page.find(&format!("## {title}\n"))?;
+    let length = page[start..].find("\n## ").map_or(page.len() - start, |end| end + 1);
+    Some(&page[start..start + length])
+}
+
+/// The page of the texts of all sections.
+pub fn page(sections: &[String]) -> String {
+    let texts: Vec<&str> = sections.iter().map(|text| text.trim_end()).collect();
+    format!("{HEAD}\n{}\n", texts.join("\n\n"))
+}
+
+/// The page on accuracy, with the tables of `page`, the validation page: they stand behind its last remark.
+pub fn accuracy(text: &str, page: &str) -> String {
+    let end = text.find("-->").expect("the remark before the tables") + "-->".len();
+    let titles = CASES.iter().map(|case| case.title).filter(|title| title.starts_with("Estimated errors"));
+    let tables: Vec<&str> = titles.filter_map(|title| part(page, title)).collect();
+    format!("{}\n\n{}\n", &text[..end], tables.concat().replace("## Estimated", "### Estimated").trim_end())
+}
+
+/// What stands before the sections.
+const HEAD: &str = include_str!("head.md");
