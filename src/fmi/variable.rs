@@ -107,7 +107,7 @@ pub struct Quantity {
 pub struct Exponents {
     /// Kilogram.
     pub kg: i32,
-    /// Metre.
+    /// Meter.
     pub m: i32,
     /// Second.
     pub s: i32,

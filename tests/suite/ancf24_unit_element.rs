@@ -2,13 +2,13 @@
 //! tests/references/ancf24_unit_element.csv: mass, weight, internal force, both tangents.
 //!
 //! Chrono splits the material: what does not couple strains, `diag(E, E, E, G, k G, k G)`, acts over the whole section, the rest, of Poisson's
-//! effect, on the axis alone. Ours does not, but its sections can be put together so: fibres without distance from the axis lie on it.
+//! effect, on the axis alone. Ours does not, but its sections can be put together so: fibers without distance from the axis lie on it.
 
 use crate::gauss::gauss;
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::ancf24::coordinates::ELEMENT;
 use ancf14::mechanics::beam::ancf24::element::{Element, Properties};
-use ancf14::mechanics::beam::ancf24::station::{Fibres, Station};
+use ancf14::mechanics::beam::ancf24::station::{Fibers, Station};
 use ancf14::mechanics::beam::ancf24::strain::VoigtMatrix;
 use nalgebra::{SMatrix, SVector};
 
@@ -60,17 +60,17 @@ fn element() -> (Element, [f64; ELEMENT]) {
     }
     let area = WIDTH * WIDTH;
     let distance = (WIDTH * WIDTH / 12.0_f64).sqrt();
-    let fibres = [Fibres { area, y: distance, z: distance }, Fibres { area, y: 0.0, z: 0.0 }];
+    let fibers = [Fibers { area, y: distance, z: distance }, Fibers { area, y: 0.0, z: 0.0 }];
     let properties = Properties {
         law: laws()[0],
-        fibres: fibres[0],
+        fibers: fibers[0],
         line_density: DENSITY * area,
         section_inertia: [DENSITY * area * distance * distance; 2],
         damping: 0.0,
     };
     let mut stations = Vec::new();
-    for (fibres, law) in fibres.iter().zip(laws()) {
-        let station = |(xi, weight)| Station::new(xi, LENGTH, &reference, fibres, &law, weight * LENGTH);
+    for (fibers, law) in fibers.iter().zip(laws()) {
+        let station = |(xi, weight)| Station::new(xi, LENGTH, &reference, fibers, &law, weight * LENGTH);
         stations.extend(gauss(POINTS).into_iter().map(station));
     }
     (Element { stations, ..Element::new(0, LENGTH, properties, &reference) }, reference)

@@ -75,7 +75,7 @@ fn springs_on_coordinates_vibrate_as_theory_says() {
         format!("{guide}stiffness = {k}\ndamping = {c}\n[output.along]\nat = \"guide\"\nquantities = [\"distance\"]\n");
     check("distance of a joint", &block(along, Vec3::zeros(), &on_distance), "along.distance", (k, MASS));
 
-    // About an axis off the centre of mass, through more than a turn: the spring is linear in the angle.
+    // About an axis off the center of mass, through more than a turn: the spring is linear in the angle.
     let (k, arm) = (20.0, Vec3::new(0.3, -0.2, 0.0));
     let inertia = INERTIA[2] + MASS * arm.norm_squared();
     let c = damper(k, inertia);

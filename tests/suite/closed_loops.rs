@@ -128,7 +128,7 @@ fn a_loop_held_once_moves_as_plane_geometry_says() {
             worst = worst.max(gap(simulation.system(), simulation.state()));
             let angle = value(simulation, "turn.angle");
             turned = turned.max(angle.abs());
-            // The coupler's centre of mass is half way between the pivots.
+            // The coupler's center of mass is half way between the pivots.
             let elbow = Vec3::new(angle.sin() * 0.3, 0.0, angle.cos() * 0.3);
             let middle = (elbow + wrist(angle)) * 0.5;
             apart = apart.max((vector(simulation, "middle.position") - middle).norm());

@@ -1,6 +1,6 @@
 //! Does a `curve` of the file become the beam that is meant? Arc lengths and fractions against closed forms, the numbers that
 //! are and are not parameters, changes of them, what acts along the beam, and how it sets off. A fraction of the parameter
-//! taken for a fraction of the length, a weight by element instead of by metre, or a velocity by node number fails here.
+//! taken for a fraction of the length, a weight by element instead of by meter, or a velocity by node number fails here.
 
 use crate::curves::Curves;
 use crate::running::{run, start, value, vector};
@@ -130,9 +130,9 @@ fn parameters_inside_a_curve_shape_it() {
     );
 }
 
-/// Weight and loads along the beam are per metre of it: what the root carries is their sum, and its moment that of the centre of mass.
+/// Weight and loads along the beam are per meter of it: what the root carries is their sum, and its moment that of the center of mass.
 #[test]
-fn loads_along_a_curve_are_per_metre() {
+fn loads_along_a_curve_are_per_meter() {
     let half = "elements = 12\nspacing = \"s\"\ny_axis = [0, 0, 1]\ncurve = { x = \"R*sin(s^2*pi)\", y = \"R*(1 - cos(s^2*pi))\", z = 0, s = [0.2, 1] }";
     let load = "[load.wind]\non = \"arm\"\nforce = [0, \"1e-3*t\", 0]\n[output.root_joint]\nat = \"root\"\nquantities = [\"reaction_force\", \"reaction_moment\"]";
     let text =
@@ -146,7 +146,7 @@ fn loads_along_a_curve_are_per_metre() {
     // The mass of an element is that of its arc length, and so is what a load sees of it: both to the tolerance of the equilibrium.
     assert!((force(3) / weight - 1.0).abs() < 1e-9);
     assert!((force(2) / (1e-3 * length) - 1.0).abs() < 1e-9);
-    // The centre of the arc: integrals of the places by the angle.
+    // The center of the arc: integrals of the places by the angle.
     let x = 4.0 * (from.cos() - to.cos()) / length - 2.0 * from.sin();
     let moment = curves.last("root_joint.reaction_moment[2]").abs();
     assert!((moment / (weight * x) - 1.0).abs() < 1e-3, "{moment} {}", weight * x);
@@ -245,8 +245,8 @@ fn an_unloaded_coil_shows_nothing() {
     }
 }
 
-/// A section of ANCF24 is solid: wound more sharply than its fibres, at 1/√12 of its width, are off the axis, it is refused; just below, it is
-/// not. The line of ANCF14 has no fibres.
+/// A section of ANCF24 is solid: wound more sharply than its fibers, at 1/√12 of its width, are off the axis, it is refused; just below, it is
+/// not. The line of ANCF14 has no fibers.
 #[test]
 fn a_solid_section_cannot_be_wound_more_sharply_than_it_is_wide() {
     // Elements of 5.6 degrees: linear between their ends a section is off the curve by less than 1e-3 of itself.

@@ -234,7 +234,7 @@ fn what_holds_twice_is_never_regular() {
     assert!(asked > 50 && solved > 20, "{asked} asked, {solved} factorized");
 }
 
-/// A chain of masses in closed form: springs of 1 between neighbours and to the ground, the first and last tied together by a condition of its own.
+/// A chain of masses in closed form: springs of 1 between neighbors and to the ground, the first and last tied together by a condition of its own.
 #[test]
 fn a_ring_of_blocks() {
     let (count, width) = (9, 2);

@@ -14,14 +14,14 @@ use ancf14::solve::step::response::{Responder, Response};
 fn wheel(joint: &str, gravity: [f64; 3], rest: &str) -> String {
     format!(
         "format = 1\n[model]\nname = \"Wheel\"\ngravity = {gravity:?}\n\
-         [body.wheel]\nmass = 2\nposition = {CENTRE:?}\ninertia = [0.05, 0.08, 0.1, 0.004, -0.006, 0.01]\n\
+         [body.wheel]\nmass = 2\nposition = {CENTER:?}\ninertia = [0.05, 0.08, 0.1, 0.004, -0.006, 0.01]\n\
          [joint.axle]\ntype = \"{joint}\"\na = \"ground\"\nb = \"wheel\"\nat = [0, 0, 0]\naxis = [1, 2, 2]\n\
          [output.axle_turn]\nat = \"axle\"\nquantities = [\"angle\"]\n\
          [output.wheel_place]\nat = \"wheel\"\nquantities = [\"position\", \"velocity\"]\n{rest}\n"
     )
 }
 
-const CENTRE: [f64; 3] = [0.1, 0.25, 0.2];
+const CENTER: [f64; 3] = [0.1, 0.25, 0.2];
 
 fn axis() -> Vec3 {
     Vec3::new(1.0, 2.0, 2.0) / 3.0
@@ -67,7 +67,7 @@ fn many_turns_leave_no_drift() {
             }
             skew = skew.max(skewness(simulation));
             worst = worst.max(gap(simulation.system(), simulation.state()));
-            let place = rotation::rotation_matrix(&(axis() * angle)) * Vec3::from(CENTRE);
+            let place = rotation::rotation_matrix(&(axis() * angle)) * Vec3::from(CENTER);
             off = off.max((vector(simulation, "wheel_place.position") - place).norm());
         });
         let turns = value(&simulation, "axle_turn.angle") / std::f64::consts::TAU;
@@ -151,7 +151,7 @@ fn rates_end_where_their_integral_says() {
     }
 }
 
-/// A rate that jumps throws the wheel in one step; from then on it turns freely about its centre, and the multiplier of the drive is
+/// A rate that jumps throws the wheel in one step; from then on it turns freely about its center, and the multiplier of the drive is
 /// what that needs: nothing. Momentum that the conditions do not allow, left in after the jump, would come back with the other sign in
 /// every step: 3.5 kN m for ever.
 #[test]
@@ -210,7 +210,7 @@ fn efforts_are_the_power_that_goes_in() {
         run(&mut simulation, step, 1.2, |simulation| {
             let t = simulation.state().time;
             let turn = rotation::rotation_matrix(&(axis() * (2.0 * (3.0 * t).sin())));
-            let place = turn * Vec3::from(CENTRE) + axis() * (0.2 * (1.0 - (5.0 * t).cos()));
+            let place = turn * Vec3::from(CENTER) + axis() * (0.2 * (1.0 - (5.0 * t).cos()));
             off = off.max((vector(simulation, "wheel_place.position") - place).norm());
             let [given, taken] = powers(simulation, &rates(t), &efforts(simulation));
             unbalanced = unbalanced.max((given - taken).abs());
@@ -249,7 +249,7 @@ fn a_drive_that_does_not_begin_as_drawn() {
             }
             let expected = angle + 2.0 * time;
             assert!((value(&simulation, "axle_turn.angle") - expected).abs() < 1e-12);
-            let place = rotation::rotation_matrix(&(axis() * expected)) * Vec3::from(CENTRE);
+            let place = rotation::rotation_matrix(&(axis() * expected)) * Vec3::from(CENTER);
             assert!((vector(&simulation, "wheel_place.position") - place).norm() < 1e-12);
             let velocity = axis().cross(&place) * 2.0;
             let found = vector(&simulation, "wheel_place.velocity");

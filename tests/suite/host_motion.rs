@@ -23,7 +23,7 @@ b = "weight"
 [output.grasp]
 at = "hand"
 quantities = ["reaction_force", "reaction_moment", "acceleration"]
-[output.centre]
+[output.center]
 at = "weight"
 quantities = ["acceleration"]
 [simulation]
@@ -91,7 +91,7 @@ fn frames_bear_the_inertia_of_what_they_move() {
     for integrator in ["conserving", "variational"] {
         let simulation = moved(FRAME, integrator, &["hand.position[1]"], |t| vec![1.5 * t * t]);
         // Round-off of places of 0.04 m, over two steps of 4 ms: 1e-12 m/s².
-        for name in ["grasp.acceleration[1]", "centre.acceleration[1]"] {
+        for name in ["grasp.acceleration[1]", "center.acceleration[1]"] {
             assert!((value(&simulation, name) - 3.0).abs() < 1e-10, "{integrator}: {name}");
         }
         assert!((value(&simulation, "grasp.reaction_force[1]") - 6.0).abs() < 1e-9, "{integrator}");

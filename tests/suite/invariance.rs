@@ -34,7 +34,7 @@ fn many_turns_do_not_strain() {
             let next = Holonomy::new(&frames[0], &frames[1], holonomy).angle;
             (energy, [frames[0].carried(), frames[1].carried()], next)
         };
-        // Centre the references first: then the carried normal is the reference's own.
+        // Center the references first: then the carried normal is the reference's own.
         (_, triads, holonomy) = energy(q.as_slice(), &triads, holonomy);
         let (before, ..) = energy(q.as_slice(), &triads, holonomy);
         let steps = (25.0 * std::f64::consts::TAU / 0.3_f64).round() as usize;
@@ -61,7 +61,7 @@ fn many_turns_do_not_strain() {
 }
 
 /// With Jt = Ip the large-strain energy is the integral of E e11²/2 + G tau² r²/2 over the section, `e11` the Green strain of the
-/// fibre at (y, z); a 3-point Gauss rule in y and z integrates the quartic exactly, 4 points are used.
+/// fiber at (y, z); a 3-point Gauss rule in y and z integrates the quartic exactly, 4 points are used.
 #[test]
 fn large_energy_is_the_section_integral() {
     let (width, height, young, shear) = (0.03, 0.05, 2.0, 0.7);
@@ -92,9 +92,9 @@ fn large_energy_is_the_section_integral() {
         for (y, weight_y) in gauss {
             for (z, weight_z) in gauss {
                 let (y, z) = (y * width, z * height);
-                // The fibre at (y, z): r' + y t_y' + z t_z' = (|r'| − g1 y − g2 z, −tau z, tau y).
-                let fibre = Vec3::new(stretch - g1 * y - g2 * z, -tau * z, tau * y);
-                let e11 = 0.5 * (fibre.norm_squared() - 1.0);
+                // The fiber at (y, z): r' + y t_y' + z t_z' = (|r'| − g1 y − g2 z, −tau z, tau y).
+                let fiber = Vec3::new(stretch - g1 * y - g2 * z, -tau * z, tau * y);
+                let e11 = 0.5 * (fiber.norm_squared() - 1.0);
                 let density = 0.5 * young * e11 * e11 + 0.5 * shear * tau * tau * (y * y + z * z);
                 integral += density * weight_y * weight_z * width * height;
             }

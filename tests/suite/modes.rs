@@ -265,7 +265,7 @@ fn a_machine_swings_in_its_modes() {
     for (number, step) in [(1, 0.05), (5, 0.005)] {
         let mode = &found.modes[number];
         let omega = mode.eigenvalue.sqrt();
-        // In units of the mode: some tenths of a millimetre, large against what the equilibrium is exact to.
+        // In units of the mode: some tenths of a millimeter, large against what the equilibrium is exact to.
         let amplitude = 1e-2;
         let speed = amplitude * omega;
         let mut state = rest.clone();

@@ -110,7 +110,7 @@ fn the_frame_supplies_what_hangs_on_it_needs() {
     let mut worst = [0.0_f64; 4];
     run(&mut simulation, 1e-2, 1.0, |simulation| {
         let t = simulation.state().time;
-        let [centre, _, acceleration] = carried(Vec3::new(0.4, -0.3, 0.5), t);
+        let [center, _, acceleration] = carried(Vec3::new(0.4, -0.3, 0.5), t);
         let grip = carried(GRIP, t)[0];
         let origin = travelling(t)[0];
         let [angle, speed, rate] = turning(t);
@@ -118,12 +118,12 @@ fn the_frame_supplies_what_hangs_on_it_needs() {
         let inertia = turn * tensor * turn.transpose();
         let (omega, alpha) = (AXIS * speed, AXIS * rate);
         let force = (acceleration + Vec3::z() * 9.81) * MASS;
-        let about_centre = inertia * alpha + omega.cross(&(inertia * omega));
+        let about_center = inertia * alpha + omega.cross(&(inertia * omega));
         let expected = [
             ("held.reaction_force", force),
-            ("held.reaction_moment", about_centre + (centre - grip).cross(&force)),
+            ("held.reaction_moment", about_center + (center - grip).cross(&force)),
             ("support.reaction_force", force),
-            ("support.reaction_moment", about_centre + (centre - origin).cross(&force)),
+            ("support.reaction_moment", about_center + (center - origin).cross(&force)),
         ];
         for (worst, (name, expected)) in worst.iter_mut().zip(expected) {
             *worst = worst.max((vector(simulation, name) - expected).norm() / expected.norm().max(1.0));

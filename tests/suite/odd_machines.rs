@@ -28,7 +28,7 @@ fn weld(name: &str, a: &str, b: &str, height: f64) -> String {
     format!("[joint.{name}]\ntype = \"weld\"\na = \"{a}\"\nb = \"{b}\"\nat = [0, 0, {height}]\n")
 }
 
-/// Two bodies whose centres of mass are the same but for round-off: the machine's size is not that of the round-off.
+/// Two bodies whose centers of mass are the same but for round-off: the machine's size is not that of the round-off.
 #[test]
 fn bodies_at_one_place_run() {
     let bodies = body("first", "[\"0.1 + 0.2\", 0, 0]") + &body("second", "[0.3, 0, 0]");

@@ -23,7 +23,7 @@ type Matrix = SMatrix<f64, 14, 14>;
 /// Length of the step, s.
 const STEP: f64 = 0.3;
 
-/// An element at the start of a step, in charts centred there.
+/// An element at the start of a step, in charts centered there.
 struct Case {
     element: Element,
     start: Coordinates,

@@ -31,7 +31,7 @@ fn respond(system: &System, state: &State) -> Response {
     response
 }
 
-/// Force and moment about the centre of mass that body `number` needs for its acceleration.
+/// Force and moment about the center of mass that body `number` needs for its acceleration.
 fn needed(system: &System, state: &State, response: &Response, number: usize) -> (Vec3, Vec3) {
     let body = &system.bodies[number];
     let acceleration = |place: usize| vec3(&response.acceleration, body.start + place);
@@ -165,16 +165,16 @@ fn reactions_are_what_newton_and_euler_demand() {
         let c = snapshot.of(system, state);
         let passage = Passage::with_velocity(&state.velocity);
         let loads = JointLoads { system, c: &c, passage: &passage, multipliers: &response.multipliers };
-        let centre = vec3(&state.q, system.bodies[0].start);
+        let center = vec3(&state.q, system.bodies[0].start);
         let own = system.bodies[0].start;
         let is_own = |marker: &Marker| matches!(marker, Marker::Body { start, .. } if *start == own);
         let (mut force, mut moment) = (system.gravity * system.bodies[0].mass, Vec3::zeros());
         let (mut size, mut moment_size) = (force.norm(), 0.0_f64);
         let mut add = |place: Vec3, own_force: Vec3, own_moment: Vec3| {
             force += own_force;
-            moment += own_moment + (place - centre).cross(&own_force);
+            moment += own_moment + (place - center).cross(&own_force);
             size = size.max(own_force.norm());
-            moment_size = moment_size.max(own_moment.norm() + (place - centre).cross(&own_force).norm());
+            moment_size = moment_size.max(own_moment.norm() + (place - center).cross(&own_force).norm());
         };
         let mut seen = 0;
         for parts in &system.joint_parts {
@@ -209,7 +209,7 @@ fn reactions_are_what_newton_and_euler_demand() {
         let axes = system.bodies[0].marker().pose(&c).axes;
         for (number, turn) in [axes, ancf14::math::Mat3::identity()].into_iter().enumerate() {
             let wrench = system.loads[number].at(state.time, &state.targets.loads[number]);
-            add(centre, turn * wrench.force, turn * wrench.moment);
+            add(center, turn * wrench.force, turn * wrench.moment);
         }
         let (force_needed, moment_needed) = needed(system, state, &response, 0);
         worst[0] = worst[0].max((force - force_needed).norm() / size);
@@ -275,8 +275,8 @@ fn every_kind_of_joint_acts_and_reacts() {
         for (number, sign) in [(0, -1.0), (1, 1.0)] {
             let (needed_force, needed_moment) = needed(&system, &state, &response, number);
             let arm = place - vec3(&state.q, system.bodies[number].start);
-            let about_centre = (moment + arm.cross(&force)) * sign;
-            let errors = [(needed_force - force * sign).norm(), (needed_moment - about_centre).norm()];
+            let about_center = (moment + arm.cross(&force)) * sign;
+            let errors = [(needed_force - force * sign).norm(), (needed_moment - about_center).norm()];
             let size = f64::max(force.norm(), moment.norm());
             assert!(size > 1e-2, "{}: nothing acts", kind.name);
             assert!(

@@ -164,9 +164,9 @@ fn a_tensor_is_the_same_body_as_its_principal_moments() {
 #[test]
 fn a_top_precesses_at_the_rate_of_theory() {
     let (mass, arm, gravity) = (1.3, 0.15, 9.81);
-    let (about_centre, about_axis) = (8e-3, 6e-3);
+    let (about_center, about_axis) = (8e-3, 6e-3);
     let (tilt, spin) = (60_f64.to_radians(), 200.0);
-    let about_tip = about_centre + mass * arm * arm;
+    let about_tip = about_center + mass * arm * arm;
     let (a, b, c) = (about_tip * tilt.cos(), -about_axis * spin, mass * gravity * arm);
     let root = (b * b - 4.0 * a * c).sqrt();
     // The slow one; fast tops go round with about m g l / (I3 s).
@@ -179,10 +179,10 @@ fn a_top_precesses_at_the_rate_of_theory() {
     let across = Vec3::y();
     let text = format!(
         "format = 1\n[model]\nname = \"Top\"\ngravity = [0, 0, -{gravity}]\n\
-         [body.top]\nmass = {mass}\nposition = {}\ninertia = [{about_centre}, {about_centre}, {about_axis}]\n\
+         [body.top]\nmass = {mass}\nposition = {}\ninertia = [{about_center}, {about_center}, {about_axis}]\n\
          axes = [{}, {}, {}]\nvelocity = {}\nangular_velocity = {}\n\
          [joint.tip]\ntype = \"spherical\"\na = \"ground\"\nb = \"top\"\nat = [0, 0, 0]\n\
-         [output.centre]\nat = \"top\"\nquantities = [\"position\"]\n\
+         [output.center]\nat = \"top\"\nquantities = [\"position\"]\n\
          [simulation]\nstop = 10\nstep = 5e-4\noutput_step = 5e-3\n",
         list(direction * arm),
         list(across.cross(&direction)),
@@ -195,12 +195,12 @@ fn a_top_precesses_at_the_rate_of_theory() {
     let duration = 3.0;
     let (mut angle, mut before, mut nodding) = (0.0, 0.0_f64, 0.0_f64);
     run(&mut simulation, 5e-3, duration, |simulation| {
-        let centre = vector(simulation, "centre.position");
-        let now = centre[1].atan2(centre[0]);
+        let center = vector(simulation, "center.position");
+        let now = center[1].atan2(center[0]);
         let change = now - before;
         angle += change - TAU * (change / TAU).round();
         before = now;
-        nodding = nodding.max((centre[2] / arm - tilt.cos()).abs());
+        nodding = nodding.max((center[2] / arm - tilt.cos()).abs());
     });
     let found = angle / duration;
     let fast = mass * gravity * arm / (about_axis * spin);
@@ -225,9 +225,9 @@ fn a_flat_disk_wobbles() {
     let mut rate = 0.0;
     integrate(&system, &mut state, 1.0, (step, 4000), |state| {
         let angular = system.momentum(&state.q, &state.momentum).1;
-        let centre = Vec3::from_column_slice(&state.q[..3]);
-        // About the centre of mass: the body flies.
-        let own = angular - centre.cross(&Vec3::from_column_slice(&state.momentum[..3]));
+        let center = Vec3::from_column_slice(&state.q[..3]);
+        // About the center of mass: the body flies.
+        let own = angular - center.cross(&Vec3::from_column_slice(&state.momentum[..3]));
         let own_0 = *begin.get_or_insert(own);
         drift = drift.max((own - own_0).norm() / own_0.norm());
         let energy = energies(&system, state)[0];

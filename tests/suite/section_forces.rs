@@ -126,7 +126,7 @@ fn random_strains(random: &mut Random) -> SectionStrains {
 }
 
 /// Energy per length, J/m, of a rectangle at `[axial, torsion, about y, about z]`: the integral of `E e11²/2` over the section with `e11` the
-/// strain of the fibre at (y, z), and Saint-Venant's. Three Gauss points each way integrate the quartic exactly.
+/// strain of the fiber at (y, z), and Saint-Venant's. Three Gauss points each way integrate the quartic exactly.
 fn energy<D: Scalar>(size: [f64; 2], moduli: [f64; 2], strain: Strain, strains: &[D]) -> D {
     let [axial, torsion, about_y, about_z] = [0, 1, 2, 3].map(|i| strains[i]);
     let points = [(-(0.6_f64.sqrt()), 5.0 / 18.0), (0.0, 8.0 / 18.0), (0.6_f64.sqrt(), 5.0 / 18.0)];
@@ -213,7 +213,7 @@ fn stress_by_hand() {
     }
 }
 
-/// The normal stress is the largest that the fibres on the outline have, by their places; an unknown outline has none.
+/// The normal stress is the largest that the fibers on the outline have, by their places; an unknown outline has none.
 #[test]
 fn stress_is_the_largest_of_the_outline() {
     let (young, radius) = (2e11, 0.02);

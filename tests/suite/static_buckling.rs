@@ -266,7 +266,7 @@ simulation = {{ analysis = "static", stop = 2, step = 1, output_step = 1 }}
     assert!(told.len() == 1 && (critical(&told[0]) - 1.0).abs() < 1e-6, "{told:#?}");
 }
 
-/// Beside a spring of 2.6e8 N/m at the tip of a strip of half a millimetre round-off counts a motion that releases energy; the softest motion
+/// Beside a spring of 2.6e8 N/m at the tip of a strip of half a millimeter round-off counts a motion that releases energy; the softest motion
 /// costs some.
 #[test]
 fn regression_stiff_springs_raise_no_alarm() {

@@ -129,7 +129,7 @@ fn turned_text(mut model: Table, turn: &Mat3, shift: &Vec3) -> String {
     model.to_string()
 }
 
-/// A strain: places of some metres in doubles, over elements of a tenth, leave strains uncertain by 1e-14. So the size of a force
+/// A strain: places of some meters in doubles, over elements of a tenth, leave strains uncertain by 1e-14. So the size of a force
 /// is at least that of the force at this strain: 1e-8 of it are the round-off of stiff beams.
 const STRAIN: f64 = 1e-6;
 
@@ -162,7 +162,7 @@ fn results(text: &str, overrides: &[(String, String)], count: u32) -> (Vec<Vec<(
     let system = simulation.system();
     let axial = |element: &AnyElement| match element {
         AnyElement::Ancf14(element) => element.stiffness.axial,
-        AnyElement::Ancf24(element) => element.properties.law[(0, 0)] * element.properties.fibres.area,
+        AnyElement::Ancf24(element) => element.properties.law[(0, 0)] * element.properties.fibers.area,
     };
     let rigidity = system.mesh.elements.iter().map(axial).fold(0.0, f64::max);
     let young = system.beams.iter().map(|beam| beam.young).fold(0.0, f64::max);

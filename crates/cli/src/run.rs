@@ -191,7 +191,7 @@ fn exactness(simulation: &Simulation) -> Result<(), Stop> {
     say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))
 }
 
-/// How fast a run was beside the real machine.
+/// How fast a run was compared with real time.
 fn pace(simulated: f64, wall: f64) -> String {
     let factor = simulated / wall;
     match factor {

@@ -25,7 +25,7 @@ const GROUPS: [(Causality, &str, &str); 5] = [
 ];
 
 /// How the unit behaves.
-const BEHAVIOUR: [&str; 12] = [
+const BEHAVIOR: [&str; 12] = [
     "FMI 2.0 for co-simulation. The model is in <code>resources/model.toml</code>, the solver in the library; nothing else has to be \
      installed.",
     "Any communication step is possible; the unit divides it into internal steps. With a parameter <code>simulation.step</code> they are at most that long, and on its \
@@ -135,7 +135,7 @@ fn write_page(out: &mut String, about: &About, variables: &[Variable], contents:
         (count > 0).then(|| format!("<a href=\"#{anchor}\">{} ({count})</a>", heading.to_lowercase()))
     };
     writeln!(out, "{}.</p>", GROUPS.iter().filter_map(heading).collect::<Vec<_>>().join(", "))?;
-    list(out, "How it behaves", &BEHAVIOUR)?;
+    list(out, "How it behaves", &BEHAVIOR)?;
     let inputs = variables.iter().any(|variable| variable.causality == Causality::Input);
     if inputs {
         rows(

@@ -1,6 +1,6 @@
 //! Errors as horizontal bars over a logarithmic scale: for each column one bar of the step and one of the mesh.
 
-use crate::chart::{BELOW, COLOURS, FINE, GRID, INK, MARGIN, THIN, text};
+use crate::chart::{BELOW, COLORS, FINE, GRID, INK, MARGIN, THIN, text};
 use ancf14::model::verification::Row;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -71,11 +71,11 @@ impl Bars {
             .x_desc("error over the range of the quantity")
             .x_label_formatter(&|decade| format!("1e{decade:.0}"))
             .draw()?;
-        for (part, colour) in COLOURS.iter().enumerate().take(2) {
+        for (part, color) in COLORS.iter().enumerate().take(2) {
             let bars =
                 self.rows.iter().enumerate().filter(|(_, (_, parts))| parts[part] > LEAST).map(|(k, (_, parts))| {
                     let top = k as f64 + 0.5 - THICKNESS * (1.0 - part as f64);
-                    Rectangle::new([(decades.0, top), (parts[part].log10(), top + THICKNESS)], colour.filled())
+                    Rectangle::new([(decades.0, top), (parts[part].log10(), top + THICKNESS)], color.filled())
                 });
             chart.draw_series(bars)?;
         }
@@ -104,7 +104,7 @@ impl Bars {
                     [(x + 10 * FINE, y), (x + 10 * FINE, y + 10 * FINE)],
                     INK.stroke_width(THIN),
                 ))?,
-                _ => area.draw(&Rectangle::new(sample, COLOURS[k].filled()))?,
+                _ => area.draw(&Rectangle::new(sample, COLORS[k].filled()))?,
             }
             area.draw(&Text::new(name, (x + 28 * FINE, y - 3 * FINE), text(15).color(&INK)))?;
         }

@@ -25,8 +25,8 @@ const NAMES: usize = 18;
 const BOLD: u32 = 2 * FINE as u32;
 pub(crate) const THIN: u32 = FINE as u32;
 
-/// Colours that everybody can tell apart (Okabe and Ito).
-pub(crate) const COLOURS: [RGBColor; 7] = [
+/// Colors that everybody can tell apart (Okabe and Ito).
+pub(crate) const COLORS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -61,8 +61,8 @@ pub struct Line {
     pub name: String,
     /// How it is drawn.
     pub stroke: Stroke,
-    /// Number of its colour; lines with the same one look alike.
-    pub colour: usize,
+    /// Number of its color; lines with the same one look alike.
+    pub color: usize,
     /// Its points; gaps where they are not finite are closed.
     pub points: Vec<(f64, f64)>,
 }
@@ -178,10 +178,10 @@ pub(crate) fn text(height: i32) -> FontDesc<'static> {
 
 impl Line {
     fn style(&self) -> ShapeStyle {
-        let colour = COLOURS[self.colour % COLOURS.len()];
+        let color = COLORS[self.color % COLORS.len()];
         match self.stroke {
-            Stroke::Solid => colour.stroke_width(BOLD),
-            Stroke::Dots => colour.filled(),
+            Stroke::Solid => color.stroke_width(BOLD),
+            Stroke::Dots => color.filled(),
         }
     }
 }
@@ -212,7 +212,7 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (low - margin, high + margin)
 }
 
-/// A number at an axis of this span: as many digits as tell neighbours apart, an exponent where numbers are large or small.
+/// A number at an axis of this span: as many digits as tell neighbors apart, an exponent where numbers are large or small.
 fn tick(value: f64, span: f64) -> String {
     if value.abs() < 1e-9 * span {
         return "0".to_owned();
@@ -254,7 +254,7 @@ fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 mod tests {
     use super::*;
 
-    /// Labels are short, differ from their neighbours, and zero is 0 whatever the round-off.
+    /// Labels are short, differ from their neighbors, and zero is 0 whatever the round-off.
     #[test]
     fn ticks_are_readable() {
         assert_eq!(tick(-0.2, 1.5), "-0.2");
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn regression_ramps_are_no_staircases() {
         let points = (0..=300).map(|k| (f64::from(k), 0.01 * f64::from(k))).collect();
-        let line = Line { name: String::new(), stroke: Stroke::Solid, colour: 0, points };
+        let line = Line { name: String::new(), stroke: Stroke::Solid, color: 0, points };
         let chart = Chart { title: String::new(), axes: [const { String::new() }; 2], shape: false, lines: vec![line] };
         let svg = chart.svg().unwrap();
         assert!(svg.starts_with("<svg width=\"960\" height=\"540\" viewBox=\"0 0 9600 5400\""), "{}", &svg[..100]);

@@ -21,11 +21,11 @@ const ICON: Sheet = Sheet { width: 200.0, height: 150.0, border: 28.0, arrow: 28
 /// The depth axis on paper: direction and shortening.
 const DEPTH: [f64; 2] = [0.42, 0.30];
 
-/// From metres to pixels.
+/// From meters to pixels.
 struct View {
     sheet: &'static Sheet,
     scale: f64,
-    centre: [f64; 2],
+    center: [f64; 2],
 }
 
 /// A point on paper before scaling, z up.
@@ -44,17 +44,17 @@ impl View {
         let high = [0, 1].map(|axis| extreme(axis, f64::max, f64::NEG_INFINITY));
         let room = [sheet.width - 2.0 * sheet.border, sheet.height - 2.0 * sheet.border];
         let scale = [0, 1].map(|axis| room[axis] / (high[axis] - low[axis])).into_iter().fold(f64::INFINITY, f64::min);
-        let centre = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-        if scale.is_finite() && centre.iter().all(|c| c.is_finite()) {
-            Self { sheet, scale, centre }
+        let center = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+        if scale.is_finite() && center.iter().all(|c| c.is_finite()) {
+            Self { sheet, scale, center }
         } else {
-            Self { sheet, scale: 100.0, centre: [0.0; 2] }
+            Self { sheet, scale: 100.0, center: [0.0; 2] }
         }
     }
 
     fn place(&self, point: [f64; 3]) -> [f64; 2] {
         let [x, y] = flat(point);
-        let [right, down] = [self.scale * (x - self.centre[0]), -self.scale * (y - self.centre[1])];
+        let [right, down] = [self.scale * (x - self.center[0]), -self.scale * (y - self.center[1])];
         [0.5 * self.sheet.width + right, 0.5 * self.sheet.height + down]
     }
 }
@@ -100,7 +100,7 @@ pub fn legend(drawing: &Drawing) -> String {
         (line(LineKind::Beam), "beams with their nodes (blue lines)"),
         (line(LineKind::Spring), "springs (dashed pink lines)"),
         (line(LineKind::Arm), "rigid arms of joints (grey lines)"),
-        (mark(MarkKind::Body), "bodies at their centres of mass (blue disks)"),
+        (mark(MarkKind::Body), "bodies at their centers of mass (blue disks)"),
         (mark(MarkKind::Support), "joints to the ground (hatched triangles)"),
         (mark(MarkKind::Joint), "joints between what moves (black circles)"),
         (mark(MarkKind::Frame), "moving frames (dashed squares)"),
@@ -131,7 +131,7 @@ struct Page {
     text: String,
     /// Points that a name must not cover: the lines, close enough to each other, and the names.
     occupied: Vec<[f64; 2]>,
-    /// Names to write when all else is drawn: text, the point that it belongs to, colour.
+    /// Names to write when all else is drawn: text, the point that it belongs to, color.
     names: Vec<(String, [f64; 2], &'static str)>,
 }
 
@@ -199,9 +199,9 @@ impl Page {
         }
     }
 
-    fn name(&mut self, name: &str, at: [f64; 2], colour: &'static str) {
+    fn name(&mut self, name: &str, at: [f64; 2], color: &'static str) {
         if !name.is_empty() {
-            self.names.push((name.to_owned(), at, colour));
+            self.names.push((name.to_owned(), at, color));
         }
     }
 
@@ -314,7 +314,7 @@ impl Page {
     fn arrow(&mut self, arrow: &Arrow, at: [f64; 2]) {
         let [right, up] = flat(arrow.direction);
         let direction = unit([right, -up]);
-        let (colour, dashes) = match arrow.kind {
+        let (color, dashes) = match arrow.kind {
             ArrowKind::Force | ArrowKind::Moment | ArrowKind::Drive => ("#d55e00", ""),
             ArrowKind::Axis => ("#777777", " stroke-dasharray=\"5 4\""),
         };
@@ -324,35 +324,35 @@ impl Page {
             ArrowKind::Moment | ArrowKind::Axis | ArrowKind::Drive => (along(7.0), along(self.sheet.arrow)),
         };
         self.push(format_args!(
-            "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"{colour}\" stroke-width=\"2.5\"{dashes}/>",
+            "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"{color}\" stroke-width=\"2.5\"{dashes}/>",
             tail[0], tail[1], head[0], head[1]
         ));
-        self.arrow_head(head, direction, colour);
+        self.arrow_head(head, direction, color);
         if arrow.kind == ArrowKind::Moment {
             let second = [0, 1].map(|i| head[i] - 9.0 * direction[i]);
-            self.arrow_head(second, direction, colour);
+            self.arrow_head(second, direction, color);
         }
         self.occupy(tail, head);
         let free = if arrow.kind == ArrowKind::Force { tail } else { head };
         if arrow.kind != ArrowKind::Axis {
-            self.name(&arrow.name, free, colour);
+            self.name(&arrow.name, free, color);
         }
     }
 
-    fn arrow_head(&mut self, tip: [f64; 2], direction: [f64; 2], colour: &str) {
+    fn arrow_head(&mut self, tip: [f64; 2], direction: [f64; 2], color: &str) {
         let corner = |side: f64| {
             let x = tip[0] - 11.0 * direction[0] + side * 5.0 * direction[1];
             let y = tip[1] - 11.0 * direction[1] - side * 5.0 * direction[0];
             format!("{x:.1},{y:.1}")
         };
         let (left, right) = (corner(1.0), corner(-1.0));
-        self.push(format_args!("<path d=\"M{:.1},{:.1} L{left} L{right} Z\" fill=\"{colour}\"/>", tip[0], tip[1]));
+        self.push(format_args!("<path d=\"M{:.1},{:.1} L{left} L{right} Z\" fill=\"{color}\"/>", tip[0], tip[1]));
     }
 
     /// Writes the names near their points, where they cover least.
     fn write_names(&mut self) {
         let names = std::mem::take(&mut self.names);
-        for (name, point, colour) in names.into_iter().take(MOST_NAMES) {
+        for (name, point, color) in names.into_iter().take(MOST_NAMES) {
             let half = [0.5 * LETTER[0] * name.chars().count() as f64, 0.5 * LETTER[1]];
             let places = DISTANCES.iter().flat_map(|distance| {
                 DIRECTIONS.iter().map(move |[right, up]| {
@@ -372,7 +372,7 @@ impl Page {
             }
             let (x, y, name) = (at[0], at[1] + 5.0, escaped(&name));
             self.push(format_args!(
-                "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{colour}\" text-anchor=\"middle\">{name}</text>"
+                "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{color}\" text-anchor=\"middle\">{name}</text>"
             ));
         }
     }

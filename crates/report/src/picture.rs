@@ -53,12 +53,12 @@ mod tests {
         assert_eq!(bytes, icon(&drawing).unwrap());
         let pixels = Pixmap::decode_png(&bytes).unwrap();
         assert_eq!((pixels.width(), pixels.height()), (800, 600));
-        let colour = |x, y| {
+        let color = |x, y| {
             let pixel = pixels.pixel(x, y).unwrap();
             [pixel.red(), pixel.green(), pixel.blue(), pixel.alpha()]
         };
-        assert_eq!(colour(400, 300), [0, 0x72, 0xb2, 255]);
-        assert_eq!(colour(400, 340), [255; 4]);
-        assert_eq!(colour(20, 300), [255; 4]);
+        assert_eq!(color(400, 300), [0, 0x72, 0xb2, 255]);
+        assert_eq!(color(400, 340), [255; 4]);
+        assert_eq!(color(20, 300), [255; 4]);
     }
 }

@@ -93,19 +93,19 @@ impl Plot {
     }
 
     fn curves(&self, results: &Results) -> Vec<Line> {
-        let line = |(colour, column): (usize, &usize)| {
+        let line = |(color, column): (usize, &usize)| {
             let Column { name, trace, .. } = &results.columns[*column];
             let label = name
                 .strip_prefix(&self.name)
                 .filter(|rest| rest.starts_with('.'))
                 .map_or_else(|| name.split_once('.').map_or(name.as_str(), |(_, rest)| rest), |rest| &rest[1..]);
-            Line { name: label.to_owned(), stroke: Stroke::Solid, colour, points: trace.points() }
+            Line { name: label.to_owned(), stroke: Stroke::Solid, color, points: trace.points() }
         };
         self.columns.iter().enumerate().map(line).collect()
     }
 
     fn snapshots(&self, results: &Results) -> Vec<Line> {
-        let line = |(colour, (time, row)): (usize, &(f64, Vec<f64>))| {
+        let line = |(color, (time, row)): (usize, &(f64, Vec<f64>))| {
             let values: Vec<f64> = self.columns.iter().map(|column| row[*column]).collect();
             let last = (values.len() - 1).max(1) as f64;
             let points = match self.kind {
@@ -116,7 +116,7 @@ impl Plot {
             };
             // Instants of equal steps have tails: six digits tell them apart.
             let time: f64 = format!("{time:.5e}").parse().unwrap_or(*time);
-            Line { name: format!("t = {time} s"), stroke: Stroke::Solid, colour, points }
+            Line { name: format!("t = {time} s"), stroke: Stroke::Solid, color, points }
         };
         results.snapshots().enumerate().map(line).collect()
     }

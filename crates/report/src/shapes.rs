@@ -1,4 +1,4 @@
-//! A picture of natural modes: a cell each, the shape over the machine at rest, in the oblique projection of draw.rs.
+//! A picture of natural modes: a cell each, the shape over the mechanism at rest, in the oblique projection of draw.rs.
 
 use crate::draw::{escaped, flat};
 use crate::modes::pace;
@@ -12,24 +12,24 @@ const BORDER: f64 = 44.0;
 /// Height of the title, and of the two lines above a shape, pixels.
 const TITLE: f64 = 56.0;
 const CAPTION: f64 = 46.0;
-/// Largest displacement in a picture, as a share of the larger extent of the machine on paper.
+/// Largest displacement in a picture, as a share of the larger extent of the mechanism on paper.
 const AMPLITUDE: f64 = 0.18;
 /// Largest turn in a picture, rad: what turns and hardly moves is not blown up to a displacement.
 const TURN: f64 = 6.0;
 /// Most modes in the picture.
 const MOST: usize = 30;
 
-/// From metres to pixels inside a cell.
+/// From meters to pixels inside a cell.
 struct View {
     scale: f64,
-    centre: [f64; 2],
+    center: [f64; 2],
     middle: [f64; 2],
 }
 
 impl View {
     fn place(&self, point: [f64; 3]) -> [f64; 2] {
         let [x, y] = flat(point);
-        [self.middle[0] + self.scale * (x - self.centre[0]), self.middle[1] - self.scale * (y - self.centre[1])]
+        [self.middle[0] + self.scale * (x - self.center[0]), self.middle[1] - self.scale * (y - self.center[1])]
     }
 }
 
@@ -127,16 +127,16 @@ fn extent(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 2]; 2] {
     })
 }
 
-/// A view in which machine and shape fill the cell.
+/// A view in which mechanism and shape fill the cell.
 fn view(found: &Modes, shape: &[Vec<[f64; 3]>], bodies: &[[f64; 3]], corner: [f64; 2]) -> View {
     let rest = found.lines.iter().flatten().chain(found.places.iter().map(|place| &place.position));
     let [low, high] = extent(rest.chain(shape.iter().flatten()).chain(bodies).copied());
     let room = [CELL[0] - 2.0 * BORDER, CELL[1] - CAPTION - 2.0 * BORDER];
     let scale = [0, 1].map(|axis| room[axis] / (high[axis] - low[axis])).into_iter().fold(f64::INFINITY, f64::min);
-    let centre = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+    let center = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
     let middle = [corner[0] + 0.5 * CELL[0], corner[1] + CAPTION + 0.5 * (CELL[1] - CAPTION)];
     // A single body has no extent.
-    if scale.is_finite() { View { scale, centre, middle } } else { View { scale: 100.0, centre, middle } }
+    if scale.is_finite() { View { scale, center, middle } } else { View { scale: 100.0, center, middle } }
 }
 
 fn path(view: &View, points: &[[f64; 3]]) -> String {

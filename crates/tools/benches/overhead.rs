@@ -22,7 +22,7 @@ use std::{
 
 const ROUNDS: usize = 41;
 
-/// A machine whose steps take so little time that what C adds to them can be seen.
+/// A mechanism whose steps take so little time that what C adds to them can be seen.
 const SLIDE: &str = r#"
 format = 1
 [model]

@@ -4,7 +4,7 @@ use super::ancf14::energy::quadratic_twist::Twist;
 use super::ancf14::strain::{Stiffness, Strain};
 use super::ancf24::element::Properties;
 use super::ancf24::law::{Shear, law};
-use super::ancf24::station::Fibres;
+use super::ancf24::station::Fibers;
 use super::centerline::Centerline;
 use super::material::Material;
 use super::section::Section;
@@ -104,7 +104,7 @@ impl BeamDesign {
         let share = material.density * section.polar_moment / (moments[0] + moments[1]);
         Properties {
             law: law(material, section, poisson, shear),
-            fibres: Fibres {
+            fibers: Fibers {
                 area: section.area,
                 y: (section.second_moment_z / section.area).sqrt(),
                 z: (section.second_moment_y / section.area).sqrt(),

@@ -1,7 +1,7 @@
 //! What is told of a section: its strains, the force and moments that it transmits, the largest stress on its outline.
 //!
 //! Signs as in docs/model-file.md: forces and moments are what the part towards the beam's end exerts on the part towards its
-//! start. The fibre at (y, z) has the strain `axial + z curvature_y − y curvature_z`.
+//! start. The fiber at (y, z) has the strain `axial + z curvature_y − y curvature_z`.
 
 use super::section::Outline;
 
@@ -39,14 +39,14 @@ pub struct SectionForces {
 /// The point of a section that bears the largest stress of one state, and how its stress changes around that state: the largest stress itself
 /// has kinks where another point takes over.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Fibre {
+pub struct Fiber {
     /// y and z, m.
     place: [f64; 2],
     /// `∂s/∂σ` and `∂s/∂τ` of `s = sqrt(σ² + 3 τ²)`, 1; 0 where there is no stress.
     slopes: [f64; 2],
 }
 
-impl Fibre {
+impl Fiber {
     /// The one that bears most; arguments as of [`largest_stress`].
     pub fn worst(outline: &Outline, young: f64, torque: f64, strains: &SectionStrains) -> Option<Self> {
         // Where it is compressed the largest stress is on the other side.
@@ -54,10 +54,10 @@ impl Fibre {
         let place = outline.farthest_point(&strains.curvature)?.map(|part| side * part);
         // Without stress both slopes are 0.
         let stress = largest_stress(outline, young, torque, strains)?.max(f64::MIN_POSITIVE);
-        let fibre = Self { place, slopes: [0.0; 2] };
-        let normal = young * fibre.strain(strains);
+        let fiber = Self { place, slopes: [0.0; 2] };
+        let normal = young * fiber.strain(strains);
         let shear = torque / outline.torsion_modulus()?;
-        Some(Self { slopes: [normal / stress, 3.0 * (shear / stress)], ..fibre })
+        Some(Self { slopes: [normal / stress, 3.0 * (shear / stress)], ..fiber })
     }
 
     /// Its stress near that state, to first order in `σ` and `τ`, Pa.
@@ -74,7 +74,7 @@ impl Fibre {
 
 /// Largest von Mises stress `sqrt(σ² + 3 τ²)` over `outline`, Pa; none if the outline is not known.
 ///
-/// `σ = young · (fibre strain)`, linear over the section: squares of curvature and torsion are left out. `τ` is the largest shear that
+/// `σ = young · (fiber strain)`, linear over the section: squares of curvature and torsion are left out. `τ` is the largest shear that
 /// the Saint-Venant torque `torque`, N m, makes in the shape itself, also where its torsion constant is given differently. Circles and tubes have
 /// it all along the outline; for a rectangle, whose corners bear `σ` and the middles of whose long sides `τ`, it is taken everywhere: an upper bound.
 pub fn largest_stress(outline: &Outline, young: f64, torque: f64, strains: &SectionStrains) -> Option<f64> {

@@ -1,6 +1,6 @@
 //! Twist and stress of a section that is watched.
 
-use crate::mechanics::beam::resultants::{self, Fibre, SectionStrains};
+use crate::mechanics::beam::resultants::{self, Fiber, SectionStrains};
 use crate::mechanics::beam::section::Outline;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
@@ -20,14 +20,14 @@ impl Sensor {
         self.on_section(system, c, resultants::largest_stress)
     }
 
-    /// The fibre of the section that bears this stress.
-    pub fn worst_fibre(&self, system: &System, c: &Configuration) -> Option<Fibre> {
-        self.on_section(system, c, Fibre::worst)
+    /// The fiber of the section that bears this stress.
+    pub fn worst_fiber(&self, system: &System, c: &Configuration) -> Option<Fiber> {
+        self.on_section(system, c, Fiber::worst)
     }
 
-    /// The stress of a fibre that bears the largest one in a state nearby, Pa.
-    pub fn stress_of(&self, fibre: &Fibre, system: &System, c: &Configuration) -> Option<f64> {
-        self.on_section(system, c, |outline, young, torque, strains| fibre.stress(outline, young, torque, strains))
+    /// The stress of a fiber that bears the largest one in a state nearby, Pa.
+    pub fn stress_of(&self, fiber: &Fiber, system: &System, c: &Configuration) -> Option<f64> {
+        self.on_section(system, c, |outline, young, torque, strains| fiber.stress(outline, young, torque, strains))
     }
 
     /// What `read` makes of the outline, Young's modulus, torque and strains of the section.

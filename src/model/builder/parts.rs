@@ -42,7 +42,7 @@ impl Builder<'_> {
         });
         if let Some(element) = self.system.impossible_element(number) {
             let message = format!("beam {} is bent or pretwisted too sharply for a solid section", beam.name);
-            let label = format!("element {element}, counted from 0, has fibres without length");
+            let label = format!("element {element}, counted from 0, has fibers without length");
             let help =
                 "element = \"ancf24\" has a solid section: take a slimmer one, more elements, or element = \"ancf14\"";
             self.mistakes.push(document.diagnostic(beam.place, &message, &label, help));

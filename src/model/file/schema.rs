@@ -105,13 +105,13 @@ pub const VELOCITY: Rule = rule("velocity", "initial velocity of the start, glob
 pub const ANGULAR_VELOCITY: Rule = rule("angular_velocity", "initial angular velocity, global axes", "rad/s");
 
 pub const MASS: Rule = rule("mass", "mass", "kg").above(0.0);
-pub const CENTER: Rule = rule("position", "centre of mass as drawn, global", "m");
+pub const CENTER: Rule = rule("position", "center of mass as drawn, global", "m");
 pub const PRINCIPAL_INERTIA: Rule =
-    rule("inertia", "moment of inertia about the centre of mass, body axes", "kg.m2").above(0.0);
+    rule("inertia", "moment of inertia about the center of mass, body axes", "kg.m2").above(0.0);
 pub const INERTIA: Rule =
-    rule("inertia", "tensor of inertia about the centre of mass, body axes (xx, yy, zz, xy, yz, zx)", "kg.m2");
+    rule("inertia", "tensor of inertia about the center of mass, body axes (xx, yy, zz, xy, yz, zx)", "kg.m2");
 pub const AXES: Rule = rule("axes", "body axes as drawn, global, one per row", "");
-pub const BODY_VELOCITY: Rule = rule("velocity", "initial velocity of the centre of mass, global axes", "m/s");
+pub const BODY_VELOCITY: Rule = rule("velocity", "initial velocity of the center of mass, global axes", "m/s");
 
 pub const FRAME_POSITION: Rule = rule("position", "place of the frame, global", "m").in_time();
 pub const FRAME_ROTATION: Rule = rule("rotation", "rotation vector of the frame, global axes", "rad").in_time();

@@ -143,7 +143,7 @@ impl Accuracy {
             return;
         }
         self.looked = state.statistics.steps;
-        table.measure(&Moment { system, state: moved, response, fibres: &[] }, snapshot, values);
+        table.measure(&Moment { system, state: moved, response, fibers: &[] }, snapshot, values);
         largest.clear();
         largest.resize(columns.families.len(), 0.0);
         for column in &columns.columns {

@@ -226,7 +226,7 @@ impl Simulation {
         let runner = &mut self.runner;
         runner.respond()?;
         let (system, state, response) = (&*runner.system, &runner.state, &runner.response);
-        let moment = Moment { system, state, response, fibres: &[] };
+        let moment = Moment { system, state, response, fibers: &[] };
         self.table.measure(&moment, &mut self.frames, &mut self.results);
         Ok(())
     }

@@ -6,7 +6,7 @@ use super::inputs::Inputs;
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
-use crate::mechanics::beam::resultants::Fibre;
+use crate::mechanics::beam::resultants::Fiber;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
@@ -72,8 +72,8 @@ pub struct Moment<'a> {
     pub state: &'a State,
     /// Accelerations and multipliers at the time of the state; needed where [`Table::needs_response`].
     pub response: &'a Response,
-    /// The fibres of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty: the largest ones are.
-    pub fibres: &'a [Fibre],
+    /// The fibers of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty: the largest ones are.
+    pub fibers: &'a [Fiber],
 }
 
 /// The variable table, and where each row's value comes from.
@@ -220,15 +220,15 @@ impl Table {
         }
     }
 
-    /// The fibres of all sensors that bear most at a moment, for [`Moment::fibres`]; none where no stress is told.
-    pub fn fibres(&self, moment: &Moment, snapshot: &mut FrameCache) -> Vec<Fibre> {
+    /// The fibers of all sensors that bear most at a moment, for [`Moment::fibers`]; none where no stress is told.
+    pub fn fibers(&self, moment: &Moment, snapshot: &mut FrameCache) -> Vec<Fiber> {
         let tells_stress = |measure: &Measure| matches!(measure, Measure::Sensors(_, Quantity::Stress));
         if !self.measures.iter().any(tells_stress) {
             return Vec::new();
         }
         let configuration = snapshot.of(moment.system, moment.state);
         let sensors = moment.system.sensors.iter();
-        sensors.map(|sensor| sensor.worst_fibre(moment.system, &configuration).unwrap_or_default()).collect()
+        sensors.map(|sensor| sensor.worst_fiber(moment.system, &configuration).unwrap_or_default()).collect()
     }
 
     /// What result `result` is a part of.
@@ -343,7 +343,7 @@ impl Table {
 }
 
 fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
-    let Moment { system, state, response, fibres } = *moment;
+    let Moment { system, state, response, fibers } = *moment;
     let sensor = &system.sensors[number];
     let rotation = &state.rotations[number];
     let mut push = |v: Vec3| values.extend(v.iter());
@@ -362,8 +362,8 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
         Quantity::SectionForce => values.push(sensor.section_forces(c).axial),
         Quantity::SectionMoment => values.extend(sensor.section_forces(c).moment),
         Quantity::Stress => {
-            let stress = match fibres.get(number) {
-                Some(fibre) => sensor.stress_of(fibre, system, c),
+            let stress = match fibers.get(number) {
+                Some(fiber) => sensor.stress_of(fiber, system, c),
                 None => sensor.stress(system, c),
             };
             values.push(stress.expect("the file is refused: a general section has no stress"));

@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// As the charts of the validation page.
 const SIZE: (u32, u32) = (960, 540);
-const COLOURS: [RGBColor; SETTINGS.len() + 1] = [RGBColor(0, 114, 178), RGBColor(204, 121, 167), RGBColor(213, 94, 0)];
+const COLORS: [RGBColor; SETTINGS.len() + 1] = [RGBColor(0, 114, 178), RGBColor(204, 121, 167), RGBColor(213, 94, 0)];
 const INK: RGBColor = RGBColor(50, 50, 50);
 const GRID: RGBColor = RGBColor(225, 225, 225);
 
@@ -54,13 +54,13 @@ pub fn draw(costs: &[Cost], file: &Path) -> Result<(), Box<dyn Error>> {
         .x_label_formatter(&|value| value.to_string())
         .y_label_formatter(&|value| value.to_string())
         .draw()?;
-    for ((name, points), colour) in series.iter().zip(COLOURS) {
+    for ((name, points), color) in series.iter().zip(COLORS) {
         if points.is_empty() {
             continue;
         }
-        chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(2)))?;
-        let dots = chart.draw_series(points.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
-        dots.label(name).legend(move |place| Circle::new(place, 4, colour.filled()));
+        chart.draw_series(LineSeries::new(points.iter().copied(), color.stroke_width(2)))?;
+        let dots = chart.draw_series(points.iter().map(|point| Circle::new(*point, 4, color.filled())))?;
+        dots.label(name).legend(move |place| Circle::new(place, 4, color.filled()));
     }
     chart
         .configure_series_labels()

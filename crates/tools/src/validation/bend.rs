@@ -33,10 +33,10 @@ pub fn write(section: &mut Section) {
     let own = |k: &usize| constants[*k] == constants[0];
     let rows: Vec<usize> = (0..loads.len()).filter(own).collect();
     let mut lines = Vec::new();
-    for (colour, (name, exact)) in [("x", &x), ("y", &y), ("z", &z)].into_iter().enumerate() {
-        let found = points(&force, &curves.column(&format!("end.position[{}]", colour + 1)), 1);
-        lines.push(line(&format!("{name}, 8 elements"), colour, found));
-        lines.push(dots(&format!("{name}, exact"), colour, rows.iter().map(|k| (loads[*k], exact[*k])).collect()));
+    for (color, (name, exact)) in [("x", &x), ("y", &y), ("z", &z)].into_iter().enumerate() {
+        let found = points(&force, &curves.column(&format!("end.position[{}]", color + 1)), 1);
+        lines.push(line(&format!("{name}, 8 elements"), color, found));
+        lines.push(dots(&format!("{name}, exact"), color, rows.iter().map(|k| (loads[*k], exact[*k])).collect()));
     }
     section.picture("bend_45", plot("45-degree bend: place of the end", ["load", "x, y, z"], lines));
     section.say("Largest distance of the end from where it should be, over three loads and both torsion constants, relative to its distance from the root:");

@@ -114,13 +114,13 @@ fn draw_positions(section: &mut Section) {
     let angle = curves.column("motor_side.angle");
     for (name, axis, title) in [("side", 3, "from the side"), ("top", 2, "from above")] {
         let mut lines = Vec::new();
-        for (colour, degrees) in [0.0, 30.0, 60.0, 90.0, 120.0].into_iter().enumerate() {
+        for (color, degrees) in [0.0, 30.0, 60.0, 90.0, 120.0].into_iter().enumerate() {
             let row = angle.iter().position(|angle| angle.to_degrees() >= degrees - 1e-9).unwrap();
             for beam in ["strip", "link", "crank"] {
                 let place = |k: usize, axis: usize| curves.column(&format!("{beam}_shape.position[{k},{axis}]"))[row];
                 let own = (1..=STATIONS).map(|k| (place(k, 1), place(k, axis))).collect();
                 let name = if beam == "strip" { format!("crank at {degrees} degrees") } else { String::new() };
-                lines.push(line(&name, colour, own));
+                lines.push(line(&name, color, own));
             }
         }
         let axes = ["x (m)", if axis == 3 { "z (m)" } else { "y (m)" }];

@@ -39,7 +39,7 @@ pub fn write(section: &mut Section) {
         (1..=33).map(|k| (place(k, 1), place(k, 2))).collect()
     };
     let lines = [0.0, 1.0, 2.0, 5.0, 10.0].into_iter().enumerate();
-    let lines = lines.map(|(colour, load)| line(&format!("P L^2 / EI = {load}"), colour, shape(load))).collect();
+    let lines = lines.map(|(color, load)| line(&format!("P L^2 / EI = {load}"), color, shape(load))).collect();
     section.picture("elastica_shapes", shapes("Elastica: 8 elements", ["x (m)", "y (m)"], lines));
     section.say("Largest distance of the tip from where it should be, over 15 loads, relative to the length:");
     let error = |elements: u32, twist: &str| {

@@ -51,7 +51,7 @@ pub fn write(section: &mut Section) {
     section.picture("frames_frenet", hedgehog(&curve, "Figure 2: normals of the Serret-Frenet frame", &found));
     section.picture("frames_bishop", hedgehog(&curve, "Figure 3: normals of the Bishop frame", &carried));
     section.say(&format!(
-        "Of {NORMALS} places {missing} have no Serret-Frenet frame. Neighbouring normals differ by at most {:.1} degrees by Serret and Frenet and by {:.1} by \
+        "Of {NORMALS} places {missing} have no Serret-Frenet frame. Neighboring normals differ by at most {:.1} degrees by Serret and Frenet and by {:.1} by \
          Bishop.",
         turned(&found),
         turned(&carried)

@@ -94,13 +94,13 @@ impl Section {
 }
 
 /// A line from point to point.
-fn line(name: &str, colour: usize, points: Vec<(f64, f64)>) -> Line {
-    Line { name: name.to_owned(), stroke: Stroke::Solid, colour, points }
+fn line(name: &str, color: usize, points: Vec<(f64, f64)>) -> Line {
+    Line { name: name.to_owned(), stroke: Stroke::Solid, color, points }
 }
 
 /// Dots.
-fn dots(name: &str, colour: usize, points: Vec<(f64, f64)>) -> Line {
-    Line { name: name.to_owned(), stroke: Stroke::Dots, colour, points }
+fn dots(name: &str, color: usize, points: Vec<(f64, f64)>) -> Line {
+    Line { name: name.to_owned(), stroke: Stroke::Dots, color, points }
 }
 
 /// A chart of curves.

@@ -86,11 +86,11 @@ pub fn write(section: &mut Section) {
         loads.iter().map(|load| angles.iter().map(|angle| tip(*load, *angle, 8, "quadratic")).collect()).collect();
     for (name, label, unit, value) in COMPONENTS {
         let mut lines = Vec::new();
-        for (colour, (load, runs)) in loads.iter().zip(&runs).enumerate() {
+        for (color, (load, runs)) in loads.iter().zip(&runs).enumerate() {
             let own = reference.iter().filter(|row| row.0 == *load);
             let found = angles.iter().zip(runs).map(|(angle, tip)| (*angle, value(tip))).collect();
-            lines.push(line(&format!("{load} N, 8 elements"), colour, found));
-            lines.push(dots(&format!("{load} N, exact"), colour, own.map(|row| (row.1, value(&row.2))).collect()));
+            lines.push(line(&format!("{load} N, 8 elements"), color, found));
+            lines.push(dots(&format!("{load} N, exact"), color, own.map(|row| (row.1, value(&row.2))).collect()));
         }
         let axes = ["angle of the load (degrees)", &format!("{label} ({unit})")];
         section.picture(&format!("princeton_{name}"), plot(&format!("Princeton beam: {label}"), axes, lines));

@@ -17,18 +17,18 @@ pub fn write(section: &mut Section) {
     );
     let curves = run(16, "linear");
     let mut lines = Vec::new();
-    for (colour, share) in [0.25, 0.5, 0.75, 1.0].into_iter().enumerate() {
+    for (color, share) in [0.25, 0.5, 0.75, 1.0].into_iter().enumerate() {
         let row = curves.time.iter().position(|time| (time - share).abs() < 1e-9).unwrap();
         let place = |k: usize, axis: usize| curves.column(&format!("shape.position[{k},{axis}]"))[row];
         let own = (1..=33).map(|k| (place(k, 1), place(k, 2))).collect();
-        lines.push(super::dots(&format!("{share} turns, 16 elements"), colour, own));
+        lines.push(super::dots(&format!("{share} turns, 16 elements"), color, own));
         let arc = |s: f64| {
             let turn = TAU * share;
             ((turn * s).sin() / turn, (1.0 - (turn * s).cos()) / turn)
         };
         lines.push(line(
             &format!("{share} turns, exact"),
-            colour,
+            color,
             (0..=100).map(|k| arc(f64::from(k) / 100.0)).collect(),
         ));
     }

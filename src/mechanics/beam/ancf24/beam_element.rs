@@ -212,9 +212,9 @@ impl BeamElement for Element {
     }
 
     fn torsion_rigidity(&self) -> f64 {
-        let (law, fibres) = (&self.properties.law, &self.properties.fibres);
+        let (law, fibers) = (&self.properties.law, &self.properties.fibers);
         // Moduli of the shears zx and xy.
-        fibres.area * (law[(4, 4)] * fibres.y * fibres.y + law[(5, 5)] * fibres.z * fibres.z)
+        fibers.area * (law[(4, 4)] * fibers.y * fibers.y + law[(5, 5)] * fibers.z * fibers.z)
     }
 
     fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64 {

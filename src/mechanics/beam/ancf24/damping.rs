@@ -1,4 +1,4 @@
-//! Kelvin-Voigt damping: `stress = C (strain + c rate)` with `c` in s, over all strains of the energy, at its own fibres.
+//! Kelvin-Voigt damping: `stress = C (strain + c rate)` with `c` in s, over all strains of the energy, at its own fibers.
 //!
 //! Strains are quadratic in the coordinates: over a step their rate is the change of the strains over its length, and a rigid
 //! motion, however fast, is not damped at all.

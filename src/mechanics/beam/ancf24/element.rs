@@ -2,7 +2,7 @@
 
 use super::coordinates::{Directors, ELEMENT, Interpolation};
 use super::inertia::Mass;
-use super::station::{Fibres, Station};
+use super::station::{Fibers, Station};
 use super::strain::VoigtMatrix;
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
 use crate::math::{Vec3, hermite};
@@ -12,8 +12,8 @@ use crate::math::{Vec3, hermite};
 pub struct Properties {
     /// Stresses by strains in the section's axes, Pa.
     pub law: VoigtMatrix,
-    /// The fibres of its section.
-    pub fibres: Fibres,
+    /// The fibers of its section.
+    pub fibers: Fibers,
     /// `ρA`, kg/m.
     pub line_density: f64,
     /// `ρ ∫ y² dA`, `ρ ∫ z² dA`, kg m.
@@ -31,7 +31,7 @@ pub struct Element {
     pub length: f64,
     /// What it has in common with the others of its beam.
     pub properties: Properties,
-    /// Where the energy is evaluated: five Gauss points along the axis, 2 × 2 fibres each.
+    /// Where the energy is evaluated: five Gauss points along the axis, 2 × 2 fibers each.
     pub stations: Vec<Station>,
     /// Undeformed coordinates (24).
     pub reference: [f64; ELEMENT],
@@ -42,8 +42,8 @@ pub struct Element {
 impl Element {
     /// An element that is stress free at the coordinates `reference` (24).
     pub fn new(start: usize, length: f64, properties: Properties, reference: &[f64; ELEMENT]) -> Self {
-        let Properties { law, fibres, line_density, section_inertia, .. } = &properties;
-        let station = |(xi, weight): (f64, f64)| Station::new(xi, length, reference, fibres, law, weight * length);
+        let Properties { law, fibers, line_density, section_inertia, .. } = &properties;
+        let station = |(xi, weight): (f64, f64)| Station::new(xi, length, reference, fibers, law, weight * length);
         Self {
             start,
             length,

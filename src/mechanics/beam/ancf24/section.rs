@@ -1,4 +1,4 @@
-//! What outputs tell of a section: strains of its fibres, and what its stresses amount to.
+//! What outputs tell of a section: strains of its fibers, and what its stresses amount to.
 
 use super::coordinates::{Directors, Interpolation, part};
 use super::element::Element;
@@ -32,7 +32,7 @@ pub fn twist(element: &Element, q: &[f64], xi: f64) -> f64 {
 pub fn forces(element: &Element, q: &[f64], xi: f64) -> SectionForces {
     let properties = &element.properties;
     // Per length of the axis.
-    let station = Station::new(xi, element.length, &element.reference, &properties.fibres, &properties.law, 1.0);
+    let station = Station::new(xi, element.length, &element.reference, &properties.fibers, &properties.law, 1.0);
     let directors = station.interpolation.directors(q);
     let stresses = station.stresses(&station.strains(&directors, &Directors::zeros()));
     let forces = station.forces(&directors, &stresses);

@@ -1,16 +1,16 @@
-//! A section at which the energy is evaluated: four fibres, whose strains follow from the section's five directors.
+//! A section at which the energy is evaluated: four fibers, whose strains follow from the section's five directors.
 
 use super::coordinates::{DIRECTORS, DirectorMatrix, Directors, Interpolation, part};
 use super::strain::{STRAINS_OF, Voigt, VoigtMatrix, products, products_g, tensor, to_local};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::geometry::triad::Triad;
 
-/// Fibres of a section: two by two.
-pub const FIBRES: usize = 4;
+/// Fibers of a section: two by two.
+pub const FIBERS: usize = 4;
 
-/// Where the fibres of a section are: symmetric, so that they have its area and second moments (Gauss points of a rectangle).
+/// Where the fibers of a section are: symmetric, so that they have its area and second moments (Gauss points of a rectangle).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fibres {
+pub struct Fibers {
     /// Area of all of them, m².
     pub area: f64,
     /// Their distance from the axis along y, `sqrt(Iz/A)`, m.
@@ -19,9 +19,9 @@ pub struct Fibres {
     pub z: f64,
 }
 
-/// A fibre.
+/// A fiber.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Fibre {
+struct Fiber {
     y: f64,
     z: f64,
     /// Undeformed volume, m³: its quadrature weight.
@@ -32,24 +32,24 @@ struct Fibre {
     reference: Voigt,
 }
 
-/// A section with its fibres.
+/// A section with its fibers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
     /// How its directors follow from the coordinates.
     pub interpolation: Interpolation,
-    fibres: [Fibre; FIBRES],
+    fibers: [Fiber; FIBERS],
 }
 
 /// One number per strain of a station.
-pub type Strains = [Voigt; FIBRES];
+pub type Strains = [Voigt; FIBERS];
 
-impl Fibre {
+impl Fiber {
     /// `g` of the directors `d`.
     fn base(&self, d: &Directors) -> [Vec3; 3] {
         [part(d, 0) + part(d, 3) * self.y + part(d, 4) * self.z, part(d, 1), part(d, 2)]
     }
 
-    /// [`Station::stiffness`] of this fibre, by the base vectors.
+    /// [`Station::stiffness`] of this fiber, by the base vectors.
     fn stiffness_by_base(&self, d: &Directors, stress: &Voigt, other: &Directors, factor: f64) -> [[f64; 9]; 9] {
         let (g, h) = (self.base(d), self.base(other));
         let mut stresses_by = [[0.0; 9]; 6];
@@ -86,65 +86,65 @@ impl Fibre {
 impl Station {
     /// At `xi` of an element of this length (m) whose undeformed coordinates are `reference` (24), with the material `law`, Pa;
     /// `weight` is the share of the length, m.
-    pub fn new(xi: f64, length: f64, reference: &[f64], fibres: &Fibres, law: &VoigtMatrix, weight: f64) -> Self {
+    pub fn new(xi: f64, length: f64, reference: &[f64], fibers: &Fibers, law: &VoigtMatrix, weight: f64) -> Self {
         let interpolation = Interpolation::new(xi, length);
         let directors = interpolation.directors(reference);
-        let fibre = |number: usize| {
+        let fiber = |number: usize| {
             let sign = |is_plus: bool| if is_plus { 1.0 } else { -1.0 };
-            let (y, z) = (fibres.y * sign(number % 2 == 1), fibres.z * sign(number / 2 == 1));
-            let mut fibre = Fibre { y, z, volume: 0.0, stiffness: VoigtMatrix::zeros(), reference: Voigt::zeros() };
-            let base = fibre.base(&directors);
-            fibre.reference = products(&base);
+            let (y, z) = (fibers.y * sign(number % 2 == 1), fibers.z * sign(number / 2 == 1));
+            let mut fiber = Fiber { y, z, volume: 0.0, stiffness: VoigtMatrix::zeros(), reference: Voigt::zeros() };
+            let base = fiber.base(&directors);
+            fiber.reference = products(&base);
             let triad = Triad::new(&base[0], &base[1]);
             let local =
                 Mat3::from_columns(&[triad.t, triad.u, triad.t.cross(&triad.u)]).tr_mul(&Mat3::from_columns(&base));
-            fibre.volume = weight * fibres.area / FIBRES as f64 * local.determinant();
+            fiber.volume = weight * fibers.area / FIBERS as f64 * local.determinant();
             // A base without volume has no stiffness.
             let local_by_base = to_local(&local).unwrap_or_else(VoigtMatrix::zeros);
-            fibre.stiffness = local_by_base.tr_mul(&(law * local_by_base)) * fibre.volume;
-            fibre
+            fiber.stiffness = local_by_base.tr_mul(&(law * local_by_base)) * fiber.volume;
+            fiber
         };
-        Self { interpolation, fibres: std::array::from_fn(fibre) }
+        Self { interpolation, fibers: std::array::from_fn(fiber) }
     }
 
     /// Whether all of it has a volume, as undeformed: a section thicker than its bend has not.
     pub fn is_possible(&self) -> bool {
-        self.fibres.iter().all(|fibre| fibre.volume > 0.0)
+        self.fibers.iter().all(|fiber| fiber.volume > 0.0)
     }
 
     /// Strains at the directors `d`; over a step, in which they change by `change`, the mean of both ends'.
     pub fn strains(&self, d: &Directors, change: &Directors) -> Strains {
-        self.fibres
+        self.fibers
             .each_ref()
-            .map(|fibre| products(&fibre.base(d)) + products(&fibre.base(change)) * 0.25 - fibre.reference)
+            .map(|fiber| products(&fiber.base(d)) + products(&fiber.base(change)) * 0.25 - fiber.reference)
     }
 
     /// Rates of the strains at the rates `rate` of the directors.
     pub fn strain_rates(&self, d: &Directors, rate: &Directors) -> Strains {
-        self.fibres.each_ref().map(|fibre| {
-            let g = fibre.base(rate);
+        self.fibers.each_ref().map(|fiber| {
+            let g = fiber.base(rate);
             let rates = nalgebra::SVector::<f64, 9>::from_fn(|i, _| g[i / 3][i % 3]);
-            products_g(&fibre.base(d)) * rates
+            products_g(&fiber.base(d)) * rates
         })
     }
 
     /// Stresses of the strains `strains`, quadrature weights included.
     pub fn stresses(&self, strains: &Strains) -> Strains {
-        std::array::from_fn(|i| self.fibres[i].stiffness * strains[i])
+        std::array::from_fn(|i| self.fibers[i].stiffness * strains[i])
     }
 
     /// Forces of the stresses on the directors `d`: what works on their variations.
     pub fn forces(&self, d: &Directors, stresses: &Strains) -> Directors {
         let mut sum = Directors::zeros();
-        for (fibre, stress) in self.fibres.iter().zip(stresses) {
-            let base = Mat3::from_columns(&fibre.base(d)) * tensor(stress);
+        for (fiber, stress) in self.fibers.iter().zip(stresses) {
+            let base = Mat3::from_columns(&fiber.base(d)) * tensor(stress);
             let along = base.column(0);
             for (director, force) in [
                 along.into(),
                 base.column(1).into_owned(),
                 base.column(2).into_owned(),
-                along * fibre.y,
-                along * fibre.z,
+                along * fiber.y,
+                along * fiber.z,
             ]
             .into_iter()
             .enumerate()
@@ -160,29 +160,29 @@ impl Station {
     /// the stresses change by `factor C ∂strain(other)`.
     pub fn stiffness(&self, d: &Directors, stresses: &Strains, other: &Directors, factor: f64) -> DirectorMatrix {
         let mut sum = [[0.0; DIRECTORS]; DIRECTORS];
-        for (fibre, stress) in self.fibres.iter().zip(stresses) {
-            add_fibre(&mut sum, &fibre.stiffness_by_base(d, stress, other, factor), fibre);
+        for (fiber, stress) in self.fibers.iter().zip(stresses) {
+            add_fiber(&mut sum, &fiber.stiffness_by_base(d, stress, other, factor), fiber);
         }
         sum
     }
 }
 
-/// Adds the stiffness `by_base` of a fibre in its base vectors, 9×9: the first of them has `r_xy` and `r_xz` in it too.
-fn add_fibre(sum: &mut DirectorMatrix, by_base: &[[f64; 9]; 9], fibre: &Fibre) {
+/// Adds the stiffness `by_base` of a fiber in its base vectors, 9×9: the first of them has `r_xy` and `r_xz` in it too.
+fn add_fiber(sum: &mut DirectorMatrix, by_base: &[[f64; 9]; 9], fiber: &Fiber) {
     for (row, own) in by_base.iter().enumerate() {
         let add = |target: &mut [f64; DIRECTORS], share: f64| {
             for (target, value) in target.iter_mut().zip(own) {
                 *target += share * value;
             }
             for axis in 0..3 {
-                target[9 + axis] += share * fibre.y * own[axis];
-                target[12 + axis] += share * fibre.z * own[axis];
+                target[9 + axis] += share * fiber.y * own[axis];
+                target[12 + axis] += share * fiber.z * own[axis];
             }
         };
         add(&mut sum[row], 1.0);
         if row < 3 {
-            add(&mut sum[9 + row], fibre.y);
-            add(&mut sum[12 + row], fibre.z);
+            add(&mut sum[9 + row], fiber.y);
+            add(&mut sum[12 + row], fiber.z);
         }
     }
 }

@@ -171,10 +171,10 @@ impl Simulation {
         let mut response = Response::default();
         self.runner.solver.respond(&mut Responder::new(system), system, state, &mut response)?;
         let (mut frames, mut values) = (FrameCache::default(), Vec::new());
-        let fibres = self.table.fibres(&Moment { system, state, response: &response, fibres: &[] }, &mut frames);
+        let fibers = self.table.fibers(&Moment { system, state, response: &response, fibers: &[] }, &mut frames);
         let mut sum = vec![0.0; self.results.len()];
         sensitivity::along_motion(system, state, &response.acceleration, |state, weight| {
-            let moment = Moment { system, state, response: &response, fibres: &fibres };
+            let moment = Moment { system, state, response: &response, fibers: &fibers };
             self.table.measure(&moment, &mut frames, &mut values);
             add_weighted(&mut sum, &values, weight);
         });
@@ -194,11 +194,11 @@ impl Simulation {
             let (system, state) = (self.runner.settled(&self.document), &self.runner.state);
             let mut response = Response::default();
             self.runner.solver.respond(&mut Responder::new(&system), &system, state, &mut response)?;
-            let moment = Moment { system: &system, state, response: &response, fibres: &[] };
+            let moment = Moment { system: &system, state, response: &response, fibers: &[] };
             self.table.measure(&moment, &mut frames, &mut now);
             (system, next)
         };
-        let moment = Moment { system: &system, state: &state, response: &response, fibres: &[] };
+        let moment = Moment { system: &system, state: &state, response: &response, fibers: &[] };
         self.table.measure(&moment, &mut frames, &mut values);
         let passed = self.runner.state.time - state.time;
         Ok(now.iter().zip(&values).map(|(now, other)| (now - other) / passed).collect())
@@ -228,11 +228,11 @@ impl Simulation {
             Solver::Statics(statics) => differentiate(statics.as_mut(), system, step, plan, end),
         }?;
         let (mut frames, mut values, mut columns) = (FrameCache::default(), Vec::new(), Vec::new());
-        let fibres = table.fibres(&Moment { system, state: &after, response: &response, fibres: &[] }, &mut frames);
+        let fibers = table.fibers(&Moment { system, state: &after, response: &response, fibers: &[] }, &mut frames);
         for number in 0..last.inputs.count() {
             let mut sum = vec![0.0; results.len()];
             sensitivity.look(system, step, (&after, &response), number, |state, response, weight| {
-                table.measure(&Moment { system, state, response, fibres: &fibres }, &mut frames, &mut values);
+                table.measure(&Moment { system, state, response, fibers: &fibers }, &mut frames, &mut values);
                 add_weighted(&mut sum, &values, weight);
             });
             columns.extend_from_slice(&sum);

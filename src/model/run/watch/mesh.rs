@@ -160,7 +160,7 @@ impl MeshWatch {
         };
         Some(format!(
             "the mesh is too coarse: at t = {} s its elements miss about {:.1} % of the largest energy so far, most of it {word} of beam {} between {begin:.2} and \
-             {end:.2} of its length; results are off by up to about as much, and by far more where the machine buckles; take elements = {} or more for this \
+             {end:.2} of its length; results are off by up to about as much, and by far more where the mechanism buckles; take elements = {} or more for this \
              beam{remedy}",
             decimal(state.time),
             100.0 * share,

@@ -41,7 +41,7 @@ pub fn write(section: &mut Section) {
     section.say(&format!(
         "ANCF24 is too stiff with few elements. Its axis is a cubic, but the slopes across are linear along the element: the curvature is constant within it, and axis and section do not \
          stay perpendicular, which costs the energy of a shear that is not there. A finer mesh cures that. It passes through the reference on its way; what is left with many elements \
-         is a difference of the two theories: a thick curved wire with shear, whose inner fibres are shorter than its outer ones, differs from the rod by a part of \
+         is a difference of the two theories: a thick curved wire with shear, whose inner fibers are shorter than its outer ones, differs from the rod by a part of \
          the square of wire over coil radius, {}.",
         study::small((of("wire.radius") / of("radius")).powi(2))
     ));

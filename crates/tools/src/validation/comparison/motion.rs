@@ -21,7 +21,7 @@ type Runs = Vec<(u32, Vec<Curves>)>;
 pub fn write(section: &mut Section) {
     section.say(
         "Both elements on the two benchmarks that move, with the steps of the model files: 0.5 ms and 0.25 ms. Errors are the largest ones of y and z of the shaft \
-         to 1.25 s, relative to their range, and of y of the buckling strip to 0.2 s, in metres. With the mesh of the paper:",
+         to 1.25 s, relative to their range, and of y of the buckling strip to 0.2 s, in meters. With the mesh of the paper:",
     );
     let [.., spinning, strip] = &BENCHMARKS;
     let (spins, kicks) = (runs(spinning, SHAFT_MESHES, "2.5"), runs(strip, STRIP_MESHES, "0.5"));
@@ -71,8 +71,8 @@ fn spin(section: &mut Section, shaft: &Benchmark, runs: &[Runs; 2]) {
         |curves: &Curves, every: usize| points(&curves.time, &curves.column("middle.displacement[2]"), every);
     let to_the_end = |k: usize| runs[k].iter().filter(move |(n, _)| SHAFT_MESHES[k].1.contains(n));
     lines.extend(to_the_end(0).map(|(n, own)| dots(&format!("ANCF14, {n} elements"), 0, horizontal(&own[0], 8))));
-    let of_other = |(colour, (n, own)): (usize, &(u32, Vec<Curves>))| {
-        line(&format!("ANCF24, {n} elements"), colour + 1, horizontal(&own[0], 1))
+    let of_other = |(color, (n, own)): (usize, &(u32, Vec<Curves>))| {
+        line(&format!("ANCF24, {n} elements"), color + 1, horizontal(&own[0], 1))
     };
     lines.extend(to_the_end(1).enumerate().map(of_other));
     section.picture(
@@ -125,8 +125,8 @@ fn kick(section: &mut Section, strip: &Benchmark, runs: &[Runs; 2]) {
     let to_the_end = |k: usize| runs[k].iter().filter(move |(n, _)| STRIP_MESHES[k].1.contains(n));
     let drawn = |curves: &Curves, every: usize| points(&curves.time, &sideways(curves), every);
     lines.extend(to_the_end(0).map(|(n, own)| dots(&format!("ANCF14, {n} elements"), 0, drawn(&own[0], 8))));
-    let of_other = |(colour, (n, own)): (usize, &(u32, Vec<Curves>))| {
-        line(&format!("ANCF24, {n} elements"), colour + 1, drawn(&own[0], 1))
+    let of_other = |(color, (n, own)): (usize, &(u32, Vec<Curves>))| {
+        line(&format!("ANCF24, {n} elements"), color + 1, drawn(&own[0], 1))
     };
     lines.extend(to_the_end(1).enumerate().map(of_other));
     section.picture(
