@@ -43,6 +43,7 @@ mod host_motion;
 mod invariance;
 mod joint_derivatives;
 mod joint_freedoms;
+mod joint_rates;
 mod joints_do_no_work;
 mod joints_in_motion;
 mod lateral_buckling;

@@ -88,7 +88,7 @@ at = "grip"
 quantities = ["reaction_force", "reaction_moment"]
 [output.hinge]
 at = "knuckle"
-quantities = ["angle", "effort", "reaction_moment"]
+quantities = ["angle", "angle_rate", "effort", "reaction_moment"]
 [output.needed]
 at = "hand"
 quantities = ["reaction_force", "reaction_moment"]

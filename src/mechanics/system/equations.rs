@@ -11,7 +11,7 @@ use crate::mechanics::system::tangent_layout::TangentLayout;
 use nalgebra::SMatrix;
 
 impl System {
-    /// Appends the blocks of the tangent in the order of [`TangentLayout`].
+    /// Appends the blocks of the tangent in the order of `TangentLayout`.
     pub fn push_tangent_blocks(&self, blocks: &mut Blocks) {
         let mut push = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
             blocks.push(Block { row: rows.start, column: columns.start, rows: rows.len(), columns: columns.len() });

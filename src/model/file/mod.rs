@@ -1,4 +1,4 @@
-//! A model file as typed data: [`document::Document`], whose [`entries`] the [`reader`] reads key by key.
+//! A model file as typed data: [`document::Document`], whose [`entries`] the `reader` reads key by key.
 
 mod disk;
 pub mod document;

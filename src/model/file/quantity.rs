@@ -43,6 +43,10 @@ pub enum Quantity {
     Angle,
     /// Distance of a joint.
     Distance,
+    /// Rate of the angle of a joint.
+    AngleRate,
+    /// Rate of the distance of a joint.
+    DistanceRate,
     /// Torque or force of a drive.
     Effort,
 }
@@ -114,7 +118,7 @@ const HOLD: At = At(&[Site::Joint, Site::Frame]);
 const FREE: At = At(&[Site::Joint, Site::Drive]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 21] = [
+pub const QUANTITIES: [Row; 23] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -189,6 +193,8 @@ pub const QUANTITIES: [Row; 21] = [
     ),
     FREE.row(Quantity::Angle, "angle", 1, "rad", "angle of b relative to a about the axis, 0 as drawn, counting turns"),
     FREE.row(Quantity::Distance, "distance", 1, "m", "distance of b from a along the axis, 0 as drawn"),
+    FREE.row(Quantity::AngleRate, "angle_rate", 1, "rad/s", "rate of the angle of b relative to a about the axis"),
+    FREE.row(Quantity::DistanceRate, "distance_rate", 1, "m/s", "rate of the distance of b from a along the axis"),
     FREE.row(Quantity::Effort, "effort", 1, "N.m", "torque or force of the drive on side b of the joint"),
 ];
 
@@ -205,6 +211,18 @@ impl Quantity {
         let is_strain = matches!(self, AxialStrain | Curvature | Torsion | Stress);
         let is_force = matches!(self, SectionForce | SectionMoment | Effort) || self.is_transmitted();
         is_strain || is_force || self == Acceleration
+    }
+
+    /// Whether it is a free coordinate of a joint, or its rate.
+    pub fn is_coordinate(self) -> bool {
+        use Quantity::*;
+        matches!(self, Angle | Distance) || self.is_rate()
+    }
+
+    /// Whether it is the rate of a free coordinate of a joint.
+    pub fn is_rate(self) -> bool {
+        use Quantity::*;
+        matches!(self, AngleRate | DistanceRate)
     }
 
     /// Its row of the table.

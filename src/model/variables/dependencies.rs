@@ -76,7 +76,7 @@ impl Givens {
             }
             _ if !self.as_drawn => Found::All,
             (Acceleration | ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort, _) => Found::All,
-            (Velocity | AngularVelocity, _) => Found::Motion,
+            (Velocity | AngularVelocity | AngleRate | DistanceRate, _) => Found::Motion,
             _ => Found::Drawing,
         }
     }

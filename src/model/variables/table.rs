@@ -7,6 +7,7 @@ use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
 use crate::mechanics::beam::resultants::Fiber;
+use crate::mechanics::force::spring::coordinate_rate;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
@@ -201,9 +202,7 @@ impl Table {
     pub fn follows_from_motion(&self, result: usize) -> bool {
         self.measure_of(result).is_some_and(|measure| match measure {
             Measure::Sensors(_, quantity) => *quantity != Quantity::Acceleration,
-            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
-                matches!(quantity, Quantity::Angle | Quantity::Distance)
-            }
+            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => quantity.is_coordinate(),
             Measure::Energy => true,
             Measure::Frame(..) | Measure::Momentum | Measure::Statistics => false,
         })
@@ -307,17 +306,20 @@ impl Table {
                         }
                         Quantity::Effort => values.push(parts.drives.iter().map(|d| loads.effort(*d)).sum()),
                         _ => {
-                            let is_angle = *quantity == Quantity::Angle;
+                            let is_angle = matches!(quantity, Quantity::Angle | Quantity::AngleRate);
                             let coordinate = if is_angle { parts.angle } else { parts.distance };
                             let coordinate =
                                 coordinate.expect("the file is refused: the joint leaves no such coordinate free");
-                            values.push(state.relative_values[coordinate]);
+                            values.push(coordinate_of(coordinate, *quantity, moment, &configuration));
                         }
                     }
                 }
                 Measure::Drive(number, quantity) => match quantity {
                     Quantity::Effort => values.push(loads.effort(*number)),
-                    _ => values.push(state.relative_values[system.drives[*number].coordinate]),
+                    _ => {
+                        let coordinate = system.drives[*number].coordinate;
+                        values.push(coordinate_of(coordinate, *quantity, moment, &configuration));
+                    }
                 },
                 Measure::Energy => {
                     let parts = [
@@ -374,7 +376,18 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
         | Quantity::AppliedMoment
         | Quantity::Angle
         | Quantity::Distance
+        | Quantity::AngleRate
+        | Quantity::DistanceRate
         | Quantity::Effort => unreachable!("the file is refused: these belong to joints, drives and frames"),
+    }
+}
+
+/// A free coordinate of a joint, rad or m, or its rate, rad/s or m/s.
+fn coordinate_of(coordinate: usize, quantity: Quantity, moment: &Moment, c: &Configuration) -> f64 {
+    let Moment { system, state, .. } = moment;
+    match quantity.is_rate() {
+        true => coordinate_rate(&system.relative_coordinates[coordinate], c, &state.velocity),
+        false => state.relative_values[coordinate],
     }
 }
 

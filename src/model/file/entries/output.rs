@@ -187,8 +187,10 @@ impl<'a> Things<'a> {
         }
         match (row.quantity, target) {
             (Quantity::Stress, _) => self.without_outline(target, names),
-            (Quantity::Angle, _) => self.without_coordinate(Coordinate::Angle, target, names),
-            (Quantity::Distance, _) => self.without_coordinate(Coordinate::Distance, target, names),
+            (Quantity::Angle | Quantity::AngleRate, _) => self.without_coordinate(Coordinate::Angle, target, names),
+            (Quantity::Distance | Quantity::DistanceRate, _) => {
+                self.without_coordinate(Coordinate::Distance, target, names)
+            }
             (Quantity::Effort, Target::Joint(joint)) => self.without_one_drive(joint, names),
             _ => None,
         }
