@@ -97,57 +97,73 @@ impl Statics {
     /// # Errors
     /// The ramp got stuck, or a part of the system can move freely; `state` is as it was but for the counts of iterations and rejections.
     pub fn find(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
-        let first = state.statistics.steps == 0;
-        if !first && self.stability.known().is_none_or(|known| known.time != state.time) {
-            // A host has gone back.
-            self.judge(system, state);
-        }
-        let before = self.stability.known().filter(|_| !first);
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
-        let mut outcome = self.ramp(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
-        let hopeless = matches!(outcome, Err(Error::NotFinite { .. }));
-        next.time = time;
-        let mut unstable = first && outcome.is_ok() && self.is_unstable(system, &next);
-        // As drawn it may be slack, or Newton has gone up to a place of rest that nothing holds.
-        if first && !hopeless && (outcome.is_err() || unstable) {
-            let tried = next.statistics;
-            next.clone_from(state);
-            next.statistics = tried;
-            let relaxed = self.relax(system, &mut next, time).and_then(|()| self.kkt.check_unique(system, time));
-            // Of two failures the first one is about the system as drawn.
-            outcome = match (outcome, relaxed) {
-                (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
-                (_, relaxed @ Err(Error::Singular { .. })) => relaxed,
-                // It may be meant to hang, or nothing may hold it.
-                (Err(Error::Singular { time, what }), Err(fall)) => {
-                    let what = format!(
-                        "{what}. Or, if it is meant to hang: falling from where it is drawn it comes to no rest: {fall}"
-                    );
-                    Err(Error::Singular { time, what })
-                }
-                (_, relaxed) => relaxed,
-            };
-            next.time = time;
-            unstable = outcome.is_ok() && self.is_unstable(system, &next);
-        }
-        if outcome.is_ok() {
-            next.statistics.steps += 1;
-            match before {
-                Some(before) => {
-                    self.watch_stability(system, state, &next, before);
-                    self.watch_pace(system, state, &next);
-                }
-                // Of the first one it is known already.
-                None if unstable || !first && self.is_unstable(system, &next) => self.remark_start(system, &next),
-                None => {}
-            }
-            std::mem::swap(state, &mut next);
-        } else {
-            state.statistics = next.statistics;
+        let outcome = match state.statistics.steps {
+            0 => self.find_first(system, state, &mut next, time),
+            _ => self.find_next(system, state, &mut next, time),
+        };
+        match outcome {
+            Ok(()) => std::mem::swap(state, &mut next),
+            Err(_) => state.statistics = next.statistics,
         }
         self.next = Some(next);
         outcome
+    }
+
+    /// Sets `next`, a copy of `drawn`, to the first equilibrium: by a ramp of what acts, or, where that finds none or an unstable one, by letting the system come to rest.
+    fn find_first(&mut self, system: &System, drawn: &State, next: &mut State, time: f64) -> Result<(), Error> {
+        let ramped = self.ramp_to(system, next, time);
+        let mut unstable = ramped.is_ok() && self.is_unstable(system, next);
+        let outcome = match ramped {
+            Ok(()) if !unstable => Ok(()),
+            hopeless @ Err(Error::NotFinite { .. }) => hopeless,
+            // As drawn it may be slack, or Newton has gone up to a place of rest that nothing holds.
+            ramped => {
+                let tried = next.statistics;
+                next.clone_from(drawn);
+                next.statistics = tried;
+                let relaxed = self.relax(system, next, time).and_then(|()| self.kkt.check_unique(system, time));
+                next.time = time;
+                let outcome = after_relaxation(ramped, relaxed);
+                unstable = outcome.is_ok() && self.is_unstable(system, next);
+                outcome
+            }
+        };
+        outcome?;
+        next.statistics.steps += 1;
+        if unstable {
+            self.remark_start(system, next);
+        }
+        Ok(())
+    }
+
+    /// Sets `next`, a copy of `state`, to the equilibrium after it, and remarks what has become unstable or jumped on the way.
+    fn find_next(&mut self, system: &System, state: &State, next: &mut State, time: f64) -> Result<(), Error> {
+        if self.stability.known().is_none_or(|known| known.time != state.time) {
+            // A host has gone back.
+            self.judge(system, state);
+        }
+        let before = self.stability.known();
+        self.ramp_to(system, next, time)?;
+        next.statistics.steps += 1;
+        match before {
+            Some(before) => {
+                self.watch_stability(system, state, next, before);
+                self.watch_pace(system, state, next);
+            }
+            None if self.is_unstable(system, next) => self.remark_start(system, next),
+            None => {}
+        }
+        Ok(())
+    }
+
+    /// Takes `next` to the only equilibrium near the end of the ramp to `time`.
+    fn ramp_to(&mut self, system: &System, next: &mut State, time: f64) -> Result<(), Error> {
+        self.ramp(system, next, time)?;
+        self.kkt.check_unique(system, time)?;
+        next.time = time;
+        Ok(())
     }
 
     /// Remarks that the equilibrium `state` is unstable and follows from none that is known.
@@ -449,5 +465,21 @@ impl Linearized for Statics {
         next.multipliers.copy_from_slice(multipliers);
         self.scratch.frames.set(system, &next.q, &next.triads);
         system.carry_references(next, &self.scratch.frames);
+    }
+}
+
+/// What to report of a ramp that found no stable equilibrium and of the relaxation that followed. Of two failures the first one is about the system as drawn.
+fn after_relaxation(ramped: Result<(), Error>, relaxed: Result<(), Error>) -> Result<(), Error> {
+    match (ramped, relaxed) {
+        (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),
+        (_, relaxed @ Err(Error::Singular { .. })) => relaxed,
+        // It may be meant to hang, or nothing may hold it.
+        (Err(Error::Singular { time, what }), Err(fall)) => {
+            let what = format!(
+                "{what}. Or, if it is meant to hang: falling from where it is drawn it comes to no rest: {fall}"
+            );
+            Err(Error::Singular { time, what })
+        }
+        (_, relaxed) => relaxed,
     }
 }
