@@ -4,7 +4,7 @@
 pub mod bishop;
 pub mod blocks;
 pub mod curve;
-pub mod flaw;
+pub mod curve_defect;
 pub mod hermite;
 pub mod histogram;
 pub mod integral;

@@ -4,7 +4,7 @@
 
 use super::division::Division;
 use crate::math::curve::Curve;
-use crate::math::flaw::{self, Flaw};
+use crate::math::curve_defect::{self, CurveDefect};
 use crate::math::{Vec3, bishop, hermite};
 
 /// A node as drawn.
@@ -86,8 +86,8 @@ impl Centerline {
     ///
     /// # Errors
     /// What keeps the curve, or one of its elements, from being a beam.
-    pub fn curved(curve: &Curve, spacing: Spacing, elements: usize) -> Result<Self, Flaw> {
-        flaw::of_length(curve).map_or(Ok(()), Err)?;
+    pub fn curved(curve: &Curve, spacing: Spacing, elements: usize) -> Result<Self, CurveDefect> {
+        curve_defect::of_length(curve).map_or(Ok(()), Err)?;
         let ends = spacing.ends(curve, elements);
         let pairs = || ends.windows(2).map(|pair| (pair[0], pair[1]));
         let (lengths, division): (Vec<f64>, _) = match spacing {
@@ -98,8 +98,9 @@ impl Centerline {
                 (lengths, division)
             }
         };
-        let flaw = pairs().zip(&lengths).find_map(|((from, to), length)| flaw::of_element(curve, from, to, *length));
-        flaw.map_or(Ok(()), Err)?;
+        let defect =
+            pairs().zip(&lengths).find_map(|((from, to), length)| curve_defect::of_element(curve, from, to, *length));
+        defect.map_or(Ok(()), Err)?;
         let mut turn = 0.0;
         let turns = pairs().map(|(from, to)| {
             turn += bishop::turn(curve, from, to);

@@ -37,8 +37,8 @@ pub struct State {
     pub pace: Pace,
     /// What generalized-alpha goes on from.
     pub accelerations: Accelerations,
-    /// What the momentum has beside that of velocities which the constraints allow, by their conditions: `P = M v + Gᵀ stray`, N s or N m s.
-    pub strays: Vec<f64>,
+    /// The part of the momentum that the constraints do not allow, by their conditions: `s` of `P = M v + Gᵀ s` (MECHANICS 7.1, where it is `nu`), N s or N m s.
+    pub constraint_momenta: Vec<f64>,
     /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then `g1`, `g2`, `tau` of each bending
     /// point (1/m/s, rad/m/s); then of the rates of all relative coordinates that have a spring (m/s, rad/s).
     pub strain_rates: Vec<f64>,
@@ -73,11 +73,21 @@ impl State {
     pub fn has_the_shape_of(&self, other: &Self) -> bool {
         let lengths = |state: &Self| {
             let Self {
-                q, velocity, momentum, multipliers, strays, triads, holonomy, relative_values, rotations, ..
+                q,
+                velocity,
+                momentum,
+                multipliers,
+                constraint_momenta,
+                triads,
+                holonomy,
+                relative_values,
+                rotations,
+                ..
             } = state;
             let State { strain_rates, prescribed, targets, .. } = state;
             let lists =
-                [q, velocity, momentum, multipliers, strays, strain_rates, holonomy, relative_values].map(Vec::len);
+                [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, holonomy, relative_values]
+                    .map(Vec::len);
             let motions =
                 [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
             let departure = [targets.departure.drives.len(), targets.departure.frames.len()];
@@ -107,7 +117,7 @@ impl Clone for State {
             time_error: self.time_error.clone(),
             pace: self.pace.clone(),
             accelerations: self.accelerations.clone(),
-            strays: self.strays.clone(),
+            constraint_momenta: self.constraint_momenta.clone(),
             strain_rates: self.strain_rates.clone(),
             viscous: self.viscous.clone(),
             triads: self.triads.clone(),
@@ -131,7 +141,7 @@ impl Clone for State {
         multipliers.clone_from(&source.multipliers);
         triads.clone_from(&source.triads);
         holonomy.clone_from(&source.holonomy);
-        self.strays.clone_from(&source.strays);
+        self.constraint_momenta.clone_from(&source.constraint_momenta);
         self.strain_rates.clone_from(&source.strain_rates);
         self.viscous.copy_from(&source.viscous);
         relative_values.clone_from(&source.relative_values);

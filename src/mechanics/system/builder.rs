@@ -398,7 +398,7 @@ impl SystemBuilder {
             time: start,
             momentum: vec![0.0; q.len()],
             multipliers: vec![0.0; system.constraints()],
-            strays: vec![0.0; system.constraints()],
+            constraint_momenta: vec![0.0; system.constraints()],
             strain_rates: vec![0.0; system.mesh.strains() + system.relative_coordinates.len()],
             viscous: ViscousRates::default(),
             prediction: Prediction::default(),

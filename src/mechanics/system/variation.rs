@@ -22,7 +22,7 @@ pub struct Variation {
     /// Of the multipliers.
     pub multipliers: Vec<f64>,
     /// Of the momentum that constraints do not allow.
-    pub strays: Vec<f64>,
+    pub constraint_momenta: Vec<f64>,
     /// Of the strain rates.
     pub strain_rates: Vec<f64>,
     /// Of the rates of strains at the instant; empty where the state has none.
@@ -33,13 +33,14 @@ pub struct Variation {
 
 /// The lists of a state in the order of a variation's.
 fn lists(state: &State) -> [&Vec<f64>; 9] {
-    let State { q, velocity, momentum, multipliers, strays, strain_rates, viscous, accelerations, .. } = state;
+    let State { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, .. } =
+        state;
     [
         q,
         velocity,
         momentum,
         multipliers,
-        strays,
+        constraint_momenta,
         strain_rates,
         &viscous.rates,
         &accelerations.of_coordinates,
@@ -48,13 +49,14 @@ fn lists(state: &State) -> [&Vec<f64>; 9] {
 }
 
 fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 9] {
-    let State { q, velocity, momentum, multipliers, strays, strain_rates, viscous, accelerations, .. } = state;
+    let State { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, .. } =
+        state;
     [
         q,
         velocity,
         momentum,
         multipliers,
-        strays,
+        constraint_momenta,
         strain_rates,
         &mut viscous.rates,
         &mut accelerations.of_coordinates,
@@ -64,15 +66,17 @@ fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 9] {
 
 impl Variation {
     fn lists(&self) -> [&Vec<f64>; 9] {
-        let Self { q, velocity, momentum, multipliers, strays, strain_rates, viscous, accelerations } = self;
+        let Self { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations } =
+            self;
         let [first, second] = accelerations;
-        [q, velocity, momentum, multipliers, strays, strain_rates, viscous, first, second]
+        [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, first, second]
     }
 
     fn lists_mut(&mut self) -> [&mut Vec<f64>; 9] {
-        let Self { q, velocity, momentum, multipliers, strays, strain_rates, viscous, accelerations } = self;
+        let Self { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations } =
+            self;
         let [first, second] = accelerations;
-        [q, velocity, momentum, multipliers, strays, strain_rates, viscous, first, second]
+        [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, first, second]
     }
 
     /// No change of `state`.

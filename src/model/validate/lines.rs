@@ -1,7 +1,7 @@
 //! The lines of beams as drawn, from what is written; and what is wrong with them, in words.
 
 use crate::math::curve::Curve;
-use crate::math::flaw::{Flaw, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
+use crate::math::curve_defect::{CurveDefect, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
 use crate::math::{Vec3, spline};
 use crate::mechanics::beam::centerline::{Centerline, Spacing, Span, shares};
 use crate::mechanics::beam::division::Division;
@@ -212,8 +212,8 @@ fn through(document: &Document, beam: &BeamSpec, curve: &CurveSpec, points: &[[N
 
 /// Straight pieces between samples of a curve, an element each.
 fn sampled(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Curve, elements: usize) -> Drawn {
-    if let Some(flaw) = crate::math::flaw::of_length(curve) {
-        return flawed(document, beam, written, curve, &flaw, elements);
+    if let Some(defect) = crate::math::curve_defect::of_length(curve) {
+        return defective(document, beam, written, curve, &defect, elements);
     }
     let ends = written.spacing.ends(curve, elements);
     let places: Vec<Vec3> = ends.iter().map(|s| curve.at(*s)[0]).collect();
@@ -252,17 +252,17 @@ fn way_back(places: &[Vec3]) -> Option<(usize, f64)> {
 fn smooth(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Curve, elements: usize) -> Drawn {
     match Centerline::curved(curve, written.spacing, elements) {
         Ok(line) => Ok(Some(line)),
-        Err(flaw) => flawed(document, beam, written, curve, &flaw, elements),
+        Err(defect) => defective(document, beam, written, curve, &defect, elements),
     }
 }
 
 /// What is wrong with a curve, in words.
-fn flawed(
+fn defective(
     document: &Document,
     beam: &BeamSpec,
     written: &CurveSpec,
     curve: &Curve,
-    flaw: &Flaw,
+    defect: &CurveDefect,
     elements: usize,
 ) -> Drawn {
     let name = &beam.name;
@@ -272,13 +272,13 @@ fn flawed(
         Shape::Points(points) => point_near(document, points, s),
         Shape::Expressions { .. } => format!("s = {}", shown_in(curve.range, s)),
     };
-    let (message, label, help) = match *flaw {
-        Flaw::NoLength => (
+    let (message, label, help) = match *defect {
+        CurveDefect::NoLength => (
             format!("the curve of beam {name} has no length"),
             String::from("all of it is at one place"),
             String::new(),
         ),
-        Flaw::NotFinite { s } => (
+        CurveDefect::NotFinite { s } => (
             format!("the curve of beam {name} is not finite at {}", at(s)),
             String::new(),
             String::from(match is_spline {
@@ -286,12 +286,12 @@ fn flawed(
                 false => "x, y, z and their derivatives must be finite from the first s to the last",
             }),
         ),
-        Flaw::Unmeasured { s } => (
+        CurveDefect::Unmeasured { s } => (
             format!("the length of the curve of beam {name} could not be found"),
             format!("it is not finite, or the curve is too wild, near {}", at(s)),
             String::from("a curve may not reach a pole, nor oscillate faster than its elements can follow"),
         ),
-        Flaw::Cusp { s } => (
+        CurveDefect::Cusp { s } => (
             format!("the curve of beam {name} has no tangent at {}", at(s)),
             String::from("its derivative is zero there"),
             String::from(match is_spline {
@@ -301,7 +301,7 @@ fn flawed(
                 false => "a cusp, or a parameter that stops: the derivatives of x, y and z must not all be 0",
             }),
         ),
-        Flaw::Jump { s, size, length } => (
+        CurveDefect::Jump { s, size, length } => (
             format!("the curve of beam {name} jumps at {}", at(s)),
             format!("by {} m", shown(size)),
             format!(
@@ -310,7 +310,7 @@ fn flawed(
                 shown(LARGEST_JUMP * length)
             ),
         ),
-        Flaw::Corner { s, angle } => (
+        CurveDefect::Corner { s, angle } => (
             format!("the curve of beam {name} has a corner at {}", at(s)),
             format!("of {} degrees", shown(angle.to_degrees())),
             format!(
@@ -318,7 +318,7 @@ fn flawed(
                 LARGEST_CORNER.to_degrees().round()
             ),
         ),
-        Flaw::Bend { range, angle } => {
+        CurveDefect::Bend { range, angle } => {
             let message = format!("an element of beam {name} turns by {:.1} degrees", angle.to_degrees());
             let [from, to] = range.map(|s| shown_in(curve.range, s));
             let label = format!("from s = {from} to s = {to}");
@@ -414,7 +414,7 @@ fn enough(curve: &Curve, spacing: Spacing, elements: usize, mut angle: f64) -> O
         }
         match Centerline::curved(curve, spacing, count) {
             Ok(_) => return Some(count),
-            Err(Flaw::Bend { angle: still, .. }) => angle = still,
+            Err(CurveDefect::Bend { angle: still, .. }) => angle = still,
             Err(_) => return None,
         }
     }

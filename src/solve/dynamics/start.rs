@@ -131,7 +131,7 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
     Projection::once(system).set_velocity(system, integrator.kkt(), &mut FrameCache::default(), state)?;
     integrator.kkt().check_unique(system, state.time)?;
     system.mass_times(&state.velocity, &mut state.momentum);
-    state.strays.fill(0.0);
+    state.constraint_momenta.fill(0.0);
     integrator.begin(system, state)?;
     let change: Vec<f64> = state.velocity.iter().zip(&given).map(|(now, given)| now - given).collect();
     let (changed, given) = (system.kinetic_energy(&change), system.kinetic_energy(&given));

@@ -28,9 +28,9 @@ pub(super) struct Scratch {
     /// Derivatives of the unknowns.
     change: Vec<f64>,
     /// Derivative of `Gᵀ s` at constant `s`.
-    stray_forces: Vec<f64>,
+    constraint_forces: Vec<f64>,
     /// `ν`: the momentum that constraints do not allow, before it was steadied.
-    strays: Vec<f64>,
+    constraint_momenta: Vec<f64>,
     gradients: Vec<JointGradient>,
     gradients_after: Vec<JointGradient>,
     arrived: State,
@@ -41,7 +41,7 @@ impl Scratch {
     /// For systems of `size` unknowns.
     pub fn new(size: usize) -> Self {
         let list = || vec![0.0; size];
-        Self { change: list(), right: list(), sum: list(), stray_forces: list(), ..Self::default() }
+        Self { change: list(), right: list(), sum: list(), constraint_forces: list(), ..Self::default() }
     }
 }
 
@@ -63,7 +63,7 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
     /// Factorizes the tangent of the step, and that of the projection at its end; `before` is the state before the step.
     pub fn prepare(&mut self, before: &State) -> Result<(), Error> {
         let Self { integrator, system, from, after, span, flow, .. } = self;
-        let Scratch { unknowns, moved_unknowns, strays, gradients_after, mover, .. } = &mut *self.scratch;
+        let Scratch { unknowns, moved_unknowns, constraint_momenta, gradients_after, mover, .. } = &mut *self.scratch;
         integrator.unknowns(after, unknowns);
         integrator.factorize(system, from, *span, unknowns)?;
         moved_unknowns.resize(unknowns.len(), 0.0);
@@ -74,8 +74,14 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
             flow.set_constraints(system, gradients_after, gradients_after, 1.0);
             flow.factorize(system, span.end)?;
             // P = M v + Gᵀ ν before the momentum was steadied.
-            strays.clear();
-            strays.extend(after.strays.iter().zip(&before.strays).map(|(after, before)| 2.0 * after - before));
+            constraint_momenta.clear();
+            constraint_momenta.extend(
+                after
+                    .constraint_momenta
+                    .iter()
+                    .zip(&before.constraint_momenta)
+                    .map(|(after, before)| 2.0 * after - before),
+            );
         }
         Ok(())
     }
@@ -115,17 +121,18 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         Ok(())
     }
 
-    /// Sets the derivatives of the end before its projection: `ds' = F_z dz + F_s ds + F_u du`; in `sum` and `stray_forces` it gathers what
+    /// Sets the derivatives of the end before its projection: `ds' = F_z dz + F_s ds + F_u du`; in `sum` and `constraint_forces` it gathers what
     /// [`Self::project`] asks for.
     fn differentiate_end(&mut self, number: usize, own: &Variation) {
         let Self { integrator, system, step, from, after, span, .. } = self;
-        let Self { scratch: Scratch { unknowns, moved_unknowns, change, right, sum, stray_forces, .. }, .. } = self;
-        let Self { scratch: Scratch { strays, gradients, mover, arrived, variation, .. }, .. } = self;
+        let Self { scratch: Scratch { unknowns, moved_unknowns, change, right, sum, constraint_forces, .. }, .. } =
+            self;
+        let Self { scratch: Scratch { constraint_momenta, gradients, mover, arrived, variation, .. }, .. } = self;
         let coordinates = system.coordinates();
         let unit = step.reach(system, number, own, change, span.step);
         variation.set_zero(after);
         sum.fill(0.0);
-        stray_forces.fill(0.0);
+        constraint_forces.fill(0.0);
         for (offset, weight) in STENCIL {
             let (by, weight) = (offset * unit, weight / unit);
             let moved = mover.move_from(system, step, number, from, own, by);
@@ -138,9 +145,14 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
                 system.constraint_rates(&configuration, rates);
                 system.add_constraint_rates(gradients, &after.velocity, rates);
                 forces.fill(0.0);
-                system.add_constraint_forces(gradients, strays, 1.0, forces);
+                system.add_constraint_forces(gradients, constraint_momenta, 1.0, forces);
                 add_scaled(sum, right, -weight);
-                system.add_constraint_forces(gradients, &after.strays, weight, &mut stray_forces[..coordinates]);
+                system.add_constraint_forces(
+                    gradients,
+                    &after.constraint_momenta,
+                    weight,
+                    &mut constraint_forces[..coordinates],
+                );
             }
         }
     }
@@ -149,18 +161,18 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
     /// steadied `s`.
     fn project(&mut self) -> Result<(), Error> {
         let Self { system, span, flow, .. } = self;
-        let Scratch { sum, stray_forces, gradients_after, variation, .. } = &mut *self.scratch;
+        let Scratch { sum, constraint_forces, gradients_after, variation, .. } = &mut *self.scratch;
         let coordinates = system.coordinates();
         add_scaled(sum, &variation.momentum, 1.0);
         flow.solve_again(sum).map_err(inaccurate(*span))?;
-        let (velocity, stray) = sum.split_at(coordinates);
+        let (velocity, own_now) = sum.split_at(coordinates);
         variation.velocity.copy_from_slice(velocity);
-        for (own, stray) in variation.strays.iter_mut().zip(stray) {
-            *own = 0.5 * (*own + stray);
+        for (own, own_now) in variation.constraint_momenta.iter_mut().zip(own_now) {
+            *own = 0.5 * (*own + own_now);
         }
         system.mass_times(velocity, &mut variation.momentum);
-        system.add_constraint_forces(gradients_after, &variation.strays, 1.0, &mut variation.momentum);
-        add_scaled(&mut variation.momentum, &stray_forces[..coordinates], 1.0);
+        system.add_constraint_forces(gradients_after, &variation.constraint_momenta, 1.0, &mut variation.momentum);
+        add_scaled(&mut variation.momentum, &constraint_forces[..coordinates], 1.0);
         Ok(())
     }
 }

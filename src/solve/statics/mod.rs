@@ -8,7 +8,7 @@ mod jump;
 mod relaxation;
 pub mod stability;
 
-use self::stability::{Judgement, Stability};
+use self::stability::{Stability, StabilityRecord};
 use crate::error::Error;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
@@ -176,7 +176,7 @@ impl Statics {
     }
 
     /// Looks whether the path has become unstable, or stable again, from `state`, of which `before` is known, to `next`.
-    fn watch_stability(&mut self, system: &System, state: &State, next: &State, before: Judgement) {
+    fn watch_stability(&mut self, system: &System, state: &State, next: &State, before: StabilityRecord) {
         let unstable_now = self.judge(system, next);
         if !self.stability.differs(before) {
             return;
@@ -187,7 +187,7 @@ impl Statics {
         }
         let Some(softest) = stability::softest(system, &mut self.kkt, next.time) else { return };
         if softest.is_stable() {
-            self.stability.acquit(unstable.time);
+            self.stability.mark_stable(unstable.time);
             return;
         }
         if self.linearize(system, stable).is_err() {
@@ -214,7 +214,7 @@ impl Statics {
         let unstable = self.judge(system, state);
         if unstable && stability::softest(system, &mut self.kkt, state.time).is_some_and(|softest| softest.is_stable())
         {
-            self.stability.acquit(state.time);
+            self.stability.mark_stable(state.time);
             return false;
         }
         unstable

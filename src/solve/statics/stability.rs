@@ -25,7 +25,7 @@ const ACCURATE: f64 = 1e-3;
 
 /// What is known of an equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Judgement {
+pub struct StabilityRecord {
     /// Its time, s.
     pub time: f64,
     /// How many motions release energy.
@@ -53,13 +53,13 @@ impl Softest {
 /// Follows the stability along a path of equilibria. Scratch memory, but for remarks that are not taken yet.
 #[derive(Debug, Default)]
 pub struct Stability {
-    known: Option<Judgement>,
+    known: Option<StabilityRecord>,
     remarks: Vec<String>,
 }
 
 impl Stability {
     /// What is known of the last equilibrium judged.
-    pub fn known(&self) -> Option<Judgement> {
+    pub fn known(&self) -> Option<StabilityRecord> {
         self.known
     }
 
@@ -69,7 +69,7 @@ impl Stability {
     }
 
     /// The equilibrium of `time`, s, is stable: it was counted wrong.
-    pub fn acquit(&mut self, time: f64) {
+    pub fn mark_stable(&mut self, time: f64) {
         if let Some(known) = self.known.as_mut().filter(|known| known.time == time) {
             known.unstable = 0;
         }
@@ -77,11 +77,11 @@ impl Stability {
 
     /// Judges the equilibrium of `time`, s, whose matrix `kkt` has and has factorized.
     pub fn judge(&mut self, system: &System, kkt: &mut Kkt, time: f64) {
-        self.known = kkt.releasing_motions(system).map(|unstable| Judgement { time, unstable });
+        self.known = kkt.releasing_motions(system).map(|unstable| StabilityRecord { time, unstable });
     }
 
     /// Whether the last equilibrium judged is unstable and the one of `before` is not, or the other way round.
-    pub fn differs(&self, before: Judgement) -> bool {
+    pub fn differs(&self, before: StabilityRecord) -> bool {
         self.known.is_some_and(|now| (now.unstable == 0) != (before.unstable == 0))
     }
 
@@ -104,7 +104,7 @@ impl Stability {
 
     /// Remarks what has changed from `before` to the last equilibrium judged; `softest` is the softest motion of the unstable one of
     /// the two, `state`, and `other` what that motion costs at the stable one, 1/s².
-    pub fn remark(&mut self, system: &System, state: &State, before: Judgement, softest: &Softest, other: f64) {
+    pub fn remark(&mut self, system: &System, state: &State, before: StabilityRecord, softest: &Softest, other: f64) {
         let Some(now) = self.known else { return };
         let share = (other / (other - softest.eigenvalue)).clamp(0.0, 1.0);
         let (from, to) = if now.unstable > 0 { (before.time, now.time) } else { (now.time, before.time) };

@@ -37,7 +37,7 @@ impl Projection {
     }
 
     /// Of the last call: the momentum beside that of the velocities, `Gᵀ ν` with the gradients and `ν`.
-    pub fn stray(&self, system: &System) -> (&[JointGradient], &[f64]) {
+    pub fn constraint_momenta(&self, system: &System) -> (&[JointGradient], &[f64]) {
         (&self.gradients, &self.right[system.coordinates()..])
     }
 

@@ -259,14 +259,14 @@ impl Midpoint {
     /// and the next. Taking that mean, a jump of a drive is gone after a step, and smooth motions keep their energy (taking all of
     /// `ν` away would cost some of it at every step). Linear and angular momentum do not change. Returns the kinetic energy, J.
     fn steady(&self, system: &System, state: &mut State) -> f64 {
-        let (gradients, strays) = self.projection.stray(system);
-        for (own, stray) in state.strays.iter_mut().zip(strays) {
-            *own = 0.5 * (*own + stray);
+        let (gradients, constraint_momenta) = self.projection.constraint_momenta(system);
+        for (own, own_now) in state.constraint_momenta.iter_mut().zip(constraint_momenta) {
+            *own = 0.5 * (*own + own_now);
         }
         // `M v` as what is left of the momentum: round-off of `M⁻¹` would add up over the steps.
-        system.add_constraint_forces(gradients, strays, -1.0, &mut state.momentum);
+        system.add_constraint_forces(gradients, constraint_momenta, -1.0, &mut state.momentum);
         let kinetic = 0.5 * state.velocity.iter().zip(&state.momentum).map(|(v, p)| v * p).sum::<f64>();
-        system.add_constraint_forces(gradients, &state.strays, 1.0, &mut state.momentum);
+        system.add_constraint_forces(gradients, &state.constraint_momenta, 1.0, &mut state.momentum);
         kinetic
     }
 }

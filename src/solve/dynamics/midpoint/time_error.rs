@@ -302,7 +302,7 @@ impl Estimator {
         targets.fill(0.0);
         system.add_constraint_rates(gradients, &next.velocity, targets);
         targets.iter_mut().for_each(|target| *target = -*target);
-        system.add_constraint_rates(projection.stray(system).0, &next.velocity, targets);
+        system.add_constraint_rates(projection.constraint_momenta(system).0, &next.velocity, targets);
         let (momentum, conditions) = right.split_at_mut(velocity.len());
         system.mass_times(velocity, momentum);
         for (condition, target) in conditions.iter_mut().zip(&*targets) {

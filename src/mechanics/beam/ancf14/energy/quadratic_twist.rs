@@ -128,17 +128,17 @@ impl Condensation {
         -by_q / self.by_b
     }
 
-    /// Takes off `by`, derivatives by the corotated shape of what changes by `share` with `b`, what `b` gives way.
+    /// Applies the static condensation of `b` to `by`, the derivatives with respect to the corotated coordinates of a quantity that changes by `share` with `b`.
     #[inline]
-    pub fn take_off(&self, share: f64, by: &mut CorotatedVector) {
+    pub fn condense_row(&self, share: f64, by: &mut CorotatedVector) {
         let factor = share / self.by_b;
         by.iter_mut().zip(&self.by_shape).for_each(|(by, by_shape)| *by -= by_shape * factor);
     }
 
-    /// Takes off `second`, the second derivatives by the corotated shape, what `b` gives way.
+    /// Applies the static condensation of `b` to `second`, the second derivatives with respect to the corotated coordinates.
     pub fn condense(&self, second: &mut CorotatedMatrix) {
         for (column, by_shape) in second.iter_mut().zip(self.by_shape) {
-            self.take_off(by_shape, column);
+            self.condense_row(by_shape, column);
         }
     }
 }

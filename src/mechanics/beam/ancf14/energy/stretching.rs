@@ -74,7 +74,7 @@ impl Large<'_> {
             let by_end = green_p + slope.green_strain_increment();
             if let Some(condensation) = self.condensation {
                 let share = condensation.by_green[m];
-                condensation.take_off(share, &mut by_green);
+                condensation.condense_row(share, &mut by_green);
                 bubble_q += spread(&point.shape_x, &(green_p * share));
                 bubble_end += spread(&point.shape_x, &(by_end * share));
             }

@@ -9,7 +9,7 @@ use super::integral::Integral;
 
 /// What is wrong with a curve, and where. Lengths in m, angles in rad, `s` the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Flaw {
+pub enum CurveDefect {
     /// The whole is a single point.
     NoLength,
     /// Place or derivatives are not finite numbers.
@@ -71,28 +71,28 @@ const UNKNOWN: f64 = 1e-6;
 /// Halvings until a place is known to the last digit.
 const HALVINGS: usize = 60;
 
-/// What keeps the curve from having a length; without such a flaw its nodes can be found.
-pub fn of_length(curve: &Curve) -> Option<Flaw> {
+/// What keeps the curve from having a length; without such a defect its nodes can be found.
+pub fn of_length(curve: &Curve) -> Option<CurveDefect> {
     let [begin, end] = curve.range;
     let finite = |s: f64| curve.at(s).iter().take(2).all(|vector| vector.iter().all(|value| value.is_finite()));
     if let Some(s) = [begin, end].into_iter().find(|s| !finite(*s)) {
-        return Some(Flaw::NotFinite { s });
+        return Some(CurveDefect::NotFinite { s });
     }
     if !curve.length().is_finite() {
         let s = located(begin, end, |from, to| if curve.arc(from, to).is_finite() { 0.0 } else { 1.0 });
-        return Some(Flaw::NotFinite { s });
+        return Some(CurveDefect::NotFinite { s });
     }
     let length = curve.measured(&|s| curve.speed(s), begin, end, 0.0);
     if length.missed > UNKNOWN * length.value {
-        return Some(Flaw::Unmeasured { s: length.at });
+        return Some(CurveDefect::Unmeasured { s: length.at });
     }
-    (length.value == 0.0).then_some(Flaw::NoLength)
+    (length.value == 0.0).then_some(CurveDefect::NoLength)
 }
 
 /// What keeps the stretch between two nodes, of the arc length `length`, from being an element; [`of_length`] has found nothing.
-pub fn of_element(curve: &Curve, from: f64, to: f64, length: f64) -> Option<Flaw> {
+pub fn of_element(curve: &Curve, from: f64, to: f64, length: f64) -> Option<CurveDefect> {
     if let Some(s) = standstill(curve, from, to, SLOWEST * length / (to - from)) {
-        return Some(Flaw::Cusp { s });
+        return Some(CurveDefect::Cusp { s });
     }
     let jump = |from, to| unexplained(curve, (from, to), MEASURE * length, |s| curve.at(s)[0], |s| curve.at(s)[1]);
     let gap = jump(from, to);
@@ -100,29 +100,29 @@ pub fn of_element(curve: &Curve, from: f64, to: f64, length: f64) -> Option<Flaw
     // Where the quadrature has failed, nothing tells a jump from what it missed.
     let is_known = gap.missed <= 0.5 * LARGEST_JUMP * length;
     if is_known && size > LARGEST_JUMP * length {
-        return Some(Flaw::Jump { s: located(from, to, |from, to| jump(from, to).value), size, length });
+        return Some(CurveDefect::Jump { s: located(from, to, |from, to| jump(from, to).value), size, length });
     }
     let corner = |from, to| unexplained(curve, (from, to), MEASURE, |s| curve.tangent(s), |s| curve.tangent_rate(s));
     let gap = if is_known { corner(from, to) } else { gap };
     let is_known = is_known && gap.missed <= 0.5 * LARGEST_CORNER;
     let angle = if is_known { 2.0 * (0.5 * gap.value).min(1.0).asin() } else { 0.0 };
     if angle > LARGEST_CORNER {
-        return Some(Flaw::Corner { s: located(from, to, |from, to| corner(from, to).value), angle });
+        return Some(CurveDefect::Corner { s: located(from, to, |from, to| corner(from, to).value), angle });
     }
     let turning = |from, to| curve.measured(&|s| curve.tangent_rate(s).norm(), from, to, MEASURE);
     let turned = turning(from, to);
     let angle = turned.value + angle;
     if !(size + angle).is_finite() {
         let s = located(from, to, |from, to| if turning(from, to).value.is_finite() { 0.0 } else { 1.0 });
-        return Some(Flaw::NotFinite { s });
+        return Some(CurveDefect::NotFinite { s });
     }
     if turned.missed > 0.5 * LARGEST_BEND {
-        return Some(Flaw::Unmeasured { s: turned.at });
+        return Some(CurveDefect::Unmeasured { s: turned.at });
     }
     if angle > LARGEST_BEND {
-        return Some(Flaw::Bend { range: [from, to], angle });
+        return Some(CurveDefect::Bend { range: [from, to], angle });
     }
-    (!is_known).then_some(Flaw::Unmeasured { s: gap.at })
+    (!is_known).then_some(CurveDefect::Unmeasured { s: gap.at })
 }
 
 /// `|f(to) − f(from) − ∫ f' ds|`, and how well it is known.
@@ -191,59 +191,65 @@ mod tests {
         Jet::constant(value)
     }
 
-    /// The flaw of a curve over [-1, 1] as a single element.
-    fn flaw(limits: &[f64], coordinates: impl Fn(Jet) -> [Jet; 3] + Send + Sync + 'static) -> Option<Flaw> {
+    /// The defect of a curve over [-1, 1] as a single element.
+    fn defect(limits: &[f64], coordinates: impl Fn(Jet) -> [Jet; 3] + Send + Sync + 'static) -> Option<CurveDefect> {
         let coordinates = Arc::new(move |s| coordinates(Jet::variable(s)));
         let curve = Curve::new(coordinates, [-1.0, 1.0], limits.to_vec());
         of_length(&curve).or_else(|| of_element(&curve, -1.0, 1.0, curve.length()))
     }
 
-    /// Each flaw must be found where it is, at a limit of pieces or hidden in a function; `s` to the last digits.
+    /// Each defect must be found where it is, at a limit of pieces or hidden in a function; `s` to the last digits.
     #[test]
     fn flaws_are_found_where_they_are() {
         let near = |s: f64, expected: f64| (s - expected).abs() < 1e-9;
-        assert_eq!(flaw(&[], |_| [number(3.0); 3]), Some(Flaw::NoLength));
-        let root = flaw(&[], |s| [s, (number(0.3) - s).sqrt(), number(0.0)]);
-        assert!(matches!(root, Some(Flaw::NotFinite { s: 1.0 })), "{root:?}");
-        let gap = flaw(&[], |s| [s, ((s - number(0.25)) * (s - number(0.75))).sqrt(), number(0.0)]);
+        assert_eq!(defect(&[], |_| [number(3.0); 3]), Some(CurveDefect::NoLength));
+        let root = defect(&[], |s| [s, (number(0.3) - s).sqrt(), number(0.0)]);
+        assert!(matches!(root, Some(CurveDefect::NotFinite { s: 1.0 })), "{root:?}");
+        let gap = defect(&[], |s| [s, ((s - number(0.25)) * (s - number(0.75))).sqrt(), number(0.0)]);
         // As near as the quadrature comes to the edge of what is not defined.
-        assert!(matches!(gap, Some(Flaw::NotFinite { s }) if (s - 0.25).abs() < 1e-3), "{gap:?}");
-        let infinite = flaw(&[], |s| [s, (s * s).power(number(0.75)), number(0.0)]);
-        assert!(matches!(infinite, Some(Flaw::NotFinite { s }) if near(s, 0.0)), "{infinite:?}");
-        let cusp = flaw(&[], |s| {
+        assert!(matches!(gap, Some(CurveDefect::NotFinite { s }) if (s - 0.25).abs() < 1e-3), "{gap:?}");
+        let infinite = defect(&[], |s| [s, (s * s).power(number(0.75)), number(0.0)]);
+        assert!(matches!(infinite, Some(CurveDefect::NotFinite { s }) if near(s, 0.0)), "{infinite:?}");
+        let cusp = defect(&[], |s| {
             let s = s - number(0.123);
             [s * s, s * s * s, number(0.0)]
         });
-        assert!(matches!(cusp, Some(Flaw::Cusp { s }) if near(s, 0.123)), "{cusp:?}");
-        let still = flaw(&[], |s| [s * s, number(0.0), number(0.0)]);
-        assert!(matches!(still, Some(Flaw::Cusp { s }) if near(s, 0.0)), "{still:?}");
-        let jump = flaw(&[], |s| [s, (s - number(0.3)).sign(), number(0.0)]);
-        assert!(matches!(jump, Some(Flaw::Jump { s, size, .. }) if near(s, 0.3) && near(size, 2.0)), "{jump:?}");
-        let corner = flaw(&[], |s| [s, (s - number(0.3)).abs() * number(0.1), number(0.0)]);
+        assert!(matches!(cusp, Some(CurveDefect::Cusp { s }) if near(s, 0.123)), "{cusp:?}");
+        let still = defect(&[], |s| [s * s, number(0.0), number(0.0)]);
+        assert!(matches!(still, Some(CurveDefect::Cusp { s }) if near(s, 0.0)), "{still:?}");
+        let jump = defect(&[], |s| [s, (s - number(0.3)).sign(), number(0.0)]);
+        assert!(matches!(jump, Some(CurveDefect::Jump { s, size, .. }) if near(s, 0.3) && near(size, 2.0)), "{jump:?}");
+        let corner = defect(&[], |s| [s, (s - number(0.3)).abs() * number(0.1), number(0.0)]);
         let angle = 2.0 * 0.1_f64.atan();
-        assert!(matches!(corner, Some(Flaw::Corner { s, angle: a }) if near(s, 0.3) && near(a, angle)), "{corner:?}");
-        let pieces = flaw(&[0.3], move |s| match s.value < 0.3 {
+        assert!(
+            matches!(corner, Some(CurveDefect::Corner { s, angle: a }) if near(s, 0.3) && near(a, angle)),
+            "{corner:?}"
+        );
+        let pieces = defect(&[0.3], move |s| match s.value < 0.3 {
             true => [s, number(0.0), number(0.0)],
             false => [s, number(0.1) * (s - number(0.3)), number(0.5)],
         });
-        assert!(matches!(pieces, Some(Flaw::Jump { s, size, .. }) if near(s, 0.3) && near(size, 0.5)), "{pieces:?}");
-        let pole = flaw(&[], |s| [s, (s - number(0.3)).power(number(-1.0)), number(0.0)]);
-        assert!(matches!(pole, Some(Flaw::Unmeasured { s }) if (s - 0.3).abs() < 1e-3), "{pole:?}");
-        let wild = flaw(&[], |s| [s, (s * number(1e6)).sin() * number(1e-3), number(0.0)]);
-        assert!(matches!(wild, Some(Flaw::Unmeasured { .. })), "{wild:?}");
-        let coil = flaw(&[], |s| [s, (s * number(1e6)).sin(), (s * number(1e6)).cos()]);
-        assert!(matches!(coil, Some(Flaw::Bend { angle, .. }) if angle > 1.9e6), "{coil:?}");
-        let bend = flaw(&[], |s| [s.sin(), s.cos(), number(0.0)]);
-        assert!(matches!(bend, Some(Flaw::Bend { angle, .. }) if near(angle, 2.0)), "{bend:?}");
+        assert!(
+            matches!(pieces, Some(CurveDefect::Jump { s, size, .. }) if near(s, 0.3) && near(size, 0.5)),
+            "{pieces:?}"
+        );
+        let pole = defect(&[], |s| [s, (s - number(0.3)).power(number(-1.0)), number(0.0)]);
+        assert!(matches!(pole, Some(CurveDefect::Unmeasured { s }) if (s - 0.3).abs() < 1e-3), "{pole:?}");
+        let wild = defect(&[], |s| [s, (s * number(1e6)).sin() * number(1e-3), number(0.0)]);
+        assert!(matches!(wild, Some(CurveDefect::Unmeasured { .. })), "{wild:?}");
+        let coil = defect(&[], |s| [s, (s * number(1e6)).sin(), (s * number(1e6)).cos()]);
+        assert!(matches!(coil, Some(CurveDefect::Bend { angle, .. }) if angle > 1.9e6), "{coil:?}");
+        let bend = defect(&[], |s| [s.sin(), s.cos(), number(0.0)]);
+        assert!(matches!(bend, Some(CurveDefect::Bend { angle, .. }) if near(angle, 2.0)), "{bend:?}");
     }
 
     /// What is below the bounds must pass: a short arc, an inflexion, small jumps and corners.
     #[test]
     fn sound_curves_have_no_flaw() {
         let half = number(0.5);
-        assert_eq!(flaw(&[], move |s| [(half * s).sin(), (half * s).cos(), number(0.0)]), None);
-        assert_eq!(flaw(&[], |s| [s, s * s * s * number(0.2), number(0.0)]), None);
-        assert_eq!(flaw(&[], |s| [s, (s - number(0.3)).sign() * number(1e-3), number(0.0)]), None);
-        assert_eq!(flaw(&[], |s| [s, s.abs() * number(0.01), number(0.0)]), None);
+        assert_eq!(defect(&[], move |s| [(half * s).sin(), (half * s).cos(), number(0.0)]), None);
+        assert_eq!(defect(&[], |s| [s, s * s * s * number(0.2), number(0.0)]), None);
+        assert_eq!(defect(&[], |s| [s, (s - number(0.3)).sign() * number(1e-3), number(0.0)]), None);
+        assert_eq!(defect(&[], |s| [s, s.abs() * number(0.01), number(0.0)]), None);
     }
 }
