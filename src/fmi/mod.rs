@@ -92,6 +92,8 @@ pub struct Failure {
     pub message: String,
     /// One of the standard's log categories.
     pub category: LogCategory,
+    /// The line of the first mistake in the text of the model, from 1; none: it is not about a line.
+    pub line: Option<usize>,
 }
 
 /// The log categories of FMI 2.0 (section 2.2.4) that are used here.

@@ -20,6 +20,8 @@ pub enum Error {
     Mistakes {
         /// All mistakes, each with its line underlined; text of several lines.
         mistakes: String,
+        /// The line of the first mistake, from 1; none: the mistakes are in overrides.
+        line: Option<usize>,
     },
     /// No variable has this name.
     #[error(

@@ -15,7 +15,7 @@ pub use self::{
     variable::{Kind, Variable, VariableId},
 };
 use crate::fmi::instance::{FmuState, Instance};
-use crate::fmi::lifecycle::Mode;
+use crate::fmi::lifecycle::{Call, Mode};
 use crate::fmi::variable::Variable as Row;
 use crate::fmi::{About, Model, Value};
 use crate::model::modes::Modes;
@@ -86,7 +86,7 @@ impl Simulation {
         let overrides: Vec<(String, String)> =
             overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
         let model = model::simulation::Simulation::load(name, text, &overrides)
-            .map_err(|failure| Error::Mistakes { mistakes: failure.message })?;
+            .map_err(|failure| Error::Mistakes { mistakes: failure.message, line: failure.line })?;
         let warnings = notes::notes(model.document());
         Ok(Self { instance: Instance::new(model, false), warnings, rows: 0 })
     }
@@ -255,6 +255,28 @@ impl Simulation {
     /// The copy is of another model, or an internal fault has happened.
     pub fn restore(&mut self, state: &SavedState) -> Result<(), Error> {
         self.instance.set_state(&state.0).map_err(|error| Error::of(error, self.time()))
+    }
+
+    /// The bytes of a copy, which [`Self::read_state`] of any process reads.
+    ///
+    /// # Errors
+    /// An internal fault has happened.
+    pub fn write_state(&self, state: &SavedState) -> Result<Vec<u8>, Error> {
+        let bytes = self.instance.serialize(Call::SerializeFMUstate, &state.0);
+        bytes.map_err(|error| Error::of(error, self.time()))
+    }
+
+    /// The copy that [`Self::write_state`] wrote, in this process or another.
+    ///
+    /// # Errors
+    /// The bytes are damaged, or of another model or version, or an internal fault has happened.
+    pub fn read_state(&self, bytes: &[u8]) -> Result<SavedState, Error> {
+        self.instance.deserialize(bytes).map(SavedState).map_err(|error| Error::of(error, self.time()))
+    }
+
+    /// The model behind the variables: what drawings, pages and FMU files are made from.
+    pub fn model(&self) -> &model::simulation::Simulation {
+        self.instance.model()
     }
 
     /// Natural frequencies and shapes about the state that is reached: the `count` lowest ones.

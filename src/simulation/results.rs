@@ -34,17 +34,29 @@ impl Simulation {
     /// # Errors
     /// The first one of the run or of `each`, which ends the run.
     pub fn run(&mut self, mut each: impl FnMut(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
+        self.run_while(|simulation| each(simulation).map(|()| true))
+    }
+
+    /// Runs as [`Self::run`] does, while `each` answers true. A run that is stopped early is not finished: it can go on.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub fn run_while(&mut self, mut each: impl FnMut(&mut Self) -> Result<bool, Error>) -> Result<(), Error> {
         let [stop, step] = [self.stop_time(), self.output_step()];
         let last = rows::last(self.about()).ok_or(Error::TooManyRows { rows: stop / step })?;
         if !self.is_initialized() {
             self.initialize()?;
         }
-        each(self)?;
+        if !each(self)? {
+            return Ok(());
+        }
         for row in 1..=last {
             let time = rows::time(self.about(), row, last);
             if time > self.time() {
                 self.advance(time)?;
-                each(self)?;
+                if !each(self)? {
+                    return Ok(());
+                }
             }
         }
         self.finish()

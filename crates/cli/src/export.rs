@@ -21,14 +21,23 @@ pub fn platform_and_path(text: &str) -> Result<(Platform, PathBuf), String> {
     })
 }
 
-/// Packs the model `file` as an FMU, with the library of this platform and of others that are given.
-pub fn pack(file: &Path, output: &Path, library: Option<&Path>, others: Vec<(Platform, PathBuf)>) -> Result<(), Stop> {
+/// Packs the model `file` as an FMU, with the library of this platform, which lies next to `program`, and of others that are given.
+pub fn pack(
+    file: &Path,
+    output: &Path,
+    library: Option<&Path>,
+    others: Vec<(Platform, PathBuf)>,
+    program: Option<&Path>,
+) -> Result<(), Stop> {
     if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fmu")) {
         let shown = output.display();
         return Err(Stop::Bad(format!("error: an FMU has a name that ends in .fmu, {shown} does not")));
     }
-    let executable = std::env::current_exe()
-        .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?;
+    let executable = match program {
+        Some(program) => program.to_owned(),
+        None => std::env::current_exe()
+            .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?,
+    };
     let (simulation, text) = load(file, &[])?;
     // No library at the place that was given is a wrong argument; a failed write is not.
     let own = libraries::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;

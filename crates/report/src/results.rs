@@ -69,16 +69,13 @@ impl Results {
 
     /// Adds a row; returns its text for results.csv, with the header before the first one.
     pub fn record(&mut self, time: f64, model: &impl Model) -> String {
-        let mut text = if self.count == 0 { self.header() } else { String::new() };
+        let mut text =
+            if self.count == 0 { header(self.columns.iter().map(|column| &*column.name)) } else { String::new() };
         let mut values = Vec::with_capacity(self.columns.len());
         text.push_str(&shortest(decimal(time)));
         for column in &mut self.columns {
             let value = model.value(column.reference);
-            // Writing into a String cannot fail.
-            let _ = match value {
-                Value::Real(value) => write!(text, ",{}", shortest(value)),
-                Value::Integer(value) => write!(text, ",{value}"),
-            };
+            push(&mut text, value);
             column.trace.push(time, value.number());
             values.push(value.number());
         }
@@ -89,17 +86,6 @@ impl Results {
         }
         self.last = Some((time, values));
         self.count += 1;
-        text
-    }
-
-    fn header(&self) -> String {
-        let mut text = String::from("time");
-        for column in &self.columns {
-            // A name with two indices has a comma in it.
-            let quote = if column.name.contains(',') { "\"" } else { "" };
-            let _ = write!(text, ",{quote}{}{quote}", column.name);
-        }
-        text.push('\n');
         text
     }
 
@@ -119,6 +105,39 @@ impl Results {
         let taken = self.snapshots.last().map(|(time, _)| *time);
         self.snapshots.iter().chain(self.last.as_ref().filter(move |(time, _)| Some(*time) != taken))
     }
+}
+
+/// The first line of results.csv.
+fn header<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let mut text = String::from("time");
+    for name in names {
+        // A name with two indices has a comma in it.
+        let quote = if name.contains(',') { "\"" } else { "" };
+        // Writing into a String cannot fail.
+        let _ = write!(text, ",{quote}{name}{quote}");
+    }
+    text.push('\n');
+    text
+}
+
+/// Adds a value to a row of results.csv.
+fn push(text: &mut String, value: Value) {
+    // Writing into a String cannot fail.
+    let _ = match value {
+        Value::Real(value) => write!(text, ",{}", shortest(value)),
+        Value::Integer(value) => write!(text, ",{value}"),
+    };
+}
+
+/// The whole of results.csv, from rows that a program has gathered: the names of the columns, and rows of a time, s, and a value for each column.
+pub fn table<'a>(names: impl Iterator<Item = &'a str>, rows: impl Iterator<Item = (f64, Vec<Value>)>) -> String {
+    let mut text = header(names);
+    for (time, values) in rows {
+        text.push_str(&shortest(decimal(time)));
+        values.into_iter().for_each(|value| push(&mut text, value));
+        text.push('\n');
+    }
+    text
 }
 
 /// The shortest text that reads back to the same double.

@@ -139,7 +139,7 @@ impl Toy {
 }
 
 fn failure(message: &str) -> Failure {
-    Failure { message: message.to_owned(), category: LogCategory::NonlinearSystems }
+    Failure { message: message.to_owned(), category: LogCategory::NonlinearSystems, line: None }
 }
 
 impl Model for Toy {

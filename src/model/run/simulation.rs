@@ -23,6 +23,7 @@ use crate::model::file::entries::frame::FrameSpec;
 use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::number::Number;
 use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
+use crate::model::text::diagnostic::Diagnostics;
 use crate::model::variables::inputs::Inputs;
 use crate::model::variables::{Moment, Source, Table};
 use std::sync::Arc;
@@ -56,8 +57,8 @@ impl Simulation {
     /// # Errors
     /// Everything that is wrong with the file, each with its place.
     pub fn load(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Failure> {
-        let document = Document::parse(file_name, text, overrides).map_err(|mistakes| wrong(mistakes.to_string()))?;
-        let built = builder::build(&document, 0.0).map_err(|mistakes| wrong(mistakes.to_string()))?;
+        let document = Document::parse(file_name, text, overrides).map_err(|mistakes| mistaken(&mistakes))?;
+        let built = builder::build(&document, 0.0).map_err(|mistakes| mistaken(&mistakes))?;
         let table = Table::new(&document);
         let about = About {
             name: document.model.name.clone(),
@@ -431,11 +432,15 @@ impl Model for Simulation {
 }
 
 fn wrong(message: String) -> Failure {
-    Failure { message, category: LogCategory::StatusError }
+    Failure { message, category: LogCategory::StatusError, line: None }
+}
+
+fn mistaken(mistakes: &Diagnostics) -> Failure {
+    Failure { line: mistakes.line(), ..wrong(mistakes.to_string()) }
 }
 
 pub(in crate::model) fn failure(error: &Error) -> Failure {
-    Failure { message: error.to_string(), category: category(error) }
+    Failure { message: error.to_string(), category: category(error), line: None }
 }
 
 fn category(error: &Error) -> LogCategory {

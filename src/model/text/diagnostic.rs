@@ -115,6 +115,13 @@ impl Diagnostic {
     }
 }
 
+impl Diagnostic {
+    /// The line of the file that it is about, from 1; none: it is about an override.
+    pub fn line(&self) -> Option<usize> {
+        self.line_number
+    }
+}
+
 /// The next character boundary at or below `at`.
 fn boundary(text: &str, at: usize) -> usize {
     let mut at = at.min(text.len());
@@ -200,6 +207,13 @@ impl fmt::Display for Diagnostic {
             write!(f, "\n{gutter} = help: {}", self.help)?;
         }
         Ok(())
+    }
+}
+
+impl Diagnostics {
+    /// The line of the first mistake in the file, from 1; none: all mistakes are in overrides.
+    pub fn line(&self) -> Option<usize> {
+        self.0.iter().find_map(Diagnostic::line)
     }
 }
 

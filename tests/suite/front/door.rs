@@ -50,6 +50,59 @@ fn runs_repeat() {
     assert_eq!(go_on(&mut simulation), first);
 }
 
+/// The bytes of a saved state go on with the same bits in another simulation of the model; damaged bytes, and those of another model, are refused.
+#[test]
+fn states_are_bytes() {
+    let mut simulation = arm();
+    simulation.initialize().unwrap();
+    simulation.advance(0.02).unwrap();
+    let mut bytes = simulation.write_state(&simulation.save().unwrap()).unwrap();
+    let mut other = arm();
+    other.restore(&other.read_state(&bytes).unwrap()).unwrap();
+    for simulation in [&mut simulation, &mut other] {
+        simulation.advance(0.05).unwrap();
+    }
+    let tip =
+        |simulation: &Simulation| [1, 2, 3].map(|axis| simulation.value(&format!("tip.position[{axis}]")).unwrap());
+    assert_eq!((tip(&simulation), simulation.time()), (tip(&other), 0.05));
+    let foreign = Simulation::from_text_with("a", ARM, &[("arm.elements", "2")]).unwrap();
+    assert!(matches!(foreign.read_state(&bytes), Err(Error::ForeignState)));
+    *bytes.last_mut().unwrap() ^= 1;
+    assert!(simulation.read_state(&bytes).is_err());
+}
+
+/// A run that its callback stops has the rows so far, and goes on where it stands.
+#[test]
+fn the_callback_stops_a_run() {
+    let mut simulation = arm();
+    let mut rows = Vec::new();
+    let mut until = |most: usize, simulation: &mut Simulation| {
+        simulation
+            .run_while(|simulation| {
+                rows.push(simulation.time());
+                Ok(rows.len() < most)
+            })
+            .unwrap();
+        rows.clone()
+    };
+    let first = until(4, &mut simulation);
+    assert_eq!((first.len(), simulation.time()), (4, first[3]));
+    let rows = until(usize::MAX, &mut simulation);
+    // The row where it stands is looked at again.
+    assert_eq!((rows[4], rows.last()), (first[3], Some(&simulation.stop_time())));
+}
+
+/// An error of the file knows its line; an error of an override has none.
+#[test]
+fn mistakes_know_their_line() {
+    let line = |text: &str, overrides: &[(&str, &str)]| match Simulation::from_text_with("a", text, overrides) {
+        Err(Error::Mistakes { line, .. }) => line,
+        _ => panic!("there is a mistake"),
+    };
+    assert_eq!(line("format = 1\n\nmodel = 3\n", &[]), Some(3));
+    assert_eq!(line(ARM, &[("arm.elements", "-1")]), None);
+}
+
 /// Inputs that the callback sets act; its error ends the run where it stands; a run goes on from the time reached.
 #[test]
 fn the_callback_is_in_the_loop() {

@@ -1,0 +1,33 @@
+"""Flexible beams, cables, shafts and springs: a solver for ANCF14 beams.
+
+    import ancf14
+    results = ancf14.Model("cantilever.toml").run({"strip.height": 0.005}, stop=2)
+    results.time, results["tip.displacement"]
+
+All numbers are in SI units and radians.
+"""
+
+from ._errors import CallError, Error, Interrupted, ModelError, RunError, SolverWarning, VariableError
+from ._model import Model, Picture, Variable
+from ._modes import Modes
+from ._native import __version__
+from ._results import Results
+from ._unit import State, Unit
+
+__all__ = [
+    "CallError",
+    "Error",
+    "Interrupted",
+    "Model",
+    "ModelError",
+    "Modes",
+    "Picture",
+    "Results",
+    "RunError",
+    "SolverWarning",
+    "State",
+    "Unit",
+    "Variable",
+    "VariableError",
+    "__version__",
+]

@@ -1,0 +1,243 @@
+"""A model: its variables, runs, modes, drawing and FMU."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._errors import CallError, Interrupted, ModelError, RunError, VariableError, error_of, raising, warn
+from ._modes import Modes
+from ._names import Components
+from ._results import Results
+from ._unit import Unit
+
+Value: TypeAlias = "float | int | bool | str | np.number[Any] | Sequence[float | int | str]"
+"""A number, a word or an expression of a model file, or a list of them."""
+
+Parameters: TypeAlias = Mapping[str, Value]
+"""Changes of a model file by key, as those of ``--set`` of the command line."""
+
+Inputs: TypeAlias = "Mapping[str, Callable[[float], ArrayLike] | ArrayLike]"
+"""Values of inputs: a constant, an array with one entry per row of results, or a function of time in s."""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A variable of a model."""
+
+    name: str
+    value: float | None
+    """The value in ``unit``; None for results."""
+    unit: str
+    """The SI unit, as ``m``, ``N.m`` or ``rad/s``; empty if the variable has none."""
+    description: str
+    kind: str
+    """``parameter``, ``tunable`` (it can also be set between two steps), ``calculated``, ``input`` or ``output``."""
+    bounds: tuple[float | None, float | None]
+    """The smallest and the largest possible value, in ``unit``; None where there is no bound."""
+
+
+class Picture:
+    """A drawing, which notebooks show."""
+
+    def __init__(self, svg: str) -> None:
+        self.svg = svg
+        """The text of the picture."""
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
+def _text(value: Value) -> str:
+    """Return a value as a model file writes it."""
+    match value:
+        case bool() | np.bool_():
+            return "true" if value else "false"
+        case str():
+            return value
+        case int() | np.integer():
+            return str(int(value))
+        case float() | np.floating():
+            return repr(float(value))
+    if isinstance(value, Iterable):
+        entries = [f'"{entry}"' if isinstance(entry, str) else _text(entry) for entry in value]
+        return f"[{', '.join(entries)}]"
+    raise TypeError(f"{value!r} is not a value of a model file; give a number, a string or a list of them")
+
+
+class Model:
+    """A model file.
+
+    ``parameters`` changes numbers and words of the file by key, as ``--set`` of the command line does:
+    ``Model("crane.toml", {"boom.elements": 12})``.
+
+    Raises ModelError if the file has mistakes; the message underlines each of them.
+    """
+
+    def __init__(self, file: str | os.PathLike[str], parameters: Parameters | None = None) -> None:
+        try:
+            text = Path(file).read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as reason:
+            raise ModelError(f"cannot read {os.fspath(file)}: {reason}") from None
+        self._load(os.fspath(file), text, parameters)
+
+    @classmethod
+    def from_string(cls, text: str, parameters: Parameters | None = None, *, name: str = "model.toml") -> Model:
+        """Load a model from its text; messages call it ``name``."""
+        model = cls.__new__(cls)
+        model._load(name, text, parameters)
+        return model
+
+    def _load(self, file: str, text: str, parameters: Parameters | None) -> None:
+        self._file, self._source = file, text
+        self._overrides = [(key, _text(value)) for key, value in (parameters or {}).items()]
+        simulation = self._open()
+        self.name = simulation.name()
+        """The name of the model."""
+        kinds: dict[str, dict[str, Variable]] = {"parameter": {}, "input": {}, "output": {}}
+        for own, unit, description, kind, value, bounds, _ in simulation.variables():
+            variable = Variable(own, value, unit, description, kind, bounds)
+            kinds[kind if kind in kinds else "parameter"][own] = variable
+        self.parameters: dict[str, Variable] = kinds["parameter"]
+        """The numbers of the model file by name."""
+        self.inputs: dict[str, Variable] = kinds["input"]
+        """The numbers that a program gives during a run, by name."""
+        self.outputs: dict[str, Variable] = kinds["output"]
+        """The results by name, a column of results.csv each."""
+        self._notes = simulation.take_warnings()
+        warn(self._notes)
+
+    def __repr__(self) -> str:
+        count = f"{len(self.parameters)} parameters, {len(self.inputs)} inputs, {len(self.outputs)} outputs"
+        return f"<ancf14.Model {self.name!r}: {count}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _loaded, (self._file, self._source, self._overrides)
+
+    def _open(self, changes: Sequence[tuple[str, str]] = ()) -> _native.Simulation:
+        changed = dict([*self._overrides, *changes])
+        with raising():
+            return _native.Simulation(self._file, self._source, list(changed.items()))
+
+    def run(
+        self,
+        parameters: Parameters | None = None,
+        *,
+        stop: float | None = None,
+        output_step: float | None = None,
+        inputs: Inputs | None = None,
+    ) -> Results:
+        """Simulate, and return the results of all outputs; their bits are those of ``ancf14 run``.
+
+        ``parameters`` changes the model file by key, as ``--set`` does. ``stop`` is the end of the run and ``output_step`` the
+        time between two rows of results, both in s; the defaults are those of the model file.
+
+        ``inputs`` gives values to inputs, in their SI units: a constant, an array with an entry for each row of results, or a
+        function of the time in s. ``foot.position`` names the three components of a vector at once: a constant of shape
+        ``(3,)``, an array of shape ``(rows, 3)``. The value at a row acts until the next row.
+
+        Other threads of Python can work during the run. Ctrl-C stops the run and raises Interrupted, whose ``results`` has the
+        rows so far. A step that cannot be computed raises RunError, also with ``results``. Warnings of the solver are issued as
+        SolverWarning.
+        """
+        changes = [(key, _text(value)) for key, value in (parameters or {}).items()]
+        changes += [
+            (key, _text(float(value)))
+            for key, value in (("simulation.stop", stop), ("simulation.output_step", output_step))
+            if value is not None
+        ]
+        simulation = self._open(changes)
+        with raising():
+            times = simulation.times() if inputs else []
+        names, values = self._table(inputs or {}, times)
+        rerun = (self._file, self._source, list(dict([*self._overrides, *changes]).items()), names, values)
+        with raising():
+            variables = simulation.variables()
+            found, table, warnings, error, _ = simulation.run(names, values)
+        results = Results._of(self.name, variables, found, table, rerun)
+        # Those about the file were issued when it was loaded.
+        warn([warning for warning in warnings if warning not in self._notes])
+        if error is None:
+            return results
+        if isinstance(error, KeyboardInterrupt):
+            reached = f"the rows up to t = {results.time[-1]:g} s are" if len(results.time) else "no row is"
+            raise Interrupted(f"the run was interrupted; {reached} in the attribute results", results) from None
+        if not isinstance(error, _native.Refusal):
+            raise error
+        public = error_of(error)
+        if isinstance(public, RunError):
+            public.results = results
+        raise public
+
+    def _table(self, inputs: Inputs, times: list[float]) -> tuple[list[str], list[float]]:
+        """Return the names of the driven inputs and their values, row by row."""
+        components = Components(self.inputs)
+        names: list[str] = []
+        columns: list[NDArray[np.float64]] = []
+        for name, given in inputs.items():
+            if name in self.inputs:
+                shape: tuple[int, ...] = ()
+                own = [name]
+            elif name in components:
+                shape, own = components.shape(name), list(components.names(name).values())
+            else:
+                known = ", ".join([*components, *self.inputs]) or "none"
+                raise VariableError(f"the model has no input `{name}`; its inputs are: {known}")
+            values = np.array([given(time) for time in times] if callable(given) else given, dtype=float)
+            if values.shape == shape and not callable(given):
+                values = np.broadcast_to(values, (len(times), *shape))
+            if values.shape != (len(times), *shape):
+                raise CallError(
+                    f"the values of input `{name}` have the shape {values.shape}; give a constant of shape {shape}, or an array of "
+                    f"shape {(len(times), *shape)}, one entry for each row of results"
+                )
+            names += own
+            columns.append(values.reshape(len(times), -1))
+        return names, np.hstack(columns).ravel().tolist() if columns else []
+
+    def unit(self, parameters: Parameters | None = None) -> Unit:
+        """Return a simulation to advance step by step, with the parameters changed."""
+        changes = [(key, _text(value)) for key, value in (parameters or {}).items()]
+        return Unit(self._file, self._source, list(dict([*self._overrides, *changes]).items()))
+
+    def modes(self, count: int = 10, parameters: Parameters | None = None) -> Modes:
+        """Find the ``count`` lowest natural modes about the initial state."""
+        simulation = self._open([(key, _text(value)) for key, value in (parameters or {}).items()])
+        with raising():
+            simulation.initialize()
+            found = simulation.modes(count)
+        warn(found[-1])
+        return Modes._of(found)
+
+    def draw(self, path: str | os.PathLike[str] | None = None) -> Picture:
+        """Draw the mechanism, as SVG; with a ``path`` also write it to that file."""
+        picture = Picture(self._open().drawing())
+        if path is not None:
+            Path(path).write_text(picture.svg, encoding="utf-8")
+        return picture
+
+    def pack(self, path: str | os.PathLike[str]) -> Path:
+        """Pack the model as an FMU for co-simulation (FMI 2.0), write it to ``path`` and return the path.
+
+        Raises CallError if the model was loaded with changed parameters: an FMU has the model file itself.
+        """
+        if self._overrides:
+            raise CallError("an FMU has the model file itself; load the model without parameters, and set them in the host")
+        path = Path(path)
+        if path.suffix.lower() != ".fmu":
+            raise CallError(f"an FMU has a name that ends in .fmu, {path} does not")
+        library = Path(__file__).with_name("libancf14.so")
+        path.write_bytes(self._open().pack(self._source, str(library)))
+        return path
+
+
+def _loaded(file: str, text: str, overrides: list[tuple[str, str]]) -> Model:
+    """Return a model from a pickle."""
+    return Model.from_string(text, dict(overrides), name=file)

@@ -1,0 +1,73 @@
+//! What is made from a model without a run: modes, the drawing, the FMU, the text of a table.
+
+use ancf14::fmi::{Model, Value};
+use ancf14::model::drawing::Drawing;
+use ancf14::model::modes::{Kind, Modes};
+use ancf14::model::simulation::Simulation;
+use ancf14_pack::contents::{Contents, LICENCES};
+use ancf14_pack::libraries::{self, Platform};
+use ancf14_pack::package;
+use ancf14_report::{draw, picture, results};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+
+/// A mode: kind, what it moves most, then angular frequency, growth rate, eigenvalue and modal mass.
+type FoundMode = (&'static str, String, [f64; 4]);
+
+/// Modes; names of the places; the positions of the places; displacements and turns of each mode at each place; warnings.
+pub type FoundModes = (Vec<FoundMode>, Vec<String>, Vec<[f64; 3]>, Vec<[f64; 3]>, Vec<[f64; 3]>, Vec<String>);
+
+/// Natural modes in plain types.
+pub fn modes(found: &Modes) -> FoundModes {
+    let modes = found.modes.iter().map(|mode| {
+        let kind = match mode.kind {
+            Kind::Vibration => "vibration",
+            Kind::Free => "free",
+            Kind::Unstable => "unstable",
+        };
+        let numbers = [mode.angular_frequency(), mode.growth_rate(), mode.eigenvalue, mode.modal_mass];
+        (kind, mode.moves.clone(), numbers)
+    });
+    let motions = || found.modes.iter().flat_map(|mode| &mode.motions);
+    (
+        modes.collect(),
+        found.places.iter().map(|place| place.name.clone()).collect(),
+        found.places.iter().map(|place| place.position).collect(),
+        motions().map(|motion| motion.displacement).collect(),
+        motions().map(|motion| motion.turn).collect(),
+        found.warnings.clone(),
+    )
+}
+
+/// The drawing that `ancf14 check --draw` writes.
+pub fn drawing(model: &Simulation) -> String {
+    draw::svg(&Drawing::new(model.document()), &model.about().name)
+}
+
+/// The bytes of an FMU with the library of this platform.
+pub fn fmu(model: &Simulation, text: &str, library: PathBuf) -> Result<Vec<u8>, String> {
+    let drawing = Drawing::new(model.document());
+    let icon = picture::icon(&drawing).map_err(|reason| format!("cannot draw the mechanism: {reason}"))?;
+    let contents = Contents {
+        model: text,
+        licences: LICENCES,
+        icon: &icon,
+        drawing: &draw::svg(&drawing, ""),
+        legend: &draw::legend(&drawing),
+    };
+    let libraries = libraries::read(&[(Platform::NATIVE, library)]).map_err(|reason| reason.to_string())?;
+    package::fmu(model.about(), model.variables(), &contents, &libraries).map_err(|reason| reason.to_string())
+}
+
+/// The text of results.csv, from columns: name, whether its values are whole numbers, values.
+#[pyfunction]
+pub fn table(times: Vec<f64>, columns: Vec<(String, bool, Vec<f64>)>) -> String {
+    let row = |(row, time): (usize, &f64)| {
+        let values = columns.iter().map(|(_, is_whole, values)| match is_whole {
+            true => Value::Integer(values[row] as i32),
+            false => Value::Real(values[row]),
+        });
+        (*time, values.collect())
+    };
+    results::table(columns.iter().map(|(name, ..)| name.as_str()), times.iter().enumerate().map(row))
+}

@@ -1,0 +1,145 @@
+//! A whole run, on a thread of its own: the calling thread waits without the GIL, and looks for signals in between.
+//!
+//! A row of results that takes long does not delay Ctrl-C: the calling thread takes the rows so far and leaves; the other thread ends after its row.
+
+use crate::refusal::{Refusal, place, raised, refusal};
+use ancf14::error::decimal;
+use ancf14::fmi::Model;
+use ancf14::model::rows;
+use ancf14::{Error, Kind, Simulation, VariableId};
+use ancf14_report::view::Film;
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+/// How often the calling thread looks for signals: no person notices the delay.
+const LOOK: Duration = Duration::from_millis(50);
+/// How long a row may take to notice an interruption.
+const GRACE: Duration = Duration::from_millis(100);
+/// The stack of the thread, bytes: that of a main thread on Linux.
+const STACK: usize = 8 << 20;
+
+/// What a run leaves: times, s; the values of all outputs, row by row (doubles in the order of bytes of the machine); warnings; the exception that ended it; the page.
+pub type Outcome = (Py<PyBytes>, Py<PyBytes>, Vec<String>, Option<Py<PyAny>>, Option<String>);
+
+/// What there is so far.
+#[derive(Default)]
+struct Rows {
+    times: Vec<f64>,
+    values: Vec<f64>,
+    warnings: Vec<String>,
+}
+
+/// How the other thread ended: with the page, or with an error and the line it names.
+type End = (Result<(), (Error, Option<(String, usize)>)>, Option<String>);
+
+/// Runs a simulation.
+pub fn run(
+    py: Python<'_>,
+    mut simulation: Simulation,
+    names: &[String],
+    inputs: Vec<f64>,
+    film: bool,
+    last: Option<u64>,
+) -> PyResult<Outcome> {
+    let driven: Vec<VariableId> =
+        names.iter().map(|name| simulation.find(name)).collect::<Result<_, _>>().map_err(|error| refusal(&error))?;
+    let rows = Arc::new(Mutex::new(Rows::default()));
+    let is_over = Arc::new(AtomicBool::new(false));
+    let (send, mut receive) = channel::<End>();
+    let (own_rows, own_over) = (Arc::clone(&rows), Arc::clone(&is_over));
+    let work = move || {
+        let mut film = film.then(|| Film::new(simulation.model(), whole(&simulation).min(last.unwrap_or(u64::MAX))));
+        let outcome = advance(&mut simulation, &own_rows, &own_over, (&driven, &inputs), film.as_mut(), last);
+        locked(&own_rows).warnings.extend(simulation.take_warnings());
+        let outcome =
+            outcome.map_err(|error| (place(&simulation, &error), error)).map_err(|(place, error)| (error, place));
+        let page = film.and_then(|film| film.page().ok());
+        // Nobody waits any more after an interruption.
+        let _ = send.send((outcome, page));
+    };
+    let builder = thread::Builder::new().name("ancf14 run".to_owned()).stack_size(STACK);
+    builder.spawn(work).map_err(|reason| PyRuntimeError::new_err(format!("cannot start a thread: {reason}")))?;
+    let (error, page) = loop {
+        let (ended, back) = wait(py, receive, LOOK);
+        receive = back;
+        match ended {
+            Ok((Ok(()), page)) => break (None, page),
+            Ok((Err((error, place)), page)) => break (Some(raised(&error, place)), page),
+            Err(RecvTimeoutError::Disconnected) => {
+                let fault = "internal fault, please report it: the thread of the run has panicked";
+                break (Some(Refusal::new_err(("run", fault, None::<usize>))), None);
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+        if let Err(interruption) = py.check_signals() {
+            is_over.store(true, Ordering::Relaxed);
+            let (_, _) = wait(py, receive, GRACE);
+            break (Some(interruption), None);
+        }
+    };
+    let mut rows = locked(&rows);
+    let bytes = |values: &[f64]| {
+        let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_ne_bytes()).collect();
+        PyBytes::new(py, &bytes).unbind()
+    };
+    let error = error.map(|error| error.into_value(py).into_any());
+    Ok((bytes(&rows.times), bytes(&rows.values), std::mem::take(&mut rows.warnings), error, page))
+}
+
+/// Waits for the end without the GIL; the receiver comes back, since it belongs to one thread at a time.
+fn wait(py: Python<'_>, receive: Receiver<End>, time: Duration) -> (Result<End, RecvTimeoutError>, Receiver<End>) {
+    py.detach(move || (receive.recv_timeout(time), receive))
+}
+
+/// Number of the last row of a whole run.
+fn whole(simulation: &Simulation) -> u64 {
+    rows::last(simulation.model().about()).unwrap_or(0)
+}
+
+/// What [`Simulation::run`] does, row by row, until it is over; sets the inputs before each row.
+fn advance(
+    simulation: &mut Simulation,
+    rows: &Mutex<Rows>,
+    is_over: &AtomicBool,
+    (driven, inputs): (&[VariableId], &[f64]),
+    mut film: Option<&mut Film>,
+    last: Option<u64>,
+) -> Result<(), Error> {
+    let outputs: Vec<VariableId> =
+        simulation.variables().filter(|variable| variable.kind == Kind::Output).map(|variable| variable.id).collect();
+    let set = |simulation: &mut Simulation, row: u64| {
+        let at = usize::try_from(row).unwrap_or(usize::MAX).saturating_mul(driven.len());
+        let values = inputs.get(at..).unwrap_or_default();
+        driven.iter().zip(values).try_for_each(|(id, value)| simulation.set_value_of(*id, *value))
+    };
+    set(simulation, 0)?;
+    let mut row = 0;
+    simulation.run_while(|simulation| {
+        if let Some(film) = &mut film {
+            film.look(row, simulation.model());
+        }
+        let mut rows = locked(rows);
+        rows.times.push(decimal(simulation.time()));
+        for id in &outputs {
+            rows.values.push(simulation.value_of(*id)?);
+        }
+        drop(rows);
+        // The value of this row acts until the next one.
+        if row > 0 {
+            set(simulation, row)?;
+        }
+        row += 1;
+        Ok(!is_over.load(Ordering::Relaxed) && last.is_none_or(|last| row <= last))
+    })
+}
+
+/// A poisoned lock has rows that are whole up to the last one.
+fn locked(rows: &Mutex<Rows>) -> MutexGuard<'_, Rows> {
+    rows.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,160 @@
+//! A simulation, its variables, steps and saved states.
+
+use crate::models::{self, FoundModes};
+use crate::refusal::{located, refusal};
+use crate::run::{self, Outcome};
+use ancf14::fmi::{Model, Value};
+use ancf14::model::rows;
+use ancf14::{Error, Kind};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::path::PathBuf;
+
+/// A model that runs.
+#[pyclass]
+pub struct Simulation {
+    /// None: a run has taken it.
+    simulation: Option<ancf14::Simulation>,
+}
+
+/// A variable: name, unit, description, kind, value, bounds, whether it is a whole number. Outputs have no value before the simulation is initialized.
+type Row = (String, String, String, &'static str, Option<f64>, (Option<f64>, Option<f64>), bool);
+
+#[pymethods]
+impl Simulation {
+    #[new]
+    fn new(py: Python<'_>, name: &str, text: &str, overrides: Vec<(String, String)>) -> PyResult<Self> {
+        let overrides: Vec<(&str, &str)> =
+            overrides.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
+        let simulation = py.detach(|| ancf14::Simulation::from_text_with(name, text, &overrides));
+        Ok(Self { simulation: Some(simulation.map_err(|error| refusal(&error))?) })
+    }
+
+    /// The name of the model.
+    fn name(&self) -> PyResult<String> {
+        Ok(self.get()?.name().to_owned())
+    }
+
+    fn variables(&self) -> PyResult<Vec<Row>> {
+        let simulation = self.get()?;
+        let row = |variable: ancf14::Variable<'_>| {
+            let kind = match variable.kind {
+                Kind::Parameter => "parameter",
+                Kind::Tunable => "tunable",
+                Kind::Calculated => "calculated",
+                Kind::Input => "input",
+                Kind::Output => "output",
+            };
+            let [least, most] = variable.bounds;
+            let is_whole = matches!(simulation.model().variables()[variable.id.index()].start, Value::Integer(_));
+            let [name, unit, description] = [variable.name, variable.unit, variable.description].map(str::to_owned);
+            (name, unit, description, kind, simulation.value_of(variable.id).ok(), (least, most), is_whole)
+        };
+        Ok(simulation.variables().map(row).collect())
+    }
+
+    /// The times of the rows of a whole run, s.
+    fn times(&self) -> PyResult<Vec<f64>> {
+        let simulation = self.get()?;
+        let about = simulation.model().about();
+        let rows = simulation.stop_time() / simulation.output_step();
+        let last = rows::last(about).ok_or(Error::TooManyRows { rows }).map_err(|error| refusal(&error))?;
+        Ok((0..=last).map(|row| if row == 0 { 0.0 } else { rows::time(about, row, last) }).collect())
+    }
+
+    fn value(&self, name: &str) -> PyResult<f64> {
+        self.get()?.value(name).map_err(|error| refusal(&error))
+    }
+
+    fn set(&mut self, name: &str, value: f64) -> PyResult<()> {
+        self.get_mut()?.set(name, value).map_err(|error| refusal(&error))
+    }
+
+    fn initialize(&mut self, py: Python<'_>) -> PyResult<()> {
+        let simulation = self.get_mut()?;
+        py.detach(|| simulation.initialize()).map_err(|error| located(simulation, &error))
+    }
+
+    fn advance(&mut self, py: Python<'_>, time: f64) -> PyResult<()> {
+        let simulation = self.get_mut()?;
+        py.detach(|| simulation.advance(time)).map_err(|error| located(simulation, &error))
+    }
+
+    fn finish(&mut self) -> PyResult<()> {
+        self.get_mut()?.finish().map_err(|error| refusal(&error))
+    }
+
+    fn reset(&mut self) -> PyResult<()> {
+        self.get_mut()?.reset().map_err(|error| refusal(&error))
+    }
+
+    /// The time reached, s.
+    fn time(&self) -> PyResult<f64> {
+        Ok(self.get()?.time())
+    }
+
+    fn save<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let simulation = self.get()?;
+        let bytes = simulation.save().and_then(|state| simulation.write_state(&state));
+        Ok(PyBytes::new(py, &bytes.map_err(|error| refusal(&error))?))
+    }
+
+    fn restore(&mut self, bytes: &[u8]) -> PyResult<()> {
+        let simulation = self.get_mut()?;
+        let state = simulation.read_state(bytes).map_err(|error| refusal(&error))?;
+        simulation.restore(&state).map_err(|error| refusal(&error))
+    }
+
+    fn take_warnings(&mut self) -> PyResult<Vec<String>> {
+        Ok(self.get_mut()?.take_warnings())
+    }
+
+    /// The lowest natural modes about the state that is reached.
+    fn modes(&self, py: Python<'_>, count: usize) -> PyResult<FoundModes> {
+        let simulation = self.get()?;
+        let found = py.detach(|| simulation.modes(count)).map_err(|error| located(simulation, &error))?;
+        Ok(models::modes(&found))
+    }
+
+    /// The drawing of the mechanism, SVG.
+    fn drawing(&self) -> PyResult<String> {
+        Ok(models::drawing(self.get()?.model()))
+    }
+
+    /// The bytes of an FMU of the model, whose text is given.
+    fn pack<'py>(&self, py: Python<'py>, text: &str, library: PathBuf) -> PyResult<Bound<'py, PyBytes>> {
+        let model = self.get()?.model();
+        let bytes = py.detach(|| models::fmu(model, text, library)).map_err(PyRuntimeError::new_err)?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Runs to the row `last`, or to the end, and takes the simulation away. The inputs called `names` have the values `inputs` from row to row: all of
+    /// the first row, then all of the second one. With `film` there is a page that shows the mechanism move.
+    #[pyo3(signature = (names, inputs, film=false, last=None))]
+    fn run(
+        &mut self,
+        py: Python<'_>,
+        names: Vec<String>,
+        inputs: Vec<f64>,
+        film: bool,
+        last: Option<u64>,
+    ) -> PyResult<Outcome> {
+        let simulation = self.simulation.take().ok_or_else(taken)?;
+        run::run(py, simulation, &names, inputs, film, last)
+    }
+}
+
+impl Simulation {
+    fn get(&self) -> PyResult<&ancf14::Simulation> {
+        self.simulation.as_ref().ok_or_else(taken)
+    }
+
+    fn get_mut(&mut self) -> PyResult<&mut ancf14::Simulation> {
+        self.simulation.as_mut().ok_or_else(taken)
+    }
+}
+
+fn taken() -> PyErr {
+    PyRuntimeError::new_err("a run has taken this simulation; load the model again")
+}

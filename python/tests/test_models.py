@@ -1,0 +1,87 @@
+"""Do the variables, modes, drawings, FMUs and tables of a model say what the command line says?"""
+
+import csv
+import sys
+import zipfile
+from pathlib import Path
+
+import ancf14
+import numpy as np
+import pytest
+
+from conftest import MODELS, ROOT, program
+from test_runs import PUSHED
+
+CANTILEVER = MODELS / "cantilever.toml"
+
+
+def test_variables_have_values_units_and_bounds() -> None:
+    model = ancf14.Model.from_string(PUSHED)
+    density = model.parameters["steel.density"]
+    assert (density.value, density.unit, density.kind) == (7850, "kg/m3", "parameter") and density.description
+    assert model.parameters["arm.elements"].bounds == (1, 100_000) and density.bounds == (None, None)
+    assert model.inputs["push.force[3]"].unit == "N" and model.inputs["push.force[3]"].kind == "input"
+    assert model.outputs["tip.displacement[1]"].value is None
+    assert list(model.outputs) == model.run().columns
+    assert "Pushed" in repr(model)
+
+
+def test_the_version_is_that_of_the_workspace() -> None:
+    import tomllib
+
+    workspace = tomllib.loads((ROOT / "Cargo.toml").read_text())
+    assert ancf14.__version__ == workspace["workspace"]["package"]["version"]
+    assert program(Path.cwd(), "--version").stdout == f"ancf14 {ancf14.__version__}\n"
+
+
+def test_modes_are_those_of_the_command_line() -> None:
+    assert program(Path.cwd(), "modes", str(CANTILEVER), "--count", "4", "-o", "out").returncode == 0
+    with open("out/modes.csv", newline="") as table:
+        rows = list(csv.DictReader(table))
+    modes = ancf14.Model(CANTILEVER).modes(4)
+    assert len(modes) == len(rows) == 4
+    for name in ("angular_frequency", "growth_rate", "eigenvalue", "modal_mass"):
+        assert getattr(modes, name).tolist() == [float(row[name]) for row in rows], name
+    assert modes.kind == [row["kind"] for row in rows] and modes.largest == [row["moves"] for row in rows]
+    assert modes.displacement.shape == (4, len(modes.places), 3) == modes.rotation.shape
+    assert np.abs(modes.displacement).max() == pytest.approx(1, rel=1e-12)  # scaled so
+    assert modes.position.shape == (len(modes.places), 3)
+
+
+def test_pictures_and_fmus_have_the_bytes_of_the_command_line() -> None:
+    assert program(Path.cwd(), "check", str(CANTILEVER), "--draw", "drawn.svg").returncode == 0
+    picture = ancf14.Model(CANTILEVER).draw("own.svg")
+    assert Path("own.svg").read_bytes() == Path("drawn.svg").read_bytes() and picture._repr_svg_() == picture.svg
+    packed = program(Path.cwd(), "pack", str(CANTILEVER), "-o", "packed.fmu")
+    assert packed.returncode == 0, packed.stderr
+    path = ancf14.Model(CANTILEVER).pack("own.fmu")
+    assert path.read_bytes() == Path("packed.fmu").read_bytes()
+    assert any(name.startswith("binaries/") for name in zipfile.ZipFile(path).namelist())
+    with pytest.raises(ancf14.CallError, match="without parameters"):
+        ancf14.Model(CANTILEVER, {"arm.elements": 2}).pack("own.fmu")
+
+
+def test_results_become_tables_plots_and_a_page() -> None:
+    results = ancf14.Model.from_string(PUSHED).run()
+    frame = results.to_pandas()
+    assert list(frame.columns) == results.columns and frame.index.name == "time"
+    assert (frame["tip.displacement[3]"].to_numpy() == results["tip.displacement[3]"]).all()
+    data = results.to_xarray()
+    assert data["tip.displacement"].dims == ("time", "axis") and data["tip.displacement"].attrs["units"] == "m"
+    assert (data["tip.displacement"].sel(axis="z").to_numpy() == results["tip.displacement[3]"]).all()
+    assert len(results.plot("tip.displacement").lines) == 3
+    page = results.view("page.html")
+    assert page.read_text().startswith("<!") and "Pushed" in page.read_text()
+
+
+@pytest.mark.parametrize(("package", "method"), [("pandas", "to_pandas"), ("xarray", "to_xarray")])
+def test_missing_packages_are_named(monkeypatch: pytest.MonkeyPatch, package: str, method: str) -> None:
+    results = ancf14.Model.from_string(PUSHED).run()
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(ImportError, match=f"pip install {package}"):
+        getattr(results, method)()
+
+
+def test_exit_codes_are_those_of_the_program() -> None:
+    assert program(Path.cwd(), "run", "nowhere.toml").returncode == 2
+    assert program(Path.cwd(), "--help").returncode == 0

@@ -1,0 +1,17 @@
+#!/bin/sh
+# Builds the Python wheel into target/wheels: the module, the command line and the library of FMUs, all with all optimization. On Linux it runs on
+# every x86-64 system since 2014 (manylinux2014): scripts/linker.sh. Needs what scripts/build.sh builds.
+set -eu
+
+cd "$(dirname "$0")/.."
+target=${CARGO_TARGET_DIR:-$PWD/target}
+scripts/python-env.sh
+cp "$target/fmu/libancf14.so" python/python/ancf14/libancf14.so
+cp LICENSE licenses/license.txt python/
+rm -rf "$target/wheels"
+set --
+if [ "$(uname -sm)" = "Linux x86_64" ]; then
+    set -- --compatibility manylinux2014 -- -C linker="$PWD/scripts/linker.sh" -C linker-features=-lld
+fi
+"$target/python-env/bin/python" -m maturin build --quiet --locked --profile fmu --manifest-path python/Cargo.toml \
+    --interpreter "$target/python-env/bin/python" --out "$target/wheels" "$@"
