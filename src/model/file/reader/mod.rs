@@ -385,6 +385,7 @@ impl<'c, 'a> Reader<'c, 'a> {
         };
         let message = match self.context.names.find_among(&name, &[kind]) {
             Some(named) if named.kind == kind => return Some(named.index),
+            _ if self.context.names.is_unclear(&name) => return None,
             Some(named) => format!("`{name}` is a {}", named.kind.word()),
             None => format!("unknown {} `{name}`", kind.word()),
         };
