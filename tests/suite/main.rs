@@ -57,6 +57,7 @@ mod model_mistakes;
 mod model_parts;
 mod modes;
 mod moving_frames;
+mod names;
 mod notes;
 mod odd_machines;
 mod oracle;

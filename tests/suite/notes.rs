@@ -100,3 +100,42 @@ fn models_have_no_notes() {
         }
     }
 }
+
+/// A drive that comes to rest at 90 or that ends there in statics means degrees; a shaft that turns on, and any other angle, does not.
+#[test]
+fn angles_in_degrees_are_told() {
+    let hinge = "[joint.root]\ntype = \"revolute\"\na = \"ground\"\nb = \"left.start\"\naxis = [0, 0, 1]\n\
+                 [drive.crank]\njoint = \"root\"\ncoordinate = \"angle\"\n";
+    let text = |motion: &str| format!("{BEAMS}{hinge}{motion}\n{MIDDLE}{ROPE}");
+    let still = "value = [{ until = 0.5, is = \"180*t\" }, { is = 90 }]";
+    for told in [
+        text(still),
+        text("value = \"45*(1 - cos(pi*t))\""),
+        text("value = \"-90*t\"").replace("step = 0.1", "analysis = \"static\""),
+    ] {
+        let found = of(&told);
+        assert!(
+            found.len() == 1 && found[0].contains("rad, 14.3 turns: angles are in radians, 90 degrees"),
+            "{found:?}"
+        );
+    }
+    for sound in [
+        text("value = \"90*t\""),
+        text("rate = 90"),
+        text("value = \"31*t\"").replace("step = 0.1", "analysis = \"static\""),
+        text("value = \"0.25*pi*(1 - cos(pi*t))\""),
+        text("value = [{ until = 0.5, is = \"20*pi*t\" }, { is = \"10*pi\" }]"),
+    ] {
+        assert_eq!(of(&sound), Vec::<String>::new());
+    }
+}
+
+/// A step that is longer than a tenth of the motion is told, a tenth and an increment of statics are not.
+#[test]
+fn long_steps_are_told() {
+    let held = format!("{BEAMS}{ROOT}{MIDDLE}{ROPE}");
+    let found = of(&held.replace("step = 0.1", "step = 0.11"));
+    assert!(found.len() == 1 && found[0].contains("simulation.step = 0.11 s is longer than a tenth"), "{found:?}");
+    assert_eq!(of(&held), Vec::<String>::new());
+    assert_eq!(of(&held.replace("step = 0.1", "step = 1\nanalysis = \"static\"")), Vec::<String>::new());
+}

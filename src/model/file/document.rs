@@ -1,5 +1,6 @@
 //! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
 
+use super::collisions;
 use super::entries::beam::BeamSpec;
 use super::entries::body::BodySpec;
 use super::entries::drive::DriveSpec;
@@ -98,12 +99,13 @@ impl Document {
         let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
         tree.finish(&mut context);
 
-        let Context { mut report, mut numbers, .. } = context;
+        let Context { mut report, mut numbers, names } = context;
         numbers.resolve();
         numbers.spread_tunable();
         report_objections(&numbers, &sections, &mut report);
-        let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };
         let parameters = Parameter::table(&numbers);
+        collisions::report(&parameters, &numbers, &outputs, &names, &mut report);
+        let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };
         let document = Self {
             source: source.clone(),
             numbers,
@@ -323,7 +325,8 @@ impl Top {
             context.report.error(entry.key_place, &message, &suggestion(&entry.key, known()), &help);
         }
         let none = |kind: Kind| context.names.of(kind).next().is_none();
-        if none(Kind::Beam) && none(Kind::Body) {
+        let is_explained = context.names.has_nameless || !context.names.unclear.is_empty();
+        if none(Kind::Beam) && none(Kind::Body) && !is_explained {
             let end = context.report.source.end();
             let label = "a section [beam.NAME] or [body.NAME] is missing";
             context.report.error(end, "the file has no beam and no body", label, "");
@@ -331,16 +334,23 @@ impl Top {
     }
 }
 
+/// Why two things cannot have the same name.
+const SHARED: &str = "beams, bodies, frames, joints, drives and springs share their names";
+
 /// Every name with what it stands for; illegal, reserved and double ones are reported.
 fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
     let mut names = Names::default();
     let report = &mut context.report;
     let mut found: Vec<(Kind, usize, &Entry)> = Vec::new();
+    let mut nameless: Vec<Kind> = Vec::new();
     for entry in tree {
         let kind = match SECTIONS.iter().find(|(word, _)| *word == entry.key) {
             Some((_, kind)) => *kind,
             None if entry.key == "parameters" => Kind::Parameter,
-            None => continue,
+            None => {
+                names.unclear.extend(names_in(entry));
+                continue;
+            }
         };
         let title = if kind == Kind::Parameter { "[parameters]".to_owned() } else { format!("[{}.NAME]", entry.key) };
         let Node::Table(things) = &entry.item.node else {
@@ -351,9 +361,13 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
         let mut index = 0;
         for thing in things {
             if kind != Kind::Parameter && !matches!(thing.item.node, Node::Table(_)) {
-                let message = format!("`{}` in [{}] is {}", thing.key, entry.key, thing.item.node.describe());
-                let help = format!("each {} has its own section with its own name", entry.key);
-                report.error(thing.key_place, &message, &format!("a section {title} was expected"), &help);
+                // The keys of a section without a name are one mistake.
+                if !nameless.contains(&kind) {
+                    let message = format!("`{}` in [{}] is {}", thing.key, entry.key, thing.item.node.describe());
+                    let help = format!("each {} has its own section with its own name", entry.key);
+                    report.error(thing.key_place, &message, &format!("a section {title} was expected"), &help);
+                    nameless.push(kind);
+                }
                 continue;
             }
             found.push((kind, index, thing));
@@ -363,22 +377,28 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
     found.sort_by_key(|(_, _, thing)| thing.key_place);
     for (kind, index, thing) in found {
         let name = &thing.key;
-        let mut named = Named { name: name.clone(), kind, index, place: thing.key_place };
         if !is_legal(name) {
             let help = "a name is a letter, then letters, digits and _";
             report.error(thing.key_place, &format!("`{name}` is not a valid name"), "", help);
-        } else if is_reserved(name) {
+        } else if is_reserved(kind, name) {
             report.error(thing.key_place, &format!("the name `{name}` is reserved"), "another name was expected", "");
-        } else if let Some(first) = names.find(name) {
+        } else if let Some(first) = names.clash(kind, name) {
             let line = report.source.line(first.place);
             let message = format!("the name `{name}` is used twice");
             let label = format!("line {line} has a {} of this name", first.kind.word());
-            report.error(thing.key_place, &message, &label, "names are unique in the whole file");
-            named.index = index;
+            report.error(thing.key_place, &message, &label, SHARED);
+            names.unclear.push(name.clone());
         }
-        names.0.push(named);
+        names.list.push(Named { name: name.clone(), kind, index, place: thing.key_place });
     }
+    names.has_nameless = !nameless.is_empty();
     names
+}
+
+/// The names of the things in a section that is not known: `arm` of `[baem.arm]`.
+fn names_in(entry: &Entry) -> impl Iterator<Item = String> + '_ {
+    let things = if let Node::Table(things) = &entry.item.node { things.as_slice() } else { &[] };
+    things.iter().filter(|thing| matches!(thing.item.node, Node::Table(_))).map(|thing| thing.key.clone())
 }
 
 /// Reports every number that is out of its range.

@@ -1,5 +1,6 @@
 //! A model file as typed data: [`document::Document`], whose [`entries`] the `reader` reads key by key.
 
+mod collisions;
 mod disk;
 pub mod document;
 pub mod entries;

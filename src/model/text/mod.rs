@@ -1,6 +1,7 @@
 //! The text of a model file: a tree of values, each with its place in the text, and messages that underline such places.
 
 pub mod diagnostic;
+pub(super) mod keys;
 pub mod names;
 pub(super) mod overrides;
 pub(super) mod syntax;

@@ -21,7 +21,7 @@ pub enum Kind {
     Output,
 }
 
-/// The sections of named things: their word in the file.
+/// The sections of named things, by their words in the file.
 pub const SECTIONS: [(&str, Kind); 10] = [
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -36,6 +36,16 @@ pub const SECTIONS: [(&str, Kind); 10] = [
 ];
 
 impl Kind {
+    /// Whether it is a part of the mechanism, which an `a`, a `b` or an `at` can refer to.
+    fn is_part(self) -> bool {
+        matches!(self, Self::Body | Self::Beam | Self::Frame | Self::Joint | Self::Drive | Self::Spring)
+    }
+
+    /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.
+    fn shares_names_with(self, other: Self) -> bool {
+        self == other || self.is_part() && other.is_part()
+    }
+
     /// The word for messages: `a beam`.
     pub fn word(self) -> &'static str {
         match self {
@@ -45,13 +55,15 @@ impl Kind {
     }
 }
 
-/// Names that would collide with result columns, constants or variables of expressions.
-const RESERVED: [&str; 11] =
-    ["ground", "gravity", "simulation", "statistics", "energy", "momentum", "model", "time", "t", "s", "pi"];
+/// Names that would collide with result columns or with the sections and keys of the format.
+const RESERVED: [&str; 8] = ["ground", "gravity", "simulation", "statistics", "energy", "momentum", "model", "time"];
+/// The constants and variables of expressions.
+const OF_EXPRESSIONS: [&str; 4] = ["t", "s", "pi", "e"];
 
-/// Whether a name is taken by the format itself.
-pub fn is_reserved(name: &str) -> bool {
-    name == "e" || RESERVED.contains(&name) || FUNCTIONS.iter().any(|(function, _)| *function == name)
+/// Whether a name is taken by the format itself; only the entries of `[parameters]` stand in expressions.
+pub fn is_reserved(kind: Kind, name: &str) -> bool {
+    let in_expressions = || OF_EXPRESSIONS.contains(&name) || FUNCTIONS.iter().any(|(function, _)| *function == name);
+    RESERVED.contains(&name) || kind == Kind::Parameter && in_expressions()
 }
 
 /// Letter first, then letters, digits, `_`.
@@ -60,7 +72,7 @@ pub fn is_legal(name: &str) -> bool {
 }
 
 /// One named thing of the file.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Named {
     /// Its name.
     pub name: String,
@@ -74,28 +86,48 @@ pub struct Named {
 
 /// All names of a file.
 #[derive(Clone, Debug, Default)]
-pub struct Names(pub Vec<Named>);
+pub struct Names {
+    /// The named things, in the order of the file.
+    pub list: Vec<Named>,
+    /// Names that a mistake, which is reported, makes unclear: references to them are worth no message.
+    pub unclear: Vec<String>,
+    /// Whether things without a name are reported: an unknown name may be theirs.
+    pub has_nameless: bool,
+}
 
 impl Names {
-    /// What a name stands for.
-    pub fn find(&self, name: &str) -> Option<&Named> {
-        self.0.iter().find(|named| named.name == name)
+    /// The first thing whose name excludes that another thing of this kind has it.
+    pub fn clash(&self, kind: Kind, name: &str) -> Option<&Named> {
+        self.list.iter().find(|named| named.name == name && named.kind.shares_names_with(kind))
     }
 
-    /// What a name stands for where one of `kinds` is expected. A name that is used twice, which is reported, means the fitting one.
+    /// What a name stands for where one of `kinds` is expected; if it is none of them, what else it stands for.
     pub fn find_among(&self, name: &str, kinds: &[Kind]) -> Option<&Named> {
-        let fitting = self.0.iter().find(|named| named.name == name && kinds.contains(&named.kind));
-        fitting.or_else(|| self.find(name))
+        let fitting = self.list.iter().find(|named| named.name == name && kinds.contains(&named.kind));
+        fitting.or_else(|| self.list.iter().find(|named| named.name == name))
+    }
+
+    /// The thing in whose section the variable `NAME.key` is written at `place`: the nearest above it.
+    pub fn owner(&self, variable: &str, place: Place) -> Option<&Named> {
+        let name = variable.split('.').next().unwrap_or(variable);
+        let above = self.list.iter().filter(|named| named.name == name && named.place <= place);
+        above.max_by_key(|named| named.place)
+    }
+
+    /// Whether a reported mistake is the reason that a name is not known or not what it should be.
+    pub fn is_unclear(&self, name: &str) -> bool {
+        let is_known = || self.list.iter().any(|named| named.name == name);
+        self.unclear.iter().any(|unclear| unclear == name) || self.has_nameless && !is_known()
     }
 
     /// The name of a thing by its place among its kind.
     pub fn name(&self, kind: Kind, index: usize) -> Option<&str> {
-        self.0.iter().find(|named| named.kind == kind && named.index == index).map(|named| named.name.as_str())
+        self.list.iter().find(|named| named.kind == kind && named.index == index).map(|named| named.name.as_str())
     }
 
     /// The names of a kind, in file order.
     pub fn of(&self, kind: Kind) -> impl Iterator<Item = &str> {
-        self.0.iter().filter(move |named| named.kind == kind).map(|named| named.name.as_str())
+        self.list.iter().filter(move |named| named.kind == kind).map(|named| named.name.as_str())
     }
 }
 

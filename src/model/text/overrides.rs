@@ -2,6 +2,7 @@
 //! and reported as if it stood in the file, except that messages quote the override.
 
 use super::diagnostic::{OVERRIDE, Place, Report};
+use super::keys::keys_of;
 use super::names::{SECTIONS, is_legal, suggestion};
 use super::tree::{Entry, Item, Node, parse_override};
 
@@ -18,8 +19,18 @@ const SECTION: &str = "curve";
 const SIMULATION: [&str; 9] =
     ["analysis", "initial", "stop", "step", "accuracy", "output_step", "integrator", "tolerance", "verify"];
 
+/// What an override sets.
+#[derive(Clone, Debug, PartialEq)]
+struct Target {
+    section: &'static str,
+    /// The name of the thing; none in a section without names.
+    name: Option<String>,
+    key: String,
+}
+
 /// Puts the overrides into the tree, in their order.
 pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Report<'_>) {
+    let mut earlier: Vec<(Target, Option<usize>)> = Vec::new();
     for (k, (key, value)) in overrides.iter().enumerate() {
         let source = k + 1;
         let start = OVERRIDE.len();
@@ -32,15 +43,41 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
                 continue;
             }
         };
-        let earlier = overrides[..k].iter().filter_map(|(key, _)| split_index(key).ok());
+        let Some(target) = find(tree, path, place, report) else { continue };
         let overlaps = |other: Option<usize>| other.is_none() || index.is_none() || other == index;
-        if earlier.into_iter().any(|(other, component)| other == path && overlaps(component)) {
+        if earlier.iter().any(|(other, component)| *other == target && overlaps(*component)) {
             report.error(place, &format!("`{key}` is set twice"), "the second one", "");
             continue;
         }
-        if let Some(target) = find(tree, path, place, report) {
-            store(target, index, item, place, report);
+        if let Some(entries) = target.entries(tree) {
+            store((entries, &target.key), index, item, place, report);
         }
+        earlier.push((target, index));
+    }
+}
+
+impl Target {
+    /// The entries among which the key stands; it may not exist yet.
+    fn entries<'t>(&self, tree: &'t mut [Entry]) -> Option<&'t mut Vec<Entry>> {
+        let entries = section(tree, self.section)?;
+        match &self.name {
+            Some(name) => table(entries, name),
+            None => Some(entries),
+        }
+    }
+
+    /// Whether the file has the key.
+    fn is_written(&self, tree: &mut [Entry]) -> bool {
+        self.entries(tree).is_some_and(|entries| entries.iter().any(|entry| entry.key == self.head()))
+    }
+
+    /// The key, of `curve.s` the first part.
+    fn head(&self) -> &str {
+        self.key.split('.').next().unwrap_or(&self.key)
+    }
+
+    fn is_possible(&self) -> bool {
+        keys_of(self.section).contains(&self.head())
     }
 }
 
@@ -55,27 +92,23 @@ fn split_index(key: &str) -> Result<(&str, Option<usize>), String> {
     }
 }
 
-/// The table and the key that a path means; the key may not exist yet.
-fn find<'t, 'k>(
-    tree: &'t mut [Entry],
-    path: &'k str,
-    place: Place,
-    report: &mut Report<'_>,
-) -> Option<(&'t mut Vec<Entry>, &'k str)> {
+/// What a path means: `gravity`, `simulation.step`, an entry of `[parameters]`, `arm.elements`, or `beam.arm.elements`.
+fn find(tree: &mut [Entry], path: &str, place: Place, report: &mut Report<'_>) -> Option<Target> {
+    let single = |section, key: &str| Some(Target { section, name: None, key: key.to_owned() });
     if path == "gravity" {
-        return Some((section(tree, "model")?, "gravity"));
+        return single("model", path);
     }
     let names = names(tree);
     let message = match path.split_once('.') {
-        Some(("simulation", key)) => return Some((section(tree, "simulation")?, key)),
+        Some(("simulation", key)) => return single("simulation", key),
         Some((name, key)) => {
-            let kind = SECTIONS.iter().map(|(word, _)| *word).find(|word| names.contains(&(*word, name.to_owned())));
-            match kind {
-                Some(kind) => return Some((table(section(tree, kind)?, name)?, key)),
-                None => format!("nothing in the file is named `{name}`"),
+            let candidates = candidates(&names, name, key);
+            if !candidates.is_empty() {
+                return choose(tree, path, candidates, place, report);
             }
+            format!("nothing in the file is named `{name}`")
         }
-        None if names.contains(&("parameters", path.to_owned())) => return Some((section(tree, "parameters")?, path)),
+        None if names.contains(&("parameters", path.to_owned())) => return single("parameters", path),
         None => format!("there is no parameter `{path}`"),
     };
     let head = path.split_once('.').map_or(path, |(name, _)| name);
@@ -86,6 +119,56 @@ fn find<'t, 'k>(
         false => suggestion(head, known.chain(if path.contains('.') { ["simulation"] } else { ["gravity"] })),
     };
     report.error(place, &message, &near, "set NAME.key, gravity, simulation.key or an entry of [parameters]");
+    None
+}
+
+/// What `NAME.key` can mean: a key of each thing with this name, or with a section in place of the name, `SECTION.NAME.key`.
+fn candidates(names: &[(&'static str, String)], name: &str, key: &str) -> Vec<Target> {
+    let targets = |section: Option<&str>, name: &str, key: &str| -> Vec<Target> {
+        let same = |(kind, known): &&(&'static str, String)| {
+            *kind != "parameters" && known == name && section.is_none_or(|section| *kind == section)
+        };
+        let target = |kind| Target { section: kind, name: Some(name.to_owned()), key: key.to_owned() };
+        names.iter().filter(same).map(|(kind, _)| target(*kind)).collect()
+    };
+    match key.split_once('.').map(|(inner, rest)| targets(Some(name), inner, rest)) {
+        Some(list) if !list.is_empty() => list,
+        _ => targets(None, name, key),
+    }
+}
+
+/// The one of several things with the same name that has the key, or else that can have it.
+fn choose(
+    tree: &mut [Entry],
+    path: &str,
+    candidates: Vec<Target>,
+    place: Place,
+    report: &mut Report<'_>,
+) -> Option<Target> {
+    let title = |target: &Target| format!("[{}.{}]", target.section, target.name.as_deref().unwrap_or_default());
+    let titles = |targets: &[Target]| targets.iter().map(title).collect::<Vec<_>>().join(" and ");
+    if let [only] = candidates.as_slice() {
+        return Some(only.clone());
+    }
+    let mut fitting: Vec<Target> = candidates.iter().filter(|target| target.is_written(tree)).cloned().collect();
+    if fitting.is_empty() {
+        fitting = candidates.iter().filter(|target| target.is_possible()).cloned().collect();
+    }
+    match fitting.as_slice() {
+        [one] => return Some(one.clone()),
+        [] => {
+            let key = candidates.first().map_or("", Target::head);
+            let known: Vec<&str> = candidates.iter().flat_map(|target| keys_of(target.section)).copied().collect();
+            let message = format!("unknown key `{key}` in {}", titles(&candidates));
+            let help = format!("known here: {}", known.join(", "));
+            report.error(place, &message, &suggestion(key, known.iter().copied()), &help);
+        }
+        [first, ..] => {
+            let message = format!("`{path}` can be a key of {}", titles(&fitting));
+            let help = format!("write the section too: {}.{path}", first.section);
+            report.error(place, &message, "which one is not clear", &help);
+        }
+    }
     None
 }
 

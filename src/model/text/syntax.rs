@@ -2,61 +2,111 @@
 
 use std::ops::Range;
 
-/// A slice that is repeated in a hint is not longer than this, bytes.
+/// A slice that is repeated in a message is not longer than this, bytes.
 const SHORT: usize = 40;
 
-/// What to try after a syntax error.
+/// What a file that is not valid TOML probably means, for a message.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Hint {
-    /// Nothing comes to mind.
-    None,
-    /// This.
-    Text(String),
-    /// A list has no end: what follows is read as a part of it, and is worth no message.
-    Unclosed,
+pub struct Mistake {
+    /// What is wrong.
+    pub message: String,
+    /// What belongs at the underlined place.
+    pub label: String,
+    /// More about it.
+    pub help: &'static str,
+    /// The place, bytes of the file.
+    pub range: Range<usize>,
+    /// Whether what follows is read wrongly and is worth no message.
+    pub is_last: bool,
 }
 
-impl Hint {
-    /// As a message shows it.
-    pub fn text(&self) -> &str {
-        match self {
-            Self::None => "",
-            Self::Text(text) => text,
-            Self::Unclosed => "the list above has no closing `]`, or a comma is missing at the end of its line",
+/// The help where a number has a unit.
+pub const UNITS: &str = "numbers are in SI units: 0.02 for 20 mm, pi/6 for 30 degrees";
+
+/// What a syntax error with this message at these bytes of `text` is to somebody who does not know TOML.
+pub fn explain(message: &str, text: &str, range: Range<usize>) -> Mistake {
+    let start = range.start;
+    let (before, slice) = (text.get(..start).unwrap_or(""), text.get(range.clone()).unwrap_or(""));
+    let mistake = |message: &str, label: &str, range: Range<usize>| Mistake {
+        message: message.to_owned(),
+        label: label.to_owned(),
+        help: "",
+        range,
+        is_last: false,
+    };
+    let line = before.rsplit('\n').next().unwrap_or("");
+    let is_at_line_start = message.contains("missing comma") && line.trim().is_empty();
+    if (is_at_line_start || message.contains("unclosed array"))
+        && let Some(open) = open_bracket(before)
+    {
+        let help = "or a comma is missing at the end of one of its lines";
+        let unclosed = mistake("a list has no closing `]`", "it begins here", open..open + 1);
+        return Mistake { help, is_last: true, ..unclosed };
+    }
+    if message.contains("must be quoted") {
+        if let Some(unquoted) = unquoted(slice, &range) {
+            return unquoted;
+        }
+        if slice.trim().is_empty() && line.trim_end().ends_with('=') {
+            return mistake("a key has no value", "a value was expected", range);
         }
     }
-}
-
-/// What to try after a syntax error with this message at these bytes of `text`.
-pub fn hint(message: &str, text: &str, range: Range<usize>) -> Hint {
-    let start = range.start;
-    let (before, slice) = (text.get(..start).unwrap_or(""), text.get(range).unwrap_or(""));
-    if message.contains("must be quoted") {
-        return unquoted(slice.trim());
-    }
     let after = text.get(start..).unwrap_or("");
-    let comma = |text: &str| text.strip_prefix(',').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
-    if message.contains("unexpected key or value") && before.ends_with(|c: char| c.is_ascii_digit()) && comma(after) {
-        return Hint::Text(String::from("a decimal number has a point: 0.02, not 0,02"));
+    let digits = |text: &str| text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let decimals = after.strip_prefix(',').map_or(0, digits);
+    if message.contains("unexpected key or value") && before.ends_with(|c: char| c.is_ascii_digit()) && decimals > 0 {
+        let number = before.rsplit([' ', '=', '\t', '\n']).next().unwrap_or("");
+        let label = format!("{number}.{} was expected", &after[1..=decimals]);
+        return mistake("a decimal number has a point, not a comma", &label, start..start + 1 + decimals);
     }
-    let line = before.rsplit('\n').next().unwrap_or("");
-    if message.contains("missing comma") && line.trim().is_empty() { Hint::Unclosed } else { Hint::None }
+    mistake(&format!("not valid TOML: {message}"), "", range)
 }
 
 /// What is probably meant by a value that is no TOML value.
-fn unquoted(slice: &str) -> Hint {
-    let numbers = |text: &str| text.split_whitespace().all(|word| word.parse::<f64>().is_ok());
-    if slice.contains(' ') && numbers(slice) {
-        return Hint::Text(String::from("commas separate the numbers of a list: [1, 0, 0]"));
+fn unquoted(value: &str, range: &Range<usize>) -> Option<Mistake> {
+    let slice = value.trim();
+    let mistake = |message: &str, label: String, help| {
+        Some(Mistake { message: message.to_owned(), label, help, range: range.clone(), is_last: false })
+    };
+    let words: Vec<&str> = slice.split_whitespace().collect();
+    if words.len() > 1 && words.iter().all(|word| word.parse::<f64>().is_ok()) {
+        let list = format!("{} was expected", words.join(", "));
+        return mistake("the numbers of a list are separated by commas", list, "");
     }
     if has_unit(slice) {
-        return Hint::Text(String::from("a number stands without its unit, in SI units: 0.02 for 20 mm"));
+        return mistake("a number stands without its unit", String::from("this has one"), UNITS);
     }
-    let is_expression = slice.contains(['+', '-', '*', '/', '^', '(']);
-    match is_expression && slice.len() <= SHORT && !slice.contains('"') {
-        true => Hint::Text(format!("an expression stands in quotes: \"{slice}\"")),
-        false => Hint::None,
+    let quoted = || format!("\"{slice}\" was expected");
+    if slice.is_empty() || slice.len() > SHORT || slice.contains(['"', '\'', '=', '[', ']', '{', '}']) {
+        return None;
     }
+    if slice.contains(['+', '-', '*', '/', '^', '(']) {
+        return mistake("an expression stands in quotes", quoted(), "");
+    }
+    let is_word = |text: &str| text.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '@'));
+    match slice.starts_with(char::is_alphabetic) && is_word(slice) {
+        true => mistake("names, words and expressions stand in quotes", quoted(), ""),
+        false => None,
+    }
+}
+
+/// The innermost `[` that no `]` closes: no bracket of a string or a comment counts.
+fn open_bracket(text: &str) -> Option<usize> {
+    let mut open = Vec::new();
+    let mut inside = None;
+    for (at, character) in text.char_indices() {
+        match (inside, character) {
+            (_, '\n') => inside = None,
+            (Some(end), _) if end == character => inside = None,
+            (Some(_), _) => {}
+            (None, '"' | '\'') => inside = Some(character),
+            (None, '#') => inside = Some('\n'),
+            (None, '[') => open.push(at),
+            (None, ']') => drop(open.pop()),
+            (None, _) => {}
+        }
+    }
+    open.pop()
 }
 
 /// Whether a text is a number and a unit behind it: `20 mm`, `7.85e3 kg/m3`.
@@ -99,6 +149,14 @@ mod tests {
         for text in ["20", "1e3", "2*t", "1 0 0", "mm", "steel", "", "1 - t"] {
             assert!(!has_unit(text), "{text}");
         }
+    }
+
+    #[test]
+    fn the_open_bracket_is_found() {
+        assert_eq!(open_bracket("[a]\nx = [1, 0"), Some(8));
+        assert_eq!(open_bracket("x = [[1], [2, \"]\" # ]"), Some(10));
+        assert_eq!(open_bracket("x = [[1], [2]\n"), Some(4));
+        assert_eq!(open_bracket("[a]\nx = [1]"), None);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::diagnostic::{Place, Report};
 use super::syntax;
+use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -69,9 +70,15 @@ pub fn parse(text: &str, report: &mut Report<'_>) -> Option<Vec<Entry>> {
     let mut errors: Vec<_> = errors.iter().map(|error| (place(error), error.message())).collect();
     errors.sort_by_key(|(place, _)| *place);
     let mut broken_line = None;
+    let mut repeated: Vec<Range<usize>> = Vec::new();
     for (place, message) in errors {
+        // What stands in a section that is given twice is not another mistake.
+        if repeated.iter().any(|section| section.contains(&place.start)) {
+            continue;
+        }
         if message.starts_with("duplicate key") {
             let key = report.source.slice(place).to_owned();
+            repeated.extend(section_of(text, place.start));
             report.error(place, &format!("`{key}` is given twice"), "the second one", "");
             continue;
         }
@@ -80,16 +87,39 @@ pub fn parse(text: &str, report: &mut Report<'_>) -> Option<Vec<Entry>> {
         if broken_line.replace(line) == Some(line) {
             continue;
         }
-        let help = syntax::hint(message, text, place.start..place.end);
-        report.error(place, &format!("not valid TOML: {message}"), "", help.text());
-        if help == syntax::Hint::Unclosed {
+        let mistake = syntax::explain(message, text, place.start..place.end);
+        report.error(Place::file(mistake.range), &mistake.message, &mistake.label, mistake.help);
+        if mistake.is_last {
             break;
         }
     }
     if broken_line.is_some() {
         return None;
     }
-    Some(convert_table(table.into_inner(), 0, 0, report))
+    let mut tree = convert_table(table.into_inner(), 0, 0, report);
+    remove(&mut tree, &repeated);
+    Some(tree)
+}
+
+/// The bytes of the section whose header has the byte `at`; none: it is not in a header.
+fn section_of(text: &str, at: usize) -> Option<Range<usize>> {
+    let begin = text[..at].rfind('\n').map_or(0, |end| end + 1);
+    if !text[begin..].trim_start().starts_with('[') {
+        return None;
+    }
+    let next = text[at..].match_indices('\n').map(|(end, _)| at + end + 1);
+    let end = next.into_iter().find(|start| text[*start..].trim_start_matches([' ', '\t']).starts_with('['));
+    Some(at + 1..end.unwrap_or(text.len()))
+}
+
+/// Removes what stands in sections that are given twice: the parser adds it to the first one.
+fn remove(entries: &mut Vec<Entry>, sections: &[Range<usize>]) {
+    entries.retain(|entry| !sections.iter().any(|section| section.contains(&entry.key_place.start)));
+    for entry in entries {
+        if let Node::Table(inner) = &mut entry.item.node {
+            remove(inner, sections);
+        }
+    }
 }
 
 /// Reads the value of override `source`, which stands `offset` bytes after the start of its text.

@@ -1,7 +1,9 @@
-//! Legal models that are hardly ever meant: parts that nothing holds, materials in other units than SI.
+//! Legal models that are hardly ever meant: parts that nothing holds, materials in other units than SI, angles in degrees, steps almost as long as
+//! the motion.
 
 use crate::model::file::document::Document;
-use crate::model::file::entries::simulation::Analysis;
+use crate::model::file::entries::drive::{DriveSpec, Motion};
+use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::Spot;
 
@@ -9,12 +11,19 @@ use crate::model::file::reader::anchor::Spot;
 const SOFTEST: f64 = 1e6;
 /// Density below which a number is in g/cm³ or t/mm³, kg/m³: osmium has 22.6 g/cm³.
 const LIGHTEST: f64 = 25.0;
+/// Steps of a motion below which its results are not a curve.
+const FEWEST_STEPS: f64 = 10.0;
+/// Angles of a half or a full turn and their usual parts, in degrees. As radians, each is several turns and no special position.
+const DEGREES: [f64; 9] = [30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 180.0, 270.0, 360.0];
+/// Relative distance from such an angle, and from standing still: round-off of an expression.
+const ROUND_OFF: f64 = 1e-9;
 /// Parts that a note names, at most.
 const NAMED: usize = 5;
 
 /// What the author of a model should know about it, a sentence each.
 pub fn notes(document: &Document) -> Vec<String> {
-    loose_parts(document).into_iter().chain(odd_materials(document)).collect()
+    let parts = loose_parts(document).into_iter().chain(odd_materials(document));
+    parts.chain(odd_angles(document)).chain(long_step(document)).collect()
 }
 
 /// Says which parts no chain of joints and springs connects to the ground or to a frame.
@@ -112,4 +121,39 @@ fn odd_materials(document: &Document) -> Vec<String> {
         }
     }
     notes
+}
+
+/// Names drives that come to rest, or in statics end, at an angle that is an angle in degrees. A shaft that turns on may stop anywhere.
+fn odd_angles(document: &Document) -> Vec<String> {
+    let stop = document.value(document.simulation.stop);
+    let is_static = document.simulation.analysis == Analysis::Static;
+    let degrees = |drive: &DriveSpec| {
+        let Motion::Value(number) = drive.motion else { return None };
+        let function = document.function(number);
+        let (angle, rate) = (function.value(stop), function.jet(stop).first);
+        let is_still = is_static || rate.abs() * stop <= ROUND_OFF * angle.abs();
+        let round = DEGREES.into_iter().find(|round| (angle.abs() - round).abs() <= ROUND_OFF * round);
+        let is_meant = drive.is_angle() && !drive.input && is_still;
+        let round = round.filter(|_| is_meant)?;
+        let (origin, name) = (document.origin(number), document.name(number));
+        Some(format!(
+            "{origin}: {name} reaches {angle} rad, {:.1} turns: angles are in radians, {round} degrees are \"{round}*pi/180\"",
+            angle.abs() / std::f64::consts::TAU
+        ))
+    };
+    document.drives.iter().filter_map(degrees).collect()
+}
+
+/// Says that a motion has few steps only.
+fn long_step(document: &Document) -> Option<String> {
+    let Steps::Fixed(step) = document.simulation.steps else { return None };
+    let (length, stop) = (document.value(step), document.value(document.simulation.stop));
+    let is_long = document.simulation.analysis == Analysis::Dynamic && length * FEWEST_STEPS > stop * (1.0 + ROUND_OFF);
+    is_long.then(|| {
+        let origin = document.origin(step);
+        format!(
+            "{origin}: simulation.step = {length} s is longer than a tenth of stop = {stop} s: leave `step` out, and the solver chooses \
+             its steps"
+        )
+    })
 }

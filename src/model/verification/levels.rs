@@ -5,6 +5,7 @@ use crate::mechanics::beam::design::{Elements, Torsion};
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
+use crate::model::file::entries::output::OutputSpec;
 use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::file::entries::{load, output};
 use crate::model::file::reader::anchor::{Along, Spot};
@@ -142,14 +143,26 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
     let joints = document.joints.iter().flat_map(move |joint| sides(&joint.name, joint.a.spot, joint.b.spot));
     let springs = document.springs.iter().flat_map(move |spring| sides(&spring.name, spring.a.spot, spring.b.spot));
     let loads = document.loads.iter().filter_map(|load| match &load.target {
-        load::Target::At(anchor) => Some((format!("{}.at", load.name), anchor.spot)),
+        load::Target::At(anchor) => Some((at(document, "load", &load.name), anchor.spot)),
         load::Target::On(_) => None,
     });
     let outputs = document.outputs.iter().filter_map(|output| match &output.target {
-        output::Target::At(anchor) => Some((format!("{}.at", output.name), anchor.spot)),
+        output::Target::At(anchor) => Some((at(document, "output", &output.name), anchor.spot)),
         output::Target::Joint(_) | output::Target::Drive(_) | output::Target::On { .. } => None,
     });
     joints.chain(springs).chain(loads).chain(outputs)
+}
+
+/// `tip.at`; with its section where another one with this name has such a key.
+fn at(document: &Document, section: &str, name: &str) -> String {
+    let joints = document.joints.iter().filter(|joint| joint.at.is_some()).map(|joint| &joint.name);
+    let loads = document.loads.iter().filter(|load| matches!(load.target, load::Target::At(_))).map(|load| &load.name);
+    let watched = |output: &&OutputSpec| !matches!(output.target, output::Target::On { .. });
+    let outputs = document.outputs.iter().filter(watched).map(|output| &output.name);
+    match joints.chain(loads).chain(outputs).filter(|other| *other == name).count() {
+        1 => format!("{name}.at"),
+        _ => format!("{section}.{name}.at"),
+    }
 }
 
 /// The place of node `node` of a beam, as it is written for another number of elements: a node, or where there is none, a fraction.
@@ -166,8 +179,9 @@ fn same_place(document: &Document, beam: &BeamSpec, node: usize, [from, to]: [us
     Some(other.map_or_else(|| format!("{name}@{fraction}"), |node| format!("{name}.node[{node}]")))
 }
 
-/// The overrides of a run beside the first one: those of the user, but for what `others` set anew.
+/// The overrides of a further run: those of the user, except the ones that `others` set anew.
 pub fn merged(own: &[Override], others: Vec<Override>) -> Vec<Override> {
-    let is_kept = |(key, _): &&Override| others.iter().all(|(other, _)| other != key);
+    let is_same = |own: &str, other: &str| own == other || own.split_once('.').is_some_and(|(_, rest)| rest == other);
+    let is_kept = |(key, _): &&Override| others.iter().all(|(other, _)| !is_same(key, other));
     own.iter().filter(is_kept).cloned().chain(others.iter().cloned()).collect()
 }

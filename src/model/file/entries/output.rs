@@ -102,7 +102,9 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
         return reader.reference("on", Kind::Beam).map(|beam| Target::On { beam, stations });
     }
     reader.refuse("stations", "`stations` belong to a whole beam", "they need on = \"BEAM\" instead of `at`");
-    let whole = reader.text_of("at").and_then(|name| reader.context.names.find_among(name, WATCHED.kinds));
+    let names = &reader.context.names;
+    let whole = reader.text_of("at").filter(|name| !names.is_unclear(name));
+    let whole = whole.and_then(|name| names.find_among(name, WATCHED.kinds));
     match whole.map(|named| (named.kind, named.index)) {
         Some((Kind::Joint, index)) => {
             reader.take("at");

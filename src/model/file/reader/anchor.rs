@@ -121,6 +121,9 @@ fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed)
     }
     let length = text.find(['.', '@']).unwrap_or(text.len());
     let (name, rest) = text.split_at(length);
+    if context.names.is_unclear(name) {
+        return None;
+    }
     let at = context.report.source.inside(place, text, 0..length);
     let Some(named) = context.names.find_among(name, allowed.kinds) else {
         let known = allowed.kinds.iter().flat_map(|kind| context.names.of(*kind));

@@ -32,8 +32,7 @@ impl Context<'_> {
             Ok(program) => Some(program),
             Err(error) => {
                 if syntax::has_unit(text) {
-                    let help = "numbers are in SI units: 0.02 for 20 mm, pi/6 for 30 degrees";
-                    self.report.error(place, "a number stands without its unit", "this has one", help);
+                    self.report.error(place, "a number stands without its unit", "this has one", syntax::UNITS);
                     return None;
                 }
                 let unknown = error.unknown.as_deref().filter(|_| !self.report.is_full());
@@ -385,6 +384,7 @@ impl<'c, 'a> Reader<'c, 'a> {
         };
         let message = match self.context.names.find_among(&name, &[kind]) {
             Some(named) if named.kind == kind => return Some(named.index),
+            _ if self.context.names.is_unclear(&name) => return None,
             Some(named) => format!("`{name}` is a {}", named.kind.word()),
             None => format!("unknown {} `{name}`", kind.word()),
         };
