@@ -124,7 +124,7 @@ fn parameters_inside_a_curve_shape_it() {
     simulation.set_value(elements, Value::Integer(3)).unwrap();
     let failure = simulation.initialize(0.0).expect_err("three elements");
     assert!(
-        failure.message.contains("an element of beam arm turns by") && failure.message.contains("elements = 4 all do"),
+        failure.message.contains("an element of beam arm turns by") && failure.message.contains("take elements = 4"),
         "{}",
         failure.message
     );

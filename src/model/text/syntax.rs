@@ -74,18 +74,18 @@ fn unquoted(value: &str, range: &Range<usize>) -> Option<Mistake> {
         return mistake("the numbers of a list are separated by commas", list, "");
     }
     if has_unit(slice) {
-        return mistake("a number stands without its unit", String::from("this has one"), UNITS);
+        return mistake("numbers are written without units", String::from("this one has a unit"), UNITS);
     }
     let quoted = || format!("\"{slice}\" was expected");
     if slice.is_empty() || slice.len() > SHORT || slice.contains(['"', '\'', '=', '[', ']', '{', '}']) {
         return None;
     }
     if slice.contains(['+', '-', '*', '/', '^', '(']) {
-        return mistake("an expression stands in quotes", quoted(), "");
+        return mistake("an expression must be in quotes", quoted(), "");
     }
     let is_word = |text: &str| text.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '@'));
     match slice.starts_with(char::is_alphabetic) && is_word(slice) {
-        true => mistake("names, words and expressions stand in quotes", quoted(), ""),
+        true => mistake("names, words and expressions must be in quotes", quoted(), ""),
         false => None,
     }
 }

@@ -322,9 +322,9 @@ fn defective(
             let message = format!("an element of beam {name} turns by {:.1} degrees", angle.to_degrees());
             let [from, to] = range.map(|s| shown_in(curve.range, s));
             let label = format!("from s = {from} to s = {to}");
-            let most = format!("an element can follow {} degrees", LARGEST_BEND.to_degrees().round());
+            let most = format!("an element can turn by at most {} degrees", LARGEST_BEND.to_degrees().round());
             let help = match enough(curve, written.spacing, elements, angle) {
-                Some(count) => format!("{most}: with elements = {count} all do"),
+                Some(count) => format!("{most}: take elements = {count}"),
                 None => most,
             };
             return mistake(document, document.place(beam.elements), &message, &label, &help);

@@ -140,8 +140,7 @@ impl Checker<'_> {
         let (young, modulus) = (document.value(material.young), document.value(shear));
         let poisson = 0.5 * young / modulus - 1.0;
         if poisson >= 0.5 {
-            let message =
-                format!("the moduli of {} are those of a Poisson's ratio of {}", material.name, shown(poisson));
+            let message = format!("the moduli of {} imply a Poisson's ratio of {}", material.name, shown(poisson));
             let label = format!("ancf24_poisson = true of beam {} needs one below 0.5", beam.name);
             let help =
                 format!("take a shear modulus above young/3 = {} Pa, or ancf24_poisson = false", shown(young / 3.0));

@@ -109,7 +109,7 @@ impl Anchor {
         let (Some(a), Some(b)) = (a, b) else { return };
         let moves = |anchor: Self| matches!(anchor.spot, Spot::Beam { .. } | Spot::Body(_));
         if !moves(a) && !moves(b) {
-            let message = format!("nothing that {} holds can move", reader.title);
+            let message = format!("{} connects two points that cannot move", reader.title);
             reader.context.report.error(b.place, &message, "one side must be a beam or a body", "");
         }
     }

@@ -32,7 +32,7 @@ impl Context<'_> {
             Ok(program) => Some(program),
             Err(error) => {
                 if syntax::has_unit(text) {
-                    self.report.error(place, "a number stands without its unit", "this has one", syntax::UNITS);
+                    self.report.error(place, "numbers are written without units", "this one has a unit", syntax::UNITS);
                     return None;
                 }
                 let unknown = error.unknown.as_deref().filter(|_| !self.report.is_full());
@@ -298,7 +298,7 @@ impl<'c, 'a> Reader<'c, 'a> {
             let complaint = match (is.is_some(), until.is_some(), last) {
                 (false, _, _) => Some("a piece needs its value, `is`"),
                 (_, false, false) => Some("every piece but the last needs `until`"),
-                (_, true, true) => Some("the last piece has no `until`: it is valid for ever"),
+                (_, true, true) => Some("the last piece must not have `until`: it applies to all later times"),
                 _ => None,
             };
             if let Some(complaint) = complaint {
