@@ -67,3 +67,54 @@ impl ViscousRates {
         self.step = other.step;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Steps of unequal lengths, each with the mean of `rate` over it; the rate at the end of the last one, and where that is.
+    fn after(steps: &[f64], rate: impl Fn(f64) -> f64) -> (f64, f64) {
+        let (mut rates, mut time, mut before) = (ViscousRates::default(), 0.0, 0.0);
+        for step in steps {
+            // Linear rates have their mean in the middle.
+            let over = rate(time + 0.5 * step);
+            rates.advance(*step, &[over], &[before], &[rate(0.0)]);
+            (before, time) = (over, time + step);
+        }
+        (rates.rates[0], time)
+    }
+
+    /// A rate that grows linearly is continued to the end of every step, whatever the lengths of the steps are: also of the first and the second one.
+    #[test]
+    fn linear_rates_are_exact() {
+        let steps = [0.1, 0.3, 0.05, 0.2];
+        for number in 1..=steps.len() {
+            let (found, time) = after(&steps[..number], |time| 2.0 + 3.0 * time);
+            assert!((found - (2.0 + 3.0 * time)).abs() < 1e-13, "after {number} steps: {found} at {time} s");
+        }
+    }
+
+    /// With equal steps nothing of a rate that alternates from step to step is left from the third step on.
+    #[test]
+    fn alternating_rates_vanish() {
+        let mut rates = ViscousRates::default();
+        let mut over = 1.0;
+        for number in 0..6 {
+            rates.advance(0.1, &[over], &[-over], &[0.0]);
+            assert!(number < 2 || rates.rates[0].abs() < 1e-15, "after step {}: {}", number + 1, rates.rates[0]);
+            over = -over;
+        }
+    }
+
+    /// Behind a jump the rate is that over the step, which no step before continues.
+    #[test]
+    fn jumps_are_not_continued() {
+        let mut rates = ViscousRates::default();
+        rates.advance(0.1, &[1.0], &[0.0], &[1.0]);
+        rates.jump();
+        rates.advance(0.1, &[5.0], &[1.0], &[1.0]);
+        assert_eq!(rates.known(), Some(&[5.0][..]));
+        rates.clear();
+        assert_eq!(rates.known(), None);
+    }
+}
