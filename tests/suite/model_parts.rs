@@ -5,6 +5,7 @@ use ancf14::fmi::Value;
 use ancf14::fmi::variable::{Causality, Variability, Variable};
 use ancf14::model::document::Document;
 use ancf14::model::drawing::{ArrowKind, Drawing, LineKind, MarkKind};
+use ancf14::model::entries::actuator::Action;
 use ancf14::model::entries::anchor::{Anchor, Spot};
 use ancf14::model::entries::body::Inertia;
 use ancf14::model::entries::drive::Motion;
@@ -152,6 +153,25 @@ fn drives_are_functions_or_inputs() {
     }
 }
 
+/// An actuator acts on a coordinate of a joint or between two points; its effort is a torque or a force, and may be the host's.
+#[test]
+fn actuators_arrive_as_written() {
+    let document = parse(&[]);
+    let [motor, winch, cylinder] = document.actuators.as_slice() else { panic!("three actuators") };
+    let screw = document.joints.iter().position(|joint| joint.name == "screw").expect("a screw");
+    assert_eq!(motor.action, Action::Joint { joint: screw, coordinate: Coordinate::Angle });
+    assert_eq!((winch.coordinate(), winch.input, document.value(winch.effort)), (Coordinate::Distance, true, 0.0));
+    let Action::Between { a, b } = cylinder.action else { panic!("between two points") };
+    assert_eq!((a.spot, b.spot, document.value(cylinder.effort)), (Spot::Frame(0), Spot::Body(0), 200.0));
+    let winch = row(&document, "winch.effort");
+    assert_eq!((winch.quantity.unit.as_str(), winch.causality), ("N", Causality::Input));
+    assert!(winch.description.ends_with("held during a communication step"), "{}", winch.description);
+    assert!(
+        document.parameters().iter().all(|parameter| parameter.variable.name != "motor.effort"),
+        "it changes in time"
+    );
+}
+
 #[test]
 fn springs_materials_and_the_simulation_arrive_as_written() {
     let document = parse(&[]);
@@ -177,13 +197,24 @@ fn outputs_look_at_everything() {
     let sites: Vec<_> = document.outputs.iter().map(|output| output.target.site()).collect();
     assert_eq!(
         sites,
-        [Site::Beam, Site::Beam, Site::Beam, Site::Body, Site::Frame, Site::Joint, Site::Joint, Site::Drive]
+        [
+            Site::Beam,
+            Site::Beam,
+            Site::Beam,
+            Site::Body,
+            Site::Frame,
+            Site::Joint,
+            Site::Joint,
+            Site::Drive,
+            Site::Actuator
+        ]
     );
     assert_eq!(document.outputs[1].target, Target::On { beam: 0, stations: 5 });
     assert_eq!(document.outputs[2].target, Target::On { beam: 0, stations: 21 });
     assert_eq!((document.outputs[5].target, document.outputs[7].target), (Target::Joint(0), Target::Drive(1)));
-    let unit = |output: usize| document.outputs[output].unit(Quantity::Effort, &document.drives);
-    assert_eq!((unit(5), unit(7)), ("N.m", "N"));
+    let unit = |output: usize| document.outputs[output].unit(Quantity::Effort, &document.drives, &document.actuators);
+    assert_eq!((unit(5), unit(7), unit(8)), ("N.m", "N", "N"));
+    assert_eq!(document.outputs[8].target, Target::Actuator(2));
     assert!(document.parameters().iter().all(|parameter| !parameter.variable.name.ends_with("stations")));
     assert_eq!(parse(&[("line.stations", "3")]).outputs[2].target, Target::On { beam: 0, stations: 3 });
     assert!(QUANTITIES.iter().all(|row| !row.sites.is_empty() && row.components > 0));

@@ -4,7 +4,7 @@ use crate::curves::load;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::{Simulation, Snapshot};
 
-const MODELS: [(&str, &str); 12] = [
+const MODELS: [(&str, &str); 13] = [
     ("pendulum", include_str!("../../models/pendulum.toml")),
     ("cantilever", include_str!("../../models/cantilever.toml")),
     ("princeton_beam", include_str!("../../models/princeton_beam.toml")),
@@ -17,6 +17,7 @@ const MODELS: [(&str, &str); 12] = [
     ("ring", include_str!("../../models/ring.toml")),
     ("helical_spring", include_str!("../../models/helical_spring.toml")),
     ("bend_45", include_str!("../../models/bend_45.toml")),
+    ("robot", include_str!("../../models/robot.toml")),
 ];
 
 fn start(text: &str) -> Simulation {

@@ -1,11 +1,12 @@
-//! Springs and dampers: forces and their derivatives against automatic differentiation of energy and measure, on every kind of measure.
+//! Springs, dampers and actuators: forces and their derivatives against automatic differentiation of energy and measure, on every kind of measure.
 
 use crate::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};
 use crate::random::Random;
 use ancf14::mechanics::beam::ancf14::coordinates::NODE;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::configuration::Dissipation;
-use ancf14::mechanics::force::spring::{self, Spring};
+use ancf14::mechanics::force::actuator;
+use ancf14::mechanics::force::spring::Spring;
 use ancf14::mechanics::geometry::marker_jacobian::MarkerVector;
 use ancf14::mechanics::marker::configuration::{Passage, TimeStep};
 use ancf14::mechanics::marker::relative_coordinate::Measure;
@@ -83,9 +84,16 @@ fn check_spring_derivatives() {
             along.fixed_rows_mut::<COUNT>(0).copy_from(&machine.velocity);
             along[COUNT] = 1.0;
             let rate = by_all.dot(&along);
+            // An effort works along the coordinate, and its force changes as the gradient does.
+            let (effort, size) = (0.8, by_all_twice.amax().max(1.0));
+            let force = scatter(actuator::force(&coordinate, &c, effort)) - by_all.fixed_rows::<COUNT>(0) * effort;
+            assert!(force.amax() < ROUNDING * size, "{kind:?}: {force}");
+            let force_q = spread(&machine, [&a, &b], &actuator::force_q(&coordinate, &c, effort));
+            let error = force_q - by_all_twice.fixed_view::<COUNT, COUNT>(0, 0) * effort;
+            assert!(error.amax() < ROUNDING * size, "{kind:?} {sides:?}: {:e}", error.amax());
             let rate_q = (by_all_twice * along).fixed_rows::<COUNT>(0).into_owned();
             let velocity = machine.velocity.as_slice();
-            assert!((spring::coordinate_rate(&coordinate, &c, velocity) - rate).abs() < ROUNDING * rate.abs().max(1.0));
+            assert!((coordinate.rate(&c, velocity) - rate).abs() < ROUNDING * rate.abs().max(1.0));
             let moving = Passage::with_velocity(velocity);
             let damped = scatter(spring.gradient(&coordinate, &c, &moving));
             let by_q = by_all.fixed_rows::<COUNT>(0).into_owned();

@@ -124,7 +124,7 @@ fn applied_loads_are_reactions_with_the_other_sign() {
     }
 }
 
-const MODELS: [&str; 7] = [
+const MODELS: [&str; 8] = [
     include_str!("../../models/crane.toml"),
     include_str!("../../models/four_bar.toml"),
     include_str!("../../tests/suite/fmi/model.toml"),
@@ -132,6 +132,7 @@ const MODELS: [&str; 7] = [
     include_str!("../../tests/fmpy/coupling/arm.toml"),
     include_str!("../../tests/fmpy/coupling/bushed.toml"),
     include_str!("../../tests/fmpy/coupling/held.toml"),
+    include_str!("../../models/robot.toml"),
 ];
 
 /// Changes every input and every parameter, one after the other, by a thousandth, and looks at what the description says is not found from it:

@@ -6,7 +6,7 @@ use ancf14::fmi::variable::Causality;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
 
-/// Everything that a host can give: a frame, an angle, a rate, a distance, loads at a point, along a beam, on a body, dead and following;
+/// Everything that a host can give: a frame, an angle, a rate, a distance, loads at a point, along a beam, on a body, dead and following, an effort between two points;
 /// and of everything that can be measured something.
 pub const MACHINE: &str = r#"
 format = 1
@@ -77,6 +77,14 @@ on = "finger"
 force = [0, 0, 0.2]
 follower = true
 input = true
+[actuator.squeeze]
+a = "arm.node[1]"
+b = "finger.end"
+effort = 0.2
+input = true
+[output.cylinder]
+at = "squeeze"
+quantities = ["distance", "distance_rate", "effort", "power"]
 [output.tip]
 at = "finger.end"
 quantities = ["position", "velocity", "acceleration", "rotation", "quaternion", "angular_velocity", "section_force", "section_moment"]

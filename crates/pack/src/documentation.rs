@@ -85,7 +85,7 @@ const SIGNS: [&str; 5] = [
 ];
 
 /// Ways to connect one end: what goes in, what comes out, when to take it, where it is in the model file.
-const COUPLING: [[&str; 4]; 4] = [
+const COUPLING: [[&str; 4]; 5] = [
     [
         "force and moment",
         "motion",
@@ -97,6 +97,12 @@ const COUPLING: [[&str; 4]; 4] = [
         "force and moment",
         "the other side moves the end whatever it takes: robot hands, moorings, prescribed bases",
         "a frame with <code>input = true</code>, a joint to it, <code>applied_force</code> and <code>applied_moment</code> of the frame",
+    ],
+    [
+        "effort",
+        "angle or distance, and its rate",
+        "motors and cylinders under a controller",
+        "an actuator with <code>input = true</code>, an output at its joint",
     ],
     ["angle or distance", "effort", "drives under position control", "a drive with <code>input</code>, its effort"],
     [

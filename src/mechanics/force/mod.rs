@@ -1,4 +1,5 @@
-//! Forces between markers and on them: springs, dampers and loads.
+//! Forces between markers and on them: springs, dampers, actuators and loads.
 
+pub mod actuator;
 pub mod load;
 pub mod spring;

@@ -3,12 +3,9 @@
 //! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind.
 
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
-use crate::mechanics::geometry::pose::VECTORS;
-use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
+use crate::mechanics::geometry::pose_pair::PairVector;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
-use crate::mechanics::marker::own_velocity;
-use crate::mechanics::marker::pose_gradient::{of_side, pull_back};
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 
@@ -82,10 +79,10 @@ impl Spring {
                 let mean = (self.value(coordinate, end) - self.value(coordinate, start)) / duration;
                 match self.lateness(*duration) {
                     0.0 => mean,
-                    late => (1.0 + late) * mean - late * coordinate_rate(coordinate, start, velocity),
+                    late => (1.0 + late) * mean - late * coordinate.rate(start, velocity),
                 }
             }
-            Passage::Instant { velocity, .. } => coordinate_rate(coordinate, c, velocity),
+            Passage::Instant { velocity, .. } => coordinate.rate(c, velocity),
         }
     }
 
@@ -116,7 +113,7 @@ impl Spring {
             return [MarkerVector::zeros(); 2];
         }
         let tension = self.tension(coordinate, c, passage) * self.shortening(coordinate, c, passage);
-        coordinate_q(coordinate, c).map(|by_side| by_side * tension)
+        coordinate.gradient(c).map(|by_side| by_side * tension)
     }
 
     /// Derivative of [`Self::gradient`] by the coordinates of both sides, blocks `aa, ab, ba, bb`; over a step twice that by
@@ -125,26 +122,20 @@ impl Spring {
         if self.is_idle() {
             return [MarkerMatrix::zeros(); 4];
         }
-        let (a, b) = (coordinate.a.pose(c), coordinate.b.pose(c));
         let tension = self.tension(coordinate, c, passage) * self.shortening(coordinate, c, passage);
-        let by_poses = coordinate.measure.gradient(&a, &b);
-        let mut hessian = PairHessian::default();
-        coordinate.measure.add_hessian(&a, &b, tension, &mut hessian);
-        let mut blocks = [MarkerMatrix::zeros(); 4];
-        let sides = [coordinate.a.pose_q(c), coordinate.b.pose_q(c)];
-        pull_back(c, [&coordinate.a, &coordinate.b], &sides, &(by_poses * tension), &hessian, &mut blocks);
-        let here = coordinate_q(coordinate, c);
+        let mut blocks = coordinate.hessian(c, tension);
+        let here = coordinate.gradient(c);
         match passage {
             Passage::Rest => add_products(&here, &here, self.stiffness, &mut blocks),
             Passage::Step(TimeStep { end, duration, dissipation, .. }) => {
                 let viscous = 2.0 * self.damping * (1.0 + self.lateness(*duration)) / duration;
                 let stiffness = self.stiffness * (1.0 + 2.0 * dissipation.sum()) + viscous;
-                add_products(&here, &coordinate_q(coordinate, end), stiffness, &mut blocks);
+                add_products(&here, &coordinate.gradient(end), stiffness, &mut blocks);
             }
             Passage::Instant { velocity, .. } => {
                 add_products(&here, &here, self.stiffness, &mut blocks);
                 if self.damping != 0.0 {
-                    add_products(&here, &coordinate_rate_q(coordinate, c, velocity), self.damping, &mut blocks);
+                    add_products(&here, &coordinate.rate_gradient(c, velocity), self.damping, &mut blocks);
                 }
             }
         }
@@ -153,7 +144,7 @@ impl Spring {
 
     /// Derivative of [`Self::gradient`] by the velocities of both sides, blocks `aa, ab, ba, bb`.
     pub fn damping_matrix(&self, coordinate: &RelativeCoordinate, c: &Configuration) -> [MarkerMatrix; 4] {
-        let here = coordinate_q(coordinate, c);
+        let here = coordinate.gradient(c);
         let mut blocks = [MarkerMatrix::zeros(); 4];
         add_products(&here, &here, self.damping, &mut blocks);
         blocks
@@ -182,7 +173,7 @@ impl Spring {
         let (tension, viscous) =
             (self.tension(coordinate, c, &passage), self.damping * self.rate(coordinate, c, &passage));
         let whole = self.value(coordinate, step.end) - self.value(coordinate, step.start);
-        let sides_moved = along(coordinate, c, step.increment) * self.shortening(coordinate, c, &passage);
+        let sides_moved = coordinate.change(c, step.increment) * self.shortening(coordinate, c, &passage);
         let [given, taken] = self.outside_work(coordinate, tension, viscous, [sides_moved, whole]);
         given - taken
     }
@@ -195,12 +186,7 @@ impl Spring {
         let passage = Passage::with_velocity(velocity);
         let (tension, viscous) =
             (self.tension(coordinate, c, &passage), self.damping * self.rate(coordinate, c, &passage));
-        self.outside_work(
-            coordinate,
-            tension,
-            viscous,
-            [along(coordinate, c, velocity), coordinate_rate(coordinate, c, velocity)],
-        )
+        self.outside_work(coordinate, tension, viscous, [coordinate.change(c, velocity), coordinate.rate(c, velocity)])
     }
 
     /// Minus its forces on the vectors of both poses.
@@ -217,54 +203,9 @@ impl Spring {
     }
 }
 
-/// Derivative of a relative coordinate with respect to the coordinates of both its sides, 24×1 each.
-pub fn coordinate_q(coordinate: &RelativeCoordinate, c: &Configuration) -> [MarkerVector; 2] {
-    let by_poses = coordinate.measure.gradient(&coordinate.a.pose(c), &coordinate.b.pose(c));
-    [
-        coordinate.a.pose_q(c).generalized(&of_side(&by_poses, 0)),
-        coordinate.b.pose_q(c).generalized(&of_side(&by_poses, 1)),
-    ]
-}
-
-/// Change of a relative coordinate when those of its sides change by `change`, to first order.
-fn along(coordinate: &RelativeCoordinate, c: &Configuration, change: &[f64]) -> f64 {
-    let sides = coordinate_q(coordinate, c).into_iter().zip([&coordinate.a, &coordinate.b]);
-    sides.map(|(by_side, marker)| by_side.dot(&own_velocity(c, marker, change))).sum()
-}
-
 /// Adds `factor` times the products of both sides of `left` and `right` to the blocks `aa, ab, ba, bb`.
 fn add_products(left: &[MarkerVector; 2], right: &[MarkerVector; 2], factor: f64, blocks: &mut [MarkerMatrix; 4]) {
     for (number, block) in blocks.iter_mut().enumerate() {
         block.ger(factor, &left[number / 2], &right[number % 2], 1.0);
     }
-}
-
-/// How fast the poses of both sides change, 24×1.
-fn pose_rates(coordinate: &RelativeCoordinate, c: &Configuration, velocity: &[f64]) -> PairVector {
-    let mut rates = PairVector::zeros();
-    for (side, marker) in [&coordinate.a, &coordinate.b].into_iter().enumerate() {
-        let rate = marker.pose_q(c).times(&own_velocity(c, marker, velocity)) + marker.pose_t(c)[0].vectors();
-        rates.fixed_columns_mut::<VECTORS>(VECTORS * side).copy_from(&rate);
-    }
-    rates
-}
-
-/// Rate of a relative coordinate, m/s or rad/s.
-pub fn coordinate_rate(coordinate: &RelativeCoordinate, c: &Configuration, velocity: &[f64]) -> f64 {
-    coordinate.measure.gradient(&coordinate.a.pose(c), &coordinate.b.pose(c)).dot(&pose_rates(coordinate, c, velocity))
-}
-
-/// Derivative of the rate of the coordinate by the coordinates of both sides at fixed velocities, 24×1 each.
-fn coordinate_rate_q(coordinate: &RelativeCoordinate, c: &Configuration, velocity: &[f64]) -> [MarkerVector; 2] {
-    let (a, b) = (coordinate.a.pose(c), coordinate.b.pose(c));
-    let by_poses = coordinate.measure.gradient(&a, &b);
-    let mut hessian = PairHessian::default();
-    coordinate.measure.add_hessian(&a, &b, 1.0, &mut hessian);
-    let turned = hessian.times(&pose_rates(coordinate, c, velocity));
-    [(0, &coordinate.a), (1, &coordinate.b)].map(|(number, marker)| {
-        let (own, pose_q) = (own_velocity(c, marker, velocity), marker.pose_q(c));
-        let mut bend = MarkerMatrix::zeros();
-        pose_q.add_bend(marker, c, &of_side(&by_poses, number), &mut bend);
-        pose_q.generalized(&of_side(&turned, number)) + bend.tr_mul(&own)
-    })
 }

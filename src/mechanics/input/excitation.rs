@@ -1,4 +1,4 @@
-//! What acts from outside at one instant: gravity and the components of loads, by functions of time or by a host.
+//! What acts from outside at one instant: gravity, the components of loads and the efforts of actuators, by functions of time or by a host.
 
 use crate::math::Vec3;
 use serde::{Deserialize, Serialize};
@@ -41,6 +41,24 @@ impl HostWrench {
     }
 }
 
+/// An effort that a host gives: held from the time it gave it, or linear in time from there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct HostEffort {
+    /// Effort at `since`, N m or N.
+    pub value: f64,
+    /// Its derivative by time, 1/s of its unit.
+    pub rate: f64,
+    /// When it was given, s.
+    pub since: f64,
+}
+
+impl HostEffort {
+    /// The effort at `time`, s.
+    pub fn at(&self, time: f64) -> f64 {
+        self.value + self.rate * (time - self.since)
+    }
+}
+
 /// What acts on a system from outside at one instant.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Excitation {
@@ -48,6 +66,8 @@ pub struct Excitation {
     pub gravity: Vec3,
     /// Components of the loads, in their order.
     pub wrenches: Vec<Wrench>,
+    /// Efforts of the actuators, in their order, N m or N.
+    pub efforts: Vec<f64>,
 }
 
 impl Excitation {
@@ -55,9 +75,10 @@ impl Excitation {
     pub fn copy_from(&mut self, other: &Self) {
         self.gravity = other.gravity;
         self.wrenches.clone_from(&other.wrenches);
+        self.efforts.clone_from(&other.efforts);
     }
 
-    /// Sets this to what lies between `start` and `end`, at `share` (0 to 1) of the way; loads that `start` lacks begin at nothing.
+    /// Sets this to what lies between `start` and `end`, at `share` (0 to 1) of the way; loads and efforts that `start` lacks begin at nothing.
     pub fn set_between(&mut self, start: &Self, end: &Self, share: f64) {
         self.copy_from(end);
         self.gravity = start.gravity * (1.0 - share) + end.gravity * share;
@@ -65,6 +86,10 @@ impl Excitation {
             let from = start.wrenches.get(number).copied().unwrap_or_default();
             wrench.force = from.force * (1.0 - share) + wrench.force * share;
             wrench.moment = from.moment * (1.0 - share) + wrench.moment * share;
+        }
+        for (number, effort) in self.efforts.iter_mut().enumerate() {
+            let from = start.efforts.get(number).copied().unwrap_or_default();
+            *effort = from * (1.0 - share) + *effort * share;
         }
     }
 }

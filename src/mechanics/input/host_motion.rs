@@ -13,7 +13,7 @@
 //! held rigidly; and nothing goes further back than two steps, so that no error is carried on.
 //! Frames turn by a rotation vector on such a cubic, from where they are along the shortest arc.
 
-use super::excitation::HostWrench;
+use super::excitation::{HostEffort, HostWrench};
 use super::prescribed::{MovingPose, Prescribed};
 use crate::math::Vec3;
 use crate::math::jet::Jet;
@@ -22,7 +22,7 @@ use crate::mechanics::geometry::pose::{Pose, angular_velocity};
 use serde::{Deserialize, Serialize};
 use std::ops::{Add, Div, Mul, Sub};
 
-/// What a host wants: drives and frames to be reached, and when; loads to act.
+/// What a host wants: drives and frames to be reached, and when; loads and actuators to act.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Targets {
     /// End of the communication step, s.
@@ -35,6 +35,8 @@ pub struct Targets {
     pub frames: Vec<Pose>,
     /// Components of the loads; those of functions are not used.
     pub loads: Vec<HostWrench>,
+    /// Efforts of the actuators; those of functions are not used.
+    pub efforts: Vec<HostEffort>,
     /// From where, and how fast.
     pub departure: Departure,
 }
@@ -84,6 +86,7 @@ impl Targets {
         self.drives.clone_from(&other.drives);
         self.frames.clone_from(&other.frames);
         self.loads.clone_from(&other.loads);
+        self.efforts.clone_from(&other.efforts);
         (self.departure.time, self.departure.step) = (other.departure.time, other.departure.step);
         self.departure.drives.clone_from(&other.departure.drives);
         self.departure.frames.clone_from(&other.departure.frames);

@@ -2,8 +2,10 @@
 //!
 //! Angles are read near their last accepted value, so that they go on over any number of turns.
 
-use super::Marker;
+use super::pose_gradient::{of_side, pull_back};
+use super::{Marker, own_velocity};
 use crate::math::Vec3;
+use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::{PLACE, Pose, VECTORS, axis_vector};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
 use crate::mechanics::marker::configuration::Configuration;
@@ -37,6 +39,60 @@ impl RelativeCoordinate {
     /// Its value: an angle near `previous`, rad or m.
     pub fn value(&self, c: &Configuration, previous: f64) -> f64 {
         self.measure.value(&self.a.pose(c), &self.b.pose(c), previous)
+    }
+
+    /// Its rate, m/s or rad/s.
+    pub fn rate(&self, c: &Configuration, velocity: &[f64]) -> f64 {
+        self.measure.gradient(&self.a.pose(c), &self.b.pose(c)).dot(&self.pose_rates(c, velocity))
+    }
+
+    /// Its change when the coordinates of its sides change by `change`, to first order.
+    pub fn change(&self, c: &Configuration, change: &[f64]) -> f64 {
+        let sides = self.gradient(c).into_iter().zip([&self.a, &self.b]);
+        sides.map(|(by_side, marker)| by_side.dot(&own_velocity(c, marker, change))).sum()
+    }
+
+    /// Its derivative with respect to the coordinates of both its sides, 24×1 each.
+    pub fn gradient(&self, c: &Configuration) -> [MarkerVector; 2] {
+        let by_poses = self.measure.gradient(&self.a.pose(c), &self.b.pose(c));
+        [(0, &self.a), (1, &self.b)].map(|(number, marker)| marker.pose_q(c).generalized(&of_side(&by_poses, number)))
+    }
+
+    /// `factor` times its second derivative with respect to the coordinates of both its sides, blocks `aa, ab, ba, bb`.
+    pub fn hessian(&self, c: &Configuration, factor: f64) -> [MarkerMatrix; 4] {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let by_poses = self.measure.gradient(&a, &b);
+        let mut hessian = PairHessian::default();
+        self.measure.add_hessian(&a, &b, factor, &mut hessian);
+        let sides = [self.a.pose_q(c), self.b.pose_q(c)];
+        let mut blocks = [MarkerMatrix::zeros(); 4];
+        pull_back(c, [&self.a, &self.b], &sides, &(by_poses * factor), &hessian, &mut blocks);
+        blocks
+    }
+
+    /// Derivative of its rate with respect to the coordinates of both sides at fixed velocities, 24×1 each.
+    pub fn rate_gradient(&self, c: &Configuration, velocity: &[f64]) -> [MarkerVector; 2] {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let by_poses = self.measure.gradient(&a, &b);
+        let mut hessian = PairHessian::default();
+        self.measure.add_hessian(&a, &b, 1.0, &mut hessian);
+        let turned = hessian.times(&self.pose_rates(c, velocity));
+        [(0, &self.a), (1, &self.b)].map(|(number, marker)| {
+            let (own, pose_q) = (own_velocity(c, marker, velocity), marker.pose_q(c));
+            let mut bend = MarkerMatrix::zeros();
+            pose_q.add_bend(marker, c, &of_side(&by_poses, number), &mut bend);
+            pose_q.generalized(&of_side(&turned, number)) + bend.tr_mul(&own)
+        })
+    }
+
+    /// How fast the poses of both sides change, 24×1.
+    fn pose_rates(&self, c: &Configuration, velocity: &[f64]) -> PairVector {
+        let mut rates = PairVector::zeros();
+        for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
+            let rate = marker.pose_q(c).times(&own_velocity(c, marker, velocity)) + marker.pose_t(c)[0].vectors();
+            rates.fixed_columns_mut::<VECTORS>(VECTORS * side).copy_from(&rate);
+        }
+        rates
     }
 }
 

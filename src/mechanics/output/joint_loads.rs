@@ -1,15 +1,17 @@
-//! What passes between the two sides of a joint of the model file: constraint forces, springs and dampers, drives.
+//! What passes between the two sides of a joint of the model file: constraint forces, springs and dampers, drives, actuators.
 //!
 //! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the system (MECHANICS 6).
 
 use crate::math::Vec3;
 use crate::mechanics::constraint::joint::Joint;
+use crate::mechanics::force::actuator;
 use crate::mechanics::geometry::pose::{PLACE, moment};
 use crate::mechanics::geometry::pose_pair::PairVector;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::marker::pose_gradient::of_side;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
+use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::joint_parts::JointParts;
 
@@ -20,11 +22,13 @@ enum Side {
     B,
 }
 
-/// What acts at an instant: the configuration, how it is passed through, and the multipliers of all conditions.
+/// What acts at an instant: the state with its configuration, how it is passed through, and the multipliers of all conditions.
 #[derive(Clone, Copy, Debug)]
 pub struct JointLoads<'a> {
     /// The system.
     pub system: &'a System,
+    /// The state, for its time and what a host gives.
+    pub state: &'a State,
     /// The instant.
     pub c: &'a Configuration<'a>,
     /// How fast it moves.
@@ -47,14 +51,23 @@ impl JointLoads<'_> {
         let joints = parts.joint.into_iter().chain(parts.drives.iter().map(|drive| self.drive(*drive)));
         let by_joints = joints.map(|joint| self.of_joint(joint, Side::B));
         let by_springs = parts.springs.iter().map(|spring| self.of_spring(*spring, Side::B));
-        by_joints.chain(by_springs).fold((Vec3::zeros(), Vec3::zeros()), |(force, moment), acting| {
-            (force + acting.force, moment + acting.moment)
-        })
+        let by_actuators = parts.actuators.iter().map(|actuator| self.of_actuator(*actuator, Side::B));
+        by_joints
+            .chain(by_springs)
+            .chain(by_actuators)
+            .fold((Vec3::zeros(), Vec3::zeros()), |(force, moment), acting| {
+                (force + acting.force, moment + acting.moment)
+            })
     }
 
     /// Torque (N m) or force (N) of drive `drive` on b, along its coordinate.
     pub fn effort(&self, drive: usize) -> f64 {
         -self.multipliers[self.first_row(self.drive(drive))]
+    }
+
+    /// Torque (N m) or force (N) of actuator `actuator` on b, along its coordinate.
+    pub fn actuator_effort(&self, actuator: usize) -> f64 {
+        self.system.actuators[actuator].at(self.state.time, &self.state.targets.efforts[actuator])
     }
 
     /// Force (N) and moment (N m) about its origin that moving frame `frame` must supply, in global axes.
@@ -82,6 +95,13 @@ impl JointLoads<'_> {
                 }
             }
         }
+        for (number, actuator) in self.system.actuators.iter().enumerate() {
+            for (marker, side) in self.system.sides(actuator.coordinate).into_iter().zip([Side::A, Side::B]) {
+                if is_own(marker) {
+                    give(self.of_actuator(number, side));
+                }
+            }
+        }
         (force, moment)
     }
 
@@ -106,6 +126,12 @@ impl JointLoads<'_> {
         let spring = &self.system.springs[number];
         let coordinate = &self.system.relative_coordinates[spring.coordinate];
         self.acting([&coordinate.a, &coordinate.b], side, &-spring.tension_x(coordinate, self.c, self.passage))
+    }
+
+    fn of_actuator(&self, number: usize, side: Side) -> Acting {
+        let coordinate = &self.system.relative_coordinates[self.system.actuators[number].coordinate];
+        let forces = actuator::force_x(coordinate, self.c, self.actuator_effort(number));
+        self.acting([&coordinate.a, &coordinate.b], side, &forces)
     }
 
     /// Forces on the vectors of both poses as force and moment on one side.

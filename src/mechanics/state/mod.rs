@@ -91,7 +91,7 @@ impl State {
             let motions =
                 [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
             let departure = [targets.departure.drives.len(), targets.departure.frames.len()];
-            (lists, triads.len(), rotations.len(), motions, targets.loads.len(), departure)
+            (lists, triads.len(), rotations.len(), motions, [targets.loads.len(), targets.efforts.len()], departure)
         };
         // Nothing yet, or all of them.
         let optional = |list: usize, whole: usize| list == 0 || list == whole;
@@ -103,6 +103,7 @@ impl State {
             && self.time_error.is_possible(other.q.len(), other.multipliers.len())
             && self.pace.is_possible(other.q.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
+            && optional(self.excitation.efforts.len(), other.targets.efforts.len())
     }
 }
 

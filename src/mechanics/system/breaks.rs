@@ -27,10 +27,11 @@ impl System {
     /// Collects [`System::breaks`] from all functions of time.
     pub fn collect_breaks(&mut self) {
         let loads = self.loads.iter().flat_map(|load| load.signals());
+        let actuators = self.actuators.iter().filter_map(|actuator| actuator.signal());
         let drives = self.drives.iter().filter_map(|drive| drive.signal());
         let frames = self.moving_frames.iter().flat_map(|frame| frame.signals());
         let mut breaks: Vec<f64> =
-            loads.chain(drives).chain(frames).flat_map(|signal| signal.breaks()).copied().collect();
+            loads.chain(actuators).chain(drives).chain(frames).flat_map(|signal| signal.breaks()).copied().collect();
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         self.breaks = breaks;
@@ -42,7 +43,7 @@ impl System {
         self.breaks.get(first).copied().filter(|time| *time < to - margin)
     }
 
-    /// Whether a load jumps within [`AT_BREAK`] of a step of `step` s from `time`, or the motion of a drive or a frame, its velocity or its acceleration: what is
+    /// Whether a load or an effort jumps within [`AT_BREAK`] of a step of `step` s from `time`, or the motion of a drive or a frame, its velocity or its acceleration: what is
     /// known of the motion before does not hold behind it. Pieces that meet smoothly change nothing.
     pub fn is_sudden(&self, time: f64, step: f64) -> bool {
         let margin = AT_BREAK * step;
@@ -52,6 +53,7 @@ impl System {
             signal.breaks().contains(&time) && jumps(signal, time, step, derivatives)
         };
         self.loads.iter().flat_map(|load| load.signals()).any(|signal| jumps(signal, 0))
+            || self.actuators.iter().filter_map(|actuator| actuator.signal()).any(|signal| jumps(signal, 0))
             || self.drives.iter().filter_map(|drive| drive.signal()).any(|signal| jumps(signal, 2))
             || self.moving_frames.iter().flat_map(|frame| frame.signals()).any(|signal| jumps(signal, 2))
     }

@@ -19,11 +19,12 @@ use crate::mechanics::constraint::driven::Driven;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::rigidity;
 use crate::mechanics::constraint::weld;
+use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::load::Load;
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
-use crate::mechanics::input::excitation::{Excitation, HostWrench};
+use crate::mechanics::input::excitation::{Excitation, HostEffort, HostWrench};
 use crate::mechanics::input::guide::{Drive, FrameGuide, Guide, MovingFrame};
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
@@ -310,9 +311,26 @@ impl SystemBuilder {
         self.system.joint_parts.push(parts);
     }
 
+    /// What the joints of the model file consist of so far, in file order.
+    pub fn joint_parts(&self) -> &[JointParts] {
+        &self.system.joint_parts
+    }
+
     /// Adds drive `drive` to what joint `joint` of the model file consists of.
     pub fn add_drive_of(&mut self, joint: usize, drive: usize) {
         self.system.joint_parts[joint].drives.push(drive);
+    }
+
+    /// Adds an actuator and returns its number.
+    pub fn add_actuator(&mut self, actuator: Actuator) -> usize {
+        self.system.actuators.push(actuator);
+        self.targets.efforts.push(HostEffort::default());
+        self.system.actuators.len() - 1
+    }
+
+    /// Adds actuator `actuator` to what joint `joint` of the model file consists of.
+    pub fn add_actuator_of(&mut self, joint: usize, actuator: usize) {
+        self.system.joint_parts[joint].actuators.push(actuator);
     }
 
     /// Adds a load.

@@ -3,6 +3,7 @@
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
+use crate::mechanics::force::actuator;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
@@ -27,8 +28,9 @@ impl System {
             let range = marker.coordinates(&self.mesh);
             push(range.clone(), range);
         }
-        for spring in &self.springs {
-            let sides = self.sides(spring.coordinate);
+        let springs = self.springs.iter().map(|spring| spring.coordinate);
+        for coordinate in springs.chain(self.actuators.iter().map(|actuator| actuator.coordinate)) {
+            let sides = self.sides(coordinate);
             for number in 0..4 {
                 push(sides[number / 2].coordinates(&self.mesh), sides[number % 2].coordinates(&self.mesh));
             }
@@ -36,7 +38,7 @@ impl System {
     }
 
     /// The two sides of a relative coordinate.
-    pub(super) fn sides(&self, coordinate: usize) -> [&Marker; 2] {
+    pub fn sides(&self, coordinate: usize) -> [&Marker; 2] {
         [&self.relative_coordinates[coordinate].a, &self.relative_coordinates[coordinate].b]
     }
 
@@ -98,6 +100,13 @@ impl System {
                 copy_corner(tangent.block_mut(block), counts[pair / 2], part, scale);
             }
         }
+        for (number, (actuator, effort)) in self.actuators.iter().zip(&excitation.efforts).enumerate() {
+            let counts = self.sides(actuator.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
+            let parts = actuator::force_q(&self.relative_coordinates[actuator.coordinate], c, *effort);
+            for (pair, (block, part)) in layout.actuator(number).zip(&parts).enumerate() {
+                copy_corner(tangent.block_mut(block), counts[pair / 2], part, -scale);
+            }
+        }
     }
 
     pub(super) fn add_springs(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
@@ -124,6 +133,13 @@ impl System {
                 let range = marker.coordinates(&self.mesh);
                 let force = -load.force(c, number, wrench);
                 add(forces, range.start, &force.as_slice()[..range.len()]);
+            }
+        }
+        for (actuator, effort) in self.actuators.iter().zip(&excitation.efforts) {
+            let parts = actuator::force(&self.relative_coordinates[actuator.coordinate], c, -effort);
+            for (marker, part) in self.sides(actuator.coordinate).into_iter().zip(&parts) {
+                let range = marker.coordinates(&self.mesh);
+                add(forces, range.start, &part.as_slice()[..range.len()]);
             }
         }
     }

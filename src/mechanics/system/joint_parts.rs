@@ -13,4 +13,6 @@ pub struct JointParts {
     pub springs: Vec<usize>,
     /// Drives.
     pub drives: Vec<usize>,
+    /// Actuators.
+    pub actuators: Vec<usize>,
 }

@@ -4,7 +4,7 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::primitive::Primitive;
-use crate::mechanics::input::excitation::HostWrench;
+use crate::mechanics::input::excitation::{HostEffort, HostWrench};
 use crate::mechanics::system::System;
 
 impl System {
@@ -69,11 +69,13 @@ impl System {
         (beam, number - beam.first_element)
     }
 
-    /// The load, drive or frame that is not defined at `time` (s), in words.
+    /// The load, actuator, drive or frame that is not defined at `time` (s), in words.
     pub fn undefined(&self, time: f64) -> Option<String> {
         let load = self.loads.iter().find(|load| !load.at(time, &HostWrench::default()).is_finite());
         let load = load.map(|load| format!("the force or moment of load {}", load.name));
-        load.or_else(|| self.undefined_motion(time).map(|name| format!("the motion of {name}")))
+        let actuator = self.actuators.iter().find(|actuator| !actuator.at(time, &HostEffort::default()).is_finite());
+        let actuator = actuator.map(|actuator| format!("the effort of actuator {}", actuator.name));
+        load.or(actuator).or_else(|| self.undefined_motion(time).map(|name| format!("the motion of {name}")))
     }
 
     /// What is not finite in the equations of `time` (s), in words.

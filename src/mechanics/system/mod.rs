@@ -30,6 +30,7 @@ use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
+use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::load::{Direction, Load};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
@@ -69,6 +70,8 @@ pub struct System {
     pub joint_parts: Vec<JointParts>,
     /// Loads in file order.
     pub loads: Vec<Load>,
+    /// Actuators in file order.
+    pub actuators: Vec<Actuator>,
     /// Watched points in the order of their adding.
     pub sensors: Vec<Sensor>,
     /// Largest extent of the system as drawn, m: what lengths are compared with.
@@ -80,7 +83,7 @@ pub struct System {
     pub mass: f64,
     /// Gravity, m/s².
     pub gravity: Vec3,
-    /// The times at which pieces of loads, drives and frames meet, ascending, s: steps end there.
+    /// The times at which pieces of loads, actuators, drives and frames meet, ascending, s: steps end there.
     pub breaks: Vec<f64>,
     /// Whether a load, a joint or a spring acts on each node.
     pub held: Vec<bool>,
@@ -92,6 +95,9 @@ impl System {
         excitation.gravity = self.gravity;
         excitation.wrenches.clear();
         excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
+        excitation.efforts.clear();
+        let actuators = self.actuators.iter().zip(&targets.efforts);
+        excitation.efforts.extend(actuators.map(|(actuator, target)| actuator.at(time, target)));
     }
 
     /// Whether loads act at `excitation` that derive from no potential: follower loads, and moments about axes that stand still. Stability is
@@ -260,8 +266,9 @@ impl System {
         let loads = self.loads.iter().flat_map(|load| load.points.iter().map(|(marker, _)| marker));
         let joints = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
         let springs = self.springs.iter().flat_map(|spring| self.sides(spring.coordinate));
+        let actuators = self.actuators.iter().flat_map(|actuator| self.sides(actuator.coordinate));
         let mut held = vec![false; self.mesh.nodes.len()];
-        for marker in loads.chain(joints).chain(springs) {
+        for marker in loads.chain(joints).chain(springs).chain(actuators) {
             if let Marker::Node { node, .. } = marker {
                 held[*node] = true;
             }

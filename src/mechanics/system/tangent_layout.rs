@@ -1,10 +1,10 @@
-//! The order of the blocks of a system's tangent: those of elements, bodies, load points and springs.
+//! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs and actuators.
 
 use super::System;
 use std::ops::Range;
 
-/// Blocks of a spring: one for each pair of its sides.
-const OF_SPRING: usize = 4;
+/// Blocks of a spring or an actuator: one for each pair of its sides.
+const OF_PAIR: usize = 4;
 
 /// The numbers of the blocks of the tangent, which come first in the matrix of every solver.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +12,7 @@ pub(super) struct TangentLayout {
     first_body: usize,
     first_load_point: usize,
     first_spring: usize,
+    first_actuator: usize,
 }
 
 impl TangentLayout {
@@ -19,7 +20,9 @@ impl TangentLayout {
         let first_body = system.mesh.elements.len();
         let first_load_point = first_body + system.bodies.len();
         let load_points: usize = system.loads.iter().map(|load| load.points.len()).sum();
-        Self { first_body, first_load_point, first_spring: first_load_point + load_points }
+        let first_spring = first_load_point + load_points;
+        let first_actuator = first_spring + OF_PAIR * system.springs.len();
+        Self { first_body, first_load_point, first_spring, first_actuator }
     }
 
     pub fn element(self, number: usize) -> usize {
@@ -37,7 +40,13 @@ impl TangentLayout {
 
     /// The blocks of a spring, by pairs of its sides: aa, ab, ba, bb.
     pub fn spring(self, number: usize) -> Range<usize> {
-        let first = self.first_spring + OF_SPRING * number;
-        first..first + OF_SPRING
+        let first = self.first_spring + OF_PAIR * number;
+        first..first + OF_PAIR
+    }
+
+    /// The blocks of an actuator, by pairs of its sides: aa, ab, ba, bb.
+    pub fn actuator(self, number: usize) -> Range<usize> {
+        let first = self.first_actuator + OF_PAIR * number;
+        first..first + OF_PAIR
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::math::Vec3;
 use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
-use crate::mechanics::force::spring::coordinate_rate;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
@@ -68,7 +67,7 @@ impl System {
             .iter()
             .for_each(|element| element.begin_step(&c.beams, velocity, &mut starts.list, strain_rates));
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
-            let rate = coordinate_rate(&self.relative_coordinates[spring.coordinate], c, velocity);
+            let rate = self.relative_coordinates[spring.coordinate].rate(c, velocity);
             strain_rates[self.mesh.relative_rate_index(spring.coordinate)] = rate;
         }
     }

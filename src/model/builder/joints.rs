@@ -1,4 +1,4 @@
-//! Joints, drives and springs of the file as conditions, relative coordinates and springs of the system.
+//! Joints, drives, actuators and springs of the file as conditions, relative coordinates, actuators and springs of the system.
 
 use super::tune::{self, Tuned};
 use super::{Builder, signal, vector};
@@ -14,16 +14,18 @@ use crate::mechanics::constraint::revolute;
 use crate::mechanics::constraint::spherical;
 use crate::mechanics::constraint::universal;
 use crate::mechanics::constraint::weld;
+use crate::mechanics::force::actuator::{Actuator, EffortGuide};
 use crate::mechanics::force::spring;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::guide::Guide;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::joint_parts::JointParts;
+use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
 use crate::model::file::entries::spring::SpringSpec;
-use crate::model::file::reader::anchor::Spot;
+use crate::model::file::reader::anchor::{Anchor, Spot};
 
 impl Builder<'_> {
     pub(super) fn add_joint(&mut self, written: &JointSpec) {
@@ -88,15 +90,43 @@ impl Builder<'_> {
         self.system.add_drive_of(written.joint, drive);
     }
 
-    pub(super) fn add_spring(&mut self, written: &SpringSpec) {
-        let (a, b) = (self.anchored(&written.a), self.anchored(&written.b));
+    pub(super) fn add_actuator(&mut self, written: &ActuatorSpec) {
+        let coordinate = match &written.action {
+            Action::Joint { joint, coordinate } => {
+                let parts = &self.system.joint_parts()[*joint];
+                let known = match coordinate {
+                    Coordinate::Angle => parts.angle,
+                    Coordinate::Distance => parts.distance,
+                };
+                known.expect("the file is refused: the joint leaves no such coordinate free")
+            }
+            Action::Between { a, b } => self.between([a, b], &format!("actuator {}", written.name)).0,
+        };
+        let guide = match written.input {
+            true => EffortGuide::Host,
+            false => EffortGuide::Signal(signal(self.document, written.effort)),
+        };
+        let actuator = self.system.add_actuator(Actuator { name: written.name.clone(), coordinate, guide });
+        if let Some(joint) = written.joint() {
+            self.system.add_actuator_of(joint, actuator);
+        }
+    }
+
+    /// The distance between two points that must be apart, as a relative coordinate with its value as drawn, m.
+    fn between(&mut self, [a, b]: [&Anchor; 2], title: &str) -> (usize, f64) {
+        let place = b.place;
+        let (a, b) = (self.anchored(a), self.anchored(b));
         let length = (self.system.drawn(&b).place - self.system.drawn(&a).place).norm();
         if length == 0.0 {
-            let message = format!("the ends of spring {} are at the same place at the start", written.name);
-            let label = "another place was expected: a spring needs a direction";
-            self.mistakes.push(self.document.diagnostic(written.b.place, &message, label, ""));
+            let message = format!("the ends of {title} are at the same place at the start");
+            let label = "another place was expected: a force along a line needs a direction";
+            self.mistakes.push(self.document.diagnostic(place, &message, label, ""));
         }
-        let coordinate = self.system.add_relative_coordinate(a, b, Measure::Length);
+        (self.system.add_relative_coordinate(a, b, Measure::Length), length)
+    }
+
+    pub(super) fn add_spring(&mut self, written: &SpringSpec) {
+        let (coordinate, length) = self.between([&written.a, &written.b], &format!("spring {}", written.name));
         self.spring(&written.name, coordinate, &tune::spring(written), length);
     }
 

@@ -64,6 +64,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     document.springs.iter().for_each(|spring| builder.add_spring(spring));
     document.joints.iter().for_each(|joint| builder.add_joint(joint));
     document.drives.iter().for_each(|drive| builder.add_drive(drive));
+    document.actuators.iter().for_each(|actuator| builder.add_actuator(actuator));
     document.loads.iter().for_each(|load| builder.add_load(load));
     document.outputs.iter().for_each(|output| builder.add_sensors(&output.target));
     if !builder.mistakes.is_empty() {
@@ -149,7 +150,7 @@ impl Builder<'_> {
                     self.system.add_sensor(*beam, station as f64 / (stations - 1) as f64);
                 }
             }
-            output::Target::Joint(_) | output::Target::Drive(_) => {}
+            output::Target::Joint(_) | output::Target::Drive(_) | output::Target::Actuator(_) => {}
         }
     }
 }

@@ -1,12 +1,13 @@
-//! What may change while the system runs: gravity, loads, springs and dampers, and where a host wants drives and frames to be.
+//! What may change while the system runs: gravity, loads, actuators, springs and dampers, and where a host wants drives and frames to be.
 
 use super::{signal, vector};
 use crate::math::jet::Jet;
 use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
 use crate::math::{Mat3, Vec3};
+use crate::mechanics::force::actuator::EffortGuide;
 use crate::mechanics::force::load::LoadGuide;
 use crate::mechanics::geometry::pose::{Pose, angular_velocity};
-use crate::mechanics::input::excitation::{HostWrench, Wrench};
+use crate::mechanics::input::excitation::{HostEffort, HostWrench, Wrench};
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::System;
@@ -60,6 +61,11 @@ pub fn retune(document: &Document, system: &mut System) {
             *moment = written.moment.map(|number| signal(document, number));
         }
     }
+    for (actuator, written) in system.actuators.iter_mut().zip(&document.actuators) {
+        if let EffortGuide::Signal(effort) = &mut actuator.guide {
+            *effort = signal(document, written.effort);
+        }
+    }
     system.collect_breaks();
     for (beam, written) in system.beams.iter().zip(&document.beams) {
         let damping = document.value(document.materials[written.material].damping);
@@ -98,7 +104,7 @@ pub fn undirected(
     })
 }
 
-/// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads act until then. `line` is the
+/// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads and actuators act until then. `line` is the
 /// value of an input and its derivative by time. A frame whose quaternion is 0 keeps its orientation.
 pub fn aim(
     document: &Document,
@@ -142,6 +148,11 @@ pub fn aim(
             Wrench { force, moment }
         };
         *target = HostWrench { value: part(|line| line.0), rate: part(|line| line.1), since: begin };
+    }
+    let actuators = targets.efforts.iter_mut().zip(&document.actuators);
+    for (target, actuator) in actuators.filter(|(_, actuator)| actuator.input) {
+        let (value, rate) = line(actuator.effort);
+        *target = HostEffort { value, rate, since: begin };
     }
 }
 

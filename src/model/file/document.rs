@@ -1,6 +1,7 @@
 //! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
 
 use super::collisions;
+use super::entries::actuator::ActuatorSpec;
 use super::entries::beam::BeamSpec;
 use super::entries::body::BodySpec;
 use super::entries::drive::DriveSpec;
@@ -51,6 +52,8 @@ pub struct Document {
     pub joints: Vec<JointSpec>,
     /// Drives, in file order.
     pub drives: Vec<DriveSpec>,
+    /// Actuators, in file order.
+    pub actuators: Vec<ActuatorSpec>,
     /// Springs, in file order.
     pub springs: Vec<SpringSpec>,
     /// Loads, in file order.
@@ -92,9 +95,11 @@ impl Document {
         let joints = tree.named(&mut context, "joint", JointSpec::read);
         let drives = tree.named(&mut context, "drive", |name, reader| DriveSpec::read(name, reader, &joints));
         DriveSpec::report_doubles(&drives, &mut context.report);
+        let actuators = tree.named(&mut context, "actuator", |name, reader| ActuatorSpec::read(name, reader, &joints));
         let springs = tree.named(&mut context, "spring", SpringSpec::read);
         let loads = tree.named(&mut context, "load", LoadSpec::read);
-        let things = Things { beams: &beams, sections: &sections, joints: &joints, drives: &drives };
+        let things =
+            Things { beams: &beams, sections: &sections, joints: &joints, drives: &drives, actuators: &actuators };
         let outputs = tree.named(&mut context, "output", |name, reader| OutputSpec::read(name, reader, things));
         let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
         tree.finish(&mut context);
@@ -118,6 +123,7 @@ impl Document {
             frames,
             joints,
             drives,
+            actuators,
             springs,
             loads,
             outputs,
@@ -236,9 +242,11 @@ impl Document {
         let frames = self.frames.iter().map(|part| ("frame", part.name.as_str(), part.place));
         let joints = self.joints.iter().map(|part| ("joint", part.name.as_str(), part.place));
         let drives = self.drives.iter().map(|part| ("drive", part.name.as_str(), part.place));
+        let actuators = self.actuators.iter().map(|part| ("actuator", part.name.as_str(), part.place));
         let springs = self.springs.iter().map(|part| ("spring", part.name.as_str(), part.place));
         let loads = self.loads.iter().map(|part| ("load", part.name.as_str(), part.place));
-        beams.chain(bodies).chain(frames).chain(joints).chain(drives).chain(springs).chain(loads)
+        let motions = joints.chain(drives).chain(actuators);
+        beams.chain(bodies).chain(frames).chain(motions).chain(springs).chain(loads)
     }
 
     /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help` below it.
@@ -335,7 +343,7 @@ impl Top {
 }
 
 /// Why two things cannot have the same name.
-const SHARED: &str = "beams, bodies, frames, joints, drives and springs share their names";
+const SHARED: &str = "beams, bodies, frames, joints, drives, actuators and springs share their names";
 
 /// Every name with what it stands for; illegal, reserved and double ones are reported.
 fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {

@@ -47,8 +47,10 @@ pub enum Quantity {
     AngleRate,
     /// Rate of the distance of a joint.
     DistanceRate,
-    /// Torque or force of a drive.
+    /// Torque or force of a drive or an actuator.
     Effort,
+    /// Power of a drive or an actuator.
+    Power,
 }
 
 /// What an output looks at.
@@ -64,6 +66,8 @@ pub enum Site {
     Joint,
     /// A drive.
     Drive,
+    /// An actuator.
+    Actuator,
 }
 
 impl Site {
@@ -75,6 +79,7 @@ impl Site {
             Self::Frame => "a frame",
             Self::Joint => "a joint",
             Self::Drive => "a drive",
+            Self::Actuator => "an actuator",
         }
     }
 }
@@ -115,10 +120,11 @@ impl At {
 const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame]);
 const BEAM: At = At(&[Site::Beam]);
 const HOLD: At = At(&[Site::Joint, Site::Frame]);
-const FREE: At = At(&[Site::Joint, Site::Drive]);
+const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator]);
+const EFFORT: At = At(&[Site::Drive, Site::Actuator]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 23] = [
+pub const QUANTITIES: [Row; 24] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -195,7 +201,8 @@ pub const QUANTITIES: [Row; 23] = [
     FREE.row(Quantity::Distance, "distance", 1, "m", "distance of b from a along the axis, 0 as drawn"),
     FREE.row(Quantity::AngleRate, "angle_rate", 1, "rad/s", "rate of the angle of b relative to a about the axis"),
     FREE.row(Quantity::DistanceRate, "distance_rate", 1, "m/s", "rate of the distance of b from a along the axis"),
-    FREE.row(Quantity::Effort, "effort", 1, "N.m", "torque or force of the drive on side b of the joint"),
+    FREE.row(Quantity::Effort, "effort", 1, "N.m", "torque or force of the drive or actuator on side b"),
+    EFFORT.row(Quantity::Power, "power", 1, "W", "power of the drive or actuator: its effort times the rate of its coordinate"),
 ];
 
 impl Quantity {
@@ -209,7 +216,7 @@ impl Quantity {
     pub fn is_rough(self) -> bool {
         use Quantity::*;
         let is_strain = matches!(self, AxialStrain | Curvature | Torsion | Stress);
-        let is_force = matches!(self, SectionForce | SectionMoment | Effort) || self.is_transmitted();
+        let is_force = matches!(self, SectionForce | SectionMoment | Effort | Power) || self.is_transmitted();
         is_strain || is_force || self == Acceleration
     }
 
@@ -241,6 +248,6 @@ mod tests {
         for row in &QUANTITIES {
             assert_eq!(row.quantity.row(), row);
         }
-        assert_eq!(Quantity::Effort as usize, QUANTITIES.len() - 1, "the last of the enum is the last of the table");
+        assert_eq!(Quantity::Power as usize, QUANTITIES.len() - 1, "the last of the enum is the last of the table");
     }
 }

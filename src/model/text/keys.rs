@@ -1,7 +1,7 @@
 //! The keys of the sections with a name: where several sections have one name, the key says which of them is meant.
 
 /// Every section with the keys that it may have.
-const KEYS: [(&str, &[&str]); 10] = [
+const KEYS: [(&str, &[&str]); 11] = [
     ("material", &["young", "poisson", "shear", "density", "damping"]),
     (
         "section",
@@ -60,6 +60,7 @@ const KEYS: [(&str, &[&str]); 10] = [
         ],
     ),
     ("drive", &["joint", "coordinate", "value", "rate", "input"]),
+    ("actuator", &["joint", "coordinate", "a", "b", "effort", "input"]),
     ("spring", &["a", "b", "stiffness", "damping", "length"]),
     ("load", &["at", "on", "force", "moment", "follower", "input"]),
     ("output", &["at", "on", "stations", "quantities"]),

@@ -16,13 +16,14 @@ pub enum Kind {
     Frame,
     Joint,
     Drive,
+    Actuator,
     Spring,
     Load,
     Output,
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 10] = [
+pub const SECTIONS: [(&str, Kind); 11] = [
     ("material", Kind::Material),
     ("section", Kind::Section),
     ("body", Kind::Body),
@@ -30,6 +31,7 @@ pub const SECTIONS: [(&str, Kind); 10] = [
     ("frame", Kind::Frame),
     ("joint", Kind::Joint),
     ("drive", Kind::Drive),
+    ("actuator", Kind::Actuator),
     ("spring", Kind::Spring),
     ("load", Kind::Load),
     ("output", Kind::Output),
@@ -38,7 +40,8 @@ pub const SECTIONS: [(&str, Kind); 10] = [
 impl Kind {
     /// Whether it is a part of the mechanism, which an `a`, a `b` or an `at` can refer to.
     fn is_part(self) -> bool {
-        matches!(self, Self::Body | Self::Beam | Self::Frame | Self::Joint | Self::Drive | Self::Spring)
+        use Kind::*;
+        matches!(self, Body | Beam | Frame | Joint | Drive | Actuator | Spring)
     }
 
     /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.

@@ -71,7 +71,10 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     });
     let watched = document.outputs.iter().filter_map(|output| match &output.target {
         output::Target::At(anchor) => Some(anchor),
-        output::Target::Joint(_) | output::Target::Drive(_) | output::Target::On { .. } => None,
+        output::Target::Joint(_)
+        | output::Target::Drive(_)
+        | output::Target::Actuator(_)
+        | output::Target::On { .. } => None,
     });
     for anchor in loaded.chain(watched) {
         checker.fraction(anchor);

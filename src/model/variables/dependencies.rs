@@ -29,6 +29,7 @@ pub enum Found {
 pub struct Givens {
     /// All parameters that can be set.
     parameters: Vec<usize>,
+    /// Components of loads and efforts of actuators.
     loads: Vec<usize>,
     drives: Vec<usize>,
     /// Of each frame.
@@ -49,6 +50,7 @@ impl Givens {
                 .loads
                 .iter()
                 .flat_map(|load| [load.force, load.moment].concat())
+                .chain(document.actuators.iter().map(|actuator| actuator.effort))
                 .filter_map(input)
                 .collect(),
             drives: document.drives.iter().filter_map(|drive| input(drive.motion.number())).collect(),
@@ -75,7 +77,9 @@ impl Givens {
                 Found::Frame(*frame)
             }
             _ if !self.as_drawn => Found::All,
-            (Acceleration | ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort, _) => Found::All,
+            (Acceleration | ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => {
+                Found::All
+            }
             (Velocity | AngularVelocity | AngleRate | DistanceRate, _) => Found::Motion,
             _ => Found::Drawing,
         }

@@ -7,7 +7,6 @@ use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
 use crate::mechanics::beam::resultants::Fiber;
-use crate::mechanics::force::spring::coordinate_rate;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
@@ -43,6 +42,8 @@ pub enum Measure {
     Joint(usize, Quantity),
     /// A quantity of a drive, by its place in the file.
     Drive(usize, Quantity),
+    /// A quantity of an actuator, by its place in the file.
+    Actuator(usize, Quantity),
     /// Kinetic, elastic, gravity and total energy.
     Energy,
     /// Linear and angular momentum.
@@ -56,7 +57,10 @@ impl Measure {
     fn results(&self) -> usize {
         match self {
             Self::Sensors(sensors, quantity) => sensors.len() * quantity.row().components,
-            Self::Frame(_, quantity) | Self::Joint(_, quantity) | Self::Drive(_, quantity) => quantity.row().components,
+            Self::Frame(_, quantity)
+            | Self::Joint(_, quantity)
+            | Self::Drive(_, quantity)
+            | Self::Actuator(_, quantity) => quantity.row().components,
             Self::Energy => 4,
             Self::Momentum => 6,
             Self::Statistics => 3,
@@ -149,7 +153,7 @@ impl Table {
     /// Rows of a quantity of an output whose sensors are `sensors`.
     fn push_quantity(&mut self, document: &Document, output: &OutputSpec, quantity: Quantity, sensors: Range<usize>) {
         let row = quantity.row();
-        let unit = output.unit(quantity, &document.drives);
+        let unit = output.unit(quantity, &document.drives, &document.actuators);
         let name = format!("{}.{}", output.name, row.word);
         let meaning = format!("{}: {}", output.name, row.meaning);
         let measure = match output.target {
@@ -159,6 +163,7 @@ impl Table {
             Target::At(_) => Measure::Sensors(sensors, quantity),
             Target::Joint(joint) => Measure::Joint(joint, quantity),
             Target::Drive(drive) => Measure::Drive(drive, quantity),
+            Target::Actuator(actuator) => Measure::Actuator(actuator, quantity),
             Target::On { stations, .. } => {
                 for station in 1..=stations {
                     for component in 1..=row.components {
@@ -192,8 +197,10 @@ impl Table {
             Measure::Sensors(_, quantity) => *quantity == Quantity::Acceleration,
             Measure::Frame(..) => true,
             Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
-                quantity.is_transmitted() || *quantity == Quantity::Effort
+                quantity.is_transmitted() || matches!(quantity, Quantity::Effort | Quantity::Power)
             }
+            // Its effort is given.
+            Measure::Actuator(..) => false,
             Measure::Energy | Measure::Momentum | Measure::Statistics => false,
         })
     }
@@ -202,7 +209,9 @@ impl Table {
     pub fn follows_from_motion(&self, result: usize) -> bool {
         self.measure_of(result).is_some_and(|measure| match measure {
             Measure::Sensors(_, quantity) => *quantity != Quantity::Acceleration,
-            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => quantity.is_coordinate(),
+            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) | Measure::Actuator(_, quantity) => {
+                quantity.is_coordinate()
+            }
             Measure::Energy => true,
             Measure::Frame(..) | Measure::Momentum | Measure::Statistics => false,
         })
@@ -214,6 +223,7 @@ impl Table {
             Measure::Sensors(_, quantity)
             | Measure::Joint(_, quantity)
             | Measure::Drive(_, quantity)
+            | Measure::Actuator(_, quantity)
             | Measure::Frame(_, quantity) => Some(*quantity),
             Measure::Energy | Measure::Momentum | Measure::Statistics => None,
         }
@@ -288,7 +298,8 @@ impl Table {
         let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
         let passage = Passage::of(state);
-        let loads = JointLoads { system, c: &configuration, passage: &passage, multipliers: &response.multipliers };
+        let loads =
+            JointLoads { system, state, c: &configuration, passage: &passage, multipliers: &response.multipliers };
         values.clear();
         for measure in &self.measures {
             match measure {
@@ -304,7 +315,11 @@ impl Table {
                         quantity if quantity.is_transmitted() => {
                             push_wrench(values, loads.reaction(parts), *quantity);
                         }
-                        Quantity::Effort => values.push(parts.drives.iter().map(|d| loads.effort(*d)).sum()),
+                        Quantity::Effort => {
+                            let drives = parts.drives.iter().map(|drive| loads.effort(*drive));
+                            let actuators = parts.actuators.iter().map(|actuator| loads.actuator_effort(*actuator));
+                            values.push(drives.chain(actuators).sum());
+                        }
                         _ => {
                             let is_angle = matches!(quantity, Quantity::Angle | Quantity::AngleRate);
                             let coordinate = if is_angle { parts.angle } else { parts.distance };
@@ -314,13 +329,16 @@ impl Table {
                         }
                     }
                 }
-                Measure::Drive(number, quantity) => match quantity {
-                    Quantity::Effort => values.push(loads.effort(*number)),
-                    _ => {
-                        let coordinate = system.drives[*number].coordinate;
-                        values.push(coordinate_of(coordinate, *quantity, moment, &configuration));
-                    }
-                },
+                Measure::Drive(number, quantity) => {
+                    let coordinate = system.drives[*number].coordinate;
+                    let effort = || loads.effort(*number);
+                    values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
+                }
+                Measure::Actuator(number, quantity) => {
+                    let coordinate = system.actuators[*number].coordinate;
+                    let effort = || loads.actuator_effort(*number);
+                    values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
+                }
                 Measure::Energy => {
                     let parts = [
                         system.kinetic_energy(&state.velocity),
@@ -378,7 +396,23 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
         | Quantity::Distance
         | Quantity::AngleRate
         | Quantity::DistanceRate
-        | Quantity::Effort => unreachable!("the file is refused: these belong to joints, drives and frames"),
+        | Quantity::Effort
+        | Quantity::Power => unreachable!("the file is refused: these belong to joints, drives, actuators and frames"),
+    }
+}
+
+/// A quantity of a drive or an actuator with the effort `effort` on a coordinate.
+fn of_effort(
+    effort: impl Fn() -> f64,
+    coordinate: usize,
+    quantity: Quantity,
+    moment: &Moment,
+    c: &Configuration,
+) -> f64 {
+    match quantity {
+        Quantity::Effort => effort(),
+        Quantity::Power => effort() * moment.system.relative_coordinates[coordinate].rate(c, &moment.state.velocity),
+        _ => coordinate_of(coordinate, quantity, moment, c),
     }
 }
 
@@ -386,7 +420,7 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
 fn coordinate_of(coordinate: usize, quantity: Quantity, moment: &Moment, c: &Configuration) -> f64 {
     let Moment { system, state, .. } = moment;
     match quantity.is_rate() {
-        true => coordinate_rate(&system.relative_coordinates[coordinate], c, &state.velocity),
+        true => system.relative_coordinates[coordinate].rate(c, &state.velocity),
         false => state.relative_values[coordinate],
     }
 }

@@ -148,7 +148,10 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
     });
     let outputs = document.outputs.iter().filter_map(|output| match &output.target {
         output::Target::At(anchor) => Some((at(document, "output", &output.name), anchor.spot)),
-        output::Target::Joint(_) | output::Target::Drive(_) | output::Target::On { .. } => None,
+        output::Target::Joint(_)
+        | output::Target::Drive(_)
+        | output::Target::Actuator(_)
+        | output::Target::On { .. } => None,
     });
     joints.chain(springs).chain(loads).chain(outputs)
 }

@@ -1,6 +1,7 @@
 //! A mechanism as drawn: lines, points and arrows with names, for pictures.
 
 use crate::model::file::document::Document;
+use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::{load, output};
 use crate::model::file::number::Number;
@@ -12,9 +13,9 @@ use crate::model::validate::Lines;
 pub struct Drawing {
     /// Beams, springs and rigid arms.
     pub lines: Vec<Line>,
-    /// Bodies, frames, joints, drives and outputs.
+    /// Bodies, frames, joints, drives, actuators and outputs.
     pub marks: Vec<Mark>,
-    /// Loads, drives of distances, and the axes of joints.
+    /// Loads, drives of distances, actuators between two points, and the axes of joints.
     pub arrows: Vec<Arrow>,
 }
 
@@ -157,6 +158,20 @@ impl Drawing {
                 None => drawing.marks.push(Mark { name, kind: MarkKind::Drive, at }),
             }
         }
+        for actuator in &document.actuators {
+            let name = actuator.name.clone();
+            match &actuator.action {
+                Action::Joint { joint, .. } => {
+                    let at = document.joints.get(*joint).and_then(|joint| place(document, &lines, joint));
+                    drawing.marks.extend(at.map(|at| Mark { name, kind: MarkKind::Drive, at }));
+                }
+                Action::Between { a, b } => {
+                    let Some((from, at)) = point(*a).zip(point(*b)) else { continue };
+                    let direction = [0, 1, 2].map(|axis| at[axis] - from[axis]);
+                    drawing.arrows.push(Arrow { name, kind: ArrowKind::Drive, at, direction });
+                }
+            }
+        }
         for load in &document.loads {
             let places = match load.target {
                 load::Target::At(anchor) => point(anchor).into_iter().collect(),
@@ -178,10 +193,15 @@ impl Drawing {
         }
         for output in &document.outputs {
             let joint = |joint: usize| document.joints.get(joint).and_then(|joint| place(document, &lines, joint));
+            let acting = |actuator: &ActuatorSpec| match &actuator.action {
+                Action::Joint { joint: number, .. } => joint(*number),
+                Action::Between { b, .. } => point(*b),
+            };
             let at = match output.target {
                 output::Target::At(anchor) => point(anchor),
                 output::Target::Joint(number) => joint(number),
                 output::Target::Drive(number) => document.drives.get(number).and_then(|drive| joint(drive.joint)),
+                output::Target::Actuator(number) => document.actuators.get(number).and_then(&acting),
                 // The whole beam: its name stands at the middle.
                 output::Target::On { beam, .. } => lines.line(beam).map(|line| line.place(0.5).into()),
             };

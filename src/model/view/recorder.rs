@@ -101,7 +101,7 @@ impl Recording {
         look(&self.watched, system, state, &c, &mut seen);
         if let Some(multipliers) = simulation.multipliers() {
             let passage = Passage::of(state);
-            let loads = JointLoads { system, c: &c, passage: &passage, multipliers };
+            let loads = JointLoads { system, state, c: &c, passage: &passage, multipliers };
             let place = KINDS.len() + RESULTS.len();
             for (number, _) in &self.watched.joints {
                 let (force, moment) = loads.reaction(&system.joint_parts[*number]);

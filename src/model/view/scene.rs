@@ -145,7 +145,7 @@ impl Watched {
                     sensor += 1;
                 }
                 Target::On { stations, .. } => sensor += stations,
-                Target::Joint(_) | Target::Drive(_) => {}
+                Target::Joint(_) | Target::Drive(_) | Target::Actuator(_) => {}
             }
         }
         Self { joints: joints.collect(), springs: springs.collect(), arrows: arrows.collect(), points, beams }

@@ -1,7 +1,7 @@
 //! The state at the start: joints hold as drawn, velocities are what the joints allow.
 
 use crate::error::Error;
-use crate::mechanics::force::spring::{Spring, coordinate_rate};
+use crate::mechanics::force::spring::Spring;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
@@ -100,7 +100,7 @@ pub fn unresolved_dampers(system: &System, state: &State, step: f64) -> Vec<Stri
     let configuration = cache.of(system, state);
     let begins = |spring: &&Spring| {
         let coordinate = &system.relative_coordinates[spring.coordinate];
-        let moved = step * coordinate_rate(coordinate, &configuration, &state.velocity).abs();
+        let moved = step * coordinate.rate(&configuration, &state.velocity).abs();
         let unit = if matches!(coordinate.measure, Measure::Distance(_) | Measure::Length) { system.size } else { 1.0 };
         spring.decay_rate() * UNRESOLVED * step > 1.0 && moved > MOVED * unit
     };

@@ -1,7 +1,7 @@
 //! How easily a step moves a spring or damper: `J (M + h²/4 K)⁻¹ Jᵀ` of what it measures, on the motions that the constraints allow. One over it is the mass, or
 //! the moment of inertia, that a damper has to stop within a step; the stiffness of a beam holds the little inertia of its end.
 
-use crate::mechanics::force::spring::{Spring, coordinate_q};
+use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
@@ -33,7 +33,7 @@ pub fn set_mobilities(system: &mut System, state: &State, step: f64) {
     let mobility = |spring: &Spring| {
         let coordinate = &system.relative_coordinates[spring.coordinate];
         let sides = [&coordinate.a, &coordinate.b].map(|side| side.coordinates(&system.mesh));
-        let by_sides = coordinate_q(coordinate, &configuration);
+        let by_sides = coordinate.gradient(&configuration);
         let mut vector = vec![0.0; size];
         for (side, own) in sides.iter().zip(&by_sides) {
             vector[side.clone()].iter_mut().zip(own).for_each(|(target, value)| *target += value);

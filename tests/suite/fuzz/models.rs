@@ -18,13 +18,14 @@ use std::cell::RefCell;
 use std::fmt::Write;
 
 /// What files are made of.
-const FILES: [&str; 14] = [
+const FILES: [&str; 15] = [
     include_str!("../../../models/pendulum.toml"),
     include_str!("../../../models/cantilever.toml"),
     include_str!("../../../models/princeton_beam.toml"),
     include_str!("../../../models/rotating_shaft.toml"),
     include_str!("../../../models/lateral_buckling.toml"),
     include_str!("../../../models/four_bar.toml"),
+    include_str!("../../../models/robot.toml"),
     include_str!("../../../models/crane.toml"),
     include_str!("../../../models/roll_up.toml"),
     include_str!("../../../models/elastica.toml"),

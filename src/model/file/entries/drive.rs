@@ -49,7 +49,6 @@ enum Word {
     Rate,
 }
 
-const COORDINATES: [(&str, Coordinate); 2] = [("angle", Coordinate::Angle), ("distance", Coordinate::Distance)];
 const INPUTS: [(&str, Word); 2] = [("value", Word::Value), ("rate", Word::Rate)];
 
 impl Word {
@@ -74,7 +73,7 @@ impl DriveSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
         let joint = reader.reference("joint", Kind::Joint);
         let place = reader.place_of("coordinate");
-        let coordinate = reader.word("coordinate", &COORDINATES, None);
+        let coordinate = reader.word("coordinate", &Coordinate::WORDS, None);
         // Without the coordinate nobody knows what the numbers are.
         let Some(coordinate) = coordinate else {
             reader.abandon();
@@ -103,7 +102,8 @@ impl DriveSpec {
     }
 }
 
-fn check_coordinate(reader: &mut Reader<'_, '_>, coordinate: Coordinate, place: Place, joint: &JointSpec) {
+/// Reports a coordinate that a joint does not have.
+pub(super) fn check_coordinate(reader: &mut Reader<'_, '_>, coordinate: Coordinate, place: Place, joint: &JointSpec) {
     let known = joint.kind.coordinates();
     if known.contains(&coordinate) {
         return;

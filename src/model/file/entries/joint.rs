@@ -128,6 +128,9 @@ impl JointKind {
 }
 
 impl Coordinate {
+    /// The words of the file.
+    pub(super) const WORDS: [(&str, Self); 2] = [("angle", Self::Angle), ("distance", Self::Distance)];
+
     /// The word of the file.
     pub fn word(self) -> &'static str {
         match self {

@@ -1,5 +1,6 @@
 //! The sections of a file, one module each: the typed data, and how it is read.
 
+pub mod actuator;
 pub mod beam;
 pub mod body;
 pub mod curve;

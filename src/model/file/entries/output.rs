@@ -1,5 +1,6 @@
-//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive or a frame, or along a beam.
+//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive, an actuator or a frame, or along a beam.
 
+use super::actuator::ActuatorSpec;
 use super::beam::BeamSpec;
 use super::drive::DriveSpec;
 use super::joint::{self, Coordinate, JointSpec};
@@ -34,6 +35,8 @@ pub enum Target {
     Joint(usize),
     /// A drive, by its place in the list.
     Drive(usize),
+    /// An actuator, by its place in the list.
+    Actuator(usize),
     /// A whole beam.
     On {
         /// Place in the list of beams.
@@ -44,12 +47,12 @@ pub enum Target {
 }
 
 impl Target {
-    /// The number of its sensors, which read what is not of a joint or a drive.
+    /// The number of its sensors, which read what is not of a joint, a drive or an actuator.
     pub fn sensors(&self) -> usize {
         match self {
             Self::At(_) => 1,
             Self::On { stations, .. } => *stations,
-            Self::Joint(_) | Self::Drive(_) => 0,
+            Self::Joint(_) | Self::Drive(_) | Self::Actuator(_) => 0,
         }
     }
 }
@@ -61,6 +64,7 @@ pub(in crate::model) struct Things<'a> {
     pub sections: &'a [SectionSpec],
     pub joints: &'a [JointSpec],
     pub drives: &'a [DriveSpec],
+    pub actuators: &'a [ActuatorSpec],
 }
 
 /// Default of `stations`.
@@ -82,13 +86,18 @@ impl OutputSpec {
     }
 
     /// Unit label of one of its quantities: an effort is a torque or a force.
-    pub fn unit(&self, quantity: Quantity, drives: &[DriveSpec]) -> &'static str {
-        let driven = match self.target {
-            Target::Drive(drive) => drives.get(drive),
-            Target::Joint(joint) => drives.iter().find(|drive| drive.joint == joint),
+    pub fn unit(&self, quantity: Quantity, drives: &[DriveSpec], actuators: &[ActuatorSpec]) -> &'static str {
+        let coordinate = match self.target {
+            Target::Drive(drive) => drives.get(drive).map(|drive| drive.coordinate),
+            Target::Actuator(actuator) => actuators.get(actuator).map(ActuatorSpec::coordinate),
+            Target::Joint(joint) => {
+                let drive = drives.iter().find(|drive| drive.joint == joint).map(|drive| drive.coordinate);
+                let actuator = || actuators.iter().find(|actuator| actuator.joint() == Some(joint));
+                drive.or_else(|| actuator().map(ActuatorSpec::coordinate))
+            }
             Target::At(_) | Target::On { .. } => None,
         };
-        match driven.map(|drive| drive.coordinate) {
+        match coordinate {
             Some(Coordinate::Distance) if quantity == Quantity::Effort => "N",
             _ => quantity.row().unit,
         }
@@ -113,6 +122,10 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
         Some((Kind::Drive, index)) => {
             reader.take("at");
             Some(Target::Drive(index))
+        }
+        Some((Kind::Actuator, index)) => {
+            reader.take("at");
+            Some(Target::Actuator(index))
         }
         _ => Anchor::read(reader, "at", &WATCHED).map(Target::At),
     }
@@ -169,6 +182,7 @@ impl Target {
             Self::At(_) | Self::On { .. } => Site::Beam,
             Self::Joint(_) => Site::Joint,
             Self::Drive(_) => Site::Drive,
+            Self::Actuator(_) => Site::Actuator,
         }
     }
 }
@@ -193,7 +207,7 @@ impl<'a> Things<'a> {
             (Quantity::Distance | Quantity::DistanceRate, _) => {
                 self.without_coordinate(Coordinate::Distance, target, names)
             }
-            (Quantity::Effort, Target::Joint(joint)) => self.without_one_drive(joint, names),
+            (Quantity::Effort, Target::Joint(joint)) => self.without_one_effort(joint, names),
             _ => None,
         }
     }
@@ -226,6 +240,11 @@ impl<'a> Things<'a> {
                 let drive = self.drives.iter().find(|drive| drive.name == name)?;
                 (vec![drive.coordinate], format!("the drive {name}"))
             }
+            Target::Actuator(actuator) => {
+                let name = names.name(Kind::Actuator, actuator)?;
+                let actuator = self.actuators.iter().find(|actuator| actuator.name == name)?;
+                (vec![actuator.coordinate()], format!("the actuator {name}"))
+            }
             _ => return None,
         };
         (!known.contains(&coordinate)).then(|| Mistake {
@@ -235,20 +254,26 @@ impl<'a> Things<'a> {
         })
     }
 
-    /// The effort of a joint is that of its only drive.
-    fn without_one_drive(&self, joint: usize, names: &Names) -> Option<Mistake> {
-        if self.drives.len() < names.of(Kind::Drive).count() {
+    /// The effort of a joint is that of its only drive or actuator.
+    fn without_one_effort(&self, joint: usize, names: &Names) -> Option<Mistake> {
+        let written = names.of(Kind::Drive).chain(names.of(Kind::Actuator)).count();
+        if self.drives.len() + self.actuators.len() < written {
             return None;
         }
         let joint = names.name(Kind::Joint, joint)?;
-        let own = |drive: &&DriveSpec| names.name(Kind::Joint, drive.joint) == Some(joint);
-        let drives: Vec<_> = self.drives.iter().filter(own).map(|drive| drive.name.as_str()).collect();
-        let (message, label) = match drives.as_slice() {
+        let is_own = |number: usize| names.name(Kind::Joint, number) == Some(joint);
+        let drives = self.drives.iter().filter(|drive| is_own(drive.joint)).map(|drive| drive.name.as_str());
+        let actuators = self.actuators.iter().filter(|actuator| actuator.joint().is_some_and(is_own));
+        let own: Vec<_> = drives.chain(actuators.map(|actuator| actuator.name.as_str())).collect();
+        let (message, label) = match own.as_slice() {
             [_] => return None,
-            [] => (format!("joint {joint} has no effort"), String::from("no drive acts on it")),
-            many => (format!("joint {joint} has {} drives", many.len()), format!("at = one of them: {}", either(many))),
+            [] => (format!("joint {joint} has no effort"), String::from("no drive and no actuator acts on it")),
+            many => (
+                format!("joint {joint} has {} drives and actuators", many.len()),
+                format!("at = one of them: {}", either(many)),
+            ),
         };
-        Some(Mistake { message, label, help: String::from("the effort is the torque or force of a drive") })
+        Some(Mistake { message, label, help: String::from("the effort is the torque or force of a drive or actuator") })
     }
 
     fn joint(&self, joint: usize, names: &Names) -> Option<&'a JointSpec> {

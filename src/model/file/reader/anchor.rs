@@ -73,9 +73,9 @@ pub const LOADED: Allowed = Allowed {
 };
 /// What can be looked at, by an anchor or otherwise.
 pub const WATCHED: Allowed = Allowed {
-    kinds: &[Kind::Body, Kind::Frame, Kind::Joint, Kind::Drive, Kind::Beam],
+    kinds: &[Kind::Body, Kind::Frame, Kind::Joint, Kind::Drive, Kind::Actuator, Kind::Beam],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, JOINT or DRIVE",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, JOINT, DRIVE or ACTUATOR",
 };
 
 impl Allowed {

@@ -1,0 +1,124 @@
+//! `[actuator.NAME]`: a torque or a force on a free coordinate of a joint, or a force along the line between two points.
+
+use super::drive::check_coordinate;
+use super::joint::{Coordinate, JointSpec};
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::reader::anchor::{Anchor, SIDES};
+use crate::model::file::reader::input::{HELD, make_input};
+use crate::model::file::schema;
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::Kind;
+
+/// A section `[actuator.NAME]`.
+#[derive(Clone, Debug)]
+pub struct ActuatorSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// What it acts on.
+    pub action: Action,
+    /// Its torque, N m, or force, N; may change in time.
+    pub effort: Number,
+    /// true: the host gives it; the number is the start value.
+    pub input: bool,
+}
+
+/// What an actuator acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action {
+    /// A free coordinate of a joint, which the joint has.
+    Joint {
+        /// Place in the list of joints.
+        joint: usize,
+        /// Which of its coordinates.
+        coordinate: Coordinate,
+    },
+    /// The distance between two points: a positive effort pushes them apart.
+    Between {
+        /// The first point.
+        a: Anchor,
+        /// The second point.
+        b: Anchor,
+    },
+}
+
+impl ActuatorSpec {
+    /// The coordinate that its effort works on: a distance between two points.
+    pub fn coordinate(&self) -> Coordinate {
+        match self.action {
+            Action::Joint { coordinate, .. } => coordinate,
+            Action::Between { .. } => Coordinate::Distance,
+        }
+    }
+
+    /// The joint that it acts on.
+    pub fn joint(&self) -> Option<usize> {
+        match self.action {
+            Action::Joint { joint, .. } => Some(joint),
+            Action::Between { .. } => None,
+        }
+    }
+
+    /// Reads a section; `joints` are those of the file that could be read.
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
+        let (action, coordinate) =
+            if reader.has("a") || reader.has("b") { between(&mut reader) } else { on_joint(&mut reader, joints) };
+        // Without the coordinate nobody knows what the effort is.
+        let Some(coordinate) = coordinate else {
+            reader.abandon();
+            return None;
+        };
+        let rule = match coordinate {
+            Coordinate::Angle => &schema::TORQUE,
+            Coordinate::Distance => &schema::THRUST,
+        };
+        let input = reader.boolean("input", false);
+        let effort = if input {
+            let number = reader.number_or(rule, 0.0);
+            make_input(reader.context, number);
+            reader.context.numbers.slots[number.0].meta.description.push_str(&format!(", {HELD}"));
+            number
+        } else if let Some(number) = reader.optional(rule) {
+            number
+        } else {
+            reader.missing("effort", "a number, an expression in t, or input = true: the host gives it");
+            reader.abandon();
+            return None;
+        };
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, action: action?, effort, input })
+    }
+}
+
+/// The two points; the coordinate is known in any case.
+fn between(reader: &mut Reader<'_, '_>) -> (Option<Action>, Option<Coordinate>) {
+    if reader.has("joint") {
+        // One mistake: the coordinate belongs to the joint.
+        reader.set_aside("coordinate");
+    }
+    reader.exclude("joint", "a");
+    reader.exclude("coordinate", "a");
+    let a = Anchor::read(reader, "a", &SIDES);
+    let b = Anchor::read(reader, "b", &SIDES);
+    Anchor::expect_motion(reader, a, b);
+    (a.zip(b).map(|(a, b)| Action::Between { a, b }), Some(Coordinate::Distance))
+}
+
+/// The joint and its coordinate.
+fn on_joint(reader: &mut Reader<'_, '_>, joints: &[JointSpec]) -> (Option<Action>, Option<Coordinate>) {
+    if !reader.has("joint") {
+        reader.missing("joint", "the joint that the actuator acts on, or `a` and `b`, the points that it pushes apart");
+        return (None, None);
+    }
+    let joint = reader.reference("joint", Kind::Joint);
+    let place = reader.place_of("coordinate");
+    let Some(coordinate) = reader.word("coordinate", &Coordinate::WORDS, None) else { return (None, None) };
+    let known = joint.and_then(|joint| reader.context.names.name(Kind::Joint, joint));
+    if let Some(known) = joints.iter().find(|joint| Some(joint.name.as_str()) == known) {
+        check_coordinate(reader, coordinate, place, known);
+    }
+    (joint.map(|joint| Action::Joint { joint, coordinate }), Some(coordinate))
+}
