@@ -64,6 +64,7 @@ mod oracle;
 mod oscillation;
 mod over_step;
 mod parts;
+mod points;
 mod polylines;
 mod princeton;
 mod quadratic_twist;

@@ -155,10 +155,12 @@ fn drives_are_functions_or_inputs() {
 #[test]
 fn springs_materials_and_the_simulation_arrive_as_written() {
     let document = parse(&[]);
-    let [tie, rope] = document.springs.as_slice() else { panic!("two springs") };
+    let [tie, rope, line] = document.springs.as_slice() else { panic!("three springs") };
     assert_eq!((tie.a.spot, document.value(tie.stiffness)), (Spot::Ground, 100.0));
     assert_eq!((tie.length.map(|length| document.value(length)), rope.length), (Some(0.2), None));
     assert_eq!((rope.a.spot, rope.b.spot, document.value(rope.damping)), (Spot::Frame(0), Spot::Body(1), 0.0));
+    // A point stands for what it is on, and says which one it is.
+    assert_eq!([line.a, line.b].map(|end| (end.spot, end.point)), [(Spot::Ground, Some(0)), (Spot::Body(1), Some(1))]);
     assert_eq!(row(&document, "tie.length").variability, Variability::Tunable);
     assert_eq!(document.value(document.materials[0].damping), 1e-4);
     assert_eq!(document.simulation.initial, Initial::Equilibrium);
@@ -177,7 +179,17 @@ fn outputs_look_at_everything() {
     let sites: Vec<_> = document.outputs.iter().map(|output| output.target.site()).collect();
     assert_eq!(
         sites,
-        [Site::Beam, Site::Beam, Site::Beam, Site::Body, Site::Frame, Site::Joint, Site::Joint, Site::Drive]
+        [
+            Site::Beam,
+            Site::Beam,
+            Site::Beam,
+            Site::Body,
+            Site::Frame,
+            Site::Joint,
+            Site::Joint,
+            Site::Drive,
+            Site::Point
+        ]
     );
     assert_eq!(document.outputs[1].target, Target::On { beam: 0, stations: 5 });
     assert_eq!(document.outputs[2].target, Target::On { beam: 0, stations: 21 });

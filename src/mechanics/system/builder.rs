@@ -208,7 +208,7 @@ impl SystemBuilder {
         }
         let beam = &self.system.beams[beam];
         let (element, xi) = beam.division.place(fraction);
-        Marker::Section { element: beam.first_element + element, xi }
+        Marker::section(beam.first_element + element, xi)
     }
 
     /// The points of a whole beam with their shares of its length, m: where a load per length acts.
@@ -216,7 +216,7 @@ impl SystemBuilder {
         let beam = &self.system.beams[beam];
         let points = |number: usize| {
             let points = self.system.mesh.elements[number].load_points().into_iter();
-            points.map(move |(xi, share)| (Marker::Section { element: number, xi }, share))
+            points.map(move |(xi, share)| (Marker::section(number, xi), share))
         };
         beam.element_range().flat_map(points).collect()
     }

@@ -23,7 +23,6 @@ use crate::mechanics::system::joint_parts::JointParts;
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
 use crate::model::file::entries::spring::SpringSpec;
-use crate::model::file::reader::anchor::Spot;
 
 impl Builder<'_> {
     pub(super) fn add_joint(&mut self, written: &JointSpec) {
@@ -57,7 +56,7 @@ impl Builder<'_> {
     /// The two sides of a joint: at its place, with its axes.
     fn sides(&mut self, written: &JointSpec) -> [Marker; 2] {
         let document = self.document;
-        let own = if written.b.spot == Spot::Ground { &written.a } else { &written.b };
+        let own = if written.b.is_ground() { &written.a } else { &written.b };
         let place = written.at.map_or_else(|| self.system.drawn(&self.anchored(own)).place, |at| self.position(at));
         let axis = written.axis.map(|axis| vector(document, axis));
         let axes = match (axis, written.axis2.map(|axis| vector(document, axis))) {
@@ -89,7 +88,11 @@ impl Builder<'_> {
     }
 
     pub(super) fn add_spring(&mut self, written: &SpringSpec) {
-        let (a, b) = (self.anchored(&written.a), self.anchored(&written.b));
+        let [a, b] = [&written.a, &written.b].map(|end| {
+            let marker = self.anchored(end);
+            self.stiffen_below(&marker);
+            marker
+        });
         let length = (self.system.drawn(&b).place - self.system.drawn(&a).place).norm();
         if length == 0.0 {
             let message = format!("the ends of spring {} are at the same place at the start", written.name);

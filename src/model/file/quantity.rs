@@ -60,6 +60,8 @@ pub enum Site {
     Body,
     /// A frame.
     Frame,
+    /// A point of the file.
+    Point,
     /// A joint.
     Joint,
     /// A drive.
@@ -73,6 +75,7 @@ impl Site {
             Self::Beam => "a point of a beam",
             Self::Body => "a body",
             Self::Frame => "a frame",
+            Self::Point => "a [point]",
             Self::Joint => "a joint",
             Self::Drive => "a drive",
         }
@@ -112,7 +115,7 @@ impl At {
     }
 }
 
-const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame]);
+const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame, Site::Point]);
 const BEAM: At = At(&[Site::Beam]);
 const HOLD: At = At(&[Site::Joint, Site::Frame]);
 const FREE: At = At(&[Site::Joint, Site::Drive]);

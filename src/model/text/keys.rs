@@ -1,7 +1,7 @@
 //! The keys of the sections with a name: where several sections have one name, the key says which of them is meant.
 
 /// Every section with the keys that it may have.
-const KEYS: [(&str, &[&str]); 10] = [
+const KEYS: [(&str, &[&str]); 11] = [
     ("material", &["young", "poisson", "shear", "density", "damping"]),
     (
         "section",
@@ -44,6 +44,7 @@ const KEYS: [(&str, &[&str]); 10] = [
         ],
     ),
     ("frame", &["position", "rotation", "input"]),
+    ("point", &["on", "offset", "axes"]),
     (
         "joint",
         &[

@@ -14,6 +14,7 @@ pub enum Kind {
     Beam,
     Body,
     Frame,
+    Point,
     Joint,
     Drive,
     Spring,
@@ -22,12 +23,13 @@ pub enum Kind {
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 10] = [
+pub const SECTIONS: [(&str, Kind); 11] = [
     ("material", Kind::Material),
     ("section", Kind::Section),
     ("body", Kind::Body),
     ("beam", Kind::Beam),
     ("frame", Kind::Frame),
+    ("point", Kind::Point),
     ("joint", Kind::Joint),
     ("drive", Kind::Drive),
     ("spring", Kind::Spring),
@@ -38,7 +40,7 @@ pub const SECTIONS: [(&str, Kind); 10] = [
 impl Kind {
     /// Whether it is a part of the mechanism, which an `a`, a `b` or an `at` can refer to.
     fn is_part(self) -> bool {
-        matches!(self, Self::Body | Self::Beam | Self::Frame | Self::Joint | Self::Drive | Self::Spring)
+        matches!(self, Self::Body | Self::Beam | Self::Frame | Self::Point | Self::Joint | Self::Drive | Self::Spring)
     }
 
     /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.

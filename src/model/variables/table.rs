@@ -153,7 +153,7 @@ impl Table {
         let name = format!("{}.{}", output.name, row.word);
         let meaning = format!("{}: {}", output.name, row.meaning);
         let measure = match output.target {
-            Target::At(Anchor { spot: Spot::Frame(frame), .. }) if quantity.is_transmitted() => {
+            Target::At(Anchor { spot: Spot::Frame(frame), point: None, .. }) if quantity.is_transmitted() => {
                 Measure::Frame(frame, quantity)
             }
             Target::At(_) => Measure::Sensors(sensors, quantity),
@@ -353,7 +353,7 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
         Quantity::Position => push(system.global(sensor.marker.pose(c).place)),
         Quantity::Displacement => push(sensor.marker.pose(c).place - sensor.drawn.place),
         Quantity::Velocity => push(sensor.motion(c, &state.velocity).0),
-        Quantity::Acceleration => push(sensor.acceleration(c, &response.acceleration)),
+        Quantity::Acceleration => push(sensor.acceleration(c, &state.velocity, &response.acceleration)),
         Quantity::Rotation => push(*rotation),
         Quantity::Quaternion => values.extend(sensor.quaternion(rotation)),
         Quantity::AngularVelocity => push(sensor.motion(c, &state.velocity).1),

@@ -5,7 +5,7 @@ use super::drive::DriveSpec;
 use super::joint::{self, Coordinate, JointSpec};
 use super::section::{SectionSpec, Shape};
 use crate::model::file::quantity::{QUANTITIES, Quantity, Row, Site};
-use crate::model::file::reader::anchor::{Anchor, Spot, WATCHED};
+use crate::model::file::reader::anchor::{Along, Anchor, Spot, WATCHED};
 use crate::model::file::reader::{Reader, either, listing};
 use crate::model::file::schema;
 use crate::model::text::diagnostic::Place;
@@ -164,6 +164,7 @@ impl Target {
     /// What kind of thing it is.
     pub fn site(self) -> Site {
         match self {
+            Self::At(Anchor { point: Some(_), .. }) => Site::Point,
             Self::At(Anchor { spot: Spot::Body(_), .. }) => Site::Body,
             Self::At(Anchor { spot: Spot::Frame(_), .. }) => Site::Frame,
             Self::At(_) | Self::On { .. } => Site::Beam,
@@ -173,11 +174,37 @@ impl Target {
     }
 }
 
+/// How a place on a beam is written; a fraction is as the file has it in the point.
+fn beam_place(spot: Spot, names: &Names) -> Option<String> {
+    let Spot::Beam { beam, along } = spot else { return None };
+    let name = names.name(Kind::Beam, beam)?;
+    Some(match along {
+        Along::Start => format!("{name}.start"),
+        Along::End => format!("{name}.end"),
+        Along::Node(node) => format!("{name}.node[{node}]"),
+        Along::Fraction(_) => format!("{name}@..."),
+    })
+}
+
 impl<'a> Things<'a> {
     /// Why a quantity cannot be measured at a target; none: it can, or what it depends on is reported already.
     fn objection(&self, row: &Row, target: Target, names: &Names) -> Option<Mistake> {
         let site = target.site();
         let measurable = |row: &&Row| row.sites.contains(&site);
+        if let (false, Target::At(anchor @ Anchor { point: Some(_), .. })) = (measurable(&row), target)
+            && row.sites == [Site::Beam]
+        {
+            return Some(Mistake {
+                message: format!("\"{}\" cannot be measured at {}", row.word, site.words()),
+                label: String::from("it belongs to the section of a beam"),
+                help: match beam_place(anchor.spot, names) {
+                    Some(place) => {
+                        format!("write at = \"{place}\": the place that the point is on, in an output of its own")
+                    }
+                    None => String::from("the point is not on a beam"),
+                },
+            });
+        }
         if !measurable(&row) {
             let words = QUANTITIES.iter().filter(measurable).map(|row| row.word);
             let sites: Vec<_> = row.sites.iter().map(|site| site.words()).collect();
