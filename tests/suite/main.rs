@@ -59,6 +59,7 @@ mod modes;
 mod moving_frames;
 mod names;
 mod notes;
+mod observers;
 mod odd_machines;
 mod oracle;
 mod oscillation;

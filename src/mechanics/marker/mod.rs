@@ -4,6 +4,8 @@
 //! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` (`pose_gradient`).
 
 pub mod configuration;
+mod motion;
+pub mod observer;
 pub mod pose_gradient;
 pub mod relative_coordinate;
 pub mod sensor;

@@ -1,5 +1,6 @@
 //! What can be measured at a point: its motion, and at a point of a beam the section's strains with the signs of the model file.
 
+use super::observer::Observer;
 use super::{Marker, own_velocity};
 use crate::math::Vec3;
 use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_matrix, rotation_vector_near};
@@ -17,6 +18,8 @@ pub struct Sensor {
     pub drawn: Pose,
     /// Of a point of a beam: the beam's number, and the fraction of its length, 0 to 1.
     pub on_beam: Option<(usize, f64)>,
+    /// Who looks: none sees in global axes.
+    pub observer: Option<Observer>,
     /// Of a point of a beam: the elements that it belongs to, two at an inner node.
     sections: Vec<Section>,
 }
@@ -41,7 +44,7 @@ impl Sensor {
             }
             _ => Vec::new(),
         };
-        Self { marker, drawn: marker.pose(c), on_beam, sections }
+        Self { marker, drawn: marker.pose(c), on_beam, observer: None, sections }
     }
 
     /// The element, with the place in it, whose strains turn the section beyond its marker: of a point inside an element. What is tied to the section turns
@@ -70,18 +73,52 @@ impl Sensor {
         (linear, angular)
     }
 
-    /// Rotation vector from the orientation as drawn, rad, the one nearest to `previous`.
-    pub fn rotation(&self, c: &Configuration, previous: &Vec3) -> Vec3 {
-        let mut axes = self.marker.pose(c).axes;
-        if let Some((element, xi)) = self.relaxed() {
-            axes *= rotation_matrix(&(Vec3::x() * c.mesh.elements[element].relaxed_turn(&c.beams, xi)));
-        }
-        rotation_vector_near(&(axes * self.drawn.axes.transpose()), previous)
+    /// Position as its observer sees it; without one from the origin of the state, m.
+    pub fn seen_position(&self, c: &Configuration) -> Vec3 {
+        let pose = self.marker.pose(c);
+        self.observer.as_ref().map_or(pose.place, |observer| observer.see(c, &pose).place)
     }
 
-    /// Quaternion `w x y z` of the section, continuous with the rotation vector `rotation`.
+    /// Displacement from the drawing as its observer sees it, m.
+    pub fn seen_displacement(&self, c: &Configuration) -> Vec3 {
+        self.seen_position(c) - self.seen_drawn().place
+    }
+
+    /// [`Self::motion`] as its observer sees it.
+    pub fn seen_motion(&self, c: &Configuration, velocity: &[f64]) -> (Vec3, Vec3) {
+        let motion = self.motion(c, velocity);
+        match &self.observer {
+            Some(observer) => observer.motion(c, velocity, &self.marker.pose(c).place, motion),
+            None => motion,
+        }
+    }
+
+    /// [`Self::acceleration`] as its observer sees it.
+    pub fn seen_acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64]) -> Vec3 {
+        let own = self.acceleration(c, velocity, acceleration);
+        let Some(observer) = &self.observer else { return own };
+        let of = [self.marker.pose(c).place, self.motion(c, velocity).0, own];
+        observer.acceleration(c, velocity, acceleration, of)
+    }
+
+    /// Place and axes as drawn, as its observer saw them.
+    fn seen_drawn(&self) -> Pose {
+        self.observer.as_ref().map_or(self.drawn, |observer| observer.see_drawn(&self.drawn))
+    }
+
+    /// Rotation vector from the orientation as drawn, rad, the one nearest to `previous`, as its observer sees both.
+    pub fn rotation(&self, c: &Configuration, previous: &Vec3) -> Vec3 {
+        let mut pose = self.marker.pose(c);
+        if let Some((element, xi)) = self.relaxed() {
+            pose.axes *= rotation_matrix(&(Vec3::x() * c.mesh.elements[element].relaxed_turn(&c.beams, xi)));
+        }
+        let pose = self.observer.as_ref().map_or(pose, |observer| observer.see(c, &pose));
+        rotation_vector_near(&(pose.axes * self.seen_drawn().axes.transpose()), previous)
+    }
+
+    /// Quaternion `w x y z` of the section as its observer sees it, continuous with the rotation vector `rotation`.
     pub fn quaternion(&self, rotation: &Vec3) -> [f64; 4] {
-        let turned = quaternion_of(rotation) * quaternion_of_triad(&self.drawn.axes);
+        let turned = quaternion_of(rotation) * quaternion_of_triad(&self.seen_drawn().axes);
         [turned.w, turned.i, turned.j, turned.k]
     }
 

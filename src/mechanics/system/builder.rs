@@ -29,6 +29,7 @@ use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
+use crate::mechanics::marker::observer::Observer;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::marker::sensor::Sensor;
@@ -332,6 +333,18 @@ impl SystemBuilder {
         let sensor = Sensor::new(&self.system.beams, &self.configuration(&self.frames(), &holonomy), marker, on_beam);
         self.system.sensors.push(sensor);
         self.system.sensors.len() - 1
+    }
+
+    /// Number of sensors so far.
+    pub fn sensors(&self) -> usize {
+        self.system.sensors.len()
+    }
+
+    /// Lets an observer who moves with `marker` look at sensor `number`.
+    pub fn observe(&mut self, number: usize, marker: Marker) {
+        let holonomy = vec![0.0; self.system.mesh.branches];
+        let observer = Observer::new(&self.configuration(&self.frames(), &holonomy), marker);
+        self.system.sensors[number].observer = Some(observer);
     }
 
     /// Largest extent of nodes, bodies and joints as drawn, m, or of a body's own size; 1 of nothing at all.

@@ -10,7 +10,7 @@ mod tune;
 pub use tune::{aim, retune, undirected};
 
 use super::file::document::Document;
-use super::file::entries::output;
+use super::file::entries::output::{self, OutputSpec};
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::text::diagnostic::{Diagnostic, Diagnostics};
@@ -66,7 +66,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     document.joints.iter().for_each(|joint| builder.add_joint(joint));
     document.drives.iter().for_each(|drive| builder.add_drive(drive));
     document.loads.iter().for_each(|load| builder.add_load(load));
-    document.outputs.iter().for_each(|output| builder.add_sensors(&output.target));
+    document.outputs.iter().for_each(|output| builder.add_sensors(output));
     if !builder.mistakes.is_empty() {
         return Err(Diagnostics(builder.mistakes));
     }
@@ -157,10 +157,12 @@ impl Builder<'_> {
         }
     }
 
-    /// What an output looks at: a point for each station; joints and drives are looked at without one.
-    /// Adds [`output::Target::sensors`] sensors.
-    fn add_sensors(&mut self, target: &output::Target) {
-        match target {
+    /// What an output looks at: a point for each station; joints and drives are looked at without one, unless somebody looks who moves.
+    /// Adds [`OutputSpec::sensors`] sensors.
+    fn add_sensors(&mut self, output: &OutputSpec) {
+        let observer = output.observer.as_ref().map(|observer| self.anchored(&observer.anchor));
+        let first = self.system.sensors();
+        match &output.target {
             output::Target::At(anchor) => {
                 match (anchor.spot, anchor.point) {
                     (Spot::Beam { beam, along }, None) => self.system.add_sensor(beam, self.fraction(beam, along)),
@@ -172,7 +174,15 @@ impl Builder<'_> {
                     self.system.add_sensor(*beam, station as f64 / (stations - 1) as f64);
                 }
             }
-            output::Target::Joint(_) | output::Target::Drive(_) => {}
+            output::Target::Joint(_) => {
+                observer.iter().for_each(|marker| {
+                    self.system.watch(*marker, None);
+                });
+            }
+            output::Target::Drive(_) => {}
+        }
+        if let Some(marker) = observer {
+            (first..self.system.sensors()).for_each(|sensor| self.system.observe(sensor, marker));
         }
     }
 }

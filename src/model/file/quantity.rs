@@ -208,6 +208,14 @@ impl Quantity {
         matches!(self, ReactionForce | ReactionMoment | AppliedForce | AppliedMoment)
     }
 
+    /// Whether it is given along axes that can be chosen: it depends on who looks.
+    pub fn has_axes(self) -> bool {
+        use Quantity::*;
+        let is_motion =
+            matches!(self, Position | Displacement | Velocity | Acceleration | Rotation | Quaternion | AngularVelocity);
+        is_motion || self.is_transmitted()
+    }
+
     /// Whether it holds the fast oscillations that a step does not resolve, and jumps where the motion only bends: strains, forces, accelerations.
     pub fn is_rough(self) -> bool {
         use Quantity::*;

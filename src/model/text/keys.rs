@@ -63,7 +63,7 @@ const KEYS: [(&str, &[&str]); 11] = [
     ("drive", &["joint", "coordinate", "value", "rate", "input"]),
     ("spring", &["a", "b", "stiffness", "damping", "length"]),
     ("load", &["at", "on", "force", "moment", "follower", "input"]),
-    ("output", &["at", "on", "stations", "quantities"]),
+    ("output", &["at", "on", "stations", "in", "quantities"]),
 ];
 
 /// The keys of a section.

@@ -78,7 +78,8 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         output::Target::At(anchor) => Some(anchor),
         output::Target::Joint(_) | output::Target::Drive(_) | output::Target::On { .. } => None,
     });
-    for anchor in loaded.chain(watched) {
+    let observers = document.outputs.iter().filter_map(|output| Some(&output.observer.as_ref()?.anchor));
+    for anchor in loaded.chain(watched).chain(observers) {
         checker.fraction(anchor);
     }
     let Checker { lines, mut mistakes, .. } = checker;

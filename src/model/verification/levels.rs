@@ -152,7 +152,11 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
         output::Target::At(anchor) => Some((at(document, "output", &output.name), anchor)),
         output::Target::Joint(_) | output::Target::Drive(_) | output::Target::On { .. } => None,
     });
-    let all = points.chain(joints).chain(springs).chain(loads).chain(outputs);
+    let observers = document.outputs.iter().filter_map(|output| {
+        let observer = output.observer.as_ref()?;
+        Some((format!("{}.in", output.name), observer.anchor))
+    });
+    let all = points.chain(observers).chain(joints).chain(springs).chain(loads).chain(outputs);
     all.filter(|(_, anchor)| anchor.point.is_none()).map(|(key, anchor)| (key, anchor.spot))
 }
 

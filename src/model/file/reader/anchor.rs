@@ -86,6 +86,13 @@ pub const WATCHED: Allowed = Allowed {
     forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT or DRIVE",
 };
 
+/// What an observer can move with.
+pub const OBSERVING: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Frame, Kind::Point, Kind::Beam],
+    ground: false,
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME or POINT",
+};
+
 impl Allowed {
     /// `a body, frame or point of a beam was expected`.
     fn expected(&self) -> String {
