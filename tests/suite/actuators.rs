@@ -1,6 +1,6 @@
 //! Actuators: efforts on joint coordinates and between two points, against closed forms; energy, momentum, reactions and host inputs.
 
-use crate::running::{run, start, try_start, value, vector};
+use crate::running::{run, start, value, vector};
 use ancf14::fmi::{Model, Value};
 use std::f64::consts::PI;
 
@@ -202,15 +202,4 @@ fn a_cylinder_carries_a_bar() {
     // (m g l)/(I + m l²) · l
     let free = 3.0 * 10.0 * 2.0 / (1.0 + 12.0) * 2.0;
     assert!((vector(&simulation, "bar_motion.acceleration").z + free).abs() < 1e-12);
-}
-
-/// Two points at one place have no line between them.
-#[test]
-fn a_cylinder_needs_a_direction() {
-    let text = format!("{WHEEL}[actuator.motor]\na = \"ground\"\nb = \"wheel\"\neffort = 1\n[simulation]\nstop = 1\n");
-    let message = try_start(
-        &text.replace("\"angle\", \"effort\", \"power\"", "\"power\"").replace("\"angle_rate\", \"effort\",", ""),
-    );
-    let message = message.err().expect("no direction");
-    assert!(message.contains("the ends of actuator motor are at the same place at the start"), "{message}");
 }

@@ -43,17 +43,22 @@ fn load_derivatives() {
 
 fn check_load_derivatives() {
     let mut random = Random(8);
-    for case in 0..24 {
+    for case in 0..32 {
         let machine = Machine::new(&mut random);
-        let marker = match case % 6 {
+        let marker = match case % 8 {
             0 => Marker::Node { node: 1, offset: Vec3::zeros(), axes: Mat3::identity() },
             1 => Marker::Node { node: 3, offset: Vec3::zeros(), axes: Mat3::identity() },
             2 => Marker::Body { start: BODY, offset: random.vector(), axes: random.rotation() },
-            3 => Marker::Section { element: case / 6 % 2, xi: 0.5 + 0.49 * random.signed() },
+            3 => Marker::section(case / 8 % 2, 0.5 + 0.49 * random.signed()),
             4 => Marker::Node { node: 5, offset: random.vector(), axes: random.rotation() },
-            _ => Marker::Section { element: 2, xi: 0.5 + 0.49 * random.signed() },
+            5 => Marker::section(2, 0.5 + 0.49 * random.signed()),
+            kind => {
+                let (offset, axes) = (random.vector(), random.rotation());
+                let element = if kind == 6 { case / 8 % 2 } else { 2 };
+                Marker::Section { element, xi: 0.5 + 0.49 * random.signed(), offset, axes }
+            }
         };
-        let direction = if case / 12 == 0 { Direction::Global } else { Direction::Follower };
+        let direction = if case / 16 == 0 { Direction::Global } else { Direction::Follower };
         let (force, moment) = (random.vector(), random.vector());
         let signals = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
         let load = Load {

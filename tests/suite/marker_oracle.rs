@@ -152,13 +152,13 @@ impl Machine {
                 };
                 tied(vector(q, place), columns, offset, axes)
             }
-            Marker::Section { element, xi } => match &self.mesh.elements[*element] {
+            Marker::Section { element, xi, offset, axes } => match &self.mesh.elements[*element] {
                 AnyElement::Ancf14(part) => {
                     let own = &q[part.place.start..part.place.start + 14];
                     let triads = [self.triads[part.place.frame], self.triads[part.place.frame + 1]];
                     let (t, y, _) = oracle::inside(part, own, D::from(0.0), &triads, self.holonomy[*element], *xi);
                     let place = interpolated(own, [0, 3, 7, 10], &ancf14::math::hermite::shape(*xi, part.length));
-                    [place, t, y, oracle::cross(&t, &y)]
+                    tied(place, [t, y, oracle::cross(&t, &y)], offset, axes)
                 }
                 AnyElement::Ancf24(part) => {
                     let own = &q[part.start..part.start + 24];
@@ -166,7 +166,7 @@ impl Machine {
                     let linear =
                         |first: usize| interpolated(own, [first, first + 12, 0, 0], &[1.0 - xi, *xi, 0.0, 0.0]);
                     let [t, y, z] = ancf24_oracle::axes(&linear(6), &linear(9));
-                    [axis, t, y, z]
+                    tied(axis, [t, y, z], offset, axes)
                 }
             },
         }
@@ -203,13 +203,32 @@ pub fn any_marker(random: &mut Random, kind: usize) -> Marker {
         4 => Marker::Frame { frame: 0, offset, axes },
         5 => Marker::Node { node: 4, offset, axes },
         6 => Marker::Node { node: 5, offset, axes },
-        _ => Marker::Section { element: 2, xi: 0.5 + 0.49 * random.signed() },
+        7 => Marker::section(2, 0.5 + 0.49 * random.signed()),
+        // An arm on a section inside an element: of ANCF14, of ANCF24.
+        8 => Marker::Section { element: 1, xi: 0.5 + 0.49 * random.signed(), offset, axes },
+        _ => Marker::Section { element: 2, xi: 0.5 + 0.49 * random.signed(), offset, axes },
     }
 }
 
-/// Pairs of kinds that may be joined; the last ones are of ANCF24, a section inside an element among them, which springs hold on to.
-pub const SIDES: [[usize; 2]; 13] =
-    [[0, 2], [1, 2], [3, 2], [4, 2], [0, 3], [1, 3], [4, 3], [2, 4], [3, 0], [5, 2], [3, 5], [6, 5], [7, 1]];
+/// Pairs of kinds that may be joined; the last ones are of ANCF24, and sections inside elements, bare and with an arm, which springs hold on to.
+pub const SIDES: [[usize; 2]; 16] = [
+    [0, 2],
+    [1, 2],
+    [3, 2],
+    [4, 2],
+    [0, 3],
+    [1, 3],
+    [4, 3],
+    [2, 4],
+    [3, 0],
+    [5, 2],
+    [3, 5],
+    [6, 5],
+    [7, 1],
+    [8, 1],
+    [3, 8],
+    [9, 3],
+];
 
 /// A measure over any dual number, straight from its definition.
 pub fn measure<D: Scalar>(kind: Measure, a: &[[D; 3]; 4], b: &[[D; 3]; 4]) -> D {

@@ -175,10 +175,12 @@ fn actuators_arrive_as_written() {
 #[test]
 fn springs_materials_and_the_simulation_arrive_as_written() {
     let document = parse(&[]);
-    let [tie, rope] = document.springs.as_slice() else { panic!("two springs") };
+    let [tie, rope, line] = document.springs.as_slice() else { panic!("three springs") };
     assert_eq!((tie.a.spot, document.value(tie.stiffness)), (Spot::Ground, 100.0));
     assert_eq!((tie.length.map(|length| document.value(length)), rope.length), (Some(0.2), None));
     assert_eq!((rope.a.spot, rope.b.spot, document.value(rope.damping)), (Spot::Frame(0), Spot::Body(1), 0.0));
+    // A point stands for what it is on, and says which one it is.
+    assert_eq!([line.a, line.b].map(|end| (end.spot, end.point)), [(Spot::Ground, Some(0)), (Spot::Body(1), Some(1))]);
     assert_eq!(row(&document, "tie.length").variability, Variability::Tunable);
     assert_eq!(document.value(document.materials[0].damping), 1e-4);
     assert_eq!(document.simulation.initial, Initial::Equilibrium);
@@ -206,6 +208,7 @@ fn outputs_look_at_everything() {
             Site::Joint,
             Site::Joint,
             Site::Drive,
+            Site::Point,
             Site::Actuator
         ]
     );
@@ -213,8 +216,8 @@ fn outputs_look_at_everything() {
     assert_eq!(document.outputs[2].target, Target::On { beam: 0, stations: 21 });
     assert_eq!((document.outputs[5].target, document.outputs[7].target), (Target::Joint(0), Target::Drive(1)));
     let unit = |output: usize| document.outputs[output].unit(Quantity::Effort, &document.drives, &document.actuators);
-    assert_eq!((unit(5), unit(7), unit(8)), ("N.m", "N", "N"));
-    assert_eq!(document.outputs[8].target, Target::Actuator(2));
+    assert_eq!((unit(5), unit(7), unit(9)), ("N.m", "N", "N"));
+    assert_eq!(document.outputs[9].target, Target::Actuator(2));
     assert!(document.parameters().iter().all(|parameter| !parameter.variable.name.ends_with("stations")));
     assert_eq!(parse(&[("line.stations", "3")]).outputs[2].target, Target::On { beam: 0, stations: 3 });
     assert!(QUANTITIES.iter().all(|row| !row.sites.is_empty() && row.components > 0));

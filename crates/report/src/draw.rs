@@ -99,11 +99,13 @@ pub fn legend(drawing: &Drawing) -> String {
     let parts = [
         (line(LineKind::Beam), "beams with their nodes (blue lines)"),
         (line(LineKind::Spring), "springs (dashed pink lines)"),
-        (line(LineKind::Arm), "rigid arms of joints (grey lines)"),
+        (line(LineKind::Arm) && !mark(MarkKind::Point), "rigid arms of joints (grey lines)"),
+        (line(LineKind::Arm) && mark(MarkKind::Point), "rigid arms of joints and points (grey lines)"),
         (mark(MarkKind::Body), "bodies at their centers of mass (blue disks)"),
         (mark(MarkKind::Support), "joints to the ground (hatched triangles)"),
         (mark(MarkKind::Joint), "joints between what moves (black circles)"),
         (mark(MarkKind::Frame), "moving frames (dashed squares)"),
+        (mark(MarkKind::Point), "points (small black dots)"),
         (mark(MarkKind::Drive), "drives of angles (orange circular arrows)"),
         (arrow(ArrowKind::Drive), "drives of distances (orange arrows that begin at their joint)"),
         (arrow(ArrowKind::Force), "forces (orange arrows that end at their point)"),
@@ -287,6 +289,11 @@ impl Page {
                      stroke-dasharray=\"3 2\"/>"
                 ));
                 self.occupy([left, y], [x + 8.0, y]);
+                self.name(&mark.name, [x, y], "#323232");
+            }
+            MarkKind::Point => {
+                self.push(format_args!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.5\" fill=\"#323232\"/>"));
+                self.occupy([x - 3.5, y], [x + 3.5, y]);
                 self.name(&mark.name, [x, y], "#323232");
             }
             MarkKind::Drive => {

@@ -32,4 +32,14 @@ impl MarkerJacobian {
         (0..3).for_each(|axis| place_q[(axis, axis)] += 1.0);
         Self { place_q, turn_q }
     }
+
+    /// Of a point at the end of `arm` (m, in space) on what moves like this with `count` coordinates.
+    #[must_use]
+    pub fn at_arm(mut self, arm: &Vec3, count: usize) -> Self {
+        for column in 0..count {
+            let mut place = self.place_q.column_mut(column);
+            place += self.turn_q.column(column).cross(arm);
+        }
+        self
+    }
 }

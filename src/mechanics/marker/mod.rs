@@ -4,6 +4,8 @@
 //! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` (`pose_gradient`).
 
 pub mod configuration;
+mod motion;
+pub mod observer;
 pub mod pose_gradient;
 pub mod relative_coordinate;
 pub mod sensor;
@@ -28,6 +30,11 @@ fn turned(turn_q: &ByCoordinates, block: &Mat3, count: usize) -> MarkerMatrix {
         }
     }
     sum
+}
+
+/// How the moment of a force frozen in space changes with the turn of its arm: `d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ`.
+fn of_arm(arm: &Vec3, force: &Vec3) -> Mat3 {
+    arm * force.transpose() - Mat3::identity() * arm.dot(force)
 }
 
 /// A point and a frame of the system.
@@ -62,12 +69,16 @@ pub enum Marker {
         /// Axes relative to the section axes.
         axes: Mat3,
     },
-    /// A section inside an element, with the section's own axes.
+    /// Rigidly tied to a section inside an element.
     Section {
         /// Number of the element.
         element: usize,
         /// Place in the element, 0 to 1.
         xi: f64,
+        /// Place relative to the section, in its axes, m.
+        offset: Vec3,
+        /// Axes relative to the section axes.
+        axes: Mat3,
     },
 }
 
@@ -81,7 +92,48 @@ impl Marker {
             Self::Frame { frame, .. } => Self::Frame { frame, offset, axes },
             Self::Body { start, .. } => Self::Body { start, offset, axes },
             Self::Node { node, .. } => Self::Node { node, offset, axes },
-            Self::Section { .. } => *self,
+            Self::Section { element, xi, .. } => Self::Section { element, xi, offset, axes },
+        }
+    }
+
+    /// A section inside an element, with its own axes.
+    pub fn section(element: usize, xi: f64) -> Self {
+        Self::Section { element, xi, offset: Vec3::zeros(), axes: Mat3::identity() }
+    }
+
+    /// The marker `offset` (m) away from this one, with axes turned by `axes`: both relative to this one's axes, to which it is rigidly tied.
+    #[must_use]
+    pub fn carried(&self, offset: &Vec3, axes: &Mat3) -> Self {
+        let tie = |own: &Vec3, turned: &Mat3| (own + turned * offset, turned * axes);
+        match *self {
+            Self::Ground(pose) => Self::Ground(pose.carried(offset, axes)),
+            Self::Frame { frame, offset, axes } => {
+                let (offset, axes) = tie(&offset, &axes);
+                Self::Frame { frame, offset, axes }
+            }
+            Self::Body { start, offset, axes } => {
+                let (offset, axes) = tie(&offset, &axes);
+                Self::Body { start, offset, axes }
+            }
+            Self::Node { node, offset, axes } => {
+                let (offset, axes) = tie(&offset, &axes);
+                Self::Node { node, offset, axes }
+            }
+            Self::Section { element, xi, offset, axes } => {
+                let (offset, axes) = tie(&offset, &axes);
+                Self::Section { element, xi, offset, axes }
+            }
+        }
+    }
+
+    /// Place relative to what the marker is tied to, in its axes, m; 0 on the ground.
+    pub fn arm(&self) -> Vec3 {
+        match self {
+            Self::Ground(_) => Vec3::zeros(),
+            Self::Frame { offset, .. }
+            | Self::Body { offset, .. }
+            | Self::Node { offset, .. }
+            | Self::Section { offset, .. } => *offset,
         }
     }
 
@@ -102,7 +154,12 @@ impl Marker {
             Self::Frame { frame, offset, axes } => c.prescribed.frames[*frame].pose.carried(offset, axes),
             Self::Body { start, offset, axes } => kinematics::pose(c.beams.q, *start).carried(offset, axes),
             Self::Node { node, offset, axes } => c.mesh.nodes[*node].pose(&c.beams).carried(offset, axes),
-            Self::Section { element, xi } => c.mesh.elements[*element].section_pose(&c.beams, *xi),
+            Self::Section { element, xi, offset, axes } => {
+                let own = c.mesh.elements[*element].section_pose(&c.beams, *xi);
+                // Nearly all are the section itself, also for loads along a beam.
+                let is_own = *offset == Vec3::zeros() && *axes == Mat3::identity();
+                if is_own { own } else { own.carried(offset, axes) }
+            }
         }
     }
 
@@ -125,7 +182,14 @@ impl Marker {
             }
             Self::Body { start, offset, .. } => kinematics::jacobian(c.beams.q, *start, offset),
             Self::Node { node, offset, .. } => c.mesh.nodes[*node].jacobian(&c.beams, offset),
-            Self::Section { element, xi } => c.mesh.elements[*element].section_jacobian(&c.beams, *xi),
+            Self::Section { element, xi, offset, .. } => {
+                let element = &c.mesh.elements[*element];
+                let own = element.section_jacobian(&c.beams, *xi);
+                if *offset == Vec3::zeros() {
+                    return own;
+                }
+                own.at_arm(&(element.section_pose(&c.beams, *xi).axes * offset), element.coordinates().len())
+            }
         }
     }
 
@@ -137,15 +201,20 @@ impl Marker {
             Self::Node { node, offset, .. } => {
                 let node = &c.mesh.nodes[*node];
                 let arm = node.pose(&c.beams).axes * offset;
-                // The arm turns: d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ.
-                let turning = arm * force.transpose() - Mat3::identity() * arm.dot(force);
-                let mut sum = turned(&node.turn_q(&c.beams), &turning, node.coordinates().len());
+                let mut sum = turned(&node.turn_q(&c.beams), &of_arm(&arm, force), node.coordinates().len());
                 node.add_moment_stiffness(&c.beams, &(moment + arm.cross(force)), &mut sum);
                 sum
             }
-            Self::Section { element, xi } => {
-                let mut sum = MarkerMatrix::zeros();
-                c.mesh.elements[*element].add_section_moment_stiffness(&c.beams, *xi, moment, &mut sum);
+            Self::Section { element, xi, offset, .. } => {
+                let element = &c.mesh.elements[*element];
+                let (mut sum, mut moment) = (MarkerMatrix::zeros(), *moment);
+                if *offset != Vec3::zeros() {
+                    let arm = element.section_pose(&c.beams, *xi).axes * offset;
+                    let turn_q = element.section_jacobian(&c.beams, *xi).turn_q;
+                    sum = turned(&turn_q, &of_arm(&arm, force), element.coordinates().len());
+                    moment += arm.cross(force);
+                }
+                element.add_section_moment_stiffness(&c.beams, *xi, &moment, &mut sum);
                 sum
             }
         }
@@ -170,10 +239,11 @@ impl Marker {
                     turning: 3,
                 })
             }
-            Self::Section { element, xi } => {
+            Self::Section { element, xi, offset, axes } => {
                 let element = &c.mesh.elements[*element];
                 let MarkerJacobian { place_q, turn_q } = element.section_jacobian(&c.beams, *xi);
-                let arms = Pose { place: Vec3::zeros(), axes: element.section_pose(&c.beams, *xi).axes }.vectors();
+                let section = element.section_pose(&c.beams, *xi).axes;
+                let arms = Pose { place: section * offset, axes: section * axes }.vectors();
                 let count = element.coordinates().len();
                 PoseGradient::Beam(Turning { arms, place_q, turn_q, count, placing: count, turning: 0 })
             }
@@ -185,7 +255,7 @@ impl Marker {
         match self {
             Self::Ground(_) | Self::Frame { .. } | Self::Body { .. } => {}
             Self::Node { node, .. } => c.mesh.nodes[*node].add_moment_stiffness(&c.beams, moment, sum),
-            Self::Section { element, xi } => {
+            Self::Section { element, xi, .. } => {
                 c.mesh.elements[*element].add_section_moment_stiffness(&c.beams, *xi, moment, sum);
             }
         }

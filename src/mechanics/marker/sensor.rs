@@ -1,11 +1,12 @@
 //! What can be measured at a point: its motion, and at a point of a beam the section's strains with the signs of the model file.
 
-use super::Marker;
+use super::observer::Observer;
+use super::{Marker, own_velocity};
 use crate::math::Vec3;
 use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_matrix, rotation_vector_near};
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
-use crate::mechanics::geometry::pose::{Pose, angular_velocity};
+use crate::mechanics::geometry::pose::{PLACE, Pose, angular_velocity};
 use crate::mechanics::marker::configuration::Configuration;
 
 /// A point that is watched.
@@ -17,6 +18,8 @@ pub struct Sensor {
     pub drawn: Pose,
     /// Of a point of a beam: the beam's number, and the fraction of its length, 0 to 1.
     pub on_beam: Option<(usize, f64)>,
+    /// Who looks: none sees in global axes.
+    pub observer: Option<Observer>,
     /// Of a point of a beam: the elements that it belongs to, two at an inner node.
     sections: Vec<Section>,
 }
@@ -34,14 +37,23 @@ impl Sensor {
     pub fn new(beams: &[Beam], c: &Configuration, marker: Marker, on_beam: Option<(usize, f64)>) -> Self {
         let beam = on_beam.map(|(beam, _)| &beams[beam]);
         let sections = match (marker, beam) {
-            (Marker::Section { element, xi }, Some(_)) => vec![Section::new(c, element, xi)],
+            (Marker::Section { element, xi, .. }, Some(_)) => vec![Section::new(c, element, xi)],
             (Marker::Node { node, .. }, Some(beam)) => {
                 let ends = beam.elements_at(node).into_iter().zip([1.0, 0.0]);
                 ends.filter_map(|(element, xi)| element.map(|element| Section::new(c, element, xi))).collect()
             }
             _ => Vec::new(),
         };
-        Self { marker, drawn: marker.pose(c), on_beam, sections }
+        Self { marker, drawn: marker.pose(c), on_beam, observer: None, sections }
+    }
+
+    /// The element, with the place in it, whose strains turn the section beyond its marker: of a point inside an element. What is tied to the section turns
+    /// with the marker, as loads and springs do.
+    fn relaxed(&self) -> Option<(usize, f64)> {
+        match (self.marker, self.on_beam) {
+            (Marker::Section { element, xi, .. }, Some(_)) => Some((element, xi)),
+            _ => None,
+        }
     }
 
     /// Velocity (m/s) and angular velocity (rad/s) in global axes.
@@ -55,24 +67,58 @@ impl Sensor {
             linear += jacobian.place_q.column(local) * velocity[index];
             angular += jacobian.turn_q.column(local) * velocity[index];
         }
-        if let Marker::Section { element, xi } = self.marker {
+        if let Some((element, xi)) = self.relaxed() {
             angular += self.marker.pose(c).axis(0) * c.mesh.elements[element].relaxed_spin(&c.beams, xi, velocity);
         }
         (linear, angular)
     }
 
-    /// Rotation vector from the orientation as drawn, rad, the one nearest to `previous`.
-    pub fn rotation(&self, c: &Configuration, previous: &Vec3) -> Vec3 {
-        let mut axes = self.marker.pose(c).axes;
-        if let Marker::Section { element, xi } = self.marker {
-            axes *= rotation_matrix(&(Vec3::x() * c.mesh.elements[element].relaxed_turn(&c.beams, xi)));
-        }
-        rotation_vector_near(&(axes * self.drawn.axes.transpose()), previous)
+    /// Position as its observer sees it; without one from the origin of the state, m.
+    pub fn seen_position(&self, c: &Configuration) -> Vec3 {
+        let pose = self.marker.pose(c);
+        self.observer.as_ref().map_or(pose.place, |observer| observer.see(c, &pose).place)
     }
 
-    /// Quaternion `w x y z` of the section, continuous with the rotation vector `rotation`.
+    /// Displacement from the drawing as its observer sees it, m.
+    pub fn seen_displacement(&self, c: &Configuration) -> Vec3 {
+        self.seen_position(c) - self.seen_drawn().place
+    }
+
+    /// [`Self::motion`] as its observer sees it.
+    pub fn seen_motion(&self, c: &Configuration, velocity: &[f64]) -> (Vec3, Vec3) {
+        let motion = self.motion(c, velocity);
+        match &self.observer {
+            Some(observer) => observer.motion(c, velocity, &self.marker.pose(c).place, motion),
+            None => motion,
+        }
+    }
+
+    /// [`Self::acceleration`] as its observer sees it.
+    pub fn seen_acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64]) -> Vec3 {
+        let own = self.acceleration(c, velocity, acceleration);
+        let Some(observer) = &self.observer else { return own };
+        let of = [self.marker.pose(c).place, self.motion(c, velocity).0, own];
+        observer.acceleration(c, velocity, acceleration, of)
+    }
+
+    /// Place and axes as drawn, as its observer saw them.
+    fn seen_drawn(&self) -> Pose {
+        self.observer.as_ref().map_or(self.drawn, |observer| observer.see_drawn(&self.drawn))
+    }
+
+    /// Rotation vector from the orientation as drawn, rad, the one nearest to `previous`, as its observer sees both.
+    pub fn rotation(&self, c: &Configuration, previous: &Vec3) -> Vec3 {
+        let mut pose = self.marker.pose(c);
+        if let Some((element, xi)) = self.relaxed() {
+            pose.axes *= rotation_matrix(&(Vec3::x() * c.mesh.elements[element].relaxed_turn(&c.beams, xi)));
+        }
+        let pose = self.observer.as_ref().map_or(pose, |observer| observer.see(c, &pose));
+        rotation_vector_near(&(pose.axes * self.seen_drawn().axes.transpose()), previous)
+    }
+
+    /// Quaternion `w x y z` of the section as its observer sees it, continuous with the rotation vector `rotation`.
     pub fn quaternion(&self, rotation: &Vec3) -> [f64; 4] {
-        let turned = quaternion_of(rotation) * quaternion_of_triad(&self.drawn.axes);
+        let turned = quaternion_of(rotation) * quaternion_of_triad(&self.seen_drawn().axes);
         [turned.w, turned.i, turned.j, turned.k]
     }
 
@@ -103,13 +149,18 @@ impl Sensor {
 }
 
 impl Sensor {
-    /// Acceleration in global axes, m/s², from the second derivatives `acceleration` of the coordinates.
-    pub fn acceleration(&self, c: &Configuration, acceleration: &[f64]) -> Vec3 {
-        // Places that are watched are linear in the coordinates: on the beam's axis, at the center of mass.
+    /// Acceleration in global axes, m/s², from the velocities of the coordinates and their second derivatives `acceleration`.
+    pub fn acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64]) -> Vec3 {
         let [_, explicit] = self.marker.pose_t(c);
         let place_q = self.marker.jacobian(c).place_q;
         let own = self.marker.coordinates(c.mesh).enumerate();
-        own.fold(explicit.place, |sum, (local, index)| sum + place_q.column(local) * acceleration[index])
+        let sum = own.fold(explicit.place, |sum, (local, index)| sum + place_q.column(local) * acceleration[index]);
+        // On the axis of a beam places are linear in the coordinates, and on a body all are: the directors have the centripetal part.
+        if self.marker.arm() == Vec3::zeros() {
+            return sum;
+        }
+        let own = own_velocity(c, &self.marker, velocity);
+        sum + self.marker.pose_q(c).convective(&self.marker, c, &own).column(PLACE)
     }
 
     /// Force and moments of the section; at an inner node the mean of its two elements'.

@@ -30,6 +30,7 @@ use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
+use crate::mechanics::marker::observer::Observer;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::marker::sensor::Sensor;
@@ -209,7 +210,7 @@ impl SystemBuilder {
         }
         let beam = &self.system.beams[beam];
         let (element, xi) = beam.division.place(fraction);
-        Marker::Section { element: beam.first_element + element, xi }
+        Marker::section(beam.first_element + element, xi)
     }
 
     /// The points of a whole beam with their shares of its length, m: where a load per length acts.
@@ -217,7 +218,7 @@ impl SystemBuilder {
         let beam = &self.system.beams[beam];
         let points = |number: usize| {
             let points = self.system.mesh.elements[number].load_points().into_iter();
-            points.map(move |(xi, share)| (Marker::Section { element: number, xi }, share))
+            points.map(move |(xi, share)| (Marker::section(number, xi), share))
         };
         beam.element_range().flat_map(points).collect()
     }
@@ -350,6 +351,18 @@ impl SystemBuilder {
         let sensor = Sensor::new(&self.system.beams, &self.configuration(&self.frames(), &holonomy), marker, on_beam);
         self.system.sensors.push(sensor);
         self.system.sensors.len() - 1
+    }
+
+    /// Number of sensors so far.
+    pub fn sensors(&self) -> usize {
+        self.system.sensors.len()
+    }
+
+    /// Lets an observer who moves with `marker` look at sensor `number`.
+    pub fn observe(&mut self, number: usize, marker: Marker) {
+        let holonomy = vec![0.0; self.system.mesh.branches];
+        let observer = Observer::new(&self.configuration(&self.frames(), &holonomy), marker);
+        self.system.sensors[number].observer = Some(observer);
     }
 
     /// Largest extent of nodes, bodies and joints as drawn, m, or of a body's own size; 1 of nothing at all.

@@ -25,7 +25,7 @@ use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
 use crate::model::file::entries::spring::SpringSpec;
-use crate::model::file::reader::anchor::{Anchor, Spot};
+use crate::model::file::reader::anchor::Anchor;
 
 impl Builder<'_> {
     pub(super) fn add_joint(&mut self, written: &JointSpec) {
@@ -59,7 +59,7 @@ impl Builder<'_> {
     /// The two sides of a joint: at its place, with its axes.
     fn sides(&mut self, written: &JointSpec) -> [Marker; 2] {
         let document = self.document;
-        let own = if written.b.spot == Spot::Ground { &written.a } else { &written.b };
+        let own = if written.b.is_ground() { &written.a } else { &written.b };
         let place = written.at.map_or_else(|| self.system.drawn(&self.anchored(own)).place, |at| self.position(at));
         let axis = written.axis.map(|axis| vector(document, axis));
         let axes = match (axis, written.axis2.map(|axis| vector(document, axis))) {
@@ -115,7 +115,11 @@ impl Builder<'_> {
     /// The distance between two points that must be apart, as a relative coordinate with its value as drawn, m.
     fn between(&mut self, [a, b]: [&Anchor; 2], title: &str) -> (usize, f64) {
         let place = b.place;
-        let (a, b) = (self.anchored(a), self.anchored(b));
+        let [a, b] = [a, b].map(|end| {
+            let marker = self.anchored(end);
+            self.stiffen_below(&marker);
+            marker
+        });
         let length = (self.system.drawn(&b).place - self.system.drawn(&a).place).norm();
         if length == 0.0 {
             let message = format!("the ends of {title} are at the same place at the start");

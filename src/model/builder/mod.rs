@@ -10,13 +10,13 @@ mod tune;
 pub use tune::{aim, retune, undirected};
 
 use super::file::document::Document;
-use super::file::entries::output;
+use super::file::entries::output::{self, OutputSpec};
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::text::diagnostic::{Diagnostic, Diagnostics};
 use super::validate::{self, Lines};
-use crate::math::Vec3;
 use crate::math::jet::Jet;
+use crate::math::{Mat3, Vec3};
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::signal::{Pieces, Signal};
 use crate::mechanics::marker::Marker;
@@ -24,6 +24,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::builder::SystemBuilder;
 use crate::solve::step::mobility::set_mobilities;
+use nalgebra::Rotation3;
 use std::sync::Arc;
 
 /// The system as drawn.
@@ -66,7 +67,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     document.drives.iter().for_each(|drive| builder.add_drive(drive));
     document.actuators.iter().for_each(|actuator| builder.add_actuator(actuator));
     document.loads.iter().for_each(|load| builder.add_load(load));
-    document.outputs.iter().for_each(|output| builder.add_sensors(&output.target));
+    document.outputs.iter().for_each(|output| builder.add_sensors(output));
     if !builder.mistakes.is_empty() {
         return Err(Diagnostics(builder.mistakes));
     }
@@ -78,6 +79,12 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
 
 fn vector(document: &Document, numbers: [Number; 3]) -> Vec3 {
     Vec3::from(document.vector(numbers))
+}
+
+/// The rotation that rows of the file mean, as columns: as written they are orthonormal to some digits.
+fn nearest_axes(document: &Document, rows: [[Number; 3]; 3]) -> Mat3 {
+    let written = Mat3::from_columns(&rows.map(|row| vector(document, row)));
+    *Rotation3::from_matrix(&written).matrix()
 }
 
 fn signal(document: &Document, number: Number) -> Signal {
@@ -124,9 +131,26 @@ impl Builder<'_> {
         vector(self.document, numbers) - self.origin
     }
 
-    /// What an anchor names, with its own axes: a section, a body, a frame, the ground.
+    /// What an anchor names, with its own axes: a section, a body, a frame, the ground, or a point that is tied to one of these.
     fn anchored(&self, anchor: &Anchor) -> Marker {
-        match anchor.spot {
+        let carrier = self.carrier(anchor.spot);
+        let Some(point) = anchor.point.map(|point| &self.document.points[point]) else { return carrier };
+        let axes = point.axes.map_or_else(Mat3::identity, |rows| {
+            self.system.drawn(&carrier).axes.tr_mul(&nearest_axes(self.document, rows))
+        });
+        carrier.carried(&vector(self.document, point.offset), &axes)
+    }
+
+    /// Makes the section rigid at which an arm begins: a force at the end of the arm has a moment there, which acts on all of the section.
+    fn stiffen_below(&mut self, marker: &Marker) {
+        if marker.arm() != Vec3::zeros() {
+            self.system.stiffen(marker);
+        }
+    }
+
+    /// What can carry a point, with its own axes.
+    fn carrier(&self, spot: Spot) -> Marker {
+        match spot {
             Spot::Ground => Marker::Ground(Pose { place: Vec3::zeros() - self.origin, ..Pose::default() }),
             Spot::Beam { beam, along } => self.system.section_at(beam, self.fraction(beam, along)),
             Spot::Body(body) => self.system.body(body),
@@ -134,23 +158,32 @@ impl Builder<'_> {
         }
     }
 
-    /// What an output looks at: a point for each station; joints and drives are looked at without one.
-    /// Adds [`output::Target::sensors`] sensors.
-    fn add_sensors(&mut self, target: &output::Target) {
-        match target {
+    /// What an output looks at: a point for each station; joints and drives are looked at without one, unless somebody looks who moves.
+    /// Adds [`OutputSpec::sensors`] sensors.
+    fn add_sensors(&mut self, output: &OutputSpec) {
+        let observer = output.observer.as_ref().map(|observer| self.anchored(&observer.anchor));
+        let first = self.system.sensors();
+        match &output.target {
             output::Target::At(anchor) => {
-                if let Spot::Beam { beam, along } = anchor.spot {
-                    self.system.add_sensor(beam, self.fraction(beam, along));
-                } else {
-                    self.system.watch(self.anchored(anchor), None);
-                }
+                match (anchor.spot, anchor.point) {
+                    (Spot::Beam { beam, along }, None) => self.system.add_sensor(beam, self.fraction(beam, along)),
+                    _ => self.system.watch(self.anchored(anchor), None),
+                };
             }
             output::Target::On { beam, stations } => {
                 for station in 0..*stations {
                     self.system.add_sensor(*beam, station as f64 / (stations - 1) as f64);
                 }
             }
-            output::Target::Joint(_) | output::Target::Drive(_) | output::Target::Actuator(_) => {}
+            output::Target::Joint(_) => {
+                observer.iter().for_each(|marker| {
+                    self.system.watch(*marker, None);
+                });
+            }
+            output::Target::Drive(_) | output::Target::Actuator(_) => {}
+        }
+        if let Some(marker) = observer {
+            (first..self.system.sensors()).for_each(|sensor| self.system.observe(sensor, marker));
         }
     }
 }

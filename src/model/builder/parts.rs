@@ -1,6 +1,6 @@
 //! Beams, bodies, frames and loads of the file as parts of the system.
 
-use super::{Builder, signal, signal_from, tune, vector};
+use super::{Builder, nearest_axes, signal, signal_from, tune, vector};
 use crate::math::Mat3;
 use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::design::BeamDesign;
@@ -17,7 +17,6 @@ use crate::model::file::entries::load::{LoadSpec, Target};
 use crate::model::file::entries::material::Lateral;
 use crate::model::file::entries::section::{SectionSpec, Shape};
 use crate::model::file::number::Number;
-use nalgebra::Rotation3;
 
 impl Builder<'_> {
     pub(super) fn add_beam(&mut self, beam: &BeamSpec, line: &Centerline) {
@@ -95,11 +94,7 @@ impl Builder<'_> {
                 Mat3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz)
             }
         };
-        let axes = body.axes.map_or_else(Mat3::identity, |rows| {
-            // As written they are orthonormal to some digits: the nearest rotation is meant.
-            let written = Mat3::from_columns(&rows.map(|row| vector(document, row)));
-            *Rotation3::from_matrix(&written).matrix()
-        });
+        let axes = body.axes.map_or_else(Mat3::identity, |rows| nearest_axes(document, rows));
         self.system.add_body(&BodyDesign {
             name: body.name.clone(),
             mass: document.value(body.mass),
@@ -134,7 +129,8 @@ impl Builder<'_> {
         let points = match &written.target {
             Target::At(anchor) => {
                 let marker = self.anchored(anchor);
-                // A force acts on the axis alone.
+                self.stiffen_below(&marker);
+                // A force at the section acts on the axis alone.
                 let is_zero = |number: &Number| {
                     let function = self.document.function(*number);
                     function.is_constant() && function.value(0.0) == 0.0

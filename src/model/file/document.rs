@@ -12,6 +12,7 @@ use super::entries::material::MaterialSpec;
 use super::entries::output::{OutputSpec, Things};
 use super::entries::overview::ModelSpec;
 use super::entries::parameters;
+use super::entries::point::PointSpec;
 use super::entries::section::SectionSpec;
 use super::entries::simulation::{Analysis, SimulationSpec, Steps};
 use super::entries::spring::SpringSpec;
@@ -48,6 +49,8 @@ pub struct Document {
     pub bodies: Vec<BodySpec>,
     /// Frames, in file order.
     pub frames: Vec<FrameSpec>,
+    /// Points, in file order.
+    pub points: Vec<PointSpec>,
     /// Joints, in file order.
     pub joints: Vec<JointSpec>,
     /// Drives, in file order.
@@ -78,7 +81,8 @@ impl Document {
         let mut report = Report::new(source);
         let Some(mut tree) = tree::parse(text, &mut report) else { return (None, report) };
         overrides::apply(&mut tree, overrides, &mut report);
-        let mut context = Context { report, numbers: Numbers::default(), names: Names::default() };
+        let mut context =
+            Context { report, numbers: Numbers::default(), names: Names::default(), carriers: Vec::new() };
         context.names = collect_names(&tree, &mut context);
         let mut tree = Top(tree);
         tree.format(&mut context);
@@ -92,6 +96,7 @@ impl Document {
         let beams = tree.named(&mut context, "beam", BeamSpec::read);
         let bodies = tree.named(&mut context, "body", BodySpec::read);
         let frames = tree.named(&mut context, "frame", FrameSpec::read);
+        let points = tree.named(&mut context, "point", PointSpec::read);
         let joints = tree.named(&mut context, "joint", JointSpec::read);
         let drives = tree.named(&mut context, "drive", |name, reader| DriveSpec::read(name, reader, &joints));
         DriveSpec::report_doubles(&drives, &mut context.report);
@@ -104,7 +109,7 @@ impl Document {
         let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
         tree.finish(&mut context);
 
-        let Context { mut report, mut numbers, names } = context;
+        let Context { mut report, mut numbers, names, .. } = context;
         numbers.resolve();
         numbers.spread_tunable();
         report_objections(&numbers, &sections, &mut report);
@@ -121,6 +126,7 @@ impl Document {
             beams,
             bodies,
             frames,
+            points,
             joints,
             drives,
             actuators,
@@ -240,13 +246,14 @@ impl Document {
         let beams = self.beams.iter().map(|part| ("beam", part.name.as_str(), part.place));
         let bodies = self.bodies.iter().map(|part| ("body", part.name.as_str(), part.place));
         let frames = self.frames.iter().map(|part| ("frame", part.name.as_str(), part.place));
+        let points = self.points.iter().map(|part| ("point", part.name.as_str(), part.place));
         let joints = self.joints.iter().map(|part| ("joint", part.name.as_str(), part.place));
         let drives = self.drives.iter().map(|part| ("drive", part.name.as_str(), part.place));
         let actuators = self.actuators.iter().map(|part| ("actuator", part.name.as_str(), part.place));
         let springs = self.springs.iter().map(|part| ("spring", part.name.as_str(), part.place));
         let loads = self.loads.iter().map(|part| ("load", part.name.as_str(), part.place));
         let motions = joints.chain(drives).chain(actuators);
-        beams.chain(bodies).chain(frames).chain(motions).chain(springs).chain(loads)
+        beams.chain(bodies).chain(frames).chain(points).chain(motions).chain(springs).chain(loads)
     }
 
     /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help` below it.
@@ -343,7 +350,7 @@ impl Top {
 }
 
 /// Why two things cannot have the same name.
-const SHARED: &str = "beams, bodies, frames, joints, drives, actuators and springs share their names";
+const SHARED: &str = "beams, bodies, frames, points, joints, drives, actuators and springs share their names";
 
 /// Every name with what it stands for; illegal, reserved and double ones are reported.
 fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {

@@ -62,6 +62,8 @@ pub enum Site {
     Body,
     /// A frame.
     Frame,
+    /// A point of the file.
+    Point,
     /// A joint.
     Joint,
     /// A drive.
@@ -77,6 +79,7 @@ impl Site {
             Self::Beam => "a point of a beam",
             Self::Body => "a body",
             Self::Frame => "a frame",
+            Self::Point => "a [point]",
             Self::Joint => "a joint",
             Self::Drive => "a drive",
             Self::Actuator => "an actuator",
@@ -117,7 +120,7 @@ impl At {
     }
 }
 
-const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame]);
+const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame, Site::Point]);
 const BEAM: At = At(&[Site::Beam]);
 const HOLD: At = At(&[Site::Joint, Site::Frame]);
 const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator]);
@@ -210,6 +213,14 @@ impl Quantity {
     pub fn is_transmitted(self) -> bool {
         use Quantity::*;
         matches!(self, ReactionForce | ReactionMoment | AppliedForce | AppliedMoment)
+    }
+
+    /// Whether it is given along axes that can be chosen: it depends on who looks.
+    pub fn has_axes(self) -> bool {
+        use Quantity::*;
+        let is_motion =
+            matches!(self, Position | Displacement | Velocity | Acceleration | Rotation | Quaternion | AngularVelocity);
+        is_motion || self.is_transmitted()
     }
 
     /// Whether it holds the fast oscillations that a step does not resolve, and jumps where the motion only bends: strains, forces, accelerations.

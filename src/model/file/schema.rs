@@ -118,6 +118,9 @@ pub const FRAME_ROTATION: Rule = rule("rotation", "rotation vector of the frame,
 /// In the place of a rotation that the host gives.
 pub const QUATERNION: Rule = rule("quaternion", "orientation of the frame", "");
 
+pub const OFFSET: Rule = rule("offset", "place of the point relative to what it is on, in the axes of that", "m");
+pub const POINT_AXES: Rule = rule("axes", "axes of the point as drawn, global, one per row", "");
+
 pub const AT: Rule = rule("at", "place of the joint as drawn, global", "m");
 pub const AXIS: Rule = rule("axis", "axis of the joint as drawn, global", "");
 pub const AXIS2: Rule = rule("axis2", "second axis of the joint as drawn, global", "");

@@ -1,7 +1,7 @@
 //! The keys of the sections with a name: where several sections have one name, the key says which of them is meant.
 
 /// Every section with the keys that it may have.
-const KEYS: [(&str, &[&str]); 11] = [
+const KEYS: [(&str, &[&str]); 12] = [
     ("material", &["young", "poisson", "shear", "density", "damping"]),
     (
         "section",
@@ -44,6 +44,7 @@ const KEYS: [(&str, &[&str]); 11] = [
         ],
     ),
     ("frame", &["position", "rotation", "input"]),
+    ("point", &["on", "offset", "axes"]),
     (
         "joint",
         &[
@@ -63,7 +64,7 @@ const KEYS: [(&str, &[&str]); 11] = [
     ("actuator", &["joint", "coordinate", "a", "b", "effort", "input"]),
     ("spring", &["a", "b", "stiffness", "damping", "length"]),
     ("load", &["at", "on", "force", "moment", "follower", "input"]),
-    ("output", &["at", "on", "stations", "quantities"]),
+    ("output", &["at", "on", "stations", "in", "quantities"]),
 ];
 
 /// The keys of a section.

@@ -14,6 +14,7 @@ pub enum Kind {
     Beam,
     Body,
     Frame,
+    Point,
     Joint,
     Drive,
     Actuator,
@@ -23,12 +24,13 @@ pub enum Kind {
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 11] = [
+pub const SECTIONS: [(&str, Kind); 12] = [
     ("material", Kind::Material),
     ("section", Kind::Section),
     ("body", Kind::Body),
     ("beam", Kind::Beam),
     ("frame", Kind::Frame),
+    ("point", Kind::Point),
     ("joint", Kind::Joint),
     ("drive", Kind::Drive),
     ("actuator", Kind::Actuator),
@@ -41,7 +43,7 @@ impl Kind {
     /// Whether it is a part of the mechanism, which an `a`, a `b` or an `at` can refer to.
     fn is_part(self) -> bool {
         use Kind::*;
-        matches!(self, Body | Beam | Frame | Joint | Drive | Actuator | Spring)
+        matches!(self, Body | Beam | Frame | Point | Joint | Drive | Actuator | Spring)
     }
 
     /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.

@@ -9,7 +9,7 @@ use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
 use crate::model::file::number::Number;
-use crate::model::file::reader::anchor::{Along, Anchor, Spot};
+use crate::model::file::reader::anchor::Along;
 use crate::model::text::diagnostic::{Diagnostic, Place};
 use std::sync::Arc;
 
@@ -77,18 +77,6 @@ impl Lines {
             Along::Node(node) => self.division(beam)?.fraction(node)?,
         };
         fraction.is_finite().then_some(fraction)
-    }
-
-    /// Place of an anchor as drawn, of a frame that moves at t = 0, global, m; the ground has none.
-    pub fn place(&self, document: &Document, anchor: Anchor) -> Option<Vec3> {
-        match anchor.spot {
-            Spot::Ground => None,
-            Spot::Beam { beam, along } => {
-                Some(self.line(beam)?.place(self.fraction(document, beam, along)?.clamp(0.0, 1.0)))
-            }
-            Spot::Body(body) => Some(Vec3::from(document.vector(document.bodies.get(body)?.position))),
-            Spot::Frame(frame) => Some(Vec3::from(document.vector(document.frames.get(frame)?.position))),
-        }
     }
 }
 

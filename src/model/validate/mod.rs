@@ -5,16 +5,17 @@
 
 mod lines;
 pub mod notes;
+mod places;
 
 pub use lines::{Lines, division};
 
 use super::file::document::Document;
+use super::file::entries::actuator::Action;
 use super::file::entries::beam::BeamSpec;
 use super::file::entries::body::{BodySpec, Inertia};
 use super::file::entries::curve::Line;
 use super::file::entries::joint::JointSpec;
 use super::file::entries::material::Lateral;
-use super::file::entries::spring::SpringSpec;
 use super::file::entries::{load, output};
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
@@ -56,14 +57,23 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         checker.lines.push(document, beam, line);
     }
     for body in &document.bodies {
-        checker.check_axes(body);
+        checker.check_axes(&format!("body {}", body.name), "body", body.axes);
         checker.check_inertia(body);
+    }
+    for point in &document.points {
+        checker.check_axes(&format!("point {}", point.name), "point", point.axes);
+        checker.fraction(&point.on);
     }
     for joint in &document.joints {
         checker.check_joint(joint);
     }
     for spring in &document.springs {
-        checker.check_spring(spring);
+        checker.check_ends(&format!("spring {}", spring.name), [spring.a, spring.b]);
+    }
+    for actuator in &document.actuators {
+        if let Action::Between { a, b } = actuator.action {
+            checker.check_ends(&format!("actuator {}", actuator.name), [a, b]);
+        }
     }
     let loaded = document.loads.iter().filter_map(|load| match &load.target {
         load::Target::At(anchor) => Some(anchor),
@@ -76,7 +86,8 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         | output::Target::Actuator(_)
         | output::Target::On { .. } => None,
     });
-    for anchor in loaded.chain(watched) {
+    let observers = document.outputs.iter().filter_map(|output| Some(&output.observer.as_ref()?.anchor));
+    for anchor in loaded.chain(watched).chain(observers) {
         checker.fraction(anchor);
     }
     let Checker { lines, mut mistakes, .. } = checker;
@@ -151,7 +162,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Beam and fraction of its length; none for the ground, or after a mistake.
+    /// Beam and fraction of its length; none for the ground, or after a mistake. What a point is on is looked at with the point.
     fn fraction(&mut self, anchor: &Anchor) -> Option<(usize, f64)> {
         let Spot::Beam { beam, along } = anchor.spot else { return None };
         let document = self.document;
@@ -160,6 +171,9 @@ impl Checker<'_> {
         if let Along::Node(node) = along
             && node > elements
         {
+            if anchor.point.is_some() {
+                return None;
+            }
             let message = format!("beam {} has no node {node}", written.name);
             let label = format!("{elements} elements have the nodes 0 to {elements}");
             self.mistake(anchor.place, &message, &label, "");
@@ -179,7 +193,13 @@ impl Checker<'_> {
             let written = &document.beams[beam];
             let (element, _) = division.place(fraction);
             let nearest = [element, element + 1].map(|end| division.fraction(end).unwrap_or(1.0));
-            let message = format!("there is no node of beam {} at the fraction {fraction}", written.name);
+            let message = match anchor.point.and_then(|point| document.points.get(point)) {
+                Some(point) => format!(
+                    "point {} is on beam {} at the fraction {fraction}, where the beam has no node",
+                    point.name, written.name
+                ),
+                None => format!("there is no node of beam {} at the fraction {fraction}", written.name),
+            };
             let label = format!("the nearest nodes are at {} and {}", nearest[0], nearest[1]);
             let closer = element + usize::from(nearest[1] - fraction < fraction - nearest[0]);
             let fits = |count: &usize| lines::fits(document, written, *count, fraction);
@@ -203,14 +223,15 @@ impl Checker<'_> {
         node.map(|node| (beam, node))
     }
 
-    fn check_axes(&mut self, body: &BodySpec) {
+    /// Axes, a row each, of a part of the kind `kind`.
+    fn check_axes(&mut self, part: &str, kind: &str, axes: Option<[[Number; 3]; 3]>) {
         let document = self.document;
-        let Some(numbers) = body.axes else { return };
+        let Some(numbers) = axes else { return };
         let [Some(x), Some(y), Some(z)] = numbers.map(|row| vector(document, row)) else { return };
         let rows = [x, y, z];
         let place = document.place(numbers[0][0]).to(document.place(numbers[2][2]));
-        let message = format!("the axes of body {} are not perpendicular unit vectors", body.name);
-        let help = "one row for each body axis, right-handed, to 6 digits: \"sqrt(0.5)\" for 0.707...";
+        let message = format!("the axes of {part} are not perpendicular unit vectors");
+        let help = &format!("one row for each {kind} axis, right-handed, to 6 digits: \"sqrt(0.5)\" for 0.707...");
         if let Some(k) = (0..3).find(|k| (rows[*k].norm() - 1.0).abs() > AXES_TOLERANCE) {
             self.mistake(place, &message, &format!("row {} has length {}", k + 1, rows[k].norm()), help);
         } else if let Some((i, j)) =
@@ -220,7 +241,7 @@ impl Checker<'_> {
             let label = format!("rows {} and {} are {angle:.4} degrees apart", i + 1, j + 1);
             self.mistake(place, &message, &label, help);
         } else if x.cross(&y).dot(&z) < 0.0 {
-            let message = format!("the axes of body {} are left-handed", body.name);
+            let message = format!("the axes of {part} are left-handed");
             let third = x.cross(&y);
             let label = format!("row 3 must be row 1 x row 2: [{}, {}, {}]", third[0], third[1], third[2]);
             self.mistake(place, &message, &label, "");
@@ -302,9 +323,10 @@ impl Checker<'_> {
         Some(axis)
     }
 
-    fn check_spring(&mut self, spring: &SpringSpec) {
+    /// The ends of a spring or an actuator must be apart: its force is along the line between them.
+    fn check_ends(&mut self, title: &str, ends: [Anchor; 2]) {
         let document = self.document;
-        for end in [&spring.a, &spring.b] {
+        for end in &ends {
             self.fraction(end);
         }
         // Where a moving frame is at the start, which need not be t = 0, the builder sees.
@@ -313,19 +335,20 @@ impl Checker<'_> {
                 .frames
                 .get(frame)
                 .is_none_or(|frame| frame.position.iter().any(|number| !document.function(*number).is_constant())),
-            Spot::Ground | Spot::Beam { .. } | Spot::Body(_) => false,
+            // Where an arm on a section points, the builder sees exactly.
+            Spot::Beam { .. } => anchor.point.is_some(),
+            Spot::Ground | Spot::Body(_) => false,
         };
-        if moves(&spring.a) || moves(&spring.b) {
+        if ends.iter().any(moves) {
             return;
         }
-        let ends = [spring.a, spring.b];
-        let drawn = |end: &Anchor| end.spot == Spot::Ground || self.lines.place(document, *end).is_some();
+        let drawn = |end: &Anchor| end.is_ground() || self.lines.place(document, *end).is_some();
         let [a, b] = ends.map(|end| self.lines.place(document, end).unwrap_or_else(Vec3::zeros));
         if ends.iter().all(drawn) && a == b {
-            let message = format!("the ends of spring {} are at the same place", spring.name);
-            let label = "another place was expected: a spring needs a direction";
-            let help = "the ground of a spring is the origin; a [frame.NAME] gives any other fixed point";
-            self.mistake(spring.b.place, &message, label, help);
+            let message = format!("the ends of {title} are at the same place");
+            let label = "another place was expected: a force along a line needs a direction";
+            let help = "the ground is the origin here; a [point.NAME] gives any other fixed point";
+            self.mistake(ends[1].place, &message, label, help);
         }
     }
 }

@@ -85,6 +85,15 @@ impl Givens {
         }
     }
 
+    /// What the initial value of a quantity at `target` is found from that somebody sees who moves: also from where that one is.
+    pub fn of_seen(&self, quantity: Quantity, target: &Target) -> Found {
+        match self.of(quantity, target) {
+            Found::Drawing | Found::Frame(_) if self.as_drawn => Found::Motion,
+            Found::Drawing | Found::Frame(_) => Found::All,
+            found => found,
+        }
+    }
+
     /// The energies and momenta of the start.
     pub fn of_energies(&self) -> Found {
         if self.as_drawn { Found::Motion } else { Found::All }

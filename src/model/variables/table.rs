@@ -90,12 +90,14 @@ pub struct Table {
     pub sources: Vec<Source>,
     /// What the results are made of.
     pub measures: Vec<Measure>,
+    /// The measures of forces and moments that a moving observer sees, by their places in the list, with the sensor that the observer looks at.
+    seen: Vec<(usize, usize)>,
 }
 
 impl Table {
     /// Of a model file.
     pub fn new(document: &Document) -> Self {
-        let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new() };
+        let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new(), seen: Vec::new() };
         let inputs = Inputs::new(document);
         for (index, parameter) in document.parameters().iter().enumerate() {
             let input = inputs.place(parameter.number).map(Source::Input);
@@ -106,11 +108,15 @@ impl Table {
         let givens = Givens::new(document);
         let mut sensor = 0;
         for output in &document.outputs {
-            let sensors = output.target.sensors();
+            let sensors = output.sensors();
             for quantity in &output.quantities {
                 let first = table.variables.len();
                 table.push_quantity(document, output, *quantity, sensor..sensor + sensors);
-                table.find_from(first, &givens, givens.of(*quantity, &output.target));
+                let found = match output.observer {
+                    Some(_) => givens.of_seen(*quantity, &output.target),
+                    None => givens.of(*quantity, &output.target),
+                };
+                table.find_from(first, &givens, found);
             }
             sensor += sensors;
         }
@@ -155,9 +161,12 @@ impl Table {
         let row = quantity.row();
         let unit = output.unit(quantity, &document.drives, &document.actuators);
         let name = format!("{}.{}", output.name, row.word);
-        let meaning = format!("{}: {}", output.name, row.meaning);
+        let meaning = format!("{}: {}", output.name, output.meaning(quantity));
+        if output.observer.is_some() && quantity.is_transmitted() {
+            self.seen.push((self.measures.len(), sensors.start));
+        }
         let measure = match output.target {
-            Target::At(Anchor { spot: Spot::Frame(frame), .. }) if quantity.is_transmitted() => {
+            Target::At(Anchor { spot: Spot::Frame(frame), point: None, .. }) if quantity.is_transmitted() => {
                 Measure::Frame(frame, quantity)
             }
             Target::At(_) => Measure::Sensors(sensors, quantity),
@@ -301,7 +310,9 @@ impl Table {
         let loads =
             JointLoads { system, state, c: &configuration, passage: &passage, multipliers: &response.multipliers };
         values.clear();
-        for measure in &self.measures {
+        let mut seen = self.seen.iter().peekable();
+        for (place, measure) in self.measures.iter().enumerate() {
+            let first = values.len();
             match measure {
                 Measure::Sensors(sensors, quantity) => {
                     for sensor in sensors.clone() {
@@ -358,6 +369,12 @@ impl Table {
                     values.extend([counts.steps, counts.iterations, counts.rejected].map(|count| count as f64));
                 }
             }
+            if let Some((_, sensor)) = seen.next_if(|(measure, _)| *measure == place)
+                && let Some(observer) = &system.sensors[*sensor].observer
+            {
+                let turned = observer.turn(&configuration, &Vec3::from_column_slice(&values[first..first + 3]));
+                values[first..first + 3].copy_from_slice(turned.as_slice());
+            }
         }
     }
 }
@@ -368,13 +385,16 @@ fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number:
     let rotation = &state.rotations[number];
     let mut push = |v: Vec3| values.extend(v.iter());
     match quantity {
-        Quantity::Position => push(system.global(sensor.marker.pose(c).place)),
-        Quantity::Displacement => push(sensor.marker.pose(c).place - sensor.drawn.place),
-        Quantity::Velocity => push(sensor.motion(c, &state.velocity).0),
-        Quantity::Acceleration => push(sensor.acceleration(c, &response.acceleration)),
+        Quantity::Position => match sensor.observer {
+            Some(_) => push(sensor.seen_position(c)),
+            None => push(system.global(sensor.seen_position(c))),
+        },
+        Quantity::Displacement => push(sensor.seen_displacement(c)),
+        Quantity::Velocity => push(sensor.seen_motion(c, &state.velocity).0),
+        Quantity::Acceleration => push(sensor.seen_acceleration(c, &state.velocity, &response.acceleration)),
         Quantity::Rotation => push(*rotation),
         Quantity::Quaternion => values.extend(sensor.quaternion(rotation)),
-        Quantity::AngularVelocity => push(sensor.motion(c, &state.velocity).1),
+        Quantity::AngularVelocity => push(sensor.seen_motion(c, &state.velocity).1),
         Quantity::Twist => values.push(sensor.twist(system, c)),
         Quantity::AxialStrain => values.push(sensor.strains(c).axial),
         Quantity::Curvature => values.extend(sensor.strains(c).curvature),

@@ -3,12 +3,13 @@
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::design::{Elements, Torsion};
 use crate::model::file::document::Document;
+use crate::model::file::entries::actuator::Action;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
 use crate::model::file::entries::output::OutputSpec;
 use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::file::entries::{load, output};
-use crate::model::file::reader::anchor::{Along, Spot};
+use crate::model::file::reader::anchor::{Along, Anchor, Spot};
 use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::validate;
 
@@ -137,23 +138,35 @@ fn mesh(document: &Document, other: impl Fn(usize) -> Option<usize>) -> Option<V
     Some(overrides).filter(|_| !document.beams.is_empty())
 }
 
-/// Everything that holds on to a point, with its key.
+/// Everything that holds on to a place that it names itself, with its key.
 fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
-    let sides = |name: &str, a: Spot, b: Spot| [(format!("{name}.a"), a), (format!("{name}.b"), b)];
-    let joints = document.joints.iter().flat_map(move |joint| sides(&joint.name, joint.a.spot, joint.b.spot));
-    let springs = document.springs.iter().flat_map(move |spring| sides(&spring.name, spring.a.spot, spring.b.spot));
-    let loads = document.loads.iter().filter_map(|load| match &load.target {
-        load::Target::At(anchor) => Some((at(document, "load", &load.name), anchor.spot)),
+    let sides = |name: &str, a: Anchor, b: Anchor| [(format!("{name}.a"), a), (format!("{name}.b"), b)];
+    // With its section: a load or an output of the same name may have such a key.
+    let points = document.points.iter().map(|point| (format!("point.{}.on", point.name), point.on));
+    let joints = document.joints.iter().flat_map(move |joint| sides(&joint.name, joint.a, joint.b));
+    let springs = document.springs.iter().flat_map(move |spring| sides(&spring.name, spring.a, spring.b));
+    let actuators = document.actuators.iter().filter_map(move |actuator| match actuator.action {
+        Action::Between { a, b } => Some(sides(&actuator.name, a, b)),
+        Action::Joint { .. } => None,
+    });
+    let loads = document.loads.iter().filter_map(|load| match load.target {
+        load::Target::At(anchor) => Some((at(document, "load", &load.name), anchor)),
         load::Target::On(_) => None,
     });
-    let outputs = document.outputs.iter().filter_map(|output| match &output.target {
-        output::Target::At(anchor) => Some((at(document, "output", &output.name), anchor.spot)),
+    let outputs = document.outputs.iter().filter_map(|output| match output.target {
+        output::Target::At(anchor) => Some((at(document, "output", &output.name), anchor)),
         output::Target::Joint(_)
         | output::Target::Drive(_)
         | output::Target::Actuator(_)
         | output::Target::On { .. } => None,
     });
-    joints.chain(springs).chain(loads).chain(outputs)
+    let observers = document.outputs.iter().filter_map(|output| {
+        let observer = output.observer.as_ref()?;
+        Some((format!("{}.in", output.name), observer.anchor))
+    });
+    let all =
+        points.chain(observers).chain(joints).chain(springs).chain(actuators.flatten()).chain(loads).chain(outputs);
+    all.filter(|(_, anchor)| anchor.point.is_none()).map(|(key, anchor)| (key, anchor.spot))
 }
 
 /// `tip.at`; with its section where another one with this name has such a key.

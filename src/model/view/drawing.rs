@@ -13,7 +13,7 @@ use crate::model::validate::Lines;
 pub struct Drawing {
     /// Beams, springs and rigid arms.
     pub lines: Vec<Line>,
-    /// Bodies, frames, joints, drives, actuators and outputs.
+    /// Bodies, frames, points, joints, drives, actuators and outputs.
     pub marks: Vec<Mark>,
     /// Loads, drives of distances, actuators between two points, and the axes of joints.
     pub arrows: Vec<Arrow>,
@@ -39,7 +39,7 @@ pub enum LineKind {
     Beam,
     /// A spring.
     Spring,
-    /// What is rigid between the place of a joint and a body or a point of a beam that it holds.
+    /// What is rigid between the place of a joint, or a point of the file, and the body, the frame or the place on a beam that it is tied to.
     Arm,
 }
 
@@ -65,6 +65,8 @@ pub enum MarkKind {
     Body,
     /// A frame, as it is at t = 0.
     Frame,
+    /// A point of the file.
+    Point,
     /// A drive of an angle, at its joint.
     Drive,
     /// A place where something is measured.
@@ -118,6 +120,16 @@ impl Drawing {
             let points = line.outline(BETWEEN_NODES).into_iter().map(<[f64; 3]>::from).collect();
             let nodes = line.nodes.iter().map(|node| node.place.into()).collect();
             drawing.lines.push(Line { name: beam.name.clone(), kind: LineKind::Beam, points, nodes });
+        }
+        for (number, written) in document.points.iter().enumerate() {
+            let Anchor { place, spot, .. } = written.on;
+            let Some(at) = point(Anchor { place, spot, point: Some(number) }) else { continue };
+            drawing.marks.push(Mark { name: written.name.clone(), kind: MarkKind::Point, at });
+            // The ground is everywhere.
+            if let Some(from) = point(written.on).filter(|from| *from != at) {
+                let line = Line { name: String::new(), kind: LineKind::Arm, points: vec![from, at], nodes: Vec::new() };
+                drawing.lines.push(line);
+            }
         }
         for spring in &document.springs {
             // A spring's ground is the origin.

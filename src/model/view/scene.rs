@@ -139,14 +139,10 @@ impl Watched {
         let mut sensor = 0;
         let mut points = Vec::new();
         for output in &document.outputs {
-            match output.target {
-                Target::At(_) => {
-                    points.push(sensor);
-                    sensor += 1;
-                }
-                Target::On { stations, .. } => sensor += stations,
-                Target::Joint(_) | Target::Drive(_) | Target::Actuator(_) => {}
+            if matches!(output.target, Target::At(_)) {
+                points.push(sensor);
             }
+            sensor += output.sensors();
         }
         Self { joints: joints.collect(), springs: springs.collect(), arrows: arrows.collect(), points, beams }
     }

@@ -80,7 +80,7 @@ impl Stations {
             }
             for step in 1..steps {
                 let xi = step as f64 / steps as f64;
-                let marker = Marker::Section { element: own.first_element + element, xi };
+                let marker = Marker::section(own.first_element + element, xi);
                 add(marker, span[0] + xi * (span[1] - span[0]));
             }
             add(node(own.node(element + 1)), span[1]);

@@ -36,6 +36,16 @@ pub enum Target {
     On(usize),
 }
 
+/// Whether a load can move what it acts on; if not, that is reported.
+fn moves(reader: &mut Reader<'_, '_>, anchor: &Anchor) -> bool {
+    if !anchor.can_move() {
+        let message = format!("{} acts on a point that a load cannot move", reader.title);
+        let label = "it is not on a beam or a body";
+        reader.context.report.error(anchor.place, &message, label, "loads act on beams, bodies, and points on them");
+    }
+    anchor.can_move()
+}
+
 impl LoadSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
         let along = reader.has("on");
@@ -43,7 +53,7 @@ impl LoadSpec {
             reader.exclude("at", "on");
             reader.reference("on", Kind::Beam).map(Target::On)
         } else {
-            Anchor::read(&mut reader, "at", &LOADED).map(Target::At)
+            Anchor::read(&mut reader, "at", &LOADED).filter(|anchor| moves(&mut reader, anchor)).map(Target::At)
         };
         let (force, moment) = match along {
             false => (&schema::FORCE, &schema::MOMENT),
@@ -61,6 +71,7 @@ impl LoadSpec {
                 let per_length = if along { " per length" } else { "" };
                 let frame = match (follower, target) {
                     (false, _) => "global",
+                    (true, Some(Target::At(Anchor { point: Some(_), .. }))) => "the point's",
                     (true, Some(Target::At(Anchor { spot: Spot::Body(_), .. }))) => "the body's",
                     (true, _) => "the section's",
                 };

@@ -12,6 +12,7 @@ pub mod material;
 pub mod output;
 pub mod overview;
 pub mod parameters;
+pub mod point;
 pub mod section;
 pub mod simulation;
 pub mod spring;

@@ -6,7 +6,7 @@ use super::drive::DriveSpec;
 use super::joint::{self, Coordinate, JointSpec};
 use super::section::{SectionSpec, Shape};
 use crate::model::file::quantity::{QUANTITIES, Quantity, Row, Site};
-use crate::model::file::reader::anchor::{Anchor, Spot, WATCHED};
+use crate::model::file::reader::anchor::{Along, Anchor, OBSERVING, Spot, WATCHED};
 use crate::model::file::reader::{Reader, either, listing};
 use crate::model::file::schema;
 use crate::model::text::diagnostic::Place;
@@ -22,8 +22,19 @@ pub struct OutputSpec {
     pub place: Place,
     /// What it looks at.
     pub target: Target,
+    /// Who measures it, if not somebody at rest who sees global axes.
+    pub observer: Option<ObserverSpec>,
     /// What is measured, in the order of the file; all of it can be measured there.
     pub quantities: Vec<Quantity>,
+}
+
+/// Somebody who moves with a part, the key `in`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObserverSpec {
+    /// What the observer moves with.
+    pub anchor: Anchor,
+    /// As it is written.
+    pub name: String,
 }
 
 /// What an output looks at.
@@ -73,16 +84,37 @@ const STATIONS: usize = 21;
 impl OutputSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, things: Things<'_>) -> Option<Self> {
         let target = target(&mut reader);
+        let observed = reader.has("in");
+        let observer = observed.then(|| ObserverSpec::read(&mut reader)).flatten();
         let quantities = match reader.take("quantities") {
             None => {
                 reader.missing("quantities", "a list like [\"position\", \"twist\"]");
                 Vec::new()
             }
-            Some(entry) => quantities(&mut reader, &entry.item, target, things),
+            Some(entry) => quantities(&mut reader, &entry.item, target, things, observed),
         };
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, target: target?, quantities })
+        Some(Self { name: name.to_owned(), place, target: target?, observer, quantities })
+    }
+
+    /// The number of its sensors: also what a joint transmits is seen from one, if somebody sees it who moves.
+    pub fn sensors(&self) -> usize {
+        match self.target {
+            Target::Joint(_) => usize::from(self.observer.is_some()),
+            _ => self.target.sensors(),
+        }
+    }
+
+    /// What one of its quantities is, with its axes.
+    pub fn meaning(&self, quantity: Quantity) -> String {
+        let meaning = quantity.row().meaning;
+        let Some(ObserverSpec { name, .. }) = &self.observer else { return String::from(meaning) };
+        match quantity {
+            Quantity::Quaternion => format!("{meaning}, relative to {name}"),
+            _ if quantity.is_transmitted() => meaning.replace("global axes", &format!("the axes of {name}")),
+            _ => meaning.replace("in global axes", &format!("relative to {name}, in its axes")),
+        }
     }
 
     /// Unit label of one of its quantities: an effort is a torque or a force.
@@ -101,6 +133,13 @@ impl OutputSpec {
             Some(Coordinate::Distance) if quantity == Quantity::Effort => "N",
             _ => quantity.row().unit,
         }
+    }
+}
+
+impl ObserverSpec {
+    fn read(reader: &mut Reader<'_, '_>) -> Option<Self> {
+        let name = reader.text_of("in").unwrap_or_default().to_owned();
+        Anchor::read(reader, "in", &OBSERVING).map(|anchor| Self { anchor, name })
     }
 }
 
@@ -131,7 +170,14 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
     }
 }
 
-fn quantities(reader: &mut Reader<'_, '_>, item: &Item, target: Option<Target>, things: Things<'_>) -> Vec<Quantity> {
+/// The quantities that a list names; `observed`: somebody who moves measures them.
+fn quantities(
+    reader: &mut Reader<'_, '_>,
+    item: &Item,
+    target: Option<Target>,
+    things: Things<'_>,
+    observed: bool,
+) -> Vec<Quantity> {
     let known = || QUANTITIES.iter().map(|row| row.word);
     let items = match &item.node {
         Node::Array(items) if !items.is_empty() => items,
@@ -160,6 +206,10 @@ fn quantities(reader: &mut Reader<'_, '_>, item: &Item, target: Option<Target>, 
         }
         if let Some(mistake) = target.and_then(|target| things.objection(row, target, names)) {
             report.error(item.place, &mistake.message, &mistake.label, &mistake.help);
+        } else if observed && !row.quantity.has_axes() {
+            let message = format!("\"{word}\" does not depend on `in`");
+            let help = "list it in another output, without `in`";
+            report.error(item.place, &message, "it is the same for every observer", help);
         }
         quantities.push(row.quantity);
     }
@@ -177,6 +227,7 @@ impl Target {
     /// What kind of thing it is.
     pub fn site(self) -> Site {
         match self {
+            Self::At(Anchor { point: Some(_), .. }) => Site::Point,
             Self::At(Anchor { spot: Spot::Body(_), .. }) => Site::Body,
             Self::At(Anchor { spot: Spot::Frame(_), .. }) => Site::Frame,
             Self::At(_) | Self::On { .. } => Site::Beam,
@@ -187,11 +238,37 @@ impl Target {
     }
 }
 
+/// How a place on a beam is written; a fraction is as the file has it in the point.
+fn beam_place(spot: Spot, names: &Names) -> Option<String> {
+    let Spot::Beam { beam, along } = spot else { return None };
+    let name = names.name(Kind::Beam, beam)?;
+    Some(match along {
+        Along::Start => format!("{name}.start"),
+        Along::End => format!("{name}.end"),
+        Along::Node(node) => format!("{name}.node[{node}]"),
+        Along::Fraction(_) => format!("{name}@..."),
+    })
+}
+
 impl<'a> Things<'a> {
     /// Why a quantity cannot be measured at a target; none: it can, or what it depends on is reported already.
     fn objection(&self, row: &Row, target: Target, names: &Names) -> Option<Mistake> {
         let site = target.site();
         let measurable = |row: &&Row| row.sites.contains(&site);
+        if let (false, Target::At(anchor @ Anchor { point: Some(_), .. })) = (measurable(&row), target)
+            && row.sites == [Site::Beam]
+        {
+            return Some(Mistake {
+                message: format!("\"{}\" cannot be measured at {}", row.word, site.words()),
+                label: String::from("it belongs to the section of a beam"),
+                help: match beam_place(anchor.spot, names) {
+                    Some(place) => {
+                        format!("write at = \"{place}\": the place that the point is on, in an output of its own")
+                    }
+                    None => String::from("the point is not on a beam"),
+                },
+            });
+        }
         if !measurable(&row) {
             let words = QUANTITIES.iter().filter(measurable).map(|row| row.word);
             let sites: Vec<_> = row.sites.iter().map(|site| site.words()).collect();

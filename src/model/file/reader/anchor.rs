@@ -1,4 +1,4 @@
-//! What joints, springs, loads and outputs hold on to: `ground`, `arm.start`, `arm.end`, `arm@0.5`, `arm.node[3]`, a body, a frame.
+//! What joints, springs, loads and outputs hold on to: `ground`, `arm.start`, `arm.end`, `arm@0.5`, `arm.node[3]`, a body, a frame, a point.
 
 use super::{Context, Reader, either};
 use crate::model::expression::Variable;
@@ -13,8 +13,10 @@ use crate::model::text::names::{Kind, suggestion};
 pub struct Anchor {
     /// Where it is written.
     pub place: Place,
-    /// What it is.
+    /// What it is; of a point of the file what that is tied to.
     pub spot: Spot,
+    /// The place of a point of the file in the list of points: its offset and axes come on top of the spot.
+    pub point: Option<usize>,
 }
 
 /// A point to hold on to.
@@ -59,29 +61,46 @@ pub struct Allowed {
     pub forms: &'static str,
 }
 
-/// The sides of joints and springs.
-pub const SIDES: Allowed = Allowed {
+/// What a point of the file can be tied to.
+pub const CARRIERS: Allowed = Allowed {
     kinds: &[Kind::Body, Kind::Frame, Kind::Beam],
     ground: true,
     forms: "ground, BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY or FRAME",
 };
+/// The sides of joints and springs.
+pub const SIDES: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Frame, Kind::Point, Kind::Beam],
+    ground: true,
+    forms: "ground, BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME or POINT",
+};
 /// What a load can move.
 pub const LOADED: Allowed = Allowed {
-    kinds: &[Kind::Body, Kind::Beam],
+    kinds: &[Kind::Body, Kind::Point, Kind::Beam],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3] or BODY",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY or POINT",
 };
 /// What can be looked at, by an anchor or otherwise.
 pub const WATCHED: Allowed = Allowed {
-    kinds: &[Kind::Body, Kind::Frame, Kind::Joint, Kind::Drive, Kind::Actuator, Kind::Beam],
+    kinds: &[Kind::Body, Kind::Frame, Kind::Point, Kind::Joint, Kind::Drive, Kind::Actuator, Kind::Beam],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, JOINT, DRIVE or ACTUATOR",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE or ACTUATOR",
+};
+
+/// What an observer can move with.
+pub const OBSERVING: Allowed = Allowed {
+    kinds: &[Kind::Body, Kind::Frame, Kind::Point, Kind::Beam],
+    ground: false,
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME or POINT",
 };
 
 impl Allowed {
     /// `a body, frame or point of a beam was expected`.
     fn expected(&self) -> String {
-        let word = |kind: &Kind| if *kind == Kind::Beam { "point of a beam" } else { kind.word() };
+        let word = |kind: &Kind| match kind {
+            Kind::Beam => "point of a beam",
+            Kind::Point => "[point]",
+            _ => kind.word(),
+        };
         format!("a {} was expected", either(&self.kinds.iter().map(word).collect::<Vec<_>>()))
     }
 }
@@ -101,23 +120,33 @@ impl Anchor {
             reader.context.report.error(place, &message, &allowed.expected(), "");
             return None;
         }
-        parse(reader.context, &text, place, allowed).map(|spot| Self { place, spot })
+        parse(reader.context, &text, place, allowed).map(|(spot, point)| Self { place, spot, point })
+    }
+
+    /// Whether it is the ground itself: its origin, where nothing else is said.
+    pub fn is_ground(&self) -> bool {
+        self.spot == Spot::Ground && self.point.is_none()
+    }
+
+    /// Whether it is on a beam or a body.
+    pub fn can_move(&self) -> bool {
+        matches!(self.spot, Spot::Beam { .. } | Spot::Body(_))
     }
 
     /// Reports a joint or spring of which neither side can move.
     pub(in crate::model) fn expect_motion(reader: &mut Reader<'_, '_>, a: Option<Self>, b: Option<Self>) {
         let (Some(a), Some(b)) = (a, b) else { return };
-        let moves = |anchor: Self| matches!(anchor.spot, Spot::Beam { .. } | Spot::Body(_));
-        if !moves(a) && !moves(b) {
+        if !a.can_move() && !b.can_move() {
             let message = format!("{} connects two points that cannot move", reader.title);
             reader.context.report.error(b.place, &message, "one side must be a beam or a body", "");
         }
     }
 }
 
-fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed) -> Option<Spot> {
+/// What a text names, and the number of the point where it is one.
+fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed) -> Option<(Spot, Option<usize>)> {
     if text == "ground" {
-        return Some(Spot::Ground);
+        return Some((Spot::Ground, None));
     }
     let length = text.find(['.', '@']).unwrap_or(text.len());
     let (name, rest) = text.split_at(length);
@@ -147,8 +176,10 @@ fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed)
             return None;
         }
         return match kind {
-            Kind::Body => Some(Spot::Body(named.index)),
-            Kind::Frame => Some(Spot::Frame(named.index)),
+            Kind::Body => Some((Spot::Body(named.index), None)),
+            Kind::Frame => Some((Spot::Frame(named.index), None)),
+            // Without a carrier the point itself is wrong, which is reported.
+            Kind::Point => context.carriers.get(named.index)?.map(|on| (on.spot, Some(named.index))),
             _ => None,
         };
     }
@@ -179,7 +210,7 @@ fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed)
             },
         }
     };
-    Some(Spot::Beam { beam, along })
+    Some((Spot::Beam { beam, along }, None))
 }
 
 /// `.node[3]` to 3.

@@ -4,6 +4,7 @@ pub mod anchor;
 pub mod input;
 mod lists;
 
+use self::anchor::Anchor;
 use super::number::{Meta, Number, Numbers, Slot, Written};
 use super::schema::Rule;
 use crate::model::expression::function::{Formula, Piece};
@@ -22,6 +23,8 @@ pub struct Context<'a> {
     pub numbers: Numbers,
     /// All names of the file.
     pub names: Names,
+    /// What the points of the file are tied to, in their order; none where that is wrong.
+    pub carriers: Vec<Option<Anchor>>,
 }
 
 impl Context<'_> {
