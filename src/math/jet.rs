@@ -4,6 +4,7 @@
 //! either, also where `g_f` is infinite: `sqrt(0)` is a constant.
 
 use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Value, first and second derivative by the variable of an expression.
@@ -88,6 +89,37 @@ impl Jet {
         if other.value > self.value || other.value.is_nan() { other } else { self }
     }
 
+    /// `f - p floor(f / p)`: the remainder with the sign of `p`.
+    pub fn modulo(self, p: Self) -> Self {
+        let count = (self.value / p.value).floor();
+        self - Self::constant(count) * p
+    }
+
+    /// The largest whole number that is not above `f`.
+    pub fn floor(self) -> Self {
+        Self::constant(self.value.floor())
+    }
+
+    /// The smallest whole number that is not below `f`.
+    pub fn ceil(self) -> Self {
+        Self::constant(self.value.ceil())
+    }
+
+    /// `3 u² - 2 u³` with `u = (f - from) / (to - from)`, 0 up to `from`, 1 beyond `to`; NaN unless `from < to`.
+    pub fn smoothstep(self, from: Self, to: Self) -> Self {
+        if from.value.partial_cmp(&to.value) != Some(Ordering::Less) {
+            return Self::constant(f64::NAN);
+        }
+        let u = (self - from) / (to - from);
+        if u.value <= 0.0 {
+            Self::constant(0.0)
+        } else if u.value >= 1.0 {
+            Self::constant(1.0)
+        } else {
+            u * u * (Self::constant(3.0) - u - u)
+        }
+    }
+
     fn with_value(self, value: f64) -> Self {
         Self { value, ..self }
     }
@@ -161,6 +193,12 @@ impl Jet {
     pub fn ln(self) -> Self {
         let slope = 1.0 / self.value;
         self.chain(self.value.ln(), slope, -slope * slope)
+    }
+
+    /// `log10 f`, NaN below 0.
+    pub fn log10(self) -> Self {
+        let slope = std::f64::consts::LOG10_E / self.value;
+        self.chain(self.value.log10(), slope, -slope / self.value)
     }
 
     /// `sqrt f`, NaN below 0.

@@ -6,6 +6,7 @@
 pub mod builder;
 pub mod expression;
 pub mod file;
+mod flat;
 pub mod run;
 pub mod text;
 pub mod validate;

@@ -67,7 +67,7 @@ impl Simulation {
     pub fn open_with(path: impl AsRef<Path>, overrides: &[(&str, &str)]) -> Result<Self, Error> {
         let path = path.as_ref();
         let text = file::text(path).map_err(|reason| Error::Unreadable { reason })?;
-        Self::from_text_with(&path.display().to_string(), &text, overrides)
+        Self::load(path.parent(), &path.display().to_string(), &text, overrides)
     }
 
     /// Loads a model from its text; `name` is what messages call the file.
@@ -83,9 +83,13 @@ impl Simulation {
     /// # Errors
     /// As [`Self::from_text`], or an override is wrong.
     pub fn from_text_with(name: &str, text: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
+        Self::load(None, name, text, overrides)
+    }
+
+    fn load(folder: Option<&Path>, name: &str, text: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
         let overrides: Vec<(String, String)> =
             overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
-        let model = model::simulation::Simulation::load(name, text, &overrides)
+        let model = model::simulation::Simulation::load_in(folder, name, text, &overrides)
             .map_err(|failure| Error::Mistakes { mistakes: failure.message, line: failure.line })?;
         let warnings = notes::notes(model.document());
         Ok(Self { instance: Instance::new(model, false), warnings, rows: 0 })

@@ -32,6 +32,17 @@ pub fn check(mut simulation: Simulation, file: &Path, picture: Option<Target<'_>
     drawn.map_or(Ok(()), |drawn| say(&drawn))
 }
 
+/// Prints the text of a model without copies and includes. Overrides that are not in it would be lost.
+pub fn resolved(text: &str, remaining: &[(String, String)]) -> Result<(), Stop> {
+    match remaining.first() {
+        None => say(text.trim_end()),
+        Some((key, _)) => Err(Stop::Bad(format!(
+            "error: --resolved prints what the file says, so that --set {key} would be lost; leave it out here, and give it when you run \
+             the printed file"
+        ))),
+    }
+}
+
 fn rows(simulation: &Simulation) -> Vec<[String; 7]> {
     let mut rows = vec![TITLES.map(str::to_owned)];
     for (reference, variable) in simulation.variables().iter().enumerate() {

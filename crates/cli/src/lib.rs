@@ -61,6 +61,9 @@ enum Command {
         /// Draw the mechanism: an SVG picture with names, or a PNG picture without
         #[arg(long, value_name = "FILE.svg")]
         draw: Option<PathBuf>,
+        /// Print the model file without copies and includes instead: it gives the same results
+        #[arg(long, conflicts_with = "draw")]
+        resolved: bool,
     },
     /// Find natural frequencies and shapes: modes.csv, shapes.csv and a picture
     Modes {
@@ -174,12 +177,17 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let file_name = model.file.display().to_string();
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
             let accuracy = verify.flatten().unwrap_or(verify::ACCURACY);
-            let wish = Wish { file_name: &file_name, text: &text, overrides: &model.overrides, accuracy };
+            let overrides = simulation.document().remaining(&model.overrides);
+            let wish = Wish { file_name: &file_name, text: &text, overrides: &overrides, accuracy };
             let film = view.then(|| progress::last_row(&simulation).map(|last| Film::new(&simulation, last)));
             let (directory, wish) = (model.directory(out), is_wanted.then_some(wish));
             run::run(simulation, &directory, &[model.input()], wish, film.transpose()?)
         }
-        Command::Check { model, draw } => {
+        Command::Check { model, resolved: true, .. } => {
+            let (simulation, text) = model.load()?;
+            check::resolved(&text, &simulation.document().remaining(&model.overrides))
+        }
+        Command::Check { model, draw, .. } => {
             let picture = draw.as_deref().map(picture::Target::of).transpose()?;
             output::spare(&[model.input()], draw.as_slice())?;
             let (simulation, _) = model.load()?;
@@ -235,12 +243,13 @@ impl ModelArguments {
 /// The model file as messages call it.
 const MODEL_FILE: &str = "the model file";
 
-/// Reads a model file; gives its text too.
+/// Reads a model file; gives its text too, without copies and includes.
 fn load(path: &Path, overrides: &[(String, String)]) -> Result<(Simulation, String), Stop> {
-    let name = path.display();
+    let name = path.display().to_string();
     let text = file::text(path).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    let simulation =
-        Simulation::load(&name.to_string(), &text, overrides).map_err(|Failure { message, .. }| Stop::Bad(message))?;
+    let simulation = Simulation::load_in(path.parent(), &name, &text, overrides)
+        .map_err(|Failure { message, .. }| Stop::Bad(message))?;
+    let text = simulation.document().text().to_owned();
     Ok((simulation, text))
 }
 

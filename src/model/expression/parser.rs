@@ -1,21 +1,33 @@
 //! Text to [`Program`], by recursive descent with a bounded depth.
 //!
 //! ```text
+//! expression = all { "or" all }
+//! all     = comparison { "and" comparison }
+//! comparison = sum [ ("<" | "<=" | ">" | ">=" | "==" | "!=") sum ]
 //! sum     = product { ("+" | "-") product }
 //! product = sign { ("*" | "/") sign }
 //! sign    = ("+" | "-") sign | power
 //! power   = atom [ "^" sign ]
-//! atom    = number | name | name "(" sum { "," sum } ")" | "(" sum ")"
+//! atom    = number | name | name "(" expression { "," expression } ")" | "(" expression ")"
 //! ```
 
 use super::Variable;
-use super::program::{Binary, Callable, FUNCTIONS, Operation, Program, Unary};
+use super::program::{Binary, Callable, FUNCTIONS, MORE_FUNCTIONS, Operation, Program, Unary};
 use std::ops::Range;
 
 /// Depth of nesting; deep enough for every formula that someone writes, far from the end of the stack.
 const DEPTH: usize = 60;
 /// Longest text in bytes.
-const LENGTH: usize = 4000;
+pub const LENGTH: usize = 4000;
+/// The comparison operators; none is the beginning of a later one.
+const COMPARATORS: [(&str, Binary); 6] = [
+    ("<=", Binary::AtMost),
+    (">=", Binary::AtLeast),
+    ("==", Binary::Equal),
+    ("!=", Binary::Unequal),
+    ("<", Binary::Less),
+    (">", Binary::Greater),
+];
 
 /// Why a text is no expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,7 +60,7 @@ pub fn compile(
     if parser.at == text.len() {
         return Err(error("the expression is empty", "a number or an expression was expected", 0..text.len()));
     }
-    parser.sum()?;
+    parser.expression()?;
     if parser.at < text.len() {
         return Err(parser.unexpected("an operator (+ - * / ^) or the end was expected"));
     }
@@ -102,6 +114,64 @@ impl Parser<'_> {
             return Err(error("the expression is nested too deeply", format!("deeper than {DEPTH}"), self.at..self.at));
         }
         Ok(())
+    }
+
+    /// Takes a word and the space after it, if it comes next.
+    fn take_word(&mut self, word: &str) -> bool {
+        let is_end = |c: Option<char>| !c.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_');
+        let found = self.text[self.at..].strip_prefix(word).is_some_and(|rest| is_end(rest.chars().next()));
+        if found {
+            self.at += word.len();
+            self.skip_space();
+        }
+        found
+    }
+
+    fn expression(&mut self) -> Result<(), ExpressionError> {
+        self.all()?;
+        while self.take_word("or") {
+            self.all()?;
+            self.operations.push(Operation::Binary(Binary::Or));
+        }
+        Ok(())
+    }
+
+    fn all(&mut self) -> Result<(), ExpressionError> {
+        self.comparison()?;
+        while self.take_word("and") {
+            self.comparison()?;
+            self.operations.push(Operation::Binary(Binary::And));
+        }
+        Ok(())
+    }
+
+    fn comparison(&mut self) -> Result<(), ExpressionError> {
+        self.sum()?;
+        let Some(operation) = self.comparator()? else { return Ok(()) };
+        self.sum()?;
+        self.operations.push(Operation::Binary(operation));
+        let begin = self.at;
+        match self.comparator()? {
+            None => Ok(()),
+            Some(_) => {
+                let label = "write `a < b and b < c`";
+                Err(error("two comparisons stand in a row", label, begin..self.at))
+            }
+        }
+    }
+
+    /// Takes a comparison operator and the space after it, if one comes next.
+    fn comparator(&mut self) -> Result<Option<Binary>, ExpressionError> {
+        let rest = &self.text[self.at..];
+        let Some((sign, operation)) = COMPARATORS.iter().find(|(sign, _)| rest.starts_with(sign)) else {
+            return match rest.starts_with('=') {
+                true => Err(error("`=` is not a comparison", "equality is written ==", self.at..self.at + 1)),
+                false => Ok(None),
+            };
+        };
+        self.at += sign.len();
+        self.skip_space();
+        Ok(Some(*operation))
     }
 
     fn sum(&mut self) -> Result<(), ExpressionError> {
@@ -167,7 +237,7 @@ impl Parser<'_> {
         match self.peek() {
             Some('(') => {
                 self.take('(');
-                self.sum()?;
+                self.expression()?;
                 if self.take(')') { Ok(()) } else { Err(self.unexpected("`)` or an operator was expected")) }
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
@@ -222,6 +292,11 @@ impl Parser<'_> {
         if let Some((_, callable)) = FUNCTIONS.iter().find(|(function, _)| *function == name) {
             return self.call(name, *callable, range);
         }
+        if self.peek() == Some('(')
+            && let Some((_, callable)) = MORE_FUNCTIONS.iter().find(|(function, _)| *function == name)
+        {
+            return self.call(name, *callable, range);
+        }
         let operation = match name {
             "pi" => Operation::Constant(std::f64::consts::PI),
             "e" => Operation::Constant(std::f64::consts::E),
@@ -259,9 +334,9 @@ impl Parser<'_> {
             return Err(error(format!("`{name}` is a function"), format!("{name}(...) was expected"), range));
         }
         let mut count = 1;
-        self.sum()?;
+        self.expression()?;
         while self.take(',') {
-            self.sum()?;
+            self.expression()?;
             count += 1;
             // At once, not at the end: so max of many needs a stack of two.
             if let Callable::Many(function) = callable {
@@ -274,6 +349,7 @@ impl Parser<'_> {
         let (fits, wanted) = match callable {
             Callable::One(_) => (count == 1, "1 argument"),
             Callable::Two(_) => (count == 2, "2 arguments"),
+            Callable::Three(_) => (count == 3, "3 arguments"),
             Callable::Many(_) => (count >= 2, "2 or more arguments"),
         };
         if !fits {
@@ -282,6 +358,7 @@ impl Parser<'_> {
         match callable {
             Callable::One(function) => self.operations.push(Operation::Unary(function)),
             Callable::Two(function) => self.operations.push(Operation::Binary(function)),
+            Callable::Three(function) => self.operations.push(Operation::Ternary(function)),
             Callable::Many(_) => {}
         }
         Ok(())

@@ -18,6 +18,8 @@ pub enum Operation {
     Unary(Unary),
     /// A function of two arguments.
     Binary(Binary),
+    /// A function of three arguments.
+    Ternary(Ternary),
 }
 
 /// Functions of one argument.
@@ -39,6 +41,9 @@ pub enum Unary {
     Sqrt,
     Abs,
     Sign,
+    Log10,
+    Floor,
+    Ceil,
 }
 
 /// Functions of two arguments.
@@ -53,6 +58,24 @@ pub enum Binary {
     Atan2,
     Min,
     Max,
+    Mod,
+    Step,
+    Less,
+    AtMost,
+    Greater,
+    AtLeast,
+    Equal,
+    Unequal,
+    And,
+    Or,
+}
+
+/// Functions of three arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each is the function of its name")]
+pub enum Ternary {
+    If,
+    Smoothstep,
 }
 
 /// What a function name stands for.
@@ -64,9 +87,22 @@ pub enum Callable {
     Two(Binary),
     /// Two or more arguments, folded from the left.
     Many(Binary),
+    /// Exactly three arguments.
+    Three(Ternary),
 }
 
-/// The functions of the expression language; their names are reserved.
+/// Functions whose names are not reserved: without a parenthesis behind it each is the name of a parameter.
+pub const MORE_FUNCTIONS: [(&str, Callable); 7] = [
+    ("log10", Callable::One(Unary::Log10)),
+    ("floor", Callable::One(Unary::Floor)),
+    ("ceil", Callable::One(Unary::Ceil)),
+    ("mod", Callable::Two(Binary::Mod)),
+    ("step", Callable::Two(Binary::Step)),
+    ("if", Callable::Three(Ternary::If)),
+    ("smoothstep", Callable::Three(Ternary::Smoothstep)),
+];
+
+/// The functions of the expression language whose names are reserved.
 pub const FUNCTIONS: [(&str, Callable); 17] = [
     ("sin", Callable::One(Unary::Sin)),
     ("cos", Callable::One(Unary::Cos)),
@@ -107,6 +143,7 @@ impl Program {
                 Operation::Constant(_) | Operation::Parameter(_) | Operation::Variable => height + 1,
                 Operation::Unary(_) => height,
                 Operation::Binary(_) => height - 1,
+                Operation::Ternary(_) => height - 2,
             };
             if height > STACK {
                 return None;
@@ -169,6 +206,10 @@ impl Program {
                     height -= 1;
                     stack[height - 1] = binary(function, stack[height - 1], stack[height]);
                 }
+                Operation::Ternary(function) => {
+                    height -= 2;
+                    stack[height - 1] = ternary(function, stack[height - 1], stack[height], stack[height + 1]);
+                }
             }
         }
         stack[0]
@@ -192,6 +233,9 @@ fn unary(function: Unary, a: Jet) -> Jet {
         Unary::Sqrt => a.sqrt(),
         Unary::Abs => a.abs(),
         Unary::Sign => a.sign(),
+        Unary::Log10 => a.log10(),
+        Unary::Floor => a.floor(),
+        Unary::Ceil => a.ceil(),
     }
 }
 
@@ -205,5 +249,35 @@ fn binary(function: Binary, a: Jet, b: Jet) -> Jet {
         Binary::Atan2 => a.atan2(b),
         Binary::Min => a.min(b),
         Binary::Max => a.max(b),
+        Binary::Mod => a.modulo(b),
+        Binary::Step => truth(a, b, |a, b| b >= a),
+        Binary::Less => truth(a, b, |a, b| a < b),
+        Binary::AtMost => truth(a, b, |a, b| a <= b),
+        Binary::Greater => truth(a, b, |a, b| a > b),
+        Binary::AtLeast => truth(a, b, |a, b| a >= b),
+        Binary::Equal => truth(a, b, |a, b| a == b),
+        Binary::Unequal => truth(a, b, |a, b| a != b),
+        Binary::And => truth(a, b, |a, b| a != 0.0 && b != 0.0),
+        Binary::Or => truth(a, b, |a, b| a != 0.0 || b != 0.0),
+    }
+}
+
+/// 1 where it holds, else 0; NaN if one of the two is NaN.
+fn truth(a: Jet, b: Jet, holds: impl Fn(f64, f64) -> bool) -> Jet {
+    let is_known = !a.value.is_nan() && !b.value.is_nan();
+    Jet::constant(if is_known { f64::from(u8::from(holds(a.value, b.value))) } else { f64::NAN })
+}
+
+fn ternary(function: Ternary, a: Jet, b: Jet, c: Jet) -> Jet {
+    match function {
+        Ternary::If if a.value.is_nan() => a,
+        Ternary::If => {
+            if a.value != 0.0 {
+                b
+            } else {
+                c
+            }
+        }
+        Ternary::Smoothstep => c.smoothstep(a, b),
     }
 }

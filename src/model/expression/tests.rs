@@ -116,6 +116,66 @@ fn functions_have_exact_derivatives() {
     }
 }
 
+/// Functions of pieces have the derivatives of the piece; comparisons and counts are constants.
+#[test]
+fn functions_with_jumps_have_the_derivatives_of_their_pieces() {
+    for t in [0.17, 0.31, 0.66] {
+        let time = Dual2_64::from(t).derivative();
+        let (x, y) = (time * time - time * 0.3 + 1.1, (time * 2.0).sin() - 0.1);
+        let (a, b) = ("(t^2 - 0.3*t + 1.1)", "(sin(2*t) - 0.1)");
+        let zero = Dual2_64::from(0.0);
+        let smooth = |u: Dual2_64| match u.re {
+            share if share <= 0.0 => zero,
+            share if share >= 1.0 => Dual2_64::from(1.0),
+            _ => u * u * (-u * 2.0 + 3.0),
+        };
+        for (text, expected) in [
+            (format!("log10({a})"), x.log10()),
+            (format!("mod({a}, {b})"), x - y * (x.re / y.re).floor()),
+            (format!("mod({b}, 0.2)"), y - 0.2 * (y.re / 0.2).floor()),
+            (format!("floor(5*{a})"), Dual2_64::from((5.0 * x.re).floor())),
+            (format!("ceil(5*{a})"), Dual2_64::from((5.0 * x.re).ceil())),
+            (format!("step(0.4, {b})"), Dual2_64::from(f64::from(u8::from(y.re >= 0.4)))),
+            (format!("smoothstep(0.1, {a}, {b})"), smooth((y - 0.1) / (x - 0.1))),
+            (format!("if({b} < 0.4, {a}, {b})"), if y.re < 0.4 { x } else { y }),
+            (format!("({b} < 0.4)*{a}"), if y.re < 0.4 { x } else { zero }),
+        ] {
+            assert_jet(jet(&text, t), expected, &format!("{text} at {t}"));
+        }
+    }
+}
+
+/// Comparisons are 1 or 0; `and` binds tighter than `or`, and both weaker than comparisons. A branch that is not taken may be undefined.
+#[test]
+fn comparisons_and_conditions() {
+    for (text, expected) in [
+        ("1 < 2", 1.0),
+        ("2 < 1 + 1", 0.0),
+        ("2 <= 1 + 1 and 3 >= 3", 1.0),
+        ("1 == 1 or 1 == 2 and 1 == 2", 1.0),
+        ("(1 == 1 or 1 == 2) and 1 != 1", 0.0),
+        ("3 > 2 and 2 > 3", 0.0),
+        ("if(t > 3, sqrt(t - 3), 7)", 7.0),
+        ("mod(36, 36) + mod(-1, 36) + mod(37, 36)", 36.0),
+        ("mod(5, -3)", -1.0),
+        ("step(2, t) + step(2.1, t)", 1.0),
+        ("smoothstep(1, 3, t)", 0.5),
+        ("smoothstep(2, 3, t) + smoothstep(1, 2, t)", 1.0),
+        ("floor(-0.5) + ceil(-0.5)", -1.0),
+    ] {
+        assert!((value(text) - expected).abs() < 1e-14, "{text} = {}", value(text));
+    }
+    for text in ["if(sqrt(-1), 1, 2)", "sqrt(-1) < 1", "smoothstep(1, 1, t)", "mod(1, 0)"] {
+        assert!(value(text).is_nan(), "{text} = {}", value(text));
+    }
+    assert_eq!(message("1 = 1").0, "`=` is not a comparison");
+    assert_eq!(message("1 < 2 < 3").0, "two comparisons stand in a row");
+    assert_eq!(message("if(1, 2)").0, "`if` has 2 argument(s) here");
+    // The names of these functions are free for parameters.
+    let program = compile("floor + 2*floor(1.5)", Variable::None, &|name| (name == "floor").then_some(0));
+    assert_eq!(program.unwrap().value(0.0, |_| 3.0), 5.0);
+}
+
 /// Powers are the function with the most special cases: each by its closed form.
 #[test]
 fn powers_have_exact_derivatives_at_their_special_points() {

@@ -73,13 +73,9 @@ const FORMAT: i64 = 1;
 impl Document {
     /// Reads a file with its overrides, key and value each, except for what only its geometry shows; the report has everything that is
     /// wrong with the file and the overrides, in their order. Without a document the report is not empty.
-    pub(in crate::model) fn read<'a>(
-        source: &'a Source,
-        text: &str,
-        overrides: &[(String, String)],
-    ) -> (Option<Self>, Report<'a>) {
+    pub(in crate::model) fn read<'a>(source: &'a Source, overrides: &[(String, String)]) -> (Option<Self>, Report<'a>) {
         let mut report = Report::new(source);
-        let Some(mut tree) = tree::parse(text, &mut report) else { return (None, report) };
+        let Some(mut tree) = tree::parse(source.text(0), 0, &mut report) else { return (None, report) };
         overrides::apply(&mut tree, overrides, &mut report);
         let mut context =
             Context { report, numbers: Numbers::default(), names: Names::default(), carriers: Vec::new() };
@@ -136,6 +132,17 @@ impl Document {
             simulation,
         };
         (Some(document), report)
+    }
+
+    /// The text of the model: that of the file, without copies and includes.
+    pub fn text(&self) -> &str {
+        self.source.text(0)
+    }
+
+    /// The overrides that [`Self::text`] does not have in it, of those that the file was read with.
+    pub fn remaining(&self, overrides: &[(String, String)]) -> Vec<(String, String)> {
+        let open = overrides.iter().enumerate().filter(|(number, _)| !self.source.has_applied(*number));
+        open.map(|(_, pair)| pair.clone()).collect()
     }
 
     /// The value of a number, parameters resolved; of one that changes in time the value at 0.
@@ -221,9 +228,10 @@ impl Document {
     /// Where a number is written, for messages: `line 7`, or the override.
     pub fn origin(&self, number: Number) -> String {
         let place = self.place(number);
-        match place.source {
-            0 => format!("line {}", self.source.line(place)),
-            _ => String::from("--set"),
+        let told = self.source.told(place);
+        match told.source.file_name(told.place.source) {
+            Some(_) => format!("line {}", self.source.line(place)),
+            None => String::from("--set"),
         }
     }
 

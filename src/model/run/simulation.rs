@@ -1,6 +1,7 @@
 //! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
 
 mod derivatives;
+mod guid;
 mod runner;
 mod saved;
 mod start_derivatives;
@@ -8,6 +9,7 @@ mod start_derivatives;
 pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
+use self::guid::guid;
 use self::runner::{Runner, Solver};
 use super::accuracy::{Accuracy, Columns, Inexact, Looker, Setting};
 use super::watch::Watch;
@@ -26,6 +28,7 @@ use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::text::diagnostic::Diagnostics;
 use crate::model::variables::inputs::Inputs;
 use crate::model::variables::{Moment, Source, Table};
+use std::path::Path;
 use std::sync::Arc;
 
 /// The parameter that a host's tolerance stands for.
@@ -57,14 +60,28 @@ impl Simulation {
     /// # Errors
     /// Everything that is wrong with the file, each with its place.
     pub fn load(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Failure> {
-        let document = Document::parse(file_name, text, overrides).map_err(|mistakes| mistaken(&mistakes))?;
+        Self::load_in(None, file_name, text, overrides)
+    }
+
+    /// Reads and builds a model file as [`Self::load`] does; paths in it are relative to `folder`, without which it includes no other file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file, each with its place.
+    pub fn load_in(
+        folder: Option<&Path>,
+        file_name: &str,
+        text: &str,
+        overrides: &[(String, String)],
+    ) -> Result<Self, Failure> {
+        let document =
+            Document::parse_in(folder, file_name, text, overrides).map_err(|mistakes| mistaken(&mistakes))?;
         let built = builder::build(&document, 0.0).map_err(|mistakes| mistaken(&mistakes))?;
         let table = Table::new(&document);
         let about = About {
             name: document.model.name.clone(),
             identifier: document.model.identifier.clone(),
             description: document.model.description.clone(),
-            guid: guid(text, overrides, &table),
+            guid: guid(document.text(), &document.remaining(overrides), &table),
             stop: document.value(document.simulation.stop),
             credits: document.model.credits.clone(),
             output_step: document.output_step(),
@@ -449,49 +466,5 @@ fn category(error: &Error) -> LogCategory {
         Error::NotConverged { .. } => LogCategory::NonlinearSystems,
         Error::StepTooSmall { reason, .. } | Error::RampStuck { reason, .. } => category(reason),
         _ => LogCategory::StatusError,
-    }
-}
-
-/// A name-based hash of the file, of its overrides and of what a host knows variables by: what its XML and the model must agree on. It has no
-/// number that was computed: the last bits of a sine depend on the processor and on the C library.
-fn guid(text: &str, overrides: &[(String, String)], table: &Table) -> String {
-    let mut content = format!("ancf14 {}\n{text}\n", env!("CARGO_PKG_VERSION"));
-    for (key, value) in overrides {
-        content.push_str(&format!("{key}={value}\n"));
-    }
-    let mut content = content.into_bytes();
-    for Variable { name, causality, variability, quantity, .. } in &table.variables {
-        content.extend([*causality as u8, *variability as u8]);
-        for text in [name, &quantity.unit] {
-            content.extend(text.as_bytes());
-            content.push(0);
-        }
-    }
-    format!("{{{}}}", uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_URL, &content))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Two processors, or two C libraries, may give a start value different last bits; the file is the same all the same.
-    #[test]
-    fn regression_start_values_are_not_in_the_guid() {
-        let text = include_str!("../../../models/crane.toml");
-        let document = Document::parse("crane.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
-        let mut table = Table::new(&document);
-        let here = guid(text, &[], &table);
-        for variable in &mut table.variables {
-            if let Value::Real(start) = &mut variable.start {
-                *start = start.next_up();
-            }
-        }
-        assert_eq!(guid(text, &[], &table), here);
-        table.variables[0].name.push('_');
-        assert_ne!(guid(text, &[], &table), here);
-        assert_ne!(
-            guid(text, &[(String::from("foot.position[1]"), String::from("1"))], &table),
-            guid(text, &[], &table)
-        );
     }
 }

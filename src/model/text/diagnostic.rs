@@ -1,81 +1,8 @@
 //! What is wrong with a model file, and where: the offending text underlined in its line, what was expected, what to try.
 
+pub use super::source::{OVERRIDE, Place, Source};
+use std::collections::BTreeMap;
 use std::fmt;
-
-/// Where a text stands: bytes of the file or of an override.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
-    /// 0: the file; k: the k-th override.
-    pub source: usize,
-    /// First byte.
-    pub start: usize,
-    /// Byte after the last.
-    pub end: usize,
-}
-
-impl Place {
-    /// Bytes of the file.
-    pub fn file(range: std::ops::Range<usize>) -> Self {
-        Self { source: 0, start: range.start, end: range.end }
-    }
-
-    /// From the beginning of this place to the end of `last`, if both are of one text; else this place.
-    pub fn to(self, last: Self) -> Self {
-        let end = if last.source == self.source { last.end.max(self.end) } else { self.end };
-        Self { end, ..self }
-    }
-}
-
-/// The texts that a model is made of: the file and the overrides, as the messages quote them.
-#[derive(Clone, Debug)]
-pub struct Source {
-    file_name: String,
-    texts: Vec<String>,
-}
-
-/// How an override begins in a message.
-pub const OVERRIDE: &str = "--set ";
-
-impl Source {
-    /// The file, and overrides as key and value.
-    pub fn new(file_name: &str, text: &str, overrides: &[(String, String)]) -> Self {
-        let quoted = overrides.iter().map(|(key, value)| format!("{OVERRIDE}{key}={value}"));
-        Self { file_name: file_name.to_owned(), texts: std::iter::once(text.to_owned()).chain(quoted).collect() }
-    }
-
-    /// The text at a place; empty if the place is none of this source.
-    pub fn slice(&self, place: Place) -> &str {
-        self.texts.get(place.source).and_then(|text| text.get(place.start..place.end)).unwrap_or("")
-    }
-
-    /// The end of the file: where something is missing.
-    pub fn end(&self) -> Place {
-        let end = self.texts.first().map_or(0, |text| text.trim_end().len());
-        Place::file(end..end)
-    }
-
-    /// Number of the line of a place of the file, from 1.
-    pub fn line(&self, place: Place) -> usize {
-        self.texts.first().and_then(|text| text.get(..place.start)).map_or(1, |before| before.matches('\n').count() + 1)
-    }
-
-    /// The place of a part of a string value: `range` counts in the decoded string. The whole value where that cannot be said.
-    pub fn inside(&self, place: Place, decoded: &str, range: std::ops::Range<usize>) -> Place {
-        let raw = self.slice(place);
-        let quotes = ["", "\"", "'", "\"\"\"", "'''"];
-        let fits = |quote: &&&str| {
-            raw.strip_prefix(**quote).and_then(|raw| raw.strip_suffix(**quote)).is_some_and(|inner| inner == decoded)
-        };
-        match quotes.iter().find(fits) {
-            Some(quote) => Place {
-                source: place.source,
-                start: place.start + quote.len() + range.start,
-                end: place.start + quote.len() + range.end,
-            },
-            None => place,
-        }
-    }
-}
 
 /// One mistake.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -84,6 +11,12 @@ pub struct Diagnostic {
     pub message: String,
     /// Where it is wrong: the order of the report.
     pub place: Place,
+    /// Where its text comes from: copies of one text have one origin.
+    origin: Place,
+    /// Which copy it is in; empty: in none.
+    note: String,
+    /// How many more copies have a mistake at the same place.
+    others: usize,
     location: String,
     line_number: Option<usize>,
     line: String,
@@ -95,23 +28,26 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A mistake at `place`; `label` stands behind the underlining, `help` below; both may be empty.
     pub fn new(source: &Source, place: Place, message: &str, label: &str, help: &str) -> Self {
-        let text = source.texts.get(place.source).map_or("", String::as_str);
-        let start = boundary(text, place.start);
-        let end = boundary(text, place.end).max(start);
+        let told = source.told(place);
+        let text = told.source.text(told.place.source);
+        let start = boundary(text, told.place.start);
+        let end = boundary(text, told.place.end).max(start);
         let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
         let line_end = text[line_start..].find('\n').map_or(text.len(), |at| line_start + at);
         let line = text[line_start..line_end].trim_end_matches('\r');
         let (from, to) = ((start - line_start).min(line.len()), (end - line_start).min(line.len()));
-        let (line_number, location) = if place.source == 0 {
-            let number = text[..line_start].matches('\n').count() + 1;
-            let column = line[..from].chars().count() + 1;
-            (Some(number), format!("{}:{number}:{column}", source.file_name))
-        } else {
-            (None, "on the command line".to_owned())
+        let (line_number, location) = match told.source.file_name(told.place.source) {
+            Some(file_name) => {
+                let number = text[..line_start].matches('\n').count() + 1;
+                let column = line[..from].chars().count() + 1;
+                (Some(number), format!("{file_name}:{number}:{column}"))
+            }
+            None => (None, "on the command line".to_owned()),
         };
+        let (origin, note) = (told.place, told.note.to_owned());
         let (line, underline) = excerpt(line, from, to);
         let [message, label, help] = [message, label, help].map(|text| printable(&shortened(text)));
-        Self { message, place, location, line_number, line, underline, label, help }
+        Self { message, place, origin, note, others: 0, location, line_number, line, underline, label, help }
     }
 }
 
@@ -197,7 +133,15 @@ impl fmt::Display for Diagnostic {
         let number = self.line_number.map_or(String::new(), |number| number.to_string());
         let gutter = " ".repeat(number.len());
         writeln!(f, "error: {}", self.message)?;
-        writeln!(f, "{gutter}--> {}", self.location)?;
+        write!(f, "{gutter}--> {}", self.location)?;
+        if !self.note.is_empty() {
+            write!(f, ", {}", self.note)?;
+        }
+        match self.others {
+            0 => writeln!(f)?,
+            1 => writeln!(f, " (and in another copy)")?,
+            others => writeln!(f, " (and in {others} other copies)")?,
+        }
         writeln!(f, "{gutter} |")?;
         writeln!(f, "{number} | {}", self.line)?;
         let (start, end) = self.underline;
@@ -241,6 +185,28 @@ impl fmt::Display for Diagnostics {
 
 impl std::error::Error for Diagnostics {}
 
+/// The mistakes without those that further copies of a part have at the same place of the original.
+pub fn told_once(list: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut kept: Vec<Diagnostic> = Vec::new();
+    let mut places: BTreeMap<Place, (usize, Vec<String>)> = BTreeMap::new();
+    for diagnostic in list {
+        if diagnostic.note.is_empty() {
+            kept.push(diagnostic);
+            continue;
+        }
+        let (first, notes) = places.entry(diagnostic.origin).or_insert_with(|| (kept.len(), Vec::new()));
+        if notes.first().is_none_or(|note| *note == diagnostic.note) {
+            notes.push(diagnostic.note.clone());
+            notes.truncate(1);
+            kept.push(diagnostic);
+        } else if notes.last() != Some(&diagnostic.note) {
+            kept[*first].others += 1;
+            notes.push(diagnostic.note);
+        }
+    }
+    kept
+}
+
 /// Collects the mistakes while a file is read.
 #[derive(Debug)]
 pub struct Report<'a> {
@@ -278,6 +244,6 @@ impl<'a> Report<'a> {
     /// All of them, in the order of the file.
     pub fn finish(mut self) -> Diagnostics {
         self.list.sort_by_key(|diagnostic| diagnostic.place);
-        Diagnostics(self.list)
+        Diagnostics(told_once(self.list))
     }
 }

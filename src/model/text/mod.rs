@@ -4,5 +4,6 @@ pub mod diagnostic;
 pub(super) mod keys;
 pub mod names;
 pub(super) mod overrides;
+pub mod source;
 pub(super) mod syntax;
 pub(super) mod tree;

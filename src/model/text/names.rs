@@ -179,7 +179,7 @@ pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>)
 }
 
 /// Words of other programs and languages: where they stand, and what they are called here.
-const SYNONYMS: [(&str, &[&str], &str); 18] = [
+const SYNONYMS: [(&str, &[&str], &str); 21] = [
     ("type", &["fixed", "rigid", "fix", "clamp", "clamped"], "weld"),
     ("type", &["hinge", "pin", "pivot", "hinged", "pinned"], "revolute"),
     ("type", &["ball", "ball_joint", "sphere"], "spherical"),
@@ -190,7 +190,10 @@ const SYNONYMS: [(&str, &[&str], &str); 18] = [
     ("shape", &["pipe", "hollow", "ring"], "tube"),
     ("shape", &["square", "rect", "strip"], "rectangle"),
     ("integrator", &["alpha", "hht", "newmark"], "generalized_alpha"),
-    (FUNCTION, &["log", "loge"], "ln"),
+    (FUNCTION, &["log"], "ln` or `log10"),
+    (FUNCTION, &["loge"], "ln"),
+    (FUNCTION, &["modulo", "fmod", "rem"], "mod"),
+    (FUNCTION, &["heaviside"], "step"),
     (FUNCTION, &["arcsin"], "asin"),
     (FUNCTION, &["arccos"], "acos"),
     (FUNCTION, &["arctan"], "atan"),

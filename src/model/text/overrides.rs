@@ -32,6 +32,9 @@ struct Target {
 pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Report<'_>) {
     let mut earlier: Vec<(Target, Option<usize>)> = Vec::new();
     for (k, (key, value)) in overrides.iter().enumerate() {
+        if report.source.has_applied(k) {
+            continue;
+        }
         let source = k + 1;
         let start = OVERRIDE.len();
         let place = Place { source, start, end: start + key.len() };
@@ -54,6 +57,38 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
         }
         earlier.push((target, index));
     }
+}
+
+/// Puts those overrides into the tree that can decide what there is: entries of `[parameters]`, and the `count` of things in the section `copies`.
+/// Says which ones these are.
+pub fn apply_early(
+    tree: &mut [Entry],
+    copies: &str,
+    overrides: &[(String, String)],
+    report: &mut Report<'_>,
+) -> Vec<bool> {
+    let mut applied = Vec::with_capacity(overrides.len());
+    for (k, (key, value)) in overrides.iter().enumerate() {
+        let place = Place { source: k + 1, start: OVERRIDE.len(), end: OVERRIDE.len() + key.len() };
+        let (name, last) = key.split_once('.').unwrap_or((key, ""));
+        let (word, key_in) = if last.is_empty() { ("parameters", name) } else { (copies, last) };
+        let entries = section(tree, word).and_then(|entries| match last {
+            "" => Some(entries),
+            "count" => table(entries, name),
+            _ => None,
+        });
+        let Some(entries) = entries.filter(|entries| entries.iter().any(|entry| entry.key == key_in)) else {
+            applied.push(false);
+            continue;
+        };
+        if overrides[..k].iter().any(|(other, _)| other == key) {
+            report.error(place, &format!("`{key}` is set twice"), "the second one", "");
+        }
+        let item = parse_override(value, k + 1, place.end + 1, report);
+        store((entries, key_in), None, item, place, report);
+        applied.push(true);
+    }
+    applied
 }
 
 impl Target {

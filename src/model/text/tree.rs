@@ -62,11 +62,12 @@ impl Node {
     }
 }
 
-/// Reads the file; syntax errors go to the report. None if what was read is not worth looking at.
-pub fn parse(text: &str, report: &mut Report<'_>) -> Option<Vec<Entry>> {
+/// Reads file number `source`; syntax errors go to the report. None if what was read is not worth looking at.
+pub fn parse(text: &str, source: usize, report: &mut Report<'_>) -> Option<Vec<Entry>> {
     let (table, errors) = DeTable::parse_recoverable(text);
     // What is nested too deeply is said without its place.
-    let place = |error: &toml::de::Error| Place::file(error.span().unwrap_or_else(|| syntax::most_dotted(text)));
+    let within = |range: Range<usize>| Place { source, start: range.start, end: range.end };
+    let place = |error: &toml::de::Error| within(error.span().unwrap_or_else(|| syntax::most_dotted(text)));
     let mut errors: Vec<_> = errors.iter().map(|error| (place(error), error.message())).collect();
     errors.sort_by_key(|(place, _)| *place);
     let mut broken_line = None;
@@ -88,7 +89,7 @@ pub fn parse(text: &str, report: &mut Report<'_>) -> Option<Vec<Entry>> {
             continue;
         }
         let mistake = syntax::explain(message, text, place.start..place.end);
-        report.error(Place::file(mistake.range), &mistake.message, &mistake.label, mistake.help);
+        report.error(within(mistake.range), &mistake.message, &mistake.label, mistake.help);
         if mistake.is_last {
             break;
         }
@@ -96,7 +97,7 @@ pub fn parse(text: &str, report: &mut Report<'_>) -> Option<Vec<Entry>> {
     if broken_line.is_some() {
         return None;
     }
-    let mut tree = convert_table(table.into_inner(), 0, 0, report);
+    let mut tree = convert_table(table.into_inner(), source, 0, report);
     remove(&mut tree, &repeated);
     Some(tree)
 }

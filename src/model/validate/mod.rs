@@ -9,6 +9,7 @@ mod places;
 
 pub use lines::{Lines, division};
 
+use super::file;
 use super::file::document::Document;
 use super::file::entries::actuator::Action;
 use super::file::entries::beam::BeamSpec;
@@ -19,10 +20,12 @@ use super::file::entries::material::Lateral;
 use super::file::entries::{load, output};
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
+use super::flat;
 use super::text::diagnostic::{Diagnostic, Diagnostics, Place, Source};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::centerline::{Centerline, Spacing};
 use crate::mechanics::beam::design::Elements;
+use std::path::Path;
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
 const SMALLEST_SINE: f64 = 0.017_452_4;
@@ -37,8 +40,21 @@ impl Document {
     /// # Errors
     /// Everything that is wrong with the file and the overrides, in their order.
     pub fn parse(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Diagnostics> {
-        let source = Source::new(file_name, text, overrides);
-        let (document, mut report) = Self::read(&source, text, overrides);
+        Self::parse_in(None, file_name, text, overrides)
+    }
+
+    /// Reads a file as [`Self::parse`] does; paths in it are relative to `folder`, without which it includes no other file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file, with included files and with the overrides.
+    pub fn parse_in(
+        folder: Option<&Path>,
+        file_name: &str,
+        text: &str,
+        overrides: &[(String, String)],
+    ) -> Result<Self, Diagnostics> {
+        let source = flat::flat(Source::new(file_name, text, overrides), overrides, folder, &file::text)?;
+        let (document, mut report) = Self::read(&source, overrides);
         report.extend(document.as_ref().map_or(Vec::new(), mistakes));
         document.filter(|_| report.is_empty()).ok_or_else(|| report.finish())
     }

@@ -8,6 +8,7 @@ use self::anchor::Anchor;
 use super::number::{Meta, Number, Numbers, Slot, Written};
 use super::schema::Rule;
 use crate::model::expression::function::{Formula, Piece};
+use crate::model::expression::program::{FUNCTIONS, MORE_FUNCTIONS};
 use crate::model::expression::{Program, Variable, compile};
 use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::{FUNCTION, Kind, Names, nearest, suggestion, suggestion_for};
@@ -40,7 +41,7 @@ impl Context<'_> {
                 }
                 let unknown = error.unknown.as_deref().filter(|_| !self.report.is_full());
                 let near = unknown.map_or(String::new(), |name| {
-                    let functions = crate::model::expression::program::FUNCTIONS.iter().map(|(name, _)| *name);
+                    let functions = FUNCTIONS.iter().chain(&MORE_FUNCTIONS).map(|(name, _)| *name);
                     suggestion_for(FUNCTION, name, self.names.of(Kind::Parameter).chain(functions).chain(["pi"]))
                 });
                 let place = self.report.source.inside(place, text, error.range);

@@ -1,0 +1,81 @@
+//! From copies (`[copy.NAME]`) and included files (`[include.NAME]`) to a flat model: the text of a file without them. It is what is
+//! read, run and packed; messages about it tell the place of the original and the copy.
+
+mod copies;
+mod instance;
+mod library;
+mod motion;
+mod print;
+mod roles;
+mod scalar;
+mod scope;
+mod tables;
+
+use self::instance::Flattener;
+use self::library::Library;
+use self::scope::Scope;
+use self::tables::{COPY, INCLUDE};
+use crate::model::text::diagnostic::{Diagnostics, Report, Source};
+use crate::model::text::overrides;
+use crate::model::text::tree::{self, Entry};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Reads a file of this path; the reason where that fails.
+pub type Read<'r> = &'r dyn Fn(&Path) -> Result<String, String>;
+
+/// The largest flat model, bytes: that of a model file.
+const LARGEST: usize = 10 << 20;
+
+/// Turns a file into a flat one if it has copies or includes, with the overrides that decide what there is; otherwise returns it as it is.
+/// Relative paths in the file are relative to `folder`; none: the text comes from memory and includes nothing.
+///
+/// # Errors
+/// Everything that is wrong with copies and includes.
+pub fn flat(
+    mut source: Source,
+    overrides: &[(String, String)],
+    folder: Option<&Path>,
+    read: Read<'_>,
+) -> Result<Source, Diagnostics> {
+    let text = source.text(0);
+    if !text.contains(COPY) && !text.contains(INCLUDE) {
+        return Ok(source);
+    }
+    let mut report = Report::new(&source);
+    let Some(mut tree) = tree::parse(text, 0, &mut report) else { return Ok(source) };
+    if !is_needed(&tree) {
+        return Ok(source);
+    }
+    let applied = overrides::apply_early(&mut tree, COPY, overrides, &mut report);
+    if !report.is_empty() {
+        return Err(report.finish());
+    }
+    let library = Library::load(&tree, &mut source, folder, read)?;
+    // The first pass finds the parameters that decide what there is, the second one has their numbers.
+    let mut known = BTreeMap::new();
+    loop {
+        let mut flattener = Flattener::new(Report::new(&source), &library, known);
+        flattener.fill(&Scope::file(&tree));
+        if flattener.decisive != flattener.known {
+            known = flattener.decisive;
+            continue;
+        }
+        let (text, spans) = flattener.print(&source);
+        let Flattener { mut report, notes, .. } = flattener;
+        if report.is_empty() && text.len() > LARGEST {
+            let message = format!("the model without copies and includes has {} MB", text.len() >> 20);
+            let label = format!("the limit is {} MB", LARGEST >> 20);
+            report.error(source.end(), &message, &label, "make fewer copies");
+        }
+        if !report.is_empty() {
+            return Err(report.finish());
+        }
+        return Ok(source.resolved(&text, spans, notes, applied));
+    }
+}
+
+/// Whether a file has copies or includes.
+fn is_needed(tree: &[Entry]) -> bool {
+    tree.iter().any(|entry| entry.key == COPY || entry.key == INCLUDE)
+}

@@ -1,0 +1,157 @@
+//! Is a model of several files what its parts are, each with the name of its include before its own? The files are written into a folder of this
+//! test; paths are relative to the file that names them.
+
+use ancf14::model::document::Document;
+use ancf14::model::simulation::Simulation;
+use std::fs;
+use std::path::PathBuf;
+
+/// A folder with files, for one test.
+fn folder(test: &str, files: &[(&str, &str)]) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("includes-{test}"));
+    for (name, text) in files {
+        let path = folder.join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    folder
+}
+
+fn parse(folder: &std::path::Path, overrides: &[(&str, &str)]) -> Result<Document, String> {
+    let overrides: Vec<_> = overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
+    let text = fs::read_to_string(folder.join("m.toml")).unwrap();
+    Document::parse_in(Some(folder), "m.toml", &text, &overrides).map_err(|mistakes| mistakes.to_string())
+}
+
+const BLADE: &str = r#"format = 1
+[parameters]
+length = { value = 1.0, unit = "m", min = 0.1 }
+half = "length/2"
+pieces = 2
+[material.grp]
+young = 2e10
+poisson = 0.3
+density = 1800
+[section.spar]
+shape = "circle"
+radius = 0.02
+[copy.parts]
+count = "pieces"
+[copy.parts.beam.spar]
+material = "grp"
+section = "spar"
+from = ["(k - 1)*half", 0, 0]
+to = ["k*half", 0, 0]
+elements = 2
+[copy.parts.joint.flange]
+when = "k > 1"
+type = "weld"
+a = "spar[k - 1].end"
+b = "spar.start"
+"#;
+
+const ROTOR: &str = r#"format = 1
+[model]
+name = "Rotor"
+[parameters]
+L = 3
+[body.hub]
+mass = 1
+position = [0, 0, 0]
+inertia = [1, 1, 1]
+[joint.axle]
+type = "revolute"
+a = "ground"
+b = "hub"
+axis = [0, 0, 1]
+[copy.blades]
+count = 3
+turn = { axis = [0, 0, 1], angle = "2*pi*(k - 1)/3" }
+[copy.blades.include.blade]
+file = "parts/blade.toml"
+set = { length = "L*k" }
+[copy.blades.joint.root]
+type = "weld"
+a = "hub"
+b = "blade_spar_1.start"
+[output.tip]
+at = "blade_3_spar_2.end"
+quantities = ["position"]
+[simulation]
+stop = 0.01
+step = 0.001
+"#;
+
+#[test]
+fn an_included_blade_is_copied() {
+    let folder = folder("rotor", &[("m.toml", ROTOR), ("parts/blade.toml", BLADE)]);
+    let document = parse(&folder, &[("blade_2_spar.radius", "0.03")]).unwrap_or_else(|message| panic!("{message}"));
+    let names: Vec<_> = document.beams.iter().map(|beam| beam.name.as_str()).collect();
+    let expected =
+        ["blade_1_spar_1", "blade_1_spar_2", "blade_2_spar_1", "blade_2_spar_2", "blade_3_spar_1", "blade_3_spar_2"];
+    assert_eq!(names, expected);
+    let names: Vec<_> = document.joints.iter().map(|joint| joint.name.as_str()).collect();
+    assert_eq!(
+        names,
+        ["axle", "blade_1_flange_2", "root_1", "blade_2_flange_2", "root_2", "blade_3_flange_2", "root_3"]
+    );
+    assert!(document.text().contains("blade_2_length = { value = \"L*2\", unit = \"m\", min = 0.1 }"));
+    assert!(document.text().contains("blade_2_half = \"blade_2_length/2\""));
+    let text = fs::read_to_string(folder.join("m.toml")).unwrap();
+    let simulation = Simulation::load_in(Some(&folder), "m.toml", &text, &[])
+        .unwrap_or_else(|failure| panic!("{}", failure.message));
+    // The third blade has the length 9 and points to -120 degrees.
+    let tip = ancf14_testing::running::vector(&simulation, "tip.position");
+    assert!((tip - ancf14::math::Vec3::new(-4.5, -4.5 * 3.0_f64.sqrt(), 0.0)).norm() < 1e-12, "{tip}");
+    // The flat text needs no other file.
+    let flat = simulation.document().text();
+    assert_eq!(Document::parse("m.toml", flat, &[]).unwrap_or_else(|message| panic!("{message}")).text(), flat);
+}
+
+/// Messages name the included file with its line, and which of its copies is meant.
+#[test]
+fn mistakes_in_included_files_are_told_there() {
+    let case = |test: &str, files: &[(&str, &str)], expected: &[&str]| {
+        let message = parse(&folder(test, files), &[]).err().unwrap_or_else(|| panic!("{test} was taken"));
+        for expected in expected {
+            assert!(message.contains(expected), "{test}: {expected} is not in\n{message}");
+        }
+    };
+    let rotor = ("m.toml", ROTOR);
+    let wrong = BLADE.replace("0.02", "-0.02");
+    case(
+        "radius",
+        &[rotor, ("parts/blade.toml", &wrong)],
+        &[
+            "`blade_1_spar.radius` must be greater than 0",
+            "blade.toml:12:10, included as blade_1, in copy 1 of blades (and in 2 other copies)",
+        ],
+    );
+    let wrong = BLADE.replace("\"spar.start\"", "\"hub\"");
+    case(
+        "inside",
+        &[rotor, ("parts/blade.toml", &wrong)],
+        &["nothing in the file is named `blade_1_hub`", "blade.toml:25:5"],
+    );
+    let wrong = BLADE.replace("young = 2e10", "young = 2e10 Pa");
+    case("syntax", &[rotor, ("parts/blade.toml", &wrong)], &["numbers are written without units", "blade.toml:7:"]);
+    let wrong = format!("{BLADE}[model]\nname = \"Blade\"\n");
+    case(
+        "model",
+        &[rotor, ("parts/blade.toml", &wrong)],
+        &["an included file has a section [model]", "blade.toml:26:2"],
+    );
+    let wrong = BLADE.replace("format = 1", "");
+    case("format", &[rotor, ("parts/blade.toml", &wrong)], &["does not say its format"]);
+    let wrong = ROTOR.replace("length = \"L*k\"", "lenght = 2");
+    case(
+        "set",
+        &[("m.toml", &wrong), ("parts/blade.toml", BLADE)],
+        &["blade.toml has no parameter `lenght`", "did you mean `length`?", "m.toml:22:9"],
+    );
+    let wrong = ROTOR.replace("parts/blade", "parts/balde");
+    case("missing", &[("m.toml", &wrong)], &["cannot read", "balde.toml", "m.toml:21:8"]);
+    let wrong = format!("{BLADE}[include.tip]\nfile = \"tip.toml\"\n");
+    let tip = "format = 1\n[include.blade]\nfile = \"../parts/blade.toml\"\n";
+    case("circle", &[rotor, ("parts/blade.toml", &wrong), ("parts/tip.toml", tip)], &["includes itself"]);
+}

@@ -1,0 +1,228 @@
+//! Is a turned copy the turned original? Two parts of one file, of which the second is the first one turned about an arbitrary axis through an
+//! arbitrary point and then moved, must move alike: every position of the copy is the turned position of the original, every rotation vector the
+//! turned rotation vector. A key whose vector does not turn with the copy breaks this.
+//!
+//! Tolerance: both are computed in the same run, and an element's equations in other axes differ by round-off only. Newton stops at 1e-8 of
+//! the size by default; with 1e-12 what is left is far below 1e-7 of the motion, while a vector that is not turned gives errors of order 1.
+
+use ancf14::math::rotation::rotation_matrix;
+use ancf14::math::{Mat3, Vec3};
+use ancf14::model::simulation::Simulation;
+use ancf14_testing::running::{run, start, vector};
+
+/// The axis of the turn (not of length 1), its angle, center and the move.
+const AXIS: [f64; 3] = [0.3, -0.5, 0.8];
+const ANGLE: f64 = 1.1;
+const CENTER: [f64; 3] = [0.2, -0.4, 0.1];
+const MOVE: [f64; 3] = [1.5, 0.7, -2.0];
+
+/// A machine with every key that has a vector; nothing in it is along an axis. `[copy.both]` has it twice.
+const PARTS: &str = r#"
+[copy.both.beam.arm]
+material = "steel"
+section = "strip"
+from = [0.1, 0.2, 0.3]
+to = [0.7, 0.4, 0.1]
+elements = 3
+velocity = [0.1, 0.2, -0.1]
+angular_velocity = [0.0, 0.1, 0.05]
+[copy.both.beam.bow]
+material = "steel"
+section = "strip"
+curve = { x = "0.7 + 0.3*s", y = "0.4 + 0.1*s^2", z = 0.1, s = [0, 1] }
+y_axis = [0.1, 0.2, 1]
+elements = 2
+[copy.both.beam.spline]
+material = "steel"
+section = "strip"
+curve = { points = [[0.1, 0.2, 0.3], [0.0, 0.3, 0.5], [0.1, 0.5, 0.6]] }
+y_axis = [1, 0.1, 0.3]
+elements = 2
+[copy.both.body.block]
+mass = 0.4
+position = [1.1, 0.5, 0.1]
+inertia = [0.001, 0.002, 0.0025]
+angular_velocity = [0.4, 0.1, -0.3]
+velocity = [0.1, 0, 0.1]
+[copy.both.body.nut]
+mass = 0.1
+position = [0.1, 0.6, 0.7]
+inertia = [0.0001, 0.0002, 0.00025]
+axes = [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]
+[copy.both.body.pad]
+mass = 0.2
+position = [0.2, 0.5, 0.7]
+inertia = [0.0001, 0.0002, 0.00025]
+[copy.both.frame.hand]
+position = ["0.1 + 0.01*sin(3*t)", 0.2, [{ until = 0.05, is = "0.3" }, { is = "0.3 + 0.1*(t - 0.05)^3" }]]
+rotation = [0, "0.1*sin(2*t)", "0.2*t^2"]
+[copy.both.joint.root]
+type = "revolute"
+a = "hand"
+b = "arm.start"
+axis = [0.2, 1, 0.1]
+stiffness = 2
+damping = 0.01
+[copy.both.drive.crank]
+joint = "root"
+coordinate = "angle"
+value = "0.2*t^2"
+[copy.both.joint.corner]
+type = "universal"
+a = "arm.end"
+b = "bow.start"
+axis = [0, 1, 0]
+axis2 = [0, 0, 1]
+at = [0.72, 0.41, 0.12]
+[copy.both.joint.tip]
+type = "weld"
+a = "bow.end"
+b = "block"
+[copy.both.joint.other]
+type = "weld"
+a = "hand"
+b = "spline.start"
+[copy.both.joint.slider]
+type = "inline"
+a = "spline.end"
+b = "nut"
+axis = [0, 0.1, 1]
+[copy.both.joint.cushion]
+type = "bushing"
+a = "nut"
+b = "pad"
+stiffness = [50, 50, 50]
+damping = [0.1, 0.1, 0.1]
+rotational_stiffness = [1, 1, 1]
+rotational_damping = [0.01, 0.01, 0.01]
+[copy.both.spring.tie]
+a = "block"
+b = "nut"
+stiffness = 5
+[copy.both.load.pull]
+at = "block"
+force = ["2*t", 0.3, -0.1]
+moment = [0, "0.01*t", 0.01]
+[copy.both.load.push]
+at = "block"
+force = [0.1, "0.4*t", 0.2]
+follower = true
+[copy.both.load.wind]
+on = "arm"
+force = [[{ until = 0.04, is = "t" }, { is = 0.04 }], 0.2, 0.1]
+[copy.both.load.twist]
+at = "bow@0.3"
+moment = [0.01, 0.02, "0.1*t"]
+follower = true
+[copy.both.point.post]
+offset = [0.3, -0.2, 0.5]
+[copy.both.point.hook]
+on = "block"
+offset = [0.05, 0.02, -0.03]
+[copy.both.point.eye]
+on = "pad"
+offset = [0.01, 0.02, 0]
+axes = [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]
+[copy.both.actuator.winch]
+a = "post"
+b = "hook"
+effort = "5*cos(20*t)"
+[copy.both.load.breeze]
+at = "eye"
+force = [0.3, 0.2, 0.1]
+follower = true
+[copy.both.output.seen_eye]
+at = "eye"
+quantities = ["position", "rotation"]
+[copy.both.output.seen_block]
+at = "block"
+quantities = ["position", "velocity", "rotation"]
+[copy.both.output.seen_nut]
+at = "nut"
+quantities = ["position", "rotation"]
+[copy.both.output.seen_pad]
+at = "pad"
+quantities = ["position", "rotation"]
+[copy.both.output.middle]
+at = "bow@0.5"
+quantities = ["position", "rotation"]
+[copy.both.output.foot]
+at = "root"
+quantities = ["reaction_force", "reaction_moment"]
+"#;
+
+const HEAD: &str = r#"
+format = 1
+[model]
+name = "Both"
+[material.steel]
+young = 1e8
+poisson = 0.3
+density = 2000
+damping = 1e-4
+[section.strip]
+shape = "rectangle"
+width = 0.03
+height = 0.01
+[simulation]
+stop = 0.1
+step = 0.005
+tolerance = 1e-12
+"#;
+
+/// Where the original and the copy are; angles, centers and moves are 0 for the first one.
+fn copies(angle: &str, parameters: &str) -> String {
+    let [x, y, z] = MOVE.map(|part| format!("\"(k - 1)*({part})\""));
+    format!(
+        "{HEAD}{parameters}\n[copy.both]\ncount = 2\nturn = {{ axis = {AXIS:?}, angle = \"(k - 1)*{angle}\", center = {CENTER:?} }}\n\
+         move = [{x}, {y}, {z}]\n{PARTS}"
+    )
+}
+
+/// The largest distance between a result of the copy and the turned result of the original, and the size of what is compared.
+fn distance(simulation: &Simulation) -> f64 {
+    let turn: Mat3 = rotation_matrix(&(Vec3::from(AXIS).normalize() * ANGLE));
+    let (center, shift) = (Vec3::from(CENTER), Vec3::from(MOVE));
+    let mut largest: f64 = 0.0;
+    for (name, is_position) in [
+        ("seen_eye_K.position", true),
+        ("seen_eye_K.rotation", false),
+        ("seen_block_K.position", true),
+        ("seen_block_K.velocity", false),
+        ("seen_block_K.rotation", false),
+        ("seen_nut_K.position", true),
+        ("seen_nut_K.rotation", false),
+        ("seen_pad_K.position", true),
+        ("seen_pad_K.rotation", false),
+        ("middle_K.position", true),
+        ("middle_K.rotation", false),
+        ("foot_K.reaction_force", false),
+        ("foot_K.reaction_moment", false),
+    ] {
+        let [original, copy] = ["1", "2"].map(|k| vector(simulation, &name.replace('K', k)));
+        let expected = if is_position { turn * (original - center) + center + shift } else { turn * original };
+        largest = largest.max((copy - expected).norm());
+    }
+    largest
+}
+
+fn check(text: &str) {
+    let mut simulation = start(text);
+    let mut largest = distance(&simulation);
+    run(&mut simulation, 0.005, 0.1, |simulation| largest = largest.max(distance(simulation)));
+    println!("the copy is off by {largest:.1e}");
+    assert!(largest < 1e-7, "the copy is off by {largest:e}");
+    // It moves at all.
+    assert!(vector(&simulation, "seen_block_1.rotation").norm() > 0.01);
+}
+
+#[test]
+fn a_turned_copy_moves_as_its_original_does() {
+    check(&copies(&ANGLE.to_string(), ""));
+}
+
+/// An angle that is a parameter of the FMU stays one: the copy's vectors are expressions of it.
+#[test]
+fn a_copy_turned_by_a_parameter_moves_as_its_original_does() {
+    check(&copies("phi", &format!("[parameters]\nphi = {ANGLE}")));
+}
