@@ -147,10 +147,10 @@ fn mistakes_in_included_files_are_told_there() {
     case(
         "set",
         &[("m.toml", &wrong), ("parts/blade.toml", BLADE)],
-        &["blade.toml has no parameter `lenght`", "did you mean `length`?", "m.toml:22:9"],
+        &["blade.toml has no parameter `lenght`", "did you mean `length`?", "m.toml:20:9"],
     );
     let wrong = ROTOR.replace("parts/blade", "parts/balde");
-    case("missing", &[("m.toml", &wrong)], &["cannot read", "balde.toml", "m.toml:21:8"]);
+    case("missing", &[("m.toml", &wrong)], &["cannot read", "balde.toml", "m.toml:19:8"]);
     let wrong = format!("{BLADE}[include.tip]\nfile = \"tip.toml\"\n");
     let tip = "format = 1\n[include.blade]\nfile = \"../parts/blade.toml\"\n";
     case("circle", &[rotor, ("parts/blade.toml", &wrong), ("parts/tip.toml", tip)], &["includes itself"]);

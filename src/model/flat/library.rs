@@ -6,7 +6,7 @@ use super::tables::{COPY, INCLUDE, table};
 use crate::model::text::diagnostic::{Diagnostics, Place, Report, Source};
 use crate::model::text::tree::{self, Entry, Node};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// More files than this are a mistake.
 const MOST_FILES: usize = 100;
@@ -77,7 +77,7 @@ impl Library {
                 let help = "load the model from its file, or load the text that `ancf14 check --resolved` prints";
                 return refused(source, &message, "", help);
             };
-            let path = folder.join(&name);
+            let path = normalized(&folder.join(&name));
             if let Some(known) = self.files.iter().position(|file| file.path == path) {
                 self.named.insert(place, known);
                 if let Some(from) = from {
@@ -130,6 +130,20 @@ impl Library {
         }
         false
     }
+}
+
+/// A path without `parts/..` and `.`: two ways to write one file are one file.
+fn normalized(path: &Path) -> PathBuf {
+    let mut normal = PathBuf::new();
+    for part in path.components() {
+        let is_below = matches!(normal.components().next_back(), Some(Component::Normal(_)));
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if is_below => drop(normal.pop()),
+            other => normal.push(other),
+        }
+    }
+    normal
 }
 
 /// The names of the files that a file includes, with their places, those in copies too.
