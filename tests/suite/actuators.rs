@@ -2,6 +2,7 @@
 
 use crate::running::{run, start, value, vector};
 use ancf14::fmi::{Model, Value};
+use ancf14::solve::modes::modes;
 use std::f64::consts::PI;
 
 /// A wheel on a fixed axle.
@@ -202,4 +203,32 @@ fn a_cylinder_carries_a_bar() {
     // (m g l)/(I + m l²) · l
     let free = 3.0 * 10.0 * 2.0 / (1.0 + 12.0) * 2.0;
     assert!((vector(&simulation, "bar_motion.acceleration").z + free).abs() < 1e-12);
+}
+
+/// A bar of 2 m on a hinge, carried by a cylinder from a post 1 m below the hinge. With the angle `θ` of the bar the cylinder is `l = √(5 + 4 sin θ)` long; its effort
+/// `m g r/l'` holds the weight at `θ = 0`, and has the stiffness `−e l'' = e l'²/l` there, which alone makes the bar swing.
+#[test]
+fn the_effort_of_a_cylinder_has_a_stiffness() {
+    let text = "format = 1\n[model]\nname = \"Bar\"\ngravity = [0, 0, -10]\n\
+                [body.bar]\nmass = 3\nposition = [2, 0, 0]\ninertia = [0.1, 1, 1]\n\
+                [point.post]\noffset = [0, 0, -1]\n\
+                [joint.hinge]\ntype = \"revolute\"\na = \"ground\"\nb = \"bar\"\nat = [0, 0, 0]\naxis = [0, -1, 0]\n\
+                [actuator.lift]\na = \"post\"\nb = \"bar\"\neffort = \"30*sqrt(5)\"\n\
+                [simulation]\nstop = 1\n";
+    let simulation = start(text);
+    let found = modes(simulation.system(), simulation.state(), 1).expect("a mode");
+    let slope = 2.0 / 5.0_f64.sqrt();
+    let eigenvalue = 60.0 / slope * slope * slope / 5.0_f64.sqrt() / (1.0 + 3.0 * 4.0);
+    assert_eq!(found.modes.len(), 1);
+    assert!((found.modes[0].eigenvalue / eigenvalue - 1.0).abs() < 1e-10, "{} 1/s²", found.modes[0].eigenvalue);
+}
+
+/// A torque that ends within a step: steps end there, so that nothing of it is lost.
+#[test]
+fn steps_end_where_an_effort_ends() {
+    let effort = "effort = [{ until = 0.155, is = 1 }, { is = 0 }]";
+    let mut simulation = start(&wheel(effort, "stop = 0.2\nstep = 1e-2\noutput_step = 1e-2"));
+    run(&mut simulation, 1e-2, 0.2, |_| {});
+    let rate = value(&simulation, "axle_motion.angle_rate");
+    assert!((rate - 0.155 / 0.05).abs() < 1e-11, "{rate} rad/s");
 }
