@@ -9,7 +9,7 @@ use ancf14::fmi::{
     log::Entry,
 };
 
-use crate::allocations::count;
+use crate::support::allocations::count;
 
 use super::toy::{
     AREA, CELLS, COUNT, FORCE, GAIN, IMPOSSIBLE_LENGTH, LENGTH, POSITION, Plain, REFUSED_FORCE, SHORTEST_STEP, TIME,

@@ -10,7 +10,8 @@ use super::{
     mischief,
     unit::{Place, Saved, Unit, is_fine},
 };
-use crate::{allocations, random::Random};
+use crate::random::Random;
+use crate::support::allocations;
 
 /// An arm on a frame that the host moves, with a wheel that the host turns; the host pushes its end.
 const MODEL: &str = r#"

@@ -1,0 +1,6 @@
+//! Static analysis: equilibria, paths of loads, buckling.
+
+pub mod hanging;
+pub mod static_buckling;
+pub mod static_motions;
+pub mod statics;

@@ -1,0 +1,101 @@
+//! Loads: generalized forces and their derivatives against automatic differentiation of the markers they act on.
+
+use crate::random::Random;
+use crate::support::marker_oracle::{ALL, All, BODY, Dual, Machine, ROUNDING, deep};
+use ancf14::math::{Mat3, Vec3};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::input::excitation::HostWrench;
+use ancf14::mechanics::input::signal::Signal;
+use ancf14::mechanics::marker::Marker;
+use nalgebra::SMatrix;
+
+/// A component of a marker's pose with its gradient and Hessian by all coordinates.
+type Component = (f64, All<f64>, SMatrix<f64, ALL, ALL>);
+
+fn component(machine: &Machine, marker: &Marker, vector: usize, axis: usize) -> Component {
+    num_dual::hessian(|q: All<Dual>| machine.pose(marker, q.as_slice())[vector][axis], &machine.all())
+}
+
+/// The turn by coordinate j is `dφ_j = 1/2 Σ_i a_i × ∂_j a_i` over the axes a_i; the work of a moment m along it, and the derivative of
+/// that by coordinate k, follow from the axes' gradients and Hessians.
+fn generalized_force(
+    parts: &[[Component; 3]; 4],
+    wrench: &dyn Fn(Option<usize>) -> (Vec3, Vec3),
+    j: usize,
+    k: Option<usize>,
+) -> f64 {
+    let value = |i: usize| Vec3::from_fn(|axis, _| parts[i][axis].0);
+    let by = |i: usize, j: usize| Vec3::from_fn(|axis, _| parts[i][axis].1[j]);
+    let twice = |i: usize, j: usize, k: usize| Vec3::from_fn(|axis, _| parts[i][axis].2[(j, k)]);
+    let turn = (1..4).map(|i| value(i).cross(&by(i, j))).sum::<Vec3>() * 0.5;
+    let (force, moment) = wrench(None);
+    let Some(k) = k else { return force.dot(&by(0, j)) + moment.dot(&turn) };
+    let turn_k = (1..4).map(|i| by(i, k).cross(&by(i, j)) + value(i).cross(&twice(i, j, k))).sum::<Vec3>() * 0.5;
+    let (force_k, moment_k) = wrench(Some(k));
+    force_k.dot(&by(0, j)) + force.dot(&twice(0, j, k)) + moment_k.dot(&turn) + moment.dot(&turn_k)
+}
+
+/// Dead and follower forces and moments, at nodes, bodies and inside elements of both formulations: generalized force and its derivative.
+#[test]
+fn load_derivatives() {
+    deep(check_load_derivatives);
+}
+
+fn check_load_derivatives() {
+    let mut random = Random(8);
+    for case in 0..32 {
+        let machine = Machine::new(&mut random);
+        let marker = match case % 8 {
+            0 => Marker::Node { node: 1, offset: Vec3::zeros(), axes: Mat3::identity() },
+            1 => Marker::Node { node: 3, offset: Vec3::zeros(), axes: Mat3::identity() },
+            2 => Marker::Body { start: BODY, offset: random.vector(), axes: random.rotation() },
+            3 => Marker::section(case / 8 % 2, 0.5 + 0.49 * random.signed()),
+            4 => Marker::Node { node: 5, offset: random.vector(), axes: random.rotation() },
+            5 => Marker::section(2, 0.5 + 0.49 * random.signed()),
+            kind => {
+                let (offset, axes) = (random.vector(), random.rotation());
+                let element = if kind == 6 { case / 8 % 2 } else { 2 };
+                Marker::Section { element, xi: 0.5 + 0.49 * random.signed(), offset, axes }
+            }
+        };
+        let direction = if case / 16 == 0 { Direction::Global } else { Direction::Follower };
+        let (force, moment) = (random.vector(), random.vector());
+        let signals = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
+        let load = Load {
+            name: "load".into(),
+            points: vec![(marker, 1.0)],
+            guide: LoadGuide::Signals { force: signals(force), moment: signals(moment) },
+            direction,
+        };
+        let parts: [[Component; 3]; 4] =
+            std::array::from_fn(|vector| std::array::from_fn(|axis| component(&machine, &marker, vector, axis)));
+        // A follower's components are along the axes, and turn with them.
+        let along_axes = |v: &Vec3, k: Option<usize>| {
+            Vec3::from_fn(|axis, _| {
+                (0..3).map(|i| v[i] * k.map_or(parts[1 + i][axis].0, |k| parts[1 + i][axis].1[k])).sum()
+            })
+        };
+        let wrench = |k: Option<usize>| match direction {
+            Direction::Global if k.is_some() => (Vec3::zeros(), Vec3::zeros()),
+            Direction::Global => (force, moment),
+            Direction::Follower => (along_axes(&force, k), along_axes(&moment, k)),
+        };
+        let c = machine.configuration();
+        let range = marker.coordinates(&machine.mesh);
+        let (own, own_q) = (
+            load.force(&c, 0, &load.at(0.0, &HostWrench::default())),
+            load.force_q(&c, 0, &load.at(0.0, &HostWrench::default())),
+        );
+        for (i, j) in range.clone().enumerate() {
+            assert!(
+                (own[i] - generalized_force(&parts, &wrench, j, None)).abs() < ROUNDING,
+                "force {i} of case {case}"
+            );
+            for (l, k) in range.clone().enumerate() {
+                let expected = generalized_force(&parts, &wrench, j, Some(k));
+                let error = own_q[(i, l)] - expected;
+                assert!(error.abs() < ROUNDING * own_q.amax().max(1.0), "stiffness {i} {l} of case {case}: {error:e}");
+            }
+        }
+    }
+}

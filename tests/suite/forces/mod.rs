@@ -1,0 +1,9 @@
+//! Loads, springs, dampers and actuators, and the points that they hold on to.
+
+pub mod actuators;
+pub mod bodies_on_springs;
+pub mod load_derivatives;
+pub mod loads;
+pub mod observers;
+pub mod points;
+pub mod spring_derivatives;

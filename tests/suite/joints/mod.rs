@@ -1,0 +1,12 @@
+//! Joints, drives and frames: conditions, freedoms, reactions.
+
+pub mod closed_loops;
+pub mod drives;
+pub mod host_motion;
+pub mod joint_derivatives;
+pub mod joint_freedoms;
+pub mod joint_rates;
+pub mod joints_do_no_work;
+pub mod joints_in_motion;
+pub mod moving_frames;
+pub mod reactions;

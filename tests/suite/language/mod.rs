@@ -1,0 +1,13 @@
+//! The model file: keys, mistakes, notes, copies, includes, names, descriptions, pictures.
+
+pub mod copies;
+pub mod descriptions;
+pub mod includes;
+pub mod model_file;
+pub mod model_mistakes;
+pub mod model_parts;
+pub mod names;
+pub mod notes;
+pub mod odd_machines;
+pub mod turned_copies;
+pub mod view;

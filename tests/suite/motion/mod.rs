@@ -1,0 +1,15 @@
+//! Time integration, natural modes, saved states, and the derivatives of a step.
+
+pub mod breaks;
+pub mod chosen_steps;
+pub mod constrained_mass;
+pub mod direct_solver;
+pub mod dynamics;
+pub mod generalized_alpha;
+pub mod generalized_alpha_steps;
+pub mod modes;
+pub mod released_motions;
+pub mod rigid_rotation;
+pub mod rollback;
+pub mod start_derivatives;
+pub mod step_derivatives;

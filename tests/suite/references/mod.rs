@@ -1,0 +1,14 @@
+//! Machines whose numbers are known: from closed forms, the exact rod, other codes, the paper.
+
+pub mod bend_45;
+pub mod damped_vibration;
+pub mod four_bar;
+pub mod frequencies;
+pub mod helical_spring;
+pub mod helix;
+pub mod lateral_buckling;
+pub mod polylines;
+pub mod princeton;
+pub mod released_cantilever;
+pub mod rotating_shaft;
+pub mod shaken_cantilever;
