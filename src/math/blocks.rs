@@ -30,6 +30,13 @@ impl Blocks {
         self.layout.len() - 1
     }
 
+    /// Gives back the memory that further blocks would take.
+    pub fn shrink_to_fit(&mut self) {
+        self.layout.shrink_to_fit();
+        self.offsets.shrink_to_fit();
+        self.values.shrink_to_fit();
+    }
+
     /// The blocks in order.
     pub fn layout(&self) -> &[Block] {
         &self.layout

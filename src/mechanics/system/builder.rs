@@ -415,6 +415,8 @@ impl SystemBuilder {
         } = self;
         system.size = size;
         system.gravity = gravity;
+        // Elements are large, and a list that doubled as it grew may be half empty.
+        system.mesh.elements.shrink_to_fit();
         // Behind the joints of the file, which keep their numbers.
         system.joints.extend(inner_joints);
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));

@@ -294,7 +294,8 @@ impl Fronts {
             own.pieces = first..first + count;
             first += count;
         }
-        self.pieces = pieces.into_iter().map(|(_, piece)| piece).collect();
+        // Collecting a vector in place would keep the room of the numbers that are left out.
+        self.pieces = pieces.iter().map(|(_, piece)| *piece).collect();
     }
 }
 

@@ -92,7 +92,8 @@ impl Kkt {
     }
 
     /// `inertia`: the matrix will have the masses in it.
-    fn finish(system: &System, blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>, inertia: bool) -> Self {
+    fn finish(system: &System, mut blocks: Blocks, joints: Vec<usize>, curvatures: Vec<usize>, inertia: bool) -> Self {
+        blocks.shrink_to_fit();
         let solver = DirectSolver::new(unknowns(system, inertia), units(system), &blocks);
         let parts = Box::new([MarkerMatrix::zeros(); 4]);
         Self { blocks, joints, curvatures, solver, parts, inertia: None }
