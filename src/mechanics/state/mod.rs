@@ -134,6 +134,16 @@ impl Clone for State {
 
     /// Keeps the memory that is there: a step that makes a backup must not allocate.
     fn clone_from(&mut self, source: &Self) {
+        self.copy_motion_from(source);
+        self.prediction.copy_from(&source.prediction);
+        self.time_error.copy_from(&source.time_error);
+    }
+}
+
+impl State {
+    /// Takes the motion of `source`, keeping its own memory: all but the prediction of the next step and the error of those before, which a state beside the
+    /// computed motion does without.
+    pub fn copy_motion_from(&mut self, source: &Self) {
         let Self { time, q, velocity, momentum, multipliers, triads, holonomy, relative_values, rotations, .. } = self;
         *time = source.time;
         q.clone_from(&source.q);
@@ -147,8 +157,6 @@ impl Clone for State {
         self.viscous.copy_from(&source.viscous);
         relative_values.clone_from(&source.relative_values);
         rotations.clone_from(&source.rotations);
-        self.prediction.copy_from(&source.prediction);
-        self.time_error.copy_from(&source.time_error);
         self.pace.copy_from(&source.pace);
         self.accelerations.copy_from(&source.accelerations);
         self.prescribed.copy_from(&source.prescribed);

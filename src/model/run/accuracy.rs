@@ -193,8 +193,8 @@ impl Looker {
             return None;
         }
         let multiple = (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE);
-        let moved = moved.get_or_insert_with(|| state.clone());
-        moved.clone_from(state);
+        let moved = moved.get_or_insert_default();
+        moved.copy_motion_from(state);
         variation.q.clone_from(position);
         variation.velocity.clone_from(velocity);
         variation.viscous.clear();

@@ -215,8 +215,8 @@ impl Estimator {
     /// Sets the start of the neighboring motion, and its increment as predicted.
     fn depart(&mut self, system: &System, taken: &Taken, error: &TimeError, multiple: f64, mean: f64) {
         let Taken { state, dissipation, span: Span { step: h, .. }, solution, strain_rates } = *taken;
-        let start = self.start.get_or_insert_with(|| state.clone());
-        start.clone_from(state);
+        let start = self.start.get_or_insert_default();
+        start.copy_motion_from(state);
         system.mass_times(&error.velocity, &mut self.mass);
         for (list, change) in
             [(&mut start.q, &error.position), (&mut start.velocity, &error.velocity), (&mut start.momentum, &self.mass)]
