@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import sys
 import warnings
-from typing import TYPE_CHECKING, NoReturn
+from typing import Any, NoReturn
 
 from . import _native
-
-if TYPE_CHECKING:
-    from ._results import Results
 
 
 class Error(Exception):
@@ -38,15 +35,18 @@ class CallError(Error, ValueError):
 
 
 class RunError(Error, RuntimeError):
-    """The solver cannot compute the initial state or a step. ``results`` has the rows before the failure, or is None."""
+    """The solver cannot compute the initial state or a step, or the executor of a study has broken.
 
-    results: Results | None = None
+    ``results`` has the rows or the points before the failure, or is None.
+    """
+
+    results: Any = None
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C stopped a run. ``results`` has the rows up to then."""
+    """Ctrl-C stopped a run or a study. ``results`` has the rows or the points up to then."""
 
-    def __init__(self, message: str, results: Results) -> None:
+    def __init__(self, message: str, results: Any) -> None:
         super().__init__(message)
         self.results = results
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import os
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -12,10 +15,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._errors import CallError, Interrupted, ModelError, RunError, VariableError, error_of, raising, warn
+from ._errors import CallError, Interrupted, ModelError, RunError, SolverWarning, VariableError, error_of, raising, warn
 from ._modes import Modes
 from ._names import Components
 from ._results import Results
+from ._study import sweep
+from ._study.points import Space
+from ._study.reducers import Outputs
+from ._study.sweep import Progress
 from ._unit import Unit
 
 Value: TypeAlias = "float | int | bool | str | np.number[Any] | Sequence[float | int | str]"
@@ -147,7 +154,21 @@ class Model:
         rows so far. A step that cannot be computed raises RunError, also with ``results``. Warnings of the solver are issued as
         SolverWarning.
         """
-        changes = [(key, _text(value)) for key, value in (parameters or {}).items()]
+        told: list[str] = []
+        try:
+            return self._run(parameters, stop=stop, output_step=output_step, inputs=inputs, told=told)
+        finally:
+            warn(told)
+
+    @staticmethod
+    def _changes(parameters: Parameters | None) -> list[tuple[str, str]]:
+        return [(key, _text(value)) for key, value in (parameters or {}).items()]
+
+    def _run(
+        self, parameters: Parameters | None, *, stop: float | None, output_step: float | None, inputs: Inputs | None, told: list[str]
+    ) -> Results:
+        """Simulate; the warnings go to ``told``."""
+        changes = self._changes(parameters)
         changes += [
             (key, _text(float(value)))
             for key, value in (("simulation.stop", stop), ("simulation.output_step", output_step))
@@ -163,7 +184,7 @@ class Model:
             found, table, warnings, error, _ = simulation.run(names, values)
         results = Results._of(self.name, variables, found, table, rerun)
         # Those about the file were issued when it was loaded.
-        warn([warning for warning in warnings if warning not in self._notes])
+        told += [warning for warning in warnings if warning not in self._notes]
         if error is None:
             return results
         if isinstance(error, KeyboardInterrupt):
@@ -202,14 +223,48 @@ class Model:
             columns.append(values.reshape(len(times), -1))
         return names, np.hstack(columns).ravel().tolist() if columns else []
 
+    def sweep(
+        self,
+        space: Space,
+        outputs: Outputs,
+        *,
+        stop: float | None = None,
+        output_step: float | None = None,
+        inputs: Inputs | None = None,
+        executor: Executor | None = None,
+        store: str | os.PathLike[str] | None = None,
+        progress: Progress = False,
+    ) -> Any:
+        """Run the model for many parameters, and return an xarray.Dataset.
+
+        ``space`` is a grid, ``{"payload": [200, 400], "boom.elements": [4, 8]}``, of which all combinations are computed and whose parameters are the
+        dimensions of the dataset; or a list of samples, ``[{"payload": 200, ...}, ...]`` or a table of pandas, with the dimension ``point``.
+
+        ``outputs`` names what is kept of each run: ``"tip.displacement[3]:max"``, a column or a vector with one of the reducers ``first``, ``last``,
+        ``min``, ``max``, ``mean``, ``rms`` of its rows, or without one for the whole series. A mapping gives names, also to functions of Results:
+        ``{"peak": "tip.displacement[3]:max", "swing": lambda r: np.ptp(r["tip.displacement[1]"])}``. Units are attributes.
+
+        ``executor`` is any executor of ``concurrent.futures``, or of a package that follows it: by default threads, one for each core, which need no more than
+        that since runs free the GIL; ``dask.distributed.Client(...).get_executor()`` for a cluster. Results and their order do not depend on it.
+
+        A point that fails is NaN; its message is in ``error``, and warnings of the solver are in ``warning``. If the parameters cannot be those of the model,
+        ModelError is raised. ``store`` names a folder, a Zarr group: what is in it is not computed again, so that a study goes on where it ended.
+        ``progress`` is True for a bar (needs tqdm), or a function of the numbers of known and of all points.
+
+        ``stop``, ``output_step`` and ``inputs`` are those of ``run``, for all points. Ctrl-C raises Interrupted, whose ``results`` has the points so far.
+        Needs xarray, and zarr for a store.
+        """
+        return sweep(
+            self, space, outputs, stop=stop, output_step=output_step, inputs=inputs, executor=executor, store=store, progress=progress
+        )
+
     def unit(self, parameters: Parameters | None = None) -> Unit:
         """Return a simulation to advance step by step, with the parameters changed."""
-        changes = [(key, _text(value)) for key, value in (parameters or {}).items()]
-        return Unit(self._file, self._source, list(dict([*self._overrides, *changes]).items()))
+        return Unit(self._file, self._source, list(dict([*self._overrides, *self._changes(parameters)]).items()))
 
     def modes(self, count: int = 10, parameters: Parameters | None = None) -> Modes:
         """Find the ``count`` lowest natural modes about the initial state."""
-        simulation = self._open([(key, _text(value)) for key, value in (parameters or {}).items()])
+        simulation = self._open(self._changes(parameters))
         with raising():
             simulation.initialize()
             found = simulation.modes(count)
@@ -239,5 +294,13 @@ class Model:
 
 
 def _loaded(file: str, text: str, overrides: list[tuple[str, str]]) -> Model:
-    """Return a model from a pickle."""
-    return Model.from_string(text, dict(overrides), name=file)
+    """Return a model from a pickle. Its warnings were issued when it was loaded from the file."""
+    return _cached(file, text, tuple(overrides))
+
+
+@functools.lru_cache(maxsize=8)
+def _cached(file: str, text: str, overrides: tuple[tuple[str, str], ...]) -> Model:
+    """Return a model from a pickle; a worker of a study gets the same one with every chunk."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SolverWarning)
+        return Model.from_string(text, dict(overrides), name=file)

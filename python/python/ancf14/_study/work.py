@@ -1,0 +1,89 @@
+"""What a worker does: a chunk of runs of one model."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._errors import CallError
+from .reducers import Array, Reduced
+
+if TYPE_CHECKING:
+    from .._model import Model
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """All that the runs of a study have in common; it goes to the workers with every chunk."""
+
+    model: Model
+    outputs: list[Reduced]
+    settings: dict[str, Any]
+    """Keyword arguments of ``Model.run``."""
+
+
+@dataclass
+class Done:
+    """The runs of a chunk, in its order."""
+
+    numbers: Sequence[int]
+    """The numbers of their points."""
+    seconds: float = 0.0
+    """How long all of them took."""
+    errors: list[str] = field(default_factory=list)
+    """Why each failed; empty where it did not."""
+    warnings: list[str] = field(default_factory=list)
+    """The warnings of the solver in each, a line each."""
+    values: list[list[Array] | None] = field(default_factory=list)
+    """The wanted results of each, None where it failed."""
+    times: Array | None = None
+    """The times of the rows, if a whole series is wanted and a run has come to its end."""
+
+
+def chunk(recipe: Recipe, numbers: Sequence[int], points: Sequence[dict[str, Any]]) -> Done:
+    """Run the points of a chunk one after the other. A point that fails has its message; the others go on."""
+    begin = time.perf_counter()
+    done = Done(numbers)
+    for parameters in points:
+        told: list[str] = []
+        values: list[Array] | None = None
+        error = ""
+        try:
+            values = _run(recipe, parameters, done, told)
+        except DifferentRows:
+            raise
+        except Exception as reason:
+            error = str(reason) or type(reason).__name__
+        done.errors.append(error)
+        done.warnings.append("\n".join(told))
+        done.values.append(values)
+    done.seconds = time.perf_counter() - begin
+    return done
+
+
+class DifferentRows(CallError):
+    """Two runs have different times, so that their series do not fit into one array."""
+
+
+def _run(recipe: Recipe, parameters: dict[str, Any], done: Done, told: list[str]) -> list[Array]:
+    """Run one point; collects what the solver warns of in ``told``."""
+    results = recipe.model._run(parameters, told=told, **recipe.settings)
+    values = [output.of(results) for output in recipe.outputs]
+    if any(output.is_series for output in recipe.outputs):
+        if done.times is None:
+            done.times = results.time
+        expect_same(done.times, results.time)
+    return values
+
+
+def expect_same(times: Array, other: Array) -> None:
+    """Raise DifferentRows unless two series have the same times."""
+    if not np.array_equal(times, other):
+        raise DifferentRows(
+            f"one run has {len(other)} rows up to t = {other[-1]:g} s, another one has {len(times)} up to {times[-1]:g} s; whole series need "
+            "the same `stop` and `output_step` in all runs: keep numbers instead, as `:max`"
+        )

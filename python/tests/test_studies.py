@@ -1,0 +1,270 @@
+"""Is a study the runs that it says, whatever computes them? A point in a wrong place, a lost digit, a point that is computed twice or a message that is lost shows."""
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+import ancf14
+import numpy as np
+import pandas
+import pytest
+import xarray
+from dask.distributed import Client, LocalCluster
+
+SWING = """
+format = 1
+model = { name = "Swing", gravity = [0, 0, -9.81] }
+parameters = { mass = 2.0, length = 1.0 }
+body.bob = { mass = "mass", inertia = [0.1, 0.1, 0.1], position = ["length", 0, 0] }
+joint.pivot = { type = "revolute", a = "ground", b = "bob", at = [0, 0, 0], axis = [0, 1, 0] }
+load.push = { at = "bob", force = [0, 0, 0], input = true }
+output.bob = { at = "bob", quantities = ["displacement"] }
+simulation = { stop = 0.1, step = 1e-2, output_step = 2e-2 }
+"""
+GRID: dict[str, Any] = {"length": np.linspace(0.5, 1.5, 7), "simulation.integrator": ["conserving", "generalized_alpha", "variational"]}
+OUTPUTS = ["bob.displacement[3]:min", "bob.displacement:last", "bob.displacement"]
+
+
+def swing() -> ancf14.Model:
+    return ancf14.Model.from_string(SWING)
+
+
+def span(results: ancf14.Results) -> np.float64:
+    return np.ptp(results["bob.displacement[1]"])
+
+
+@contextmanager
+def cluster() -> Iterator[Client]:
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as workers, Client(workers) as client:
+        yield client
+
+
+def test_a_grid_has_the_numbers_of_single_runs() -> None:
+    model = swing()
+    study = model.sweep(GRID, OUTPUTS)
+    assert study["bob.displacement"].dims == ("length", "simulation.integrator", "time", "axis")
+    assert study["bob.displacement[3]:min"].dims == ("length", "simulation.integrator")
+    for length in GRID["length"]:
+        for integrator in GRID["simulation.integrator"]:
+            results = model.run({"length": length, "simulation.integrator": integrator})
+            point = study.sel({"length": length, "simulation.integrator": integrator})
+            assert point["bob.displacement"].values.tobytes() == results["bob.displacement"].tobytes()
+            assert point["bob.displacement:last"].values.tobytes() == results["bob.displacement"][-1].tobytes()
+            assert point["bob.displacement[3]:min"] == results["bob.displacement[3]"].min()
+    assert study["time"].values.tobytes() == results.time.tobytes()
+    assert (study["error"] == "").all()
+
+
+def test_units_and_meanings_are_there() -> None:
+    study = swing().sweep({"mass": [1, 2], "length": [1.0]}, OUTPUTS)
+    assert study["bob.displacement[3]:min"].attrs["units"] == "m" and study["bob.displacement"].attrs["units"] == "m"
+    assert "displacement" in study["bob.displacement[3]:min"].attrs["long_name"]
+    assert study.attrs["model"] == "Swing" and study["time"].attrs["units"] == "s"
+    assert list(study["axis"].values) == ["x", "y", "z"]
+
+
+def test_samples_keep_their_order() -> None:
+    model = swing()
+    samples = [{"length": 1.2, "mass": 1}, {"length": 0.8, "mass": 3}, {"length": 1.2, "mass": 1}]
+    study = model.sweep(samples, ["bob.displacement[3]:min"])
+    assert study["bob.displacement[3]:min"].dims == ("point",)
+    assert study["length"].values.tolist() == [1.2, 0.8, 1.2]
+    expected = [model.run(sample)["bob.displacement[3]"].min() for sample in samples]
+    assert study["bob.displacement[3]:min"].values.tolist() == expected
+    assert model.sweep(pandas.DataFrame(samples), ["bob.displacement[3]:min"]).equals(study)
+
+
+def test_reducers_are_what_they_say() -> None:
+    model = swing()
+    series = model.run({"length": 1.1})["bob.displacement"]
+    names = ["first", "last", "min", "max", "mean", "rms"]
+    study = model.sweep({"length": [1.1]}, [f"bob.displacement:{name}" for name in names]).isel(length=0)
+    expected = [series[0], series[-1], series.min(0), series.max(0), series.mean(0), np.sqrt((series**2).mean(0))]
+    for name, value in zip(names, expected, strict=True):
+        assert study[f"bob.displacement:{name}"].values.tobytes() == value.tobytes(), name
+
+
+def test_functions_of_the_results_have_names() -> None:
+    study = swing().sweep({"length": [1.0, 1.1]}, {"swing": span, "rows": lambda r: [len(r.time), 0], "lowest": "bob.displacement[3]:min"})
+    assert study["swing"].dims == ("length",) and study["rows"].shape == (2, 2)
+    assert study["swing"][1] == span(swing().run({"length": 1.1}))
+    assert (study["rows"] == [6, 0]).all()
+
+
+def test_inputs_and_settings_are_those_of_run() -> None:
+    model, push = swing(), {"push.force[3]": np.arange(11.0)}
+    study = model.sweep({"mass": [1, 2]}, ["bob.displacement"], stop=0.2, inputs=push)
+    own = model.run({"mass": 2}, stop=0.2, inputs=push)
+    assert study["bob.displacement"].sel(mass=2).values.tobytes() == own["bob.displacement"].tobytes()
+
+
+def test_a_point_that_fails_has_its_message_and_the_others_go_on() -> None:
+    study = swing().sweep({"mass": [1.0, -1.0, 2.0]}, ["bob.displacement", "bob.displacement[3]:min"])
+    assert np.isfinite(study["bob.displacement"].sel(mass=[1, 2])).all()
+    assert np.isnan(study["bob.displacement"].sel(mass=-1)).all() and np.isnan(study["bob.displacement[3]:min"].sel(mass=-1))
+    assert "mass" in study["error"].sel(mass=-1).item() and study["error"].sel(mass=1).item() == ""
+
+
+def test_a_function_that_fails_has_its_message() -> None:
+    study = swing().sweep({"mass": [1.0]}, {"bad": lambda r: r["nothing"]})
+    assert "no column `nothing`" in study["error"].item() and np.isnan(study["bad"]).all()
+
+
+def test_warnings_of_the_solver_are_kept() -> None:
+    study = swing().sweep({"simulation.step": [1e-3, 0.05]}, ["bob.displacement[3]:min"])
+    short, long = study["warning"].values
+    assert short == "" and "simulation.step = 0.05 s" in long
+
+
+@pytest.mark.parametrize(
+    ("space", "outputs", "kind", "words"),
+    [
+        ({"mas": [1, 2]}, OUTPUTS, ancf14.ModelError, "mass"),
+        ({"mass": [1]}, ["bob.displacment:max"], ancf14.VariableError, "bob.displacement"),
+        ({"mass": [1]}, ["bob.displacement:maximum"], ancf14.CallError, "max"),
+        ({"mass": 1}, OUTPUTS, ancf14.CallError, "[1]"),
+        ({"mass": [1, 1]}, OUTPUTS, ancf14.CallError, "twice"),
+        ({}, OUTPUTS, ancf14.CallError, "nothing"),
+        ({"mass": []}, OUTPUTS, ancf14.CallError, "nothing"),
+        ([{"mass": 1}, {"length": 1}], OUTPUTS, ancf14.CallError, "sample 1"),
+        ({"mass": [1]}, [], ancf14.CallError, "nothing"),
+        ({"mass": [1]}, ["bob.displacement", "bob.displacement"], ancf14.CallError, "name"),
+    ],
+)
+def test_mistakes_are_told_before_the_first_run(space: object, outputs: object, kind: type[Exception], words: str) -> None:
+    with pytest.raises(kind) as told:
+        swing().sweep(space, outputs)  # type: ignore[arg-type]
+    assert words in str(told.value)
+
+
+def test_whole_series_need_the_same_rows() -> None:
+    samples = [{"simulation.stop": 0.1}, {"simulation.stop": 0.2}]
+    with pytest.raises(ancf14.CallError, match="the same `stop`"):
+        swing().sweep(samples, ["bob.displacement"])
+    assert np.isfinite(swing().sweep(samples, ["bob.displacement:last"])["bob.displacement:last"]).all()
+
+
+def executors() -> dict[str, Executor]:
+    return {"one": ThreadPoolExecutor(1), "four": ThreadPoolExecutor(4), "processes": ProcessPoolExecutor(2, get_context("spawn"))}
+
+
+@pytest.mark.parametrize("name", ["one", "four", "processes"])
+def test_executors_change_nothing(name: str) -> None:
+    expected = swing().sweep(GRID, [*OUTPUTS, "bob.displacement[3]:min"][:3])
+    with executors()[name] as executor:
+        assert swing().sweep(GRID, OUTPUTS, executor=executor).equals(expected)
+
+
+def test_dask_loses_a_worker_and_finishes_with_the_same_bits() -> None:
+    grid = {"length": np.linspace(0.5, 1.5, 400)}
+    outputs: Any = {"lowest": "bob.displacement[3]:min", "swing": span}
+    expected = swing().sweep(grid, outputs)
+    killed: list[int] = []
+    with cluster() as client:
+        workers = list(client.run(os.getpid).values())
+
+        def kill(known: int, _: int) -> None:
+            if known >= 20 and not killed:
+                killed.append(workers[0])
+                os.kill(workers[0], signal.SIGKILL)
+
+        study = swing().sweep(grid, outputs, executor=client.get_executor(), progress=kill)
+    assert killed and study.equals(expected)
+
+
+def test_a_broken_executor_keeps_what_is_known() -> None:
+    grid = {"length": np.linspace(0.5, 1.5, 300)}
+    executor = ProcessPoolExecutor(1, get_context("spawn"))
+    pid = executor.submit(os.getpid).result()
+
+    def kill(known: int, _: int) -> None:
+        if known:
+            os.kill(pid, signal.SIGKILL)
+
+    with pytest.raises(ancf14.RunError, match="known") as told:
+        swing().sweep(grid, ["bob.displacement[3]:min"], executor=executor, store="study.zarr", progress=kill)
+    assert told.value.results is not None
+    known = np.isfinite(told.value.results["bob.displacement[3]:min"].values).sum()
+    assert 0 < known < 300
+    resumed: list[int] = []
+    study = swing().sweep(grid, ["bob.displacement[3]:min"], store="study.zarr", progress=lambda count, _: resumed.append(count))
+    assert resumed[0] == known and resumed[-1] == 300
+    assert study.equals(swing().sweep(grid, ["bob.displacement[3]:min"]))
+
+
+@pytest.mark.parametrize("outputs", [OUTPUTS, ["bob.displacement[3]:min"]])
+def test_a_study_goes_on_where_it_ended(outputs: list[str]) -> None:
+    model = swing()
+
+    def stop(known: int, _: int) -> None:
+        if known >= 5:
+            raise KeyboardInterrupt
+
+    with pytest.raises(ancf14.Interrupted, match="the same call goes on"):
+        model.sweep(GRID, outputs, store="study.zarr", progress=stop, executor=ThreadPoolExecutor(1))
+    counts: list[int] = []
+    study = model.sweep(GRID, outputs, store="study.zarr", progress=lambda known, _: counts.append(known))
+    assert 5 <= counts[0] < 21 and counts[-1] == 21
+    assert study.equals(model.sweep(GRID, outputs))
+    # A store that is whole computes nothing, and can be read without this package.
+    counts.clear()
+    assert model.sweep(GRID, outputs, store="study.zarr", progress=lambda known, _: counts.append(known)).equals(study)
+    assert counts == [21]
+    stored = xarray.open_zarr("study.zarr", consolidated=False)
+    assert stored["bob.displacement[3]:min"].values.tobytes() == study["bob.displacement[3]:min"].values.tobytes()
+    assert stored["length"].values.tolist() == np.repeat(GRID["length"], 3).tolist()
+
+
+def test_messages_are_stored() -> None:
+    space = {"mass": [1.0, -1.0], "simulation.step": [1e-3, 0.05]}
+    study = swing().sweep(space, ["bob.displacement[3]:min"], store="study.zarr")
+    again = swing().sweep(space, ["bob.displacement[3]:min"], store="study.zarr")
+    assert "mass" in study["error"].sel(mass=-1)[0].item() and again.equals(study)
+    assert (again["warning"] != "").any()
+
+
+def test_another_study_does_not_mix_with_a_store() -> None:
+    swing().sweep({"mass": [1, 2]}, {"swing": span}, store="study.zarr")
+    others: list[tuple[ancf14.Model, Any, Any, float | None]] = [
+        (swing(), {"mass": [1, 3]}, {"swing": span}, None),
+        (swing(), {"mass": [1, 2]}, {"swing": lambda r: 0.0}, None),
+        (swing(), {"mass": [1, 2]}, {"swing": span}, 0.2),
+        (ancf14.Model.from_string(SWING.replace("-9.81", "-9.80")), {"mass": [1, 2]}, {"swing": span}, None),
+    ]
+    for model, space, outputs, stop in others:
+        with pytest.raises(ancf14.CallError, match="another study"):
+            model.sweep(space, outputs, store="study.zarr", stop=stop)
+    Path("other").mkdir()
+    Path("other/file").write_text("")
+    with pytest.raises(ancf14.CallError, match="no store"):
+        swing().sweep({"mass": [1]}, {"swing": span}, store="other")
+
+
+def test_a_study_survives_the_end_of_its_process() -> None:
+    script = f"""
+import os, ancf14, numpy as np
+def leave(known, _):
+    if known >= 40:
+        os._exit(9)
+ancf14.Model.from_string('''{SWING}''').sweep({{"length": np.linspace(0.5, 1.5, 200)}}, ["bob.displacement:min"], store="study.zarr", progress=leave)
+"""
+    assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 9
+    counts: list[int] = []
+    grid = {"length": np.linspace(0.5, 1.5, 200)}
+    model = swing()
+    study = model.sweep(grid, ["bob.displacement:min"], store="study.zarr", progress=lambda known, _: counts.append(known))
+    assert 40 <= counts[0] < 200 and study.equals(model.sweep(grid, ["bob.displacement:min"]))
+
+
+def test_progress_ends_with_all_points() -> None:
+    counts: list[tuple[int, int]] = []
+    swing().sweep({"mass": np.arange(1.0, 31.0)}, ["bob.displacement:min"], progress=lambda known, total: counts.append((known, total)))
+    assert counts[0] == (0, 30) and counts[-1] == (30, 30)
+    assert [known for known, _ in counts] == sorted(known for known, _ in counts)
