@@ -12,3 +12,5 @@ python="$target/wheel-env/bin/python"
 "$python" -m mypy --config-file python/pyproject.toml --cache-dir /dev/null --package ancf14
 cd python/tests
 "$python" -m mypy --config-file ../pyproject.toml --cache-dir /dev/null .
+cd ../examples
+"$python" -m mypy --config-file ../pyproject.toml --cache-dir /dev/null .

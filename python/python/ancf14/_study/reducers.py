@@ -78,7 +78,9 @@ def _one(name: str, output: Any, columns: list[str], components: Components) -> 
         raise CallError(f"{output!r} is no output; give a name such as `tip.displacement[3]:max` or a function of the results")
     column, _, how = output.partition(":")
     if column not in columns and column not in components:
-        raise VariableError(f"the model has no output `{column}`; its outputs are: {', '.join([*components, *columns])}")
+        inside = {own for base in components for own in components.names(base).values()}
+        known = ", ".join([*components, *(own for own in columns if own not in inside)])
+        raise VariableError(f"the model has no output `{column}`; its outputs are: {known}")
     if how and how not in REDUCERS:
         raise CallError(f"`{output}`: there is no reducer `{how}`; the reducers are {', '.join(REDUCERS)}, and none for the whole series")
     return Reduced(name, column, how)

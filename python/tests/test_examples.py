@@ -1,0 +1,55 @@
+"""Do the programs of python/examples find what they look for? The bounds follow from the problems: known causes, closed forms, limits that were set."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+from conftest import ROOT
+
+EXAMPLES = ROOT / "python" / "examples"
+
+
+def numbers(name: str) -> list[float]:
+    """Run a program and return the numbers that it prints."""
+    done = subprocess.run([sys.executable, EXAMPLES / f"{name}.py"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return [float(number) for number in re.findall(r"(?<![\w'])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?", done.stdout)]
+
+
+def test_a_short_rope_swings_least() -> None:
+    *_, best = numbers("crane_study")
+    # The slower the load swings beside the start and the stop of the trolley, the more of them it keeps.
+    assert best == 1
+
+
+def test_shares_are_those_of_the_closed_form() -> None:
+    shares = numbers("sobol")
+    # The frequency goes with height/length^2 sqrt(young): variances of the logarithms, each of a uniform interval.
+    relative = [2 * 0.05, 0.0, 0.1, 0.5 * 2 / 70]
+    expected = [own**2 / sum(other**2 for other in relative) for own in relative]
+    # 128 base points find indices to about 1/sqrt(128) of their complement.
+    assert shares == pytest.approx(expected, abs=0.05)
+
+
+def test_the_fit_finds_the_causes_of_the_record() -> None:
+    young, young_deviation, damping, damping_deviation = numbers("fit")
+    # Three deviations of the estimate, and what is left out in print.
+    assert young == pytest.approx(72.5, abs=72.5 * 3e-2 * young_deviation + 0.006)
+    assert damping == pytest.approx(8e-4, abs=8e-4 * 3e-2 * damping_deviation + 6e-7)
+
+
+def test_the_controller_stops_the_swing() -> None:
+    _, free, _, held = numbers("controller")
+    assert held < 0.5 * free
+
+
+def test_the_filter_finds_the_force() -> None:
+    force, deviation = numbers("particle_filter")
+    assert deviation < 2 and force == pytest.approx(22, abs=3 * deviation)
+
+
+def test_the_spring_meets_its_limits() -> None:
+    wire, _, stiffness, stress, _ = numbers("spring_design")
+    assert stiffness == pytest.approx(400, abs=1) and stress <= 600 and 0.5 <= wire <= 2
