@@ -27,6 +27,8 @@ SECONDS = 1.0
 """How long a chunk should take: what a scheduler needs for a task, about a millisecond, is then nothing."""
 SHARES = 8
 """A worker gets at least so many chunks, or one that is slow would keep the others waiting at the end."""
+RATE = 200.0
+"""How many chunks a scheduler gives out in a second, at least: with many workers chunks are longer, or most of them would wait for the next one."""
 
 
 def sweep(
@@ -109,11 +111,18 @@ def _chunks(recipe: Recipe, wanted: Points, numbers: Sequence[int], executor: Ex
             futures.discard(future)
             done = _result(future)
             yield done
-            while submit(min(math.ceil(SECONDS / max(done.seconds, 1e-6)), math.ceil(len(numbers) / (SHARES * workers)))):
+            while submit(chunk_size(len(numbers), workers, done.seconds / len(done.numbers))):
                 pass
     finally:
         for future in futures:
             future.cancel()
+
+
+def chunk_size(count: int, workers: int, seconds: float) -> int:
+    """Return how many of ``count`` points make a chunk if a run takes ``seconds``."""
+    per_second = 1 / max(seconds, 1e-6)
+    wanted = min(SECONDS * per_second, count / (SHARES * workers))
+    return math.ceil(min(max(wanted, workers / RATE * per_second), count / workers))
 
 
 def _result(future: Future[Done]) -> Done:
