@@ -1,4 +1,5 @@
-"""Writes licenses/license.txt: the licences of all that is linked into the library of an FMU, for documentation/licenses in it.
+"""Writes the licences of all that is linked: licenses/license.txt for the library of an FMU, for documentation/licenses in it, and licenses/program.txt for the
+program and the Python package.
 
     target/python-env/bin/python scripts/licenses.py
 
@@ -14,7 +15,11 @@ from pathlib import Path
 import ziglang
 
 ROOT = Path(__file__).resolve().parents[1]
-TARGET = ROOT / "licenses/license.txt"
+# The page, its title, and the packages whose crates it lists.
+PAGES = {
+    "license.txt": ("the shared libraries of this unit", ["ancf14"]),
+    "program.txt": ("the program ancf14 and the Python package", ["ancf14-cli", "ancf14-python"]),
+}
 FILES = re.compile(r"(?i)(licen[sc]e|copying|copyright|notice|unlicense)")
 TRIPLE = "x86_64-unknown-linux-gnu"
 GRANT = "Permission is hereby granted, free of charge"
@@ -47,13 +52,15 @@ def cargo(*words) -> str:
     return subprocess.run(["cargo", *words, "--locked"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
 
 
-def linked() -> list[dict]:
-    """The packages whose code can be in the library, by name and version; compiler plugins stay outside."""
+def linked(page: str) -> list[dict]:
+    """The crates whose code can be in what a page is about, by name and version; compiler plugins stay outside."""
     packages = json.loads(cargo("metadata", "--format-version", "1"))["packages"]
     by_name = {(package["name"], package["version"]): package for package in packages}
-    tree = ["tree", "--package", "ancf14", "--edges", "normal,no-proc-macro", "--target", TRIPLE, "--prefix", "none", "--format", "{p}"]
-    lines = [line.split() for line in cargo(*tree).splitlines()[1:]]
-    return [by_name[key] for key in sorted({(name, version.removeprefix("v")) for name, version, *_ in lines})]
+    roots = [word for package in PAGES[page][1] for word in ("--package", package)]
+    tree = ["tree", *roots, "--edges", "normal,no-proc-macro", "--target", TRIPLE, "--prefix", "none", "--format", "{p}"]
+    lines = [line.split() for line in cargo(*tree).splitlines() if line]
+    found = sorted({(name, version.removeprefix("v")) for name, version, *_ in lines})
+    return [by_name[key] for key in found if by_name[key]["source"] is not None]
 
 
 def clean(text: str) -> str:
@@ -74,23 +81,25 @@ def texts(package: dict) -> list[str]:
     return found
 
 
-def page() -> str:
+def text(page: str) -> str:
+    """The text of a page."""
     holders: dict[str, list[str]] = {clean((ROOT / "LICENSE").read_text()): ["ancf14"]}
     lines = ["ancf14: MIT OR Apache-2.0"]
-    for package in linked():
+    for package in linked(page):
         name = f"{package['name']} {package['version']}"
         lines.append(f"{name}: {package['license']}")
-        for text in texts(package):
-            holders.setdefault(text, []).append(name)
+        for licence in texts(package):
+            holders.setdefault(licence, []).append(name)
     zig = Path(ziglang.__file__).parent
     lines += [STANDARD_LIBRARY, "compiler-rt of Zig: MIT", "libunwind of LLVM: Apache-2.0 WITH LLVM-exception"]
     holders.setdefault(clean((zig / "LICENSE").read_text()), []).append("compiler-rt of Zig")
     holders.setdefault(clean((zig / "lib/libunwind/LICENSE.TXT").read_text()), []).append("libunwind of LLVM")
-    out = ["Licences of the software in the shared libraries of this unit", "", *lines]
-    for text, names in holders.items():
-        out += ["", LINE, ", ".join(names), LINE, "", text.rstrip("\n")]
+    out = [f"Licences of the software in {PAGES[page][0]}", "", *lines]
+    for licence, names in holders.items():
+        out += ["", LINE, ", ".join(names), LINE, "", licence.rstrip("\n")]
     return "\n".join(out) + "\n"
 
 
 if __name__ == "__main__":
-    TARGET.write_text(page())
+    for page in PAGES:
+        (ROOT / "licenses" / page).write_text(text(page))

@@ -1,6 +1,6 @@
 #!/bin/sh
 # All tests: formatting, lints, Rust, C (a part of the Rust suite), the page of `ancf14 view` in Chromium, the FMUs of all models in FMPy, libcosim and
-# fmutool, and the Python wheel. Needs Rust, a C and C++ compiler, Python 3, and pkg-config, valgrind, node and Chromium (installed here if that is possible).
+# fmutool, and what a release has: the archive and the Python wheel. Needs Rust, a C and C++ compiler, Python 3, and pkg-config, valgrind, node and Chromium (installed here if that is possible).
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -13,5 +13,5 @@ scripts/build.sh
 scripts/viewer.sh
 scripts/python-env.sh
 ANCF14=target/fmu/ancf14 target/python-env/bin/python -m pytest -q -p no:cacheprovider tests/fmpy
-scripts/wheel.sh
-scripts/wheel-test.sh
+scripts/release.sh
+scripts/release-test.sh

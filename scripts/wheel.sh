@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
 scripts/python-env.sh
 cp "$target/fmu/libancf14.so" python/python/ancf14/libancf14.so
-cp LICENSE licenses/license.txt python/
+cp LICENSE licenses/program.txt licenses/viewer.txt python/
 rm -rf "$target/wheels"
 set --
 if [ "$(uname -sm)" = "Linux x86_64" ]; then

@@ -117,6 +117,7 @@ fn the_installation_is_whole() {
         "lib/cmake/ancf14/ancf14ConfigVersion.cmake",
         "share/doc/ancf14/LICENSE",
         "share/doc/ancf14/license.txt",
+        "share/doc/ancf14/program.txt",
     ] {
         let text = fs::read(place.prefix().join(file)).unwrap_or_else(|reason| panic!("{file}: {reason}"));
         assert!(

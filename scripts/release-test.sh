@@ -1,0 +1,36 @@
+#!/bin/sh
+# Tests what scripts/release.sh has made: the checksums; the archive, unpacked into another folder, by its program and a C program; the wheel, installed into
+# an empty environment, target/wheel-env, by the tests of the Python package.
+set -eu
+
+cd "$(dirname "$0")/.."
+target=${CARGO_TARGET_DIR:-$PWD/target}
+(cd dist && sha256sum --check --quiet SHA256SUMS)
+
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+tar --extract --file dist/ancf14-*.tar.gz --directory "$place" --strip-components 1
+PKG_CONFIG_PATH=$place/lib/pkgconfig
+export PKG_CONFIG_PATH
+(
+    cd "$place"
+    # shellcheck disable=SC2046 # Flags are words.
+    cc -std=c99 share/ancf14/c-examples/simulate.c $(pkg-config --cflags --libs ancf14) -o simulate
+    ./simulate share/ancf14/c-examples/arm.toml > table.txt
+    bin/ancf14 run share/ancf14/models/cantilever.toml --set simulation.stop=0.05 > run.txt
+    bin/ancf14 pack share/ancf14/models/cantilever.toml -o cantilever.fmu
+)
+grep -q '^0.1, ' "$place/table.txt"
+test -s "$place/cantilever-results/results.csv"
+test -s "$place/cantilever.fmu"
+echo "archive: the program and a C program run from another folder"
+
+rm -rf "$target/wheel-env"
+"${PYTHON:-python3}" -m venv "$target/wheel-env"
+python="$target/wheel-env/bin/python"
+"$python" -m pip install --quiet --disable-pip-version-check dist/ancf14-*.whl --requirement python/tests/requirements.txt
+"$python" -m pytest -q -p no:cacheprovider --rootdir python/tests python/tests
+for folder in python/tests python/examples; do
+    (cd "$folder" && "$python" -m mypy --config-file ../pyproject.toml --cache-dir /dev/null .)
+done
+"$python" -m mypy --config-file python/pyproject.toml --cache-dir /dev/null --package ancf14

@@ -1,0 +1,35 @@
+#!/bin/sh
+# Makes a release in dist/: the Python wheel; for those without Python an archive with the program, the libraries, the header, files for pkg-config and CMake,
+# models and examples; the list of all components (CycloneDX), if cargo-cyclonedx is installed; checksums. Builds what is missing.
+# The same commit gives the same archive.
+set -eu
+
+cd "$(dirname "$0")/.."
+target=${CARGO_TARGET_DIR:-$PWD/target}
+scripts/build.sh
+scripts/wheel.sh
+version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
+name=ancf14-$version-$(uname -s | tr '[:upper:]' '[:lower:]')-$(uname -m)
+tree=$target/release-tree
+rm -rf dist "$tree"
+mkdir -p dist
+sh scripts/install.sh "$tree/$name"
+share=$tree/$name/share/ancf14
+mkdir -p "$share"
+cp -r models c-examples "$share"
+cp README.md CHANGELOG.md "$tree/$name"
+windows=$target/x86_64-pc-windows-gnu/fmu/ancf14.dll
+if [ -f "$windows" ]; then
+    cp "$windows" "$tree/$name/lib"
+fi
+time=$(git log -1 --format=%ct)
+tar --create --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$time" --directory "$tree" "$name" | gzip -9 --no-name > "dist/$name.tar.gz"
+cp "$target"/wheels/ancf14-*.whl dist
+if command -v cargo-cyclonedx > /dev/null; then
+    SOURCE_DATE_EPOCH=$time cargo cyclonedx --quiet --format json --override-filename bom --manifest-path python/Cargo.toml
+    mv python/bom.json "dist/ancf14-$version.cdx.json"
+    find . -name bom.json -not -path './target/*' -delete
+else
+    echo "cargo-cyclonedx is not installed: there is no list of components" >&2
+fi
+(cd dist && sha256sum -- * > SHA256SUMS)
