@@ -2,11 +2,12 @@
 
 use ancf14::fmi::{Model, Value};
 use ancf14::model::drawing::Drawing;
-use ancf14::model::modes::{Kind, Modes};
+use ancf14::model::modes::Modes;
 use ancf14::model::simulation::Simulation;
 use ancf14_pack::contents::{Contents, LICENCES};
 use ancf14_pack::libraries::{self, Platform};
 use ancf14_pack::package;
+use ancf14_report::modes::word;
 use ancf14_report::{draw, picture, results};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -20,13 +21,8 @@ pub type FoundModes = (Vec<FoundMode>, Vec<String>, Vec<[f64; 3]>, Vec<[f64; 3]>
 /// Natural modes in plain types.
 pub fn modes(found: &Modes) -> FoundModes {
     let modes = found.modes.iter().map(|mode| {
-        let kind = match mode.kind {
-            Kind::Vibration => "vibration",
-            Kind::Free => "free",
-            Kind::Unstable => "unstable",
-        };
         let numbers = [mode.angular_frequency(), mode.growth_rate(), mode.eigenvalue, mode.modal_mass];
-        (kind, mode.moves.clone(), numbers)
+        (word(mode), mode.moves.clone(), numbers)
     });
     let motions = || found.modes.iter().flat_map(|mode| &mode.motions);
     (

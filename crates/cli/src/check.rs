@@ -1,30 +1,33 @@
 //! `check`: a model is without mistakes if it can be loaded and brought to its initial state; its variables as an aligned table.
 
 use super::picture::Target;
-use super::{Stop, progress, say, start};
-use ancf14::fmi::variable::Causality;
-use ancf14::fmi::{Model, Value};
+use super::{Stop, progress, say, start, voice};
+use ancf14::fmi::Model;
+use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::model::drawing::Drawing;
 use ancf14::model::simulation::Simulation;
 use ancf14_report::results::shortest;
-use std::path::Path;
+use serde_json::{Value, json};
 
 /// Columns of the table.
 const TITLES: [&str; 7] = ["ref", "name", "causality", "variability", "start", "unit", "description"];
 
 /// Draws the mechanism if asked to, looks for all that `run` refuses at its start, and lists the variables.
-pub fn check(mut simulation: Simulation, file: &Path, picture: Option<Target<'_>>) -> Result<(), Stop> {
+pub fn check(mut simulation: Simulation, name: &str, picture: Option<Target<'_>>) -> Result<(), Stop> {
     // A picture helps to find the mistake in a mechanism that cannot start.
     let about = simulation.about();
     let drawn = picture.map(|picture| picture.draw(&Drawing::new(simulation.document()), &about.name)).transpose()?;
     progress::last_row(&simulation)?;
     start(&mut simulation)?;
+    if voice::is_json() {
+        voice::deliver(document(&simulation));
+        return Ok(());
+    }
     say(&aligned(&rows(&simulation)))?;
     let count =
         |wanted: Causality| simulation.variables().iter().filter(|variable| variable.causality == wanted).count();
     say(&format!(
-        "{}: no mistakes; {} parameters, {} inputs, {} outputs",
-        file.display(),
+        "{name}: no mistakes; {} parameters, {} inputs, {} outputs",
         count(Causality::Parameter) + count(Causality::CalculatedParameter),
         count(Causality::Input),
         count(Causality::Output)
@@ -35,12 +38,40 @@ pub fn check(mut simulation: Simulation, file: &Path, picture: Option<Target<'_>
 /// Prints the text of a model without copies and includes. Overrides that are not in it would be lost.
 pub fn resolved(text: &str, remaining: &[(String, String)]) -> Result<(), Stop> {
     match remaining.first() {
-        None => say(text.trim_end()),
+        None => voice::print(text.trim_end()),
         Some((key, _)) => Err(Stop::Bad(format!(
             "error: --resolved prints what the file says, so that --set {key} would be lost; leave it out here, and give it when you run \
              the printed file"
         ))),
     }
+}
+
+/// The model and its variables for programs: numbers that are not finite are null.
+fn document(simulation: &Simulation) -> Value {
+    let about = simulation.about();
+    let variable = |(reference, variable): (usize, &Variable)| {
+        let has_start = !matches!(variable.causality, Causality::Output | Causality::Independent);
+        let start = match variable.start {
+            ancf14::fmi::Value::Real(value) => json!(value),
+            ancf14::fmi::Value::Integer(value) => json!(value),
+        };
+        json!({
+            "reference": reference,
+            "name": variable.name,
+            "causality": causality(variable.causality),
+            "variability": variable.variability.word(),
+            "start": if has_start { start } else { Value::Null },
+            "unit": variable.quantity.unit,
+            "description": variable.description,
+        })
+    };
+    json!({
+        "model": about.name,
+        "description": about.description,
+        "stop": about.stop,
+        "output_step": about.output_step,
+        "variables": simulation.variables().iter().enumerate().map(variable).collect::<Vec<_>>(),
+    })
 }
 
 fn rows(simulation: &Simulation) -> Vec<[String; 7]> {
@@ -49,8 +80,8 @@ fn rows(simulation: &Simulation) -> Vec<[String; 7]> {
         let has_start = !matches!(variable.causality, Causality::Output | Causality::Independent);
         let start = match (has_start, variable.start) {
             (false, _) => String::new(),
-            (true, Value::Real(value)) => shortest(value),
-            (true, Value::Integer(value)) => format!("{value}"),
+            (true, ancf14::fmi::Value::Real(value)) => shortest(value),
+            (true, ancf14::fmi::Value::Integer(value)) => format!("{value}"),
         };
         rows.push([
             reference.to_string(),

@@ -12,19 +12,24 @@ mod picture;
 mod progress;
 mod rows;
 mod run;
+mod shell;
 mod verify;
 mod view;
+mod voice;
 
 use ancf14::fmi::{Failure, Model};
+use ancf14::model::document::Document;
 use ancf14::model::simulation::Simulation;
-use ancf14::model::{file, notes};
+use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
+use ancf14::model::{builder, file, notes};
 use ancf14_pack::libraries::Platform;
 use ancf14_report::view::Film;
 use clap::{Args, Parser, Subcommand};
 use std::ffi::{OsStr, OsString};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use verify::Wish;
+use voice::{Complaint, Style, complain, say};
 
 /// Simulates flexible beams described in a model file, and packs them as FMUs.
 #[derive(Debug, Parser)]
@@ -32,6 +37,12 @@ use verify::Wish;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// Say nothing but what was asked for, warnings and errors
+    #[arg(short, long, global = true)]
+    quiet: bool,
+    /// Answer with one JSON document on the standard output: variables of `check`, modes of `modes`, warnings and errors of all commands
+    #[arg(long, global = true, conflicts_with = "quiet")]
+    json: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -117,11 +128,22 @@ enum Command {
     },
     /// Simulate a flexible double pendulum into ./ancf14-demo-results
     Demo,
+    /// Print the completions of a shell: ancf14 completions bash > ~/.local/share/bash-completion/completions/ancf14
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Write manual pages
+    Man {
+        /// Folder for the pages, for instance ~/.local/share/man/man1
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+    },
 }
 
 #[derive(Args, Debug)]
 struct ModelArguments {
-    /// Model file
+    /// Model file; - reads it from the standard input
     #[arg(value_name = "MODEL.toml")]
     file: PathBuf,
     /// Change a number or a word of the model: --set steel.young=2.1e11 --set arm.strain=small
@@ -145,6 +167,8 @@ enum Stop {
     Failed(String),
     /// Bad file or arguments: 2.
     Bad(String),
+    /// Mistakes of the model file, each with its place: 2.
+    Mistaken(Diagnostics),
     /// A signal ended it: the code is given.
     Interrupted(String, u8),
 }
@@ -156,17 +180,66 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>, program: Option<&Path
         Ok(arguments) => arguments,
         Err(text) => return shown(&text),
     };
-    match execute(arguments.command, program) {
-        Ok(()) => 0,
-        Err(stop) => {
-            let (message, code) = match stop {
-                Stop::Failed(message) => (message, 1),
-                Stop::Bad(message) => (message, 2),
-                Stop::Interrupted(message, code) => (message, code),
-            };
-            complain(&message);
-            code
+    voice::set(match (arguments.quiet, arguments.json) {
+        (_, true) => Style::Json,
+        (true, false) => Style::Quiet,
+        (false, false) => Style::Text,
+    });
+    let outcome = execute(arguments.command, program);
+    let code = outcome.as_ref().map_or_else(Stop::code, |()| 0);
+    let stop = if voice::is_json() {
+        voice::conclude(&outcome.map_or_else(|stop| stop.complaints(), |()| Vec::new())).err()
+    } else {
+        outcome.err()
+    };
+    match stop {
+        None => code,
+        Some(stop) => {
+            complain(&stop.to_string());
+            stop.code()
         }
+    }
+}
+
+impl Stop {
+    /// The exit code.
+    fn code(&self) -> u8 {
+        match self {
+            Self::Failed(_) => 1,
+            Self::Bad(_) | Self::Mistaken(_) => 2,
+            Self::Interrupted(_, code) => *code,
+        }
+    }
+
+    /// The errors one by one.
+    fn complaints(&self) -> Vec<Complaint> {
+        match self {
+            Self::Mistaken(mistakes) => mistakes.0.iter().map(complaint).collect(),
+            Self::Failed(message) | Self::Bad(message) | Self::Interrupted(message, _) => vec![Complaint::new(message)],
+        }
+    }
+}
+
+impl std::fmt::Display for Stop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Mistaken(mistakes) => write!(f, "{mistakes}"),
+            Self::Failed(message) | Self::Bad(message) | Self::Interrupted(message, _) => write!(f, "{message}"),
+        }
+    }
+}
+
+/// A mistake of the model file as an error in a document.
+fn complaint(mistake: &Diagnostic) -> Complaint {
+    let some = |text: &str| (!text.is_empty()).then(|| text.to_owned());
+    Complaint {
+        location: Some(mistake.location().to_owned()),
+        line: mistake.line(),
+        column: mistake.column(),
+        excerpt: some(mistake.excerpt()),
+        label: some(mistake.label()),
+        help: some(mistake.help()),
+        ..Complaint::new(&mistake.message)
     }
 }
 
@@ -174,7 +247,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
     match command {
         Command::Run { model, verify, view, out } => {
             let (simulation, text) = model.load()?;
-            let file_name = model.file.display().to_string();
+            let file_name = model.name();
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
             let accuracy = verify.flatten().unwrap_or(verify::ACCURACY);
             let overrides = simulation.document().remaining(&model.overrides);
@@ -191,7 +264,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let picture = draw.as_deref().map(picture::Target::of).transpose()?;
             output::spare(&[model.input()], draw.as_slice())?;
             let (simulation, _) = model.load()?;
-            check::check(simulation, &model.file, picture)
+            check::check(simulation, &model.name(), picture)
         }
         Command::Modes { model, wishes, out } => {
             let (simulation, _) = model.load()?;
@@ -207,6 +280,8 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
         }
         Command::Header { file, output, prefix } => export::header(&file, &output, prefix.as_deref()),
         Command::Demo => demo::demo(),
+        Command::Completions { shell } => shell::completions(shell),
+        Command::Man { folder } => shell::manual(&folder),
     }
 }
 
@@ -223,6 +298,11 @@ impl ModelArguments {
         load(&self.file, &self.overrides)
     }
 
+    /// The model as messages call it.
+    fn name(&self) -> String {
+        name(&self.file)
+    }
+
     fn input(&self) -> output::Input<'_> {
         (MODEL_FILE, &self.file)
     }
@@ -234,7 +314,8 @@ impl ModelArguments {
 
     /// The name of the model file without its ending, and `ending`: in the current folder.
     fn beside(&self, ending: &str) -> PathBuf {
-        let mut name = self.file.file_stem().unwrap_or(OsStr::new("model")).to_owned();
+        let stem = self.file.file_stem().filter(|_| !is_piped(&self.file));
+        let mut name = stem.unwrap_or(OsStr::new("model")).to_owned();
         name.push(ending);
         PathBuf::from(name)
     }
@@ -243,12 +324,29 @@ impl ModelArguments {
 /// The model file as messages call it.
 const MODEL_FILE: &str = "the model file";
 
+/// Whether the model comes from the standard input.
+fn is_piped(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// The model file as messages call it.
+fn name(path: &Path) -> String {
+    if is_piped(path) { "standard input".to_owned() } else { path.display().to_string() }
+}
+
 /// Reads a model file; gives its text too, without copies and includes.
 fn load(path: &Path, overrides: &[(String, String)]) -> Result<(Simulation, String), Stop> {
-    let name = path.display().to_string();
-    let text = file::text(path).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    let simulation = Simulation::load_in(path.parent(), &name, &text, overrides)
-        .map_err(|Failure { message, .. }| Stop::Bad(message))?;
+    let name = name(path);
+    let read = if is_piped(path) { file::piped(&name, io::stdin()) } else { file::text(path) };
+    let text = read.map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    // The parts of a model from a pipe are those of the current folder.
+    let folder = path.parent();
+    let simulation = Simulation::load_in(folder, &name, &text, overrides).map_err(|Failure { message, .. }| {
+        let mistakes = Document::parse_in(folder, &name, &text, overrides)
+            .and_then(|document| builder::build(&document, 0.0).map(drop))
+            .err();
+        mistakes.map_or(Stop::Bad(message), Stop::Mistaken)
+    })?;
     let text = simulation.document().text().to_owned();
     Ok((simulation, text))
 }
@@ -273,19 +371,4 @@ fn failed(simulation: &Simulation, failure: &Failure) -> Stop {
 /// The page of a film.
 fn page(film: &Film) -> Result<String, Stop> {
     film.page().map_err(|reason| Stop::Failed(format!("error: cannot write the page: {reason}")))
-}
-
-/// Prints a line. A reader who has gone, as `head` does, is no reason to fail.
-fn say(text: &str) -> Result<(), Stop> {
-    match writeln!(io::stdout(), "{text}") {
-        Err(reason) if reason.kind() != ErrorKind::BrokenPipe => {
-            Err(Stop::Failed(format!("error: cannot write to the standard output: {reason}")))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Prints a line of what went wrong.
-fn complain(text: &str) {
-    let _ = writeln!(io::stderr(), "{text}");
 }

@@ -2,14 +2,15 @@
 
 use super::folder::Folder;
 use super::output::Input;
-use super::{Stop, complain, failed, page, say, start};
+use super::{Stop, complain, failed, page, say, start, voice};
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::Analysis;
-use ancf14::model::modes::{Kind, Modes};
+use ancf14::model::modes::{Kind, Mode, Modes};
 use ancf14::model::simulation::Simulation;
-use ancf14_report::modes::{digits, pace};
+use ancf14_report::modes::{digits, pace, word};
 use ancf14_report::view::Film;
 use ancf14_report::{modes, shapes};
+use serde_json::{Value, json};
 use std::path::Path;
 
 /// What is asked for.
@@ -82,11 +83,32 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
         film.add_modes(&simulation, &found);
         folder.write(PAGE, &page(&film)?)?;
     }
+    if voice::is_json() {
+        voice::deliver(document(&found));
+        return Ok(());
+    }
     say(&table(&found))?;
     if wishes.view {
         say(&format!("open {} in a browser to see them swing", folder.file(PAGE).display()))?;
     }
     say(&format!("modes.csv, shapes.csv and modes.svg in {}", directory.display()))
+}
+
+/// The modes for programs.
+fn document(found: &Modes) -> Value {
+    let mode = |mode: &Mode| {
+        let omega = mode.angular_frequency();
+        json!({
+            "kind": word(mode),
+            "frequency": omega / std::f64::consts::TAU,
+            "angular_frequency": omega,
+            "growth_rate": mode.growth_rate(),
+            "eigenvalue": mode.eigenvalue,
+            "modal_mass": mode.modal_mass,
+            "moves": mode.moves,
+        })
+    };
+    json!({ "modes": found.modes.iter().map(mode).collect::<Vec<_>>() })
 }
 
 fn table(found: &Modes) -> String {

@@ -1,6 +1,6 @@
 //! How many rows a run has, and the bar that counts them.
 
-use super::Stop;
+use super::{Stop, voice};
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::{SimulationSpec, Steps};
 use ancf14::model::rows;
@@ -9,6 +9,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 /// A bar that fills with rows. A pipe gets none: indicatif draws on terminals only.
 pub fn bar(last_row: u64) -> ProgressBar {
+    if !voice::is_talkative() {
+        return ProgressBar::hidden();
+    }
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
     ProgressBar::new(last_row).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -12,6 +12,15 @@ pub fn pace(mode: &Mode) -> String {
     }
 }
 
+/// The kind of a mode in a table.
+pub fn word(mode: &Mode) -> &'static str {
+    match mode.kind {
+        Kind::Vibration => "vibration",
+        Kind::Free => "free",
+        Kind::Unstable => "unstable",
+    }
+}
+
 /// Six significant digits, without an exponent where that is as short.
 pub fn digits(value: f64) -> String {
     let before = value.abs().log10().floor().clamp(-300.0, 300.0) as i32 + 1;
@@ -26,12 +35,7 @@ pub fn digits(value: f64) -> String {
 pub fn list(found: &Modes) -> String {
     let mut text = "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,moves\n".to_owned();
     for (number, mode) in found.modes.iter().enumerate() {
-        let kind = match mode.kind {
-            Kind::Vibration => "vibration",
-            Kind::Free => "free",
-            Kind::Unstable => "unstable",
-        };
-        let omega = mode.angular_frequency();
+        let (kind, omega) = (word(mode), mode.angular_frequency());
         let numbers = [omega / std::f64::consts::TAU, omega, mode.growth_rate(), mode.eigenvalue, mode.modal_mass];
         let numbers = numbers.map(shortest).join(",");
         text.push_str(&format!("{},{kind},{numbers},\"{}\"\n", number + 1, mode.moves));

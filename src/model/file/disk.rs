@@ -14,8 +14,21 @@ const LARGEST: u64 = 10 << 20;
 /// # Errors
 /// A sentence without the word `error`: the file cannot be read, is larger than any model, or is not UTF-8 text.
 pub fn text(path: &Path) -> Result<String, String> {
-    let name = path.display();
-    let bytes = bytes(path).map_err(|reason| format!("cannot read {name}: {reason}"))?;
+    let name = path.display().to_string();
+    let bytes = File::open(path).and_then(bytes).map_err(|reason| format!("cannot read {name}: {reason}"))?;
+    utf8(&name, bytes)
+}
+
+/// The text of a model file that comes from a pipe; messages call it `name`.
+///
+/// # Errors
+/// Those of [`text`].
+pub fn piped(name: &str, from: impl Read) -> Result<String, String> {
+    let bytes = bytes(from).map_err(|reason| format!("cannot read {name}: {reason}"))?;
+    utf8(name, bytes)
+}
+
+fn utf8(name: &str, bytes: Vec<u8>) -> Result<String, String> {
     String::from_utf8(bytes).map_err(|error| {
         let (good, _) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
         let line = good.iter().filter(|byte| **byte == b'\n').count() + 1;
@@ -24,9 +37,9 @@ pub fn text(path: &Path) -> Result<String, String> {
     })
 }
 
-fn bytes(path: &Path) -> io::Result<Vec<u8>> {
+fn bytes(from: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    from.take(LARGEST + 1).read_to_end(&mut bytes)?;
     match bytes.len() as u64 > LARGEST {
         true => Err(io::Error::other(format!("it is larger than {} MB", LARGEST >> 20))),
         false => Ok(bytes),

@@ -13,4 +13,4 @@ pub(super) mod schema;
 mod settings;
 pub mod unit;
 
-pub use disk::text;
+pub use disk::{piped, text};

@@ -19,6 +19,7 @@ pub struct Diagnostic {
     others: usize,
     location: String,
     line_number: Option<usize>,
+    column: Option<usize>,
     line: String,
     underline: (usize, usize),
     label: String,
@@ -36,18 +37,18 @@ impl Diagnostic {
         let line_end = text[line_start..].find('\n').map_or(text.len(), |at| line_start + at);
         let line = text[line_start..line_end].trim_end_matches('\r');
         let (from, to) = ((start - line_start).min(line.len()), (end - line_start).min(line.len()));
-        let (line_number, location) = match told.source.file_name(told.place.source) {
+        let (line_number, column, location) = match told.source.file_name(told.place.source) {
             Some(file_name) => {
                 let number = text[..line_start].matches('\n').count() + 1;
                 let column = line[..from].chars().count() + 1;
-                (Some(number), format!("{file_name}:{number}:{column}"))
+                (Some(number), Some(column), format!("{file_name}:{number}:{column}"))
             }
-            None => (None, "on the command line".to_owned()),
+            None => (None, None, "on the command line".to_owned()),
         };
         let (origin, note) = (told.place, told.note.to_owned());
         let (line, underline) = excerpt(line, from, to);
         let [message, label, help] = [message, label, help].map(|text| printable(&shortened(text)));
-        Self { message, place, origin, note, others: 0, location, line_number, line, underline, label, help }
+        Self { message, place, origin, note, others: 0, location, line_number, column, line, underline, label, help }
     }
 }
 
@@ -55,6 +56,31 @@ impl Diagnostic {
     /// The line of the file that it is about, from 1; none: it is about an override.
     pub fn line(&self) -> Option<usize> {
         self.line_number
+    }
+
+    /// The column of that line at which the wrong text begins, in characters from 1.
+    pub fn column(&self) -> Option<usize> {
+        self.column
+    }
+
+    /// The file with line and column, or that it is on the command line.
+    pub fn location(&self) -> &str {
+        &self.location
+    }
+
+    /// The line as it is shown.
+    pub fn excerpt(&self) -> &str {
+        &self.line
+    }
+
+    /// What stands behind the underlining; may be empty.
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// What to try; may be empty.
+    pub fn help(&self) -> &str {
+        &self.help
     }
 }
 

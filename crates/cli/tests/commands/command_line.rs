@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 const SHORT: [&str; 6] =
     ["--set", "simulation.stop=0.01", "--set", "simulation.output_step=0.003", "--set", "arm.elements=2"];
 
-fn ancf14(directory: &Path, arguments: &[&str]) -> Output {
+pub fn ancf14(directory: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_ancf14"))
         .current_dir(directory)
         .args(arguments)
@@ -17,11 +17,11 @@ fn ancf14(directory: &Path, arguments: &[&str]) -> Output {
         .expect("the program runs")
 }
 
-fn model(name: &str) -> String {
+pub fn model(name: &str) -> String {
     format!("{}/models/{name}.toml", root().display())
 }
 
-fn text(bytes: &[u8]) -> String {
+pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 

@@ -7,6 +7,7 @@ mod modes_command;
 mod output_files;
 mod programs;
 mod same_results;
+mod shells;
 mod view_command;
 
 use std::process::Output;
