@@ -30,6 +30,8 @@ for (const path of pages) {
   for (const key of words.find((word) => word.startsWith("--keys="))?.slice(7) ?? "") await page.keyboard.press(key);
   if (has("instant")) await page.evaluate(() => (window.ancf14.player.ranging = "instant", window.ancf14.player.refresh()));
   await page.waitForTimeout(500);
+  // A slow machine may still be at the first picture.
+  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
   const kind = ["dark", "narrow"].filter(has).map((word) => `-${word}`).join("");
   await page.screenshot({ path: `${folder}/${basename(path, ".html")}${kind}.png`, fullPage: has("narrow") });
   await page.close();
