@@ -7,6 +7,7 @@ mod export;
 mod folder;
 mod keeper;
 mod modes;
+mod new;
 mod output;
 mod picture;
 mod progress;
@@ -47,6 +48,18 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Start a model file from a template, with comments
+    New {
+        /// The file, with or without .toml
+        #[arg(required_unless_present = "list")]
+        name: Option<PathBuf>,
+        /// The template
+        #[arg(short, long, default_value = "beam")]
+        template: String,
+        /// List the templates instead
+        #[arg(long, conflicts_with = "name")]
+        list: bool,
+    },
     /// Simulate a model: results.csv and one plot per quantity
     ///
     /// During the run its rows are in results.part.csv, which becomes results.csv at the end. A run that fails or is
@@ -245,6 +258,8 @@ fn complaint(mistake: &Diagnostic) -> Complaint {
 
 fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
     match command {
+        Command::New { name: Some(name), template, .. } => new::new(&name, &template),
+        Command::New { name: None, .. } => new::list(),
         Command::Run { model, verify, view, out } => {
             let (simulation, text) = model.load()?;
             let file_name = model.name();

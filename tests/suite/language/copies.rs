@@ -268,7 +268,10 @@ fn the_wheels_agree_with_the_written_out_one() {
         ] {
             let result = value(&simulation, name);
             // Coordinates rounded in other places, and Newton's tolerance of 1e-8.
-            assert!((result - expected).abs() < 1e-6 * expected.abs(), "{name} is {result}, {expected} in the original");
+            assert!(
+                (result - expected).abs() < 1e-6 * expected.abs(),
+                "{name} is {result}, {expected} in the original"
+            );
         }
     }
 }

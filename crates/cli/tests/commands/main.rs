@@ -4,6 +4,7 @@
 
 mod command_line;
 mod modes_command;
+mod new_command;
 mod output_files;
 mod programs;
 mod same_results;

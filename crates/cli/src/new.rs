@@ -1,0 +1,123 @@
+//! `new`: a commented model file to start from.
+
+use super::voice::{print, say};
+use super::{Stop, output};
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+/// A model that runs as it is.
+struct Template {
+    name: &'static str,
+    about: &'static str,
+    text: &'static str,
+}
+
+/// All of them, the simplest first.
+const TEMPLATES: [Template; 9] = [
+    Template {
+        name: "beam",
+        about: "a clamped beam with a force at its end",
+        text: include_str!("../templates/beam.toml"),
+    },
+    Template {
+        name: "pendulum",
+        about: "two flexible beams hinged to each other",
+        text: include_str!("../../../models/pendulum.toml"),
+    },
+    Template {
+        name: "cable",
+        about: "a slack cable between two masts, in gusts of wind",
+        text: include_str!("../templates/cable.toml"),
+    },
+    Template {
+        name: "rotor",
+        about: "an unbalanced disk on a flexible shaft, run up through its critical speed",
+        text: include_str!("../templates/rotor.toml"),
+    },
+    Template {
+        name: "linkage",
+        about: "a four-bar linkage of flexible bars, with a drive",
+        text: include_str!("../../../models/four_bar.toml"),
+    },
+    Template {
+        name: "robot",
+        about: "a flexible arm moved by two motors",
+        text: include_str!("../../../models/robot.toml"),
+    },
+    Template {
+        name: "crane",
+        about: "a boom with a load on a rope, whose foot a host drives",
+        text: include_str!("../../../models/crane.toml"),
+    },
+    Template {
+        name: "spring",
+        about: "a helical spring, curved as drawn, pulled along its axis",
+        text: include_str!("../../../models/helical_spring.toml"),
+    },
+    Template {
+        name: "wheel",
+        about: "a bicycle wheel: spokes by copies, equilibrium under a load",
+        text: include_str!("../../../models/bicycle_wheel.toml"),
+    },
+];
+
+/// Lists the templates.
+pub fn list() -> Result<(), Stop> {
+    let width = TEMPLATES.iter().map(|template| template.name.len()).max().unwrap_or(0);
+    TEMPLATES.iter().try_for_each(|template| print(&format!("{:<width$}  {}", template.name, template.about)))
+}
+
+/// Writes the model file `name` from the template `from`. A file that is there is kept.
+pub fn new(name: &Path, from: &str) -> Result<(), Stop> {
+    let bad = |message: String| Err(Stop::Bad(format!("error: {message}")));
+    let Some(template) = TEMPLATES.iter().find(|template| template.name == from) else {
+        let names = TEMPLATES.map(|template| template.name).join(", ");
+        return bad(format!("there is no template `{from}`; the templates are {names}"));
+    };
+    let file = match name.extension() {
+        Some(ending) if ending == "toml" => name.to_owned(),
+        _ => PathBuf::from(format!("{}.toml", name.display())),
+    };
+    if file.exists() {
+        return bad(format!("{} exists; choose another name", file.display()));
+    }
+    let title = title(file.file_stem().unwrap_or(OsStr::new("")));
+    let Some(title) = title else {
+        return bad(format!("{} is no name for a model; give one with a letter, as crane", name.display()));
+    };
+    let mut text = named(template.text, &title, &file);
+    if !text.starts_with('#') {
+        let about = template.about;
+        let about = about[..1].to_uppercase() + &about[1..];
+        text.insert_str(0, &format!("# {about}. Units are SI, angles are in radians.\n"));
+    }
+    output::write(&file, text.as_bytes())?;
+    say(&format!("{0} written from the template {from}; next: ancf14 view {0}", file.display()))
+}
+
+/// The name of the model in a file: `slack_cable` to `SlackCable`. None: there is no letter in it.
+fn title(stem: &OsStr) -> Option<String> {
+    let stem = stem.to_str()?;
+    let words = stem.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let title: String = words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect();
+    title.starts_with(|letter: char| letter.is_ascii_alphabetic()).then_some(title)
+}
+
+/// A template with the name of the model, and of the file where it speaks of itself.
+fn named(text: &str, title: &str, file: &Path) -> String {
+    let name = |line: &str| line.starts_with("name = \"");
+    let mut is_named = false;
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        if name(line) && !is_named {
+            is_named = true;
+            lines.push(format!("name = \"{title}\""));
+        } else if let Some((before, after)) = line.split_once("models/") {
+            let rest = after.find(".toml").map_or(after, |end| &after[end + 5..]);
+            lines.push(format!("{before}{}{rest}", file.display()));
+        } else if !line.contains("tests/references") {
+            lines.push(line.to_owned());
+        }
+    }
+    lines.join("\n") + "\n"
+}
