@@ -7,7 +7,7 @@ use ancf14::model::simulation::Simulation;
 use ancf14_testing::running::{run, start, value};
 
 const WHEEL: &str = include_str!("../../copies/bicycle_wheel.toml");
-const SHIPPED_WHEEL: &str = include_str!("../../../models/bicycle_wheel.toml");
+const SHIPPED_WHEEL: &str = include_str!("../../../crates/cli/templates/wheel.toml");
 const NET: &str = include_str!("../../copies/trampoline_net.toml");
 const TURBINE: &str = include_str!("../../copies/wind_turbine.toml");
 
