@@ -9,6 +9,7 @@ pub mod hermite;
 pub mod histogram;
 pub mod integral;
 pub mod jet;
+pub mod monotone;
 pub mod quadrature;
 pub mod rotation;
 pub mod spline;

@@ -22,6 +22,8 @@ pub struct Pieces {
     pub jet: Box<dyn Fn(f64) -> Jet + Send + Sync>,
     /// The times at which pieces meet, ascending, s.
     pub breaks: Vec<f64>,
+    /// Why it has no value at a time, s, in words; none: no reason is known.
+    pub undefined: Box<dyn Fn(f64) -> Option<String> + Send + Sync>,
 }
 
 impl Signal {
@@ -51,10 +53,26 @@ impl Signal {
         }
     }
 
+    /// Whether `time`, s, is one of its breaks.
+    pub fn breaks_at(&self, time: f64) -> bool {
+        let breaks = self.breaks();
+        breaks.get(breaks.partition_point(|own| *own < time)) == Some(&time)
+    }
+
+    /// Why it has no finite value at `time`, s, in words; none: it has one, or no reason is known.
+    pub fn undefined(&self, time: f64) -> Option<String> {
+        match self {
+            Self::Pieces(pieces) if !self.jet(time).is_finite() => (pieces.undefined)(time),
+            Self::Constant(_) | Self::Function(_) | Self::Pieces(_) => None,
+        }
+    }
+
     /// Its integral from `from` to `to`, s: piece by piece, because a quadrature rule may step over a short piece.
     pub fn integral(&self, from: f64, to: f64) -> f64 {
         let value = |time: f64| self.at(time);
-        let inner = self.breaks().iter().copied().filter(|time| from < *time && *time < to);
+        let breaks = self.breaks();
+        let first = breaks.partition_point(|time| *time <= from);
+        let inner = breaks[first..].iter().copied().take_while(|time| *time < to);
         let (sum, last) = inner.fold((0.0, from), |(sum, last), time| (sum + integral(&value, last, time), time));
         sum + integral(&value, last, to)
     }

@@ -24,14 +24,18 @@ fn jumps(signal: &Signal, time: f64, step: f64, derivatives: usize) -> bool {
 }
 
 impl System {
-    /// Collects [`System::breaks`] from all functions of time.
-    pub fn collect_breaks(&mut self) {
+    /// All functions of time: those of loads, actuators, drives and frames.
+    pub fn signals(&self) -> impl Iterator<Item = &Signal> {
         let loads = self.loads.iter().flat_map(|load| load.signals());
         let actuators = self.actuators.iter().filter_map(|actuator| actuator.signal());
         let drives = self.drives.iter().filter_map(|drive| drive.signal());
         let frames = self.moving_frames.iter().flat_map(|frame| frame.signals());
-        let mut breaks: Vec<f64> =
-            loads.chain(actuators).chain(drives).chain(frames).flat_map(|signal| signal.breaks()).copied().collect();
+        loads.chain(actuators).chain(drives).chain(frames)
+    }
+
+    /// Collects [`System::breaks`] from all functions of time.
+    pub fn collect_breaks(&mut self) {
+        let mut breaks: Vec<f64> = self.signals().flat_map(|signal| signal.breaks()).copied().collect();
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         self.breaks = breaks;
@@ -49,9 +53,8 @@ impl System {
         let margin = AT_BREAK * step;
         let first = self.breaks.partition_point(|own| *own < time - margin);
         let Some(time) = self.breaks.get(first).copied().filter(|own| *own <= time + margin) else { return false };
-        let jumps = |signal: &Signal, derivatives: usize| {
-            signal.breaks().contains(&time) && jumps(signal, time, step, derivatives)
-        };
+        let jumps =
+            |signal: &Signal, derivatives: usize| signal.breaks_at(time) && jumps(signal, time, step, derivatives);
         self.loads.iter().flat_map(|load| load.signals()).any(|signal| jumps(signal, 0))
             || self.actuators.iter().filter_map(|actuator| actuator.signal()).any(|signal| jumps(signal, 0))
             || self.drives.iter().filter_map(|drive| drive.signal()).any(|signal| jumps(signal, 2))
@@ -62,7 +65,8 @@ impl System {
     pub fn jumps(&self, from: f64, to: f64) -> Vec<String> {
         let least = ROUNDING * self.size.max(1.0);
         let mut found = Vec::new();
-        for time in self.breaks.iter().copied().filter(|time| from < *time && *time <= to) {
+        let first = self.breaks.partition_point(|time| *time <= from);
+        for time in self.breaks[first..].iter().copied().take_while(|time| *time <= to) {
             let mut tell = |part: String, jump: f64| {
                 found.push(format!(
                     "{part} jumps by {} at t = {} s, which no finite force can do: velocities and efforts mean nothing from there on; \
@@ -73,14 +77,14 @@ impl System {
             };
             for drive in &self.drives {
                 if let Guide::Value(signal) = &drive.guide
-                    && signal.breaks().contains(&time)
+                    && signal.breaks_at(time)
                     && signal.jump(time).abs() > least
                 {
                     tell(format!("the value of drive {}", drive.name), signal.jump(time));
                 }
             }
             for frame in &self.moving_frames {
-                let jumps = frame.signals().filter(|signal| signal.breaks().contains(&time));
+                let jumps = frame.signals().filter(|signal| signal.breaks_at(time));
                 let largest = jumps.map(|signal| signal.jump(time).abs()).fold(0.0, f64::max);
                 if largest > least {
                     tell(format!("the motion of frame {}", frame.name), largest);

@@ -69,13 +69,18 @@ impl System {
         (beam, number - beam.first_element)
     }
 
-    /// The load, actuator, drive or frame that is not defined at `time` (s), in words.
+    /// The load, actuator, drive or frame that is not defined at `time` (s), in words, with the reason where it is known.
     pub fn undefined(&self, time: f64) -> Option<String> {
         let load = self.loads.iter().find(|load| !load.at(time, &HostWrench::default()).is_finite());
         let load = load.map(|load| format!("the force or moment of load {}", load.name));
         let actuator = self.actuators.iter().find(|actuator| !actuator.at(time, &HostEffort::default()).is_finite());
         let actuator = actuator.map(|actuator| format!("the effort of actuator {}", actuator.name));
-        load.or(actuator).or_else(|| self.undefined_motion(time).map(|name| format!("the motion of {name}")))
+        let what =
+            load.or(actuator).or_else(|| self.undefined_motion(time).map(|name| format!("the motion of {name}")))?;
+        Some(match self.signals().find_map(|signal| signal.undefined(time)) {
+            Some(reason) => format!("{what}, where {reason},"),
+            None => what,
+        })
     }
 
     /// What is not finite in the equations of `time` (s), in words.

@@ -97,15 +97,19 @@ fn signal_from(document: &Document, number: Number, origin: f64) -> Signal {
     if function.is_constant() {
         return Signal::Constant(function.value(0.0) - origin);
     }
-    let breaks = function.limits().to_vec();
+    let breaks = function.breaks([0.0, document.value(document.simulation.stop)]);
+    let is_plain = breaks.is_empty() && !function.may_be_undefined();
+    let function = Arc::new(function);
+    let own = function.clone();
     let jet = move |time| {
-        let jet = function.jet(time);
+        let jet = own.jet(time);
         Jet { value: jet.value - origin, ..jet }
     };
-    if breaks.is_empty() {
+    if is_plain {
         Signal::Function(Arc::new(jet))
     } else {
-        Signal::Pieces(Arc::new(Pieces { jet: Box::new(jet), breaks }))
+        let undefined = move |time| function.undefined(time).map(|reason| reason.to_string());
+        Signal::Pieces(Arc::new(Pieces { jet: Box::new(jet), breaks, undefined: Box::new(undefined) }))
     }
 }
 

@@ -1,5 +1,7 @@
 //! A number that may depend on time (or on the curve parameter): one expression, or pieces with ascending limits.
 
+use super::breaks::breaks;
+use super::program::Undefined;
 use super::{Jet, Program};
 
 /// One piece: valid while the variable is below `until`; the last one has no limit.
@@ -34,14 +36,30 @@ impl Formula {
         self.pieces.len() == 1 && self.pieces[0].is.is_constant()
     }
 
+    /// Whether a table in it has no value outside of its rows.
+    pub fn may_be_undefined(&self) -> bool {
+        self.pieces.iter().any(|piece| piece.is.may_be_undefined())
+    }
+
     /// The parameters that occur, repeats included.
     pub fn parameters(&self) -> impl Iterator<Item = usize> + '_ {
         let programs = self.pieces.iter().flat_map(|piece| piece.until.iter().chain([&piece.is]));
         programs.flat_map(Program::parameters)
     }
 
+    /// The table that has no value at an end of a piece between `from` and `to`, and that end; none: none is known.
+    pub fn undefined_between(&self, range: [f64; 2], parameters: impl Fn(usize) -> f64) -> Option<(f64, Undefined)> {
+        self.unfolded(parameters).undefined_between(range)
+    }
+
     /// With the parameters as numbers.
     pub fn bound(&self, parameters: impl Fn(usize) -> f64) -> Function {
+        let Function { limits, pieces } = self.unfolded(parameters);
+        Function { limits, pieces: pieces.into_iter().map(Program::folded).collect() }
+    }
+
+    /// With the parameters as numbers, and pieces as they are written.
+    fn unfolded(&self, parameters: impl Fn(usize) -> f64) -> Function {
         let last = self.pieces.len() - 1;
         let limit = |piece: &Piece| piece.until.as_ref().map_or(f64::INFINITY, |until| until.value(0.0, &parameters));
         Function {
@@ -79,13 +97,54 @@ impl Function {
 
     /// `(f, f', f'')` at t; at a limit those of the piece that begins there.
     pub fn jet(&self, t: f64) -> Jet {
-        let place = self.limits.iter().position(|limit| t < *limit).unwrap_or(self.limits.len());
-        self.pieces[place].jet(t, |_| f64::NAN)
+        self.pieces[self.piece(t)].jet(t, |_| f64::NAN)
     }
 
-    /// Where its pieces meet.
-    pub fn limits(&self) -> &[f64] {
-        &self.limits
+    /// The number of the piece that is valid at t.
+    fn piece(&self, t: f64) -> usize {
+        self.limits.iter().position(|limit| t < *limit).unwrap_or(self.limits.len())
+    }
+
+    /// Where its pieces meet, and where tables in it have corners, ascending; of tables that repeat themselves between `from` and `to` only.
+    pub fn breaks(&self, [from, to]: [f64; 2]) -> Vec<f64> {
+        let mut all = self.limits.clone();
+        for (k, piece) in self.pieces.iter().enumerate() {
+            let [begin, end] = self.validity(k, [f64::NEG_INFINITY, f64::INFINITY]);
+            let corners = breaks(piece, self.validity(k, [from, to])).into_iter();
+            all.extend(corners.filter(|at| at.is_finite() && begin < *at && *at < end));
+        }
+        if all.len() > self.limits.len() {
+            all.sort_by(f64::total_cmp);
+            all.dedup();
+        }
+        all
+    }
+
+    /// Where piece `k` is valid between `from` and `to`.
+    fn validity(&self, k: usize, [from, to]: [f64; 2]) -> [f64; 2] {
+        let begin = k.checked_sub(1).map_or(from, |before| self.limits[before].max(from));
+        [begin, self.limits.get(k).map_or(to, |limit| limit.min(to))]
+    }
+
+    /// The table that has no value at t; none: all have one.
+    pub fn undefined(&self, t: f64) -> Option<Undefined> {
+        self.pieces[self.piece(t)].undefined(t)
+    }
+
+    /// Whether a table in it has no value outside of its rows.
+    pub fn may_be_undefined(&self) -> bool {
+        self.pieces.iter().any(Program::may_be_undefined)
+    }
+
+    fn undefined_between(&self, range: [f64; 2]) -> Option<(f64, Undefined)> {
+        let last = self.pieces.len() - 1;
+        let ends = (0..=last).flat_map(|k| {
+            let [begin, end] = self.validity(k, range);
+            let end = if k < last && end == self.limits[k] { end.next_down() } else { end };
+            (begin <= end).then_some([begin, end])
+        });
+        let undefined = |t: f64| if self.value(t).is_nan() { Some((t, self.undefined(t)?)) } else { None };
+        ends.flatten().find_map(undefined)
     }
 
     /// What is wrong with the limits: they must be finite and ascend.

@@ -1,18 +1,20 @@
 //! Numbers as formulas: `0.5*pi*(1 - cos(pi*t/T))`, compiled once, evaluated with exact first and second derivatives.
 //!
 //! Known are `+ - * / ^`, comparisons (1 where they hold, else 0), `and`, `or`, parentheses, the functions of [`program::FUNCTIONS`] and
-//! [`program::MORE_FUNCTIONS`], `pi`, `e`, the parameters of the file, and `t` or
+//! [`program::MORE_FUNCTIONS`], `pi`, `e`, the parameters and functions of the file, and `t` or
 //! `s` where the place allows it. `^` binds tightest and from the right, above the unary minus, as in mathematics:
 //! `-2^2 = -4`, `2^3^2 = 512`.
 
+mod breaks;
 pub mod function;
 mod parser;
 pub mod program;
+pub mod table;
 #[cfg(test)]
 mod tests;
 
 pub use crate::math::jet::Jet;
-pub use parser::{ExpressionError, LENGTH, compile};
+pub use parser::{Callee, ExpressionError, LENGTH, Scope, compile, compile_in};
 pub use program::Program;
 
 /// What a name in an expression may stand for.

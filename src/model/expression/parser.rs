@@ -12,8 +12,9 @@
 //! ```
 
 use super::Variable;
-use super::program::{Binary, Callable, FUNCTIONS, MORE_FUNCTIONS, Operation, Program, Unary};
+use super::program::{Binary, Callable, Called, FUNCTIONS, MORE_FUNCTIONS, Operation, Program, Unary};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Depth of nesting; deep enough for every formula that someone writes, far from the end of the stack.
 const DEPTH: usize = 60;
@@ -40,9 +41,33 @@ pub struct ExpressionError {
     pub range: Range<usize>,
     /// A name that is not known: the caller, who knows the names, offers the nearest.
     pub unknown: Option<String>,
+    /// Whether it follows from another mistake, which is reported.
+    pub is_reported: bool,
 }
 
-/// Compiles `text`. `lookup` gives the place of a parameter by its name.
+/// The names that an expression may use besides those of the language.
+#[derive(Clone, Copy)]
+pub struct Scope<'a> {
+    /// The variable; empty: none.
+    pub variable: &'a str,
+    /// The place of a parameter.
+    pub parameter: &'a dyn Fn(&str) -> Option<usize>,
+    /// A function of the file.
+    pub function: &'a dyn Fn(&str) -> Option<Callee>,
+    /// The function of the file whose value the expression is; none: it stands elsewhere.
+    pub inside: Option<&'a str>,
+}
+
+/// A function of the file, as a call finds it.
+#[derive(Clone, Debug)]
+pub enum Callee {
+    /// It can be called.
+    Sound(Arc<Called>),
+    /// It has a mistake, which is reported.
+    Broken,
+}
+
+/// Compiles `text` without functions of the file. `lookup` gives the place of a parameter by its name.
 ///
 /// # Errors
 /// The text is no expression, too long, too deep, or uses an unknown name.
@@ -51,11 +76,19 @@ pub fn compile(
     variable: Variable,
     lookup: &dyn Fn(&str) -> Option<usize>,
 ) -> Result<Program, ExpressionError> {
+    compile_in(text, Scope { variable: variable.word(), parameter: lookup, function: &|_| None, inside: None })
+}
+
+/// Compiles `text` with the names of `scope`.
+///
+/// # Errors
+/// Those of [`compile`], and calls of functions that have mistakes.
+pub fn compile_in(text: &str, scope: Scope<'_>) -> Result<Program, ExpressionError> {
     if text.len() > LENGTH {
         let message = format!("the expression has {} bytes, the limit is {LENGTH}", text.len());
         return Err(error(message, "too long", 0..text.len()));
     }
-    let mut parser = Parser { text, variable, lookup, at: 0, depth: 0, operations: Vec::new() };
+    let mut parser = Parser { text, scope, at: 0, depth: 0, operations: Vec::new(), calls: Vec::new() };
     parser.skip_space();
     if parser.at == text.len() {
         return Err(error("the expression is empty", "a number or an expression was expected", 0..text.len()));
@@ -64,21 +97,24 @@ pub fn compile(
     if parser.at < text.len() {
         return Err(parser.unexpected("an operator (+ - * / ^) or the end was expected"));
     }
-    Program::new(parser.operations)
-        .ok_or_else(|| error("the expression is nested too deeply", "too deep", 0..text.len()))
+    let has_calls = !parser.calls.is_empty();
+    Program::new(parser.operations, parser.calls).ok_or_else(|| match has_calls {
+        true => error("the functions called here are too long or call one another too deeply", "", 0..text.len()),
+        false => error("the expression is nested too deeply", "too deep", 0..text.len()),
+    })
 }
 
 fn error(message: impl Into<String>, label: impl Into<String>, range: Range<usize>) -> ExpressionError {
-    ExpressionError { message: message.into(), label: label.into(), range, unknown: None }
+    ExpressionError { message: message.into(), label: label.into(), range, unknown: None, is_reported: false }
 }
 
 struct Parser<'a> {
     text: &'a str,
-    variable: Variable,
-    lookup: &'a dyn Fn(&str) -> Option<usize>,
+    scope: Scope<'a>,
     at: usize,
     depth: usize,
     operations: Vec<Operation>,
+    calls: Vec<Arc<Called>>,
 }
 
 impl Parser<'_> {
@@ -297,11 +333,19 @@ impl Parser<'_> {
         {
             return self.call(name, *callable, range);
         }
+        if self.peek() == Some('(')
+            && let Some(callee) = (self.scope.function)(name)
+        {
+            return self.call_of_file(name, callee, range);
+        }
         let operation = match name {
             "pi" => Operation::Constant(std::f64::consts::PI),
             "e" => Operation::Constant(std::f64::consts::E),
-            "t" if self.variable == Variable::Time => Operation::Variable,
-            "s" if self.variable == Variable::Curve => Operation::Variable,
+            _ if name == self.scope.variable => Operation::Variable,
+            "t" | "s" if let Some(function) = self.scope.inside => {
+                let label = format!("{function} has the argument `{}`", self.scope.variable);
+                return Err(error(format!("`{name}` is not known here"), label, range));
+            }
             "t" => return Err(error("`t` is not known here", "time is known in loads, drives and frames only", range)),
             "s" => {
                 return Err(error(
@@ -310,8 +354,12 @@ impl Parser<'_> {
                     range,
                 ));
             }
-            _ => match (self.lookup)(name) {
+            _ => match (self.scope.parameter)(name) {
                 Some(place) => Operation::Parameter(place),
+                None if (self.scope.function)(name).is_some() => {
+                    let message = format!("`{name}` is a function");
+                    return Err(error(message, format!("{name}(...) was expected"), range));
+                }
                 None => {
                     let label = "no entry of [parameters], no function, no constant has this name";
                     let mut unknown = error(format!("unknown name `{name}` in the expression"), label, range);
@@ -326,6 +374,27 @@ impl Parser<'_> {
             return Err(unknown);
         }
         self.operations.push(operation);
+        Ok(())
+    }
+
+    /// A call of a function of the file, behind its name.
+    fn call_of_file(&mut self, name: &str, callee: Callee, range: Range<usize>) -> Result<(), ExpressionError> {
+        let Callee::Sound(called) = callee else {
+            return Err(ExpressionError { is_reported: true, ..error("", "", range) });
+        };
+        self.take('(');
+        self.expression()?;
+        if self.take(',') {
+            return Err(error(format!("`{name}` has more than one argument here"), "it takes 1 argument", range));
+        }
+        if !self.take(')') {
+            return Err(self.unexpected("`)` or an operator was expected"));
+        }
+        let known = self.calls.iter().position(|known| Arc::ptr_eq(known, &called));
+        self.operations.push(Operation::Call(known.unwrap_or(self.calls.len())));
+        if known.is_none() {
+            self.calls.push(called);
+        }
         Ok(())
     }
 

@@ -1,9 +1,15 @@
 //! A compiled expression: a flat list of operations on a stack of jets, evaluated without allocation.
 
+use super::table::Table;
 use crate::math::jet::Jet;
+use std::sync::Arc;
 
 /// Height of the evaluation stack: the parser refuses expressions that need more.
 pub const STACK: usize = 64;
+/// Operations of a program with those of all functions that it calls: functions that call one another twice would double the work with each.
+pub const MOST_OPERATIONS: usize = 100_000;
+/// Functions that call one another: each needs a stack of its own.
+pub const DEEPEST: usize = 30;
 
 /// One operation; it takes its arguments from the stack and leaves its result there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +26,8 @@ pub enum Operation {
     Binary(Binary),
     /// A function of three arguments.
     Ternary(Ternary),
+    /// A function of the file, by its place in the list of those that the program calls.
+    Call(usize),
 }
 
 /// Functions of one argument.
@@ -123,34 +131,103 @@ pub const FUNCTIONS: [(&str, Callable); 17] = [
     ("max", Callable::Many(Binary::Max)),
 ];
 
+/// A function of the file, `[function.NAME]`: it has one argument.
+#[derive(Debug, PartialEq)]
+pub struct Called {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub body: Body,
+}
+
+/// What a function of the file is.
+#[derive(Debug, PartialEq)]
+pub enum Body {
+    /// An expression, of which the argument is the variable.
+    Expression(Program),
+    /// A table.
+    Table(Table),
+}
+
+impl Called {
+    /// Operations with those of all functions that it calls.
+    fn cost(&self) -> usize {
+        match &self.body {
+            Body::Expression(program) => program.cost,
+            Body::Table(_) => 1,
+        }
+    }
+
+    /// How many functions call one another, this one included.
+    fn depth(&self) -> usize {
+        match &self.body {
+            Body::Expression(program) => 1 + program.depth(),
+            Body::Table(_) => 1,
+        }
+    }
+
+    /// Whether a parameter occurs.
+    fn has_parameters(&self) -> bool {
+        match &self.body {
+            Body::Expression(program) => program.parameters().next().is_some(),
+            Body::Table(_) => false,
+        }
+    }
+
+    /// The same function with the parameters as numbers.
+    fn bound(self: &Arc<Self>, parameters: &dyn Fn(usize) -> f64) -> Arc<Self> {
+        match &self.body {
+            Body::Expression(program) if self.has_parameters() => {
+                Arc::new(Self { name: self.name.clone(), body: Body::Expression(program.bound(parameters)) })
+            }
+            _ => self.clone(),
+        }
+    }
+}
+
 /// A compiled expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
     operations: Vec<Operation>,
+    /// The functions of the file that it calls, each once.
+    calls: Vec<Arc<Called>>,
+    /// Operations with those of all functions that it calls.
+    cost: usize,
 }
 
 impl Program {
     /// The program that is one number.
     pub fn constant(value: f64) -> Self {
-        Self { operations: vec![Operation::Constant(value)] }
+        Self { operations: vec![Operation::Constant(value)], calls: Vec::new(), cost: 1 }
     }
 
-    /// From operations in the order of their execution; None if they need a higher stack than [`STACK`].
-    pub(super) fn new(operations: Vec<Operation>) -> Option<Self> {
+    /// From operations in the order of their execution; None if they need a higher stack than [`STACK`], more work than [`MOST_OPERATIONS`], or
+    /// functions that call one another deeper than [`DEEPEST`].
+    pub(super) fn new(operations: Vec<Operation>, calls: Vec<Arc<Called>>) -> Option<Self> {
         let mut height = 0_usize;
+        let mut cost = 0_usize;
         for operation in &operations {
             height = match operation {
                 Operation::Constant(_) | Operation::Parameter(_) | Operation::Variable => height + 1,
-                Operation::Unary(_) => height,
+                Operation::Unary(_) | Operation::Call(_) => height,
                 Operation::Binary(_) => height - 1,
                 Operation::Ternary(_) => height - 2,
             };
-            if height > STACK {
+            cost = cost.saturating_add(match operation {
+                Operation::Call(number) => calls[*number].cost(),
+                _ => 1,
+            });
+            if height > STACK || cost > MOST_OPERATIONS {
                 return None;
             }
         }
         assert_eq!(height, 1, "the parser leaves one result");
-        Some(Self { operations })
+        Some(Self { operations, calls, cost }).filter(|program| program.depth() <= DEEPEST)
+    }
+
+    /// How many functions call one another.
+    fn depth(&self) -> usize {
+        self.calls.iter().map(|called| called.depth()).max().unwrap_or(0)
     }
 
     /// Whether the variable does not occur.
@@ -158,24 +235,44 @@ impl Program {
         !self.operations.contains(&Operation::Variable)
     }
 
-    /// The parameters that occur, in the order of the text, repeats included.
-    pub fn parameters(&self) -> impl Iterator<Item = usize> + '_ {
-        self.operations.iter().filter_map(|operation| match operation {
+    /// The operations in the order of their execution.
+    pub(super) fn operations(&self) -> &[Operation] {
+        &self.operations
+    }
+
+    /// The function that [`Operation::Call`] means.
+    pub(super) fn called(&self, number: usize) -> &Called {
+        &self.calls[number]
+    }
+
+    /// The parameters that occur, in the order of the text, repeats included; then those of the functions that it calls.
+    pub fn parameters(&self) -> Box<dyn Iterator<Item = usize> + '_> {
+        let own = self.operations.iter().filter_map(|operation| match operation {
             Operation::Parameter(place) => Some(*place),
             _ => None,
-        })
+        });
+        Box::new(own.chain(self.calls.iter().flat_map(|called| match &called.body {
+            Body::Expression(program) => program.parameters(),
+            Body::Table(_) => Box::new(std::iter::empty()),
+        })))
     }
 
     /// The same program with the parameters as numbers: it needs no list any more.
     #[must_use]
-    pub fn bound(&self, parameters: impl Fn(usize) -> f64) -> Self {
+    pub fn bound(&self, parameters: &dyn Fn(usize) -> f64) -> Self {
         let bind = |operation: &Operation| match *operation {
             Operation::Parameter(place) => Operation::Constant(parameters(place)),
             other => other,
         };
         let operations: Vec<_> = self.operations.iter().map(bind).collect();
-        let bound = Self { operations };
-        if bound.is_constant() { Self::constant(bound.value(0.0, |_| f64::NAN)) } else { bound }
+        let calls = self.calls.iter().map(|called| called.bound(parameters)).collect();
+        Self { operations, calls, cost: self.cost }
+    }
+
+    /// The same program, as a number where the variable does not occur.
+    #[must_use]
+    pub fn folded(self) -> Self {
+        if self.is_constant() { Self::constant(self.value(0.0, |_| f64::NAN)) } else { self }
     }
 
     /// `f`, with the variable and the parameters as given. NaN where a function is not defined.
@@ -185,6 +282,32 @@ impl Program {
 
     /// `(f, f', f'')` by the variable.
     pub fn jet(&self, variable: f64, parameters: impl Fn(usize) -> f64) -> Jet {
+        self.run(variable, &parameters, &mut |_, _| {})
+    }
+
+    /// Whether a table that it calls has no values outside of its rows.
+    pub fn may_be_undefined(&self) -> bool {
+        self.calls.iter().any(|called| match &called.body {
+            Body::Expression(program) => program.may_be_undefined(),
+            Body::Table(table) => table.has_an_end(),
+        })
+    }
+
+    /// The first call of a table without a value at its argument: its function and the argument. The parameters are bound.
+    pub fn undefined(&self, variable: f64) -> Option<Undefined> {
+        let mut found = None;
+        self.run(variable, &|_| f64::NAN, &mut |called, argument| {
+            if let Body::Table(table) = &called.body
+                && found.is_none()
+                && table.is_undefined(argument)
+            {
+                found = Some(Undefined { name: called.name.clone(), argument, range: table.range() });
+            }
+        });
+        found
+    }
+
+    fn run(&self, variable: f64, parameters: &impl Fn(usize) -> f64, watch: &mut impl FnMut(&Called, f64)) -> Jet {
         let mut stack = [Jet::default(); STACK];
         let mut height = 0;
         for operation in &self.operations {
@@ -210,13 +333,41 @@ impl Program {
                     height -= 2;
                     stack[height - 1] = ternary(function, stack[height - 1], stack[height], stack[height + 1]);
                 }
+                Operation::Call(number) => {
+                    let called = &*self.calls[number];
+                    let argument = stack[height - 1];
+                    watch(called, argument.value);
+                    let result = match &called.body {
+                        Body::Expression(program) => program.run(argument.value, parameters, watch),
+                        Body::Table(table) => table.jet(argument.value),
+                    };
+                    stack[height - 1] = argument.chain(result.value, result.first, result.second);
+                }
             }
         }
         stack[0]
     }
 }
 
-fn unary(function: Unary, a: Jet) -> Jet {
+/// A table without a value where it is asked for one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Undefined {
+    /// Its name.
+    pub name: String,
+    /// Where it is asked for a value.
+    pub argument: f64,
+    /// The arguments of its first and its last row.
+    pub range: [f64; 2],
+}
+
+impl std::fmt::Display for Undefined {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { name, argument, range: [first, last] } = self;
+        write!(f, "{name}({argument}) is outside of its table, which runs from {first} to {last}")
+    }
+}
+
+pub(super) fn unary(function: Unary, a: Jet) -> Jet {
     match function {
         Unary::Negate => -a,
         Unary::Sin => a.sin(),
@@ -239,7 +390,7 @@ fn unary(function: Unary, a: Jet) -> Jet {
     }
 }
 
-fn binary(function: Binary, a: Jet, b: Jet) -> Jet {
+pub(super) fn binary(function: Binary, a: Jet, b: Jet) -> Jet {
     match function {
         Binary::Add => a + b,
         Binary::Subtract => a - b,

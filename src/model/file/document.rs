@@ -6,6 +6,7 @@ use super::entries::beam::BeamSpec;
 use super::entries::body::BodySpec;
 use super::entries::drive::DriveSpec;
 use super::entries::frame::FrameSpec;
+use super::entries::function;
 use super::entries::joint::JointSpec;
 use super::entries::load::LoadSpec;
 use super::entries::material::MaterialSpec;
@@ -77,13 +78,21 @@ impl Document {
         let mut report = Report::new(source);
         let Some(mut tree) = tree::parse(source.text(0), 0, &mut report) else { return (None, report) };
         overrides::apply(&mut tree, overrides, &mut report);
-        let mut context =
-            Context { report, numbers: Numbers::default(), names: Names::default(), carriers: Vec::new() };
+        let mut context = Context {
+            report,
+            numbers: Numbers::default(),
+            names: Names::default(),
+            carriers: Vec::new(),
+            functions: Vec::new(),
+        };
         context.names = collect_names(&tree, &mut context);
         let mut tree = Top(tree);
         tree.format(&mut context);
         let empty = Vec::new();
-        parameters::read(&mut context, tree.table("parameters").as_ref().unwrap_or(&empty));
+        let entries = tree.table("parameters");
+        let values = parameters::names(&mut context, entries.as_ref().unwrap_or(&empty));
+        function::read(&mut context, tree.table("function").unwrap_or_default());
+        parameters::read(&mut context, values);
         context.numbers.sort(&mut context.report);
 
         let model = tree.single(&mut context, "model").map(ModelSpec::read);
@@ -108,7 +117,9 @@ impl Document {
         let Context { mut report, mut numbers, names, .. } = context;
         numbers.resolve();
         numbers.spread_tunable();
-        report_objections(&numbers, &sections, &mut report);
+        let stop = simulation.as_ref().map_or(0.0, |simulation| numbers.values[simulation.stop.0]);
+        let undefined = report_undefined(&numbers, stop, &mut report);
+        report_objections(&numbers, &sections, &undefined, &mut report);
         let parameters = Parameter::table(&numbers);
         collisions::report(&parameters, &numbers, &outputs, &names, &mut report);
         let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };
@@ -424,10 +435,26 @@ fn names_in(entry: &Entry) -> impl Iterator<Item = String> + '_ {
     things.iter().filter(|thing| matches!(thing.item.node, Node::Table(_))).map(|thing| thing.key.clone())
 }
 
-/// Reports every number that is out of its range.
-fn report_objections(numbers: &Numbers, sections: &[SectionSpec], report: &mut Report<'_>) {
+/// Reports every number that asks a table for a value it does not have, as far as that is known before a run to `stop` s, and gives them back.
+fn report_undefined(numbers: &Numbers, stop: f64, report: &mut Report<'_>) -> Vec<Number> {
+    let mut list = Vec::new();
+    for (number, time, undefined) in numbers.undefined(stop) {
+        let slot = &numbers.slots[number.0];
+        let at = if numbers.function(number).is_constant() { String::new() } else { format!(" at t = {time} s") };
+        let help =
+            format!("add rows to the table, or set outside = \"hold\" or \"repeat\" in [function.{}]", undefined.name);
+        let message = format!("`{}` has no value{at}", slot.meta.name);
+        report.error(slot.place, &message, &undefined.to_string(), &help);
+        list.push(number);
+    }
+    list
+}
+
+/// Reports every number that is out of its range, but for those that are reported already.
+fn report_objections(numbers: &Numbers, sections: &[SectionSpec], told: &[Number], report: &mut Report<'_>) {
     let tubes = sections.iter().filter_map(|section| section.objection(numbers));
-    for (number, objection) in numbers.objections().into_iter().chain(tubes) {
+    let objections = numbers.objections().into_iter().filter(|(number, _)| !told.contains(number));
+    for (number, objection) in objections.chain(tubes) {
         let slot = &numbers.slots[number.0];
         let value = numbers.values[number.0];
         let unit = if slot.meta.unit.is_empty() || !value.is_finite() { "" } else { &format!(" {}", slot.meta.unit) };

@@ -2,7 +2,9 @@
 
 use super::range::Range;
 use super::schema::Rule;
+use crate::model::expression::Variable;
 use crate::model::expression::function::{Formula, Function};
+use crate::model::expression::program::Undefined;
 use crate::model::text::diagnostic::{Place, Report};
 
 /// A number of the file: its place in the flat list.
@@ -28,6 +30,8 @@ pub struct Meta {
     pub tunable: bool,
     /// The host gives it, from one communication step to the next.
     pub input: bool,
+    /// What it may depend on.
+    pub variable: Variable,
 }
 
 impl Meta {
@@ -42,6 +46,7 @@ impl Meta {
             integer: rule.integer,
             tunable: rule.tunable,
             input: false,
+            variable: rule.variable,
         }
     }
 
@@ -222,6 +227,26 @@ impl Numbers {
             list.extend(objection.map(|objection| (Number(place), objection)));
         }
         list
+    }
+
+    /// Numbers that ask a table for a value that it does not have, each with the time, s, where that is known before a run to `stop` s.
+    pub fn undefined(&self, stop: f64) -> Vec<(Number, f64, Undefined)> {
+        let sound = (0..self.slots.len()).filter(|place| self.is_sound(*place));
+        let found = sound.filter_map(|place| {
+            let Written::Formula(formula) = &self.slots[place].written else { return None };
+            if !formula.may_be_undefined() {
+                return None;
+            }
+            let end = match self.slots[place].meta.variable {
+                Variable::Time => stop,
+                Variable::None => 0.0,
+                // The curve is looked at where it is drawn.
+                Variable::Curve => return None,
+            };
+            let (time, undefined) = formula.undefined_between([0.0, end], |used| self.values[used])?;
+            Some((Number(place), time, undefined))
+        });
+        found.collect()
     }
 
     /// Whether everything that a number is made of is finite: otherwise the mistake is reported where it begins.

@@ -1,12 +1,13 @@
 //! Fills the flat model: every part of a file or a copy with the names and numbers that it has there.
 
 use super::library::Library;
+use super::names::{Name, operand, replaced};
 use super::print::{Section, print};
 use super::roles::{Role, role};
-use super::scalar::{Scalar, constant};
+use super::scalar::Scalar;
 use super::scope::{Found, Meaning, Scope, entries_of};
-use super::tables::{COPY, INCLUDE, PARAMETERS};
-use crate::model::expression::{LENGTH, Variable, compile};
+use super::tables::{COPY, FUNCTION, INCLUDE, PARAMETERS};
+use crate::model::expression::{Variable, compile};
 use crate::model::text::diagnostic::{Place, Report, Source};
 use crate::model::text::names::{SECTIONS, suggestion};
 use crate::model::text::source::Span;
@@ -173,7 +174,13 @@ impl<'a> Flattener<'a> {
     }
 
     fn push(&mut self, scope: &Scope<'_>, section: &Entry, entry: Entry) {
-        if self.spend(0, weight(&entry.item), entry.key_place) {
+        let weight = weight(&entry.item);
+        self.push_of(weight, scope, section, entry);
+    }
+
+    /// Adds an entry that counts as this many values.
+    pub fn push_of(&mut self, weight: usize, scope: &Scope<'_>, section: &Entry, entry: Entry) {
+        if self.spend(0, weight, entry.key_place) {
             let note = scope.note;
             self.section(section).entries.push((entry, note));
         }
@@ -216,8 +223,12 @@ impl<'a> Flattener<'a> {
         if !self.spend(1, 0, thing.key_place) {
             return;
         }
-        let mut entries = Vec::with_capacity(keys.len());
-        for entry in keys.iter().filter(|entry| condition.is_none() || entry.key != "when") {
+        let keys = keys.iter().filter(|entry| condition.is_none() || entry.key != "when");
+        if section.key == FUNCTION {
+            return self.fill_function(scope, section, thing, keys);
+        }
+        let mut entries = Vec::new();
+        for entry in keys.clone() {
             let is_list = matches!(entry.item.node, Node::Array(_));
             let item = match (role(&section.key, &entry.key, is_list), &entry.item.node) {
                 (Role::Word, _) => entry.item.clone(),
@@ -240,8 +251,8 @@ impl<'a> Flattener<'a> {
     }
 
     /// Whether a point is on a part that is not of its own copy, nor the ground.
-    fn is_tied_outside(&self, scope: &Scope<'_>, keys: &[Entry]) -> bool {
-        let on = keys.iter().find(|entry| entry.key == "on");
+    fn is_tied_outside<'e>(&self, scope: &Scope<'_>, mut keys: impl Iterator<Item = &'e Entry>) -> bool {
+        let on = keys.find(|entry| entry.key == "on");
         let Some(Node::Text(text)) = on.map(|entry| &entry.item.node) else { return false };
         let name = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or(text);
         let own = scope.flat_name(name);
@@ -317,7 +328,17 @@ impl<'a> Flattener<'a> {
 
     /// An expression with the names and numbers of this scope.
     pub fn expression(&self, scope: &Scope<'_>, text: &str) -> String {
+        self.expression_of(scope, text, "")
+    }
+
+    /// An expression with the names and numbers of this scope, of the function with this argument; empty: of none.
+    pub fn expression_of(&self, scope: &Scope<'_>, text: &str, argument: &str) -> String {
         let result = replaced(text, &mut |name| {
+            let name = match name {
+                Name::Called(name) => return Ok(scope.function(name)),
+                Name::Number(name) if name == argument => return Ok(None),
+                Name::Number(name) => name,
+            };
             Ok(match scope.meaning(name) {
                 Some(Meaning::Text(text)) => Some(operand(&text)),
                 Some(Meaning::Parameter(flat, _)) => match self.known.get(&flat) {
@@ -355,7 +376,7 @@ impl<'a> Flattener<'a> {
     }
 
     fn evaluate(&mut self, scope: &Scope<'_>, text: &str, place: Place, depth: usize) -> Option<f64> {
-        let result = replaced(text, &mut |name| match scope.meaning(name) {
+        let result = replaced(text, &mut |name| match name.number().and_then(|name| scope.meaning(name)) {
             Some(Meaning::Text(text)) => Ok(Some(operand(&text))),
             Some(Meaning::Parameter(flat, Some((item, home)))) => {
                 let value = self.parameter(&flat, item, home, place, depth).ok_or(())?;
@@ -441,17 +462,6 @@ fn bracket(text: &str) -> Option<(&str, &str)> {
     None
 }
 
-/// A text in the place of a name of an expression.
-fn operand(text: &str) -> String {
-    let is_plain = text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '.');
-    match constant(text) {
-        // A count prints as one.
-        Some(value) if is_plain && value.fract() == 0.0 && value.abs() < 1e15 => format!("{value}"),
-        _ if is_plain => text.to_owned(),
-        _ => format!("({text})"),
-    }
-}
-
 /// How much a value counts of [`MOST_VALUES`].
 fn weight(item: &Item) -> usize {
     match &item.node {
@@ -460,41 +470,4 @@ fn weight(item: &Item) -> usize {
         Node::Table(entries) => 1 + entries.iter().map(|entry| weight(&entry.item)).sum::<usize>(),
         _ => 1,
     }
-}
-
-/// An expression with some of its names replaced; it grows no longer than the reader takes.
-fn replaced(text: &str, stand_in: &mut dyn FnMut(&str) -> Result<Option<String>, ()>) -> Result<String, ()> {
-    let mut result = String::with_capacity(text.len());
-    let mut rest = text;
-    let is_inside = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    while let Some(c) = rest.chars().next() {
-        if result.len() > LENGTH {
-            result.push_str(rest);
-            return Ok(result);
-        }
-        let length = if c.is_ascii_digit() || c == '.' {
-            number_length(rest)
-        } else if c.is_ascii_alphabetic() || c == '_' {
-            rest.find(|c| !is_inside(c)).unwrap_or(rest.len())
-        } else {
-            c.len_utf8()
-        };
-        let (token, behind) = rest.split_at(length);
-        let is_name = c.is_ascii_alphabetic() && !behind.trim_start().starts_with('(');
-        match if is_name { stand_in(token)? } else { None } {
-            Some(text) => result.push_str(&text),
-            None => result.push_str(token),
-        }
-        rest = behind;
-    }
-    Ok(result)
-}
-
-/// The length of the number that a text begins with: the e of `1e3` is not a name.
-fn number_length(text: &str) -> usize {
-    let mantissa = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
-    let Some(exponent) = text[mantissa..].strip_prefix(['e', 'E']) else { return mantissa };
-    let digits = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
-    let count = digits.len() - digits.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-    if count == 0 { mantissa } else { mantissa + 1 + (exponent.len() - digits.len()) + count }
 }

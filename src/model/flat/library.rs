@@ -1,10 +1,11 @@
-//! The files that a model includes, each read once.
+//! The files that a model includes, each read once, and those with the tables of its functions.
 
 use super::Read;
+use super::data::{file_of, rows};
 use super::scope::entries_of;
-use super::tables::{COPY, INCLUDE, table};
+use super::tables::{COPY, FUNCTION, INCLUDE, table};
 use crate::model::text::diagnostic::{Diagnostics, Place, Report, Source};
-use crate::model::text::tree::{self, Entry, Node};
+use crate::model::text::tree::{self, Entry, Item, Node};
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 
@@ -17,6 +18,10 @@ pub(super) struct Library {
     files: Vec<File>,
     /// Which file an include names, by the place of the name.
     named: BTreeMap<Place, usize>,
+    /// The tables of functions, by the place of the name of their file.
+    tables: BTreeMap<Place, Item>,
+    /// The files with tables: the path, and the number of the text.
+    data: Vec<(PathBuf, usize)>,
 }
 
 #[derive(Debug)]
@@ -41,11 +46,13 @@ impl Library {
     ) -> Result<Self, Diagnostics> {
         let mut library = Self::default();
         library.add(tree, None, source, folder, read)?;
+        library.add_tables(tree, source, folder, read)?;
         let mut next = 0;
         while next < library.files.len() {
             let tree = library.files[next].tree.clone();
             let folder = library.files[next].path.parent().map(Path::to_owned);
             library.add(&tree, Some(next), source, folder.as_deref(), read)?;
+            library.add_tables(&tree, source, folder.as_deref(), read)?;
             next += 1;
         }
         Ok(library)
@@ -55,6 +62,57 @@ impl Library {
     pub fn file(&self, place: Place) -> Option<(&str, &[Entry])> {
         let file = self.named.get(&place).map(|number| &self.files[*number])?;
         Some((&file.shown, &file.tree))
+    }
+
+    /// The rows of the table that a function names at `place`.
+    pub fn table(&self, place: Place) -> Option<&Item> {
+        self.tables.get(&place)
+    }
+
+    /// Adds the tables of the functions of a file.
+    fn add_tables(
+        &mut self,
+        tree: &[Entry],
+        source: &mut Source,
+        folder: Option<&Path>,
+        read: Read<'_>,
+    ) -> Result<(), Diagnostics> {
+        for (name, place, column) in functions_with_files(tree) {
+            let refused = |source: &Source, place: Place, message: &str, label: &str, help: &str| {
+                let mut report = Report::new(source);
+                report.error(place, message, label, help);
+                Err(report.finish())
+            };
+            let Some(folder) = folder else {
+                let message = format!("`{name}` cannot be read: this model is a text without a folder");
+                let help = "load the model from its file, or load the text that `ancf14 check --resolved` prints";
+                return refused(source, place, &message, "", help);
+            };
+            let path = normalized(&folder.join(name));
+            let number = match self.data.iter().find(|(known, _)| *known == path) {
+                Some((_, number)) => *number,
+                None if self.data.len() == MOST_FILES => {
+                    let message = format!("the model has tables in more than {MOST_FILES} files");
+                    return refused(source, place, &message, "one too many", "");
+                }
+                None => match read(&path) {
+                    Ok(text) => source.include(&path.display().to_string(), &text),
+                    Err(reason) => {
+                        return refused(source, place, &reason, "", "paths are relative to the folder of this file");
+                    }
+                },
+            };
+            if self.data.iter().all(|(known, _)| *known != path) {
+                self.data.push((path, number));
+            }
+            match rows(source.text(number), number, place, column) {
+                Ok(rows) => drop(self.tables.insert(place, rows)),
+                Err((place, mistake)) => {
+                    return refused(source, place, &mistake.message, &mistake.label, mistake.help);
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Adds the files that the file `from` includes.
@@ -144,6 +202,16 @@ fn normalized(path: &Path) -> PathBuf {
         }
     }
     normal
+}
+
+/// The functions of a file that have their tables in files, those in copies too: the name of the file with its place, and the column.
+fn functions_with_files(body: &[Entry]) -> Vec<(&str, Place, Option<&Item>)> {
+    let own = table(body, FUNCTION).unwrap_or_default().iter();
+    let mut list: Vec<_> = own.filter_map(file_of).collect();
+    for copy in table(body, COPY).unwrap_or_default() {
+        list.extend(entries_of(&copy.item).map(functions_with_files).unwrap_or_default());
+    }
+    list
 }
 
 /// The names of the files that a file includes, with their places, those in copies too.

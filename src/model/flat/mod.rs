@@ -1,10 +1,13 @@
-//! From copies (`[copy.NAME]`) and included files (`[include.NAME]`) to a flat model: the text of a file without them. It is what is
+//! From copies (`[copy.NAME]`), included files (`[include.NAME]`) and tables in files (`file` of `[function.NAME]`) to a flat model: the text of a file without them. It is what is
 //! read, run and packed; messages about it tell the place of the original and the copy.
 
 mod copies;
+mod data;
+mod functions;
 mod instance;
 mod library;
 mod motion;
+mod names;
 mod print;
 mod roles;
 mod scalar;
@@ -14,7 +17,7 @@ mod tables;
 use self::instance::Flattener;
 use self::library::Library;
 use self::scope::Scope;
-use self::tables::{COPY, INCLUDE};
+use self::tables::{COPY, FUNCTION, INCLUDE, table};
 use crate::model::text::diagnostic::{Diagnostics, Report, Source};
 use crate::model::text::overrides;
 use crate::model::text::tree::{self, Entry};
@@ -27,7 +30,7 @@ pub type Read<'r> = &'r dyn Fn(&Path) -> Result<String, String>;
 /// The largest flat model, bytes: that of a model file.
 const LARGEST: usize = 10 << 20;
 
-/// Turns a file into a flat one if it has copies or includes, with the overrides that decide what there is; otherwise returns it as it is.
+/// Turns a file into a flat one if it has copies, includes or tables in files, with the overrides that decide what there is; otherwise returns it as it is.
 /// Relative paths in the file are relative to `folder`; none: the text comes from memory and includes nothing.
 ///
 /// # Errors
@@ -39,7 +42,7 @@ pub fn flat(
     read: Read<'_>,
 ) -> Result<Source, Diagnostics> {
     let text = source.text(0);
-    if !text.contains(COPY) && !text.contains(INCLUDE) {
+    if !text.contains(COPY) && !text.contains(INCLUDE) && !text.contains(FUNCTION) {
         return Ok(source);
     }
     let mut report = Report::new(&source);
@@ -47,7 +50,7 @@ pub fn flat(
     if !is_needed(&tree) {
         return Ok(source);
     }
-    let applied = overrides::apply_early(&mut tree, COPY, overrides, &mut report);
+    let applied = overrides::apply_early(&mut tree, [COPY, FUNCTION], overrides, &mut report);
     if !report.is_empty() {
         return Err(report.finish());
     }
@@ -75,7 +78,8 @@ pub fn flat(
     }
 }
 
-/// Whether a file has copies or includes.
+/// Whether a file has copies or includes, or functions in files.
 fn is_needed(tree: &[Entry]) -> bool {
     tree.iter().any(|entry| entry.key == COPY || entry.key == INCLUDE)
+        || table(tree, FUNCTION).unwrap_or_default().iter().any(|function| data::file_of(function).is_some())
 }

@@ -26,7 +26,13 @@ pub(super) enum Role {
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 64] = [
+const ROLES: [(&str, &str, Role); 70] = [
+    ("function", "argument", Role::Word),
+    ("function", "table", Role::Number),
+    ("function", "file", Role::Word),
+    ("function", "column", Role::Word),
+    ("function", "interpolation", Role::Word),
+    ("function", "outside", Role::Word),
     ("material", "young", Role::Number),
     ("material", "poisson", Role::Number),
     ("material", "shear", Role::Number),

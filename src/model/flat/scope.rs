@@ -2,7 +2,7 @@
 //! included file names have the prefix of the include.
 
 use super::motion::Motion;
-use super::tables::{INCLUDE, PARAMETERS, bodies, has, names_of, table};
+use super::tables::{FUNCTION, INCLUDE, PARAMETERS, bodies, has, names_of, table};
 use crate::model::text::names::{Kind, SECTIONS};
 use crate::model::text::tree::{Entry, Item, Node};
 
@@ -112,6 +112,14 @@ impl<'p> Scope<'p> {
         None
     }
 
+    /// The flat name of a function that an expression calls; none: the file has no such function here.
+    pub fn function(&'p self, name: &str) -> Option<String> {
+        match self.find(Some(FUNCTION), name, &[]) {
+            Found::Name(flat) => Some(flat),
+            Found::Unknown | Found::Copies | Found::TooMany(_) => None,
+        }
+    }
+
     /// What the name of a thing means: of a part, or of a thing of `section`; `indices` say which copy.
     pub fn find(&'p self, section: Option<&str>, name: &str, indices: &[String]) -> Found {
         let mut is_in_copies = false;
@@ -138,7 +146,7 @@ impl<'p> Scope<'p> {
     pub fn known(&'p self, section: Option<&str>) -> Vec<&'p str> {
         let words = SECTIONS.iter().filter(|(word, kind)| match section {
             Some(section) => *word == section,
-            None => *kind != Kind::Material && *kind != Kind::Section,
+            None => !matches!(kind, Kind::Function | Kind::Material | Kind::Section),
         });
         let words: Vec<&str> = words.map(|(word, _)| *word).collect();
         let mut known = Vec::new();

@@ -7,6 +7,8 @@ use crate::model::text::tree::{Entry, Node};
 pub const COPY: &str = "copy";
 /// The section of included files.
 pub const INCLUDE: &str = "include";
+/// The section of functions.
+pub const FUNCTION: &str = "function";
 /// The section of named numbers.
 pub const PARAMETERS: &str = "parameters";
 
@@ -27,7 +29,7 @@ pub fn names_of<'b>(body: &'b [Entry], key: &str) -> impl Iterator<Item = &'b st
 pub fn has(body: &[Entry], section: Option<&str>, name: &str) -> bool {
     let is_wanted = |(word, kind): &&(&str, Kind)| match section {
         Some(section) => *word == section,
-        None => !matches!(kind, Kind::Material | Kind::Section | Kind::Load | Kind::Output),
+        None => !matches!(kind, Kind::Function | Kind::Material | Kind::Section | Kind::Load | Kind::Output),
     };
     SECTIONS.iter().filter(is_wanted).any(|(word, _)| names_of(body, word).any(|known| known == name))
 }

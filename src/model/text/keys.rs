@@ -1,7 +1,8 @@
 //! The keys of the sections with a name: where several sections have one name, the key says which of them is meant.
 
 /// Every section with the keys that it may have.
-const KEYS: [(&str, &[&str]); 12] = [
+const KEYS: [(&str, &[&str]); 13] = [
+    ("function", &["value", "argument", "table", "file", "column", "interpolation", "outside"]),
     ("material", &["young", "poisson", "shear", "density", "damping"]),
     (
         "section",

@@ -2,13 +2,14 @@
 
 use super::diagnostic::Place;
 use crate::fmi::identifier::is_identifier;
-use crate::model::expression::program::FUNCTIONS;
+use crate::model::expression::program::{FUNCTIONS, MORE_FUNCTIONS};
 
 /// What a name stands for: the sections that carry names, and the entries of `[parameters]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the section of its name")]
 pub enum Kind {
     Parameter,
+    Function,
     Material,
     Section,
     Beam,
@@ -24,7 +25,8 @@ pub enum Kind {
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 12] = [
+pub const SECTIONS: [(&str, Kind); 13] = [
+    ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
     ("body", Kind::Body),
@@ -65,10 +67,18 @@ const RESERVED: [&str; 8] = ["ground", "gravity", "simulation", "statistics", "e
 /// The constants and variables of expressions.
 const OF_EXPRESSIONS: [&str; 4] = ["t", "s", "pi", "e"];
 
-/// Whether a name is taken by the format itself; only the entries of `[parameters]` stand in expressions.
+/// The operators of expressions that are words.
+const OPERATORS: [&str; 2] = ["and", "or"];
+
+/// Whether a name is taken by the format itself; only functions and the entries of `[parameters]` stand in expressions.
 pub fn is_reserved(kind: Kind, name: &str) -> bool {
     let in_expressions = || OF_EXPRESSIONS.contains(&name) || FUNCTIONS.iter().any(|(function, _)| *function == name);
-    RESERVED.contains(&name) || kind == Kind::Parameter && in_expressions()
+    let is_called = || OPERATORS.contains(&name) || MORE_FUNCTIONS.iter().any(|(function, _)| *function == name);
+    match kind {
+        Kind::Function => RESERVED.contains(&name) || in_expressions() || is_called(),
+        Kind::Parameter => RESERVED.contains(&name) || in_expressions(),
+        _ => RESERVED.contains(&name),
+    }
 }
 
 /// Letter first, then letters, digits, `_`.

@@ -59,11 +59,12 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
     }
 }
 
-/// Puts those overrides into the tree that can decide what there is: entries of `[parameters]`, and the `count` of things in the section `copies`.
+/// Puts those overrides into the tree that can decide what there is: entries of `[parameters]`, the `count` of things in the section `copies`, and the
+/// `file` of things in the section `functions`.
 /// Says which ones these are.
 pub fn apply_early(
     tree: &mut [Entry],
-    copies: &str,
+    [copies, functions]: [&str; 2],
     overrides: &[(String, String)],
     report: &mut Report<'_>,
 ) -> Vec<bool> {
@@ -71,10 +72,14 @@ pub fn apply_early(
     for (k, (key, value)) in overrides.iter().enumerate() {
         let place = Place { source: k + 1, start: OVERRIDE.len(), end: OVERRIDE.len() + key.len() };
         let (name, last) = key.split_once('.').unwrap_or((key, ""));
-        let (word, key_in) = if last.is_empty() { ("parameters", name) } else { (copies, last) };
+        let (word, key_in) = match last {
+            "" => ("parameters", name),
+            "file" => (functions, last),
+            _ => (copies, last),
+        };
         let entries = section(tree, word).and_then(|entries| match last {
             "" => Some(entries),
-            "count" => table(entries, name),
+            "count" | "file" => table(entries, name),
             _ => None,
         });
         let Some(entries) = entries.filter(|entries| entries.iter().any(|entry| entry.key == key_in)) else {

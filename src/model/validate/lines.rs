@@ -163,7 +163,7 @@ fn expressions(
         let label = format!("this runs from {begin} to {end}");
         return mistake(document, place, &message, &label, "a curve runs from the smaller to the greater s");
     }
-    let limits = functions.iter().flat_map(|function| function.limits().to_vec()).collect();
+    let limits = functions.iter().flat_map(|function| function.breaks([begin, end])).collect();
     let coordinates = Arc::new(move |s| functions.each_ref().map(|function| function.jet(s)));
     Ok(Some(Curve::new(coordinates, [begin, end], limits)))
 }

@@ -1,7 +1,8 @@
-//! The model file: keys, mistakes, notes, copies, includes, names, descriptions, pictures.
+//! The model file: keys, mistakes, notes, copies, functions, includes, names, descriptions, pictures.
 
 pub mod copies;
 pub mod descriptions;
+pub mod functions;
 pub mod includes;
 pub mod model_file;
 pub mod model_mistakes;

@@ -6,6 +6,7 @@ pub mod body;
 pub mod curve;
 pub mod drive;
 pub mod frame;
+pub mod function;
 pub mod joint;
 pub mod load;
 pub mod material;

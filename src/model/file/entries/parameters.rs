@@ -13,8 +13,8 @@ use crate::model::text::tree::{Entry, Item, Node};
 /// The keys of a parameter that is given as a table.
 const KEYS: [&str; 6] = ["value", "unit", "display", "min", "max", "description"];
 
-/// Puts the entries into the list of numbers. All names must be in the list before the first expression is read.
-pub(in crate::model) fn read(context: &mut Context<'_>, entries: &[Entry]) {
+/// Puts the entries into the list of numbers, and gives back their values: all names must be in the list before the first expression is read.
+pub(in crate::model) fn names<'e>(context: &mut Context<'_>, entries: &'e [Entry]) -> Vec<(Number, &'e Item)> {
     let mut values = Vec::new();
     for entry in entries {
         let number = context.numbers.push(Slot {
@@ -27,6 +27,7 @@ pub(in crate::model) fn read(context: &mut Context<'_>, entries: &[Entry]) {
                 integer: false,
                 tunable: false,
                 input: false,
+                variable: Variable::None,
             },
             place: entry.item.place,
             listed: Some(entry.key_place.start),
@@ -41,6 +42,11 @@ pub(in crate::model) fn read(context: &mut Context<'_>, entries: &[Entry]) {
         }
     }
     context.numbers.named = context.numbers.slots.len();
+    values
+}
+
+/// Reads the values of the entries.
+pub(in crate::model) fn read(context: &mut Context<'_>, values: Vec<(Number, &Item)>) {
     for (number, item) in values {
         let written = written(context, number, item);
         let slot = &mut context.numbers.slots[number.0];

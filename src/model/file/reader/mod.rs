@@ -8,12 +8,13 @@ use self::anchor::Anchor;
 use super::number::{Meta, Number, Numbers, Slot, Written};
 use super::schema::Rule;
 use crate::model::expression::function::{Formula, Piece};
-use crate::model::expression::program::{FUNCTIONS, MORE_FUNCTIONS};
-use crate::model::expression::{Program, Variable, compile};
+use crate::model::expression::program::{Body, Called, FUNCTIONS, MORE_FUNCTIONS};
+use crate::model::expression::{Callee, ExpressionError, Program, Scope, Variable, compile_in};
 use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::{FUNCTION, Kind, Names, nearest, suggestion, suggestion_for};
 use crate::model::text::syntax;
 use crate::model::text::tree::{Entry, Item, Node};
+use std::sync::Arc;
 
 /// What all sections are read with.
 #[derive(Debug)]
@@ -26,14 +27,48 @@ pub struct Context<'a> {
     pub names: Names,
     /// What the points of the file are tied to, in their order; none where that is wrong.
     pub carriers: Vec<Option<Anchor>>,
+    /// The functions of the file, by their names.
+    pub functions: Vec<(String, Callee)>,
 }
 
 impl Context<'_> {
     /// Compiles an expression that stands at `place`.
     pub fn program(&mut self, text: &str, place: Place, variable: Variable) -> Option<Program> {
-        let numbers = &self.numbers;
-        match compile(text, variable, &|name| numbers.parameter(name)) {
+        let result = self.compiled(text, variable.word(), None);
+        self.told(text, place, result)
+    }
+
+    /// Compiles the expression of a function of the file.
+    pub fn function_program(&mut self, text: &str, place: Place, function: &str, argument: &str) -> Option<Program> {
+        let result = self.compiled(text, argument, Some(function));
+        self.told(text, place, result)
+    }
+
+    /// Tells the names of all functions that the expression of a function may call.
+    pub fn find_calls(&self, text: &str, argument: &str, tell: &dyn Fn(&str)) {
+        let function = |name: &str| {
+            tell(name);
+            let body = Body::Expression(Program::constant(0.0));
+            Some(Callee::Sound(Arc::new(Called { name: name.to_owned(), body })))
+        };
+        let parameter = |name: &str| self.numbers.parameter(name);
+        let scope = Scope { variable: argument, parameter: &parameter, function: &function, inside: None };
+        // What is wrong is said when the expression is compiled.
+        drop(compile_in(text, scope));
+    }
+
+    fn compiled(&self, text: &str, variable: &str, inside: Option<&str>) -> Result<Program, ExpressionError> {
+        let known = |name: &str| self.functions.iter().find(|(known, _)| known == name);
+        let function = |name: &str| known(name).map(|(_, callee)| callee.clone());
+        let parameter = |name: &str| self.numbers.parameter(name);
+        compile_in(text, Scope { variable, parameter: &parameter, function: &function, inside })
+    }
+
+    /// The program; a mistake is reported.
+    fn told(&mut self, text: &str, place: Place, result: Result<Program, ExpressionError>) -> Option<Program> {
+        match result {
             Ok(program) => Some(program),
+            Err(error) if error.is_reported => None,
             Err(error) => {
                 if syntax::has_unit(text) {
                     self.report.error(place, "numbers are written without units", "this one has a unit", syntax::UNITS);
@@ -42,7 +77,8 @@ impl Context<'_> {
                 let unknown = error.unknown.as_deref().filter(|_| !self.report.is_full());
                 let near = unknown.map_or(String::new(), |name| {
                     let functions = FUNCTIONS.iter().chain(&MORE_FUNCTIONS).map(|(name, _)| *name);
-                    suggestion_for(FUNCTION, name, self.names.of(Kind::Parameter).chain(functions).chain(["pi"]))
+                    let own = self.names.of(Kind::Parameter).chain(self.names.of(Kind::Function));
+                    suggestion_for(FUNCTION, name, own.chain(functions).chain(["pi"]))
                 });
                 let place = self.report.source.inside(place, text, error.range);
                 self.report.error(place, &error.message, &error.label, &near);
