@@ -5,6 +5,7 @@ mod check;
 mod demo;
 mod export;
 mod folder;
+mod inputs;
 mod keeper;
 mod modes;
 mod new;
@@ -26,6 +27,7 @@ use ancf14::model::{builder, file, notes};
 use ancf14_pack::libraries::Platform;
 use ancf14_report::view::Film;
 use clap::{Args, Parser, Subcommand};
+use inputs::Inputs;
 use std::ffi::{OsStr, OsString};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -74,6 +76,9 @@ enum Command {
         /// Also write view.html, a page that shows the moving mechanism
         #[arg(long)]
         view: bool,
+        /// Give the inputs of the model from a table: a column `time` and one for each input, linear between the rows
+        #[arg(long, value_name = "FILE.csv", conflicts_with = "verify")]
+        inputs: Option<PathBuf>,
         /// Folder for the results [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
@@ -260,16 +265,23 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
     match command {
         Command::New { name: Some(name), template, .. } => new::new(&name, &template),
         Command::New { name: None, .. } => new::list(),
-        Command::Run { model, verify, view, out } => {
-            let (simulation, text) = model.load()?;
+        Command::Run { model, verify, view, inputs, out } => {
+            let (mut simulation, text) = model.load()?;
             let file_name = model.name();
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
+            if is_wanted && inputs.is_some() {
+                let reason = "error: a run with --inputs cannot be verified: simulation.verify = true asks for it";
+                return Err(Stop::Bad(format!("{reason}; add --set simulation.verify=false")));
+            }
+            let table = inputs.as_deref().map(|path| Inputs::read(path, &mut simulation)).transpose()?;
             let accuracy = verify.flatten().unwrap_or(verify::ACCURACY);
             let overrides = simulation.document().remaining(&model.overrides);
             let wish = Wish { file_name: &file_name, text: &text, overrides: &overrides, accuracy };
             let film = view.then(|| progress::last_row(&simulation).map(|last| Film::new(&simulation, last)));
             let (directory, wish) = (model.directory(out), is_wanted.then_some(wish));
-            run::run(simulation, &directory, &[model.input()], wish, film.transpose()?)
+            let read: Vec<_> =
+                [model.input()].into_iter().chain(inputs.iter().map(|path| (INPUTS, path.as_path()))).collect();
+            run::run(simulation, table.as_ref(), &directory, &read, wish, film.transpose()?)
         }
         Command::Check { model, resolved: true, .. } => {
             let (simulation, text) = model.load()?;
@@ -338,6 +350,8 @@ impl ModelArguments {
 
 /// The model file as messages call it.
 const MODEL_FILE: &str = "the model file";
+/// The table of inputs as messages call it.
+const INPUTS: &str = "the table of inputs";
 
 /// Whether the model comes from the standard input.
 fn is_piped(path: &Path) -> bool {

@@ -1,6 +1,7 @@
 //! `run`: initialize, advance from row to row, write, plot, and say what it took.
 
 use super::folder::Folder;
+use super::inputs::Inputs;
 use super::keeper::{Keeper, Signal, interrupted, kept};
 use super::output::{Input, trouble};
 use super::progress::{bar, last_row};
@@ -26,12 +27,13 @@ const PARTIAL: &str = "results.part.csv";
 /// The page that shows it move.
 const PAGE: &str = "view.html";
 
-/// Simulates and writes everything into the folder `directory`; with a `wish` the errors of the results too, with a `film` a page that shows
+/// Simulates, with a table of `inputs` or the start values of the file, and writes everything into the folder `directory`; with a `wish` the errors of the results too, with a `film` a page that shows
 /// the mechanism move.
 pub fn run(
     mut simulation: Simulation,
+    inputs: Option<&Inputs>,
     directory: &Path,
-    inputs: &[Input<'_>],
+    read: &[Input<'_>],
     wish: Option<Wish<'_>>,
     mut film: Option<Film>,
 ) -> Result<(), Stop> {
@@ -45,13 +47,13 @@ pub fn run(
     let own =
         [COMPLETE, PARTIAL].iter().chain(of_wish).chain(film.iter().map(|_| &PAGE)).map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
-    folder.claim("run", &simulation.about().guid, &names, inputs)?;
+    folder.claim("run", &simulation.about().guid, &names, read)?;
     let keeper = Keeper::start(Shared::clone(&rows))
         .map_err(|reason| Stop::Failed(format!("error: cannot watch for signals: {reason}")))?;
     say(&format!("rows go to {}, which becomes {COMPLETE} at the end", partial.display()))?;
 
     let clock = Instant::now();
-    let outcome = simulate(&mut simulation, &mut results, &rows, film.as_mut(), &keeper);
+    let outcome = simulate(&mut simulation, inputs, &mut results, &rows, film.as_mut(), &keeper);
     let wall = clock.elapsed().as_secs_f64();
     drop(keeper);
     let is_complete = outcome.is_ok();
@@ -140,6 +142,7 @@ impl End {
 
 fn simulate(
     simulation: &mut Simulation,
+    inputs: Option<&Inputs>,
     results: &mut Results,
     rows: &Shared,
     mut film: Option<&mut Film>,
@@ -152,13 +155,19 @@ fn simulate(
         locked(rows).push(time, &results.record(time, simulation)).map_err(End::Write)
     };
     // The bar appears with the first row.
+    if let Some(inputs) = inputs {
+        inputs.start(simulation, 0.0).map_err(|failure| End::Model(failed(simulation, &failure)))?;
+    }
     start(simulation).map_err(End::Model)?;
     record(0.0, simulation)?;
     look(0, simulation);
     let outcome = (1..=last_row).try_for_each(|row| {
         keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
         let time = ancf14::model::rows::time(simulation.about(), row, last_row);
-        let advanced = simulation.advance(time);
+        let advanced = match inputs {
+            Some(inputs) => inputs.advance(simulation, time),
+            None => simulation.advance(time),
+        };
         for warning in simulation.take_warnings() {
             bar.suspend(|| complain(&format!("warning: {warning}")));
         }
