@@ -25,6 +25,19 @@ const KRONROD: [f64; 8] = [
 /// Gauss' weights, of every second place.
 const GAUSS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_67, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
+/// For every place, what the values at minus it and at it add to the polynomial through all 15 values at 1.
+const AT_END: [[f64; 2]; 8] = [
+    [0.006_238_528_645_340_283, 1.453_983_731_103_312_4],
+    [-0.018_451_577_046_963_43, -0.706_673_993_404_573_8],
+    [0.030_438_309_530_367_934, 0.420_047_199_720_882_9],
+    [-0.043_250_815_978_173_98, -0.291_418_695_919_990_6],
+    [0.057_719_118_618_911_436, 0.221_175_970_224_892_72],
+    [-0.073_778_979_644_262_46, -0.174_570_351_562_241_32],
+    [0.091_687_296_848_570_96, 0.139_783_431_782_908_36],
+    [-0.112_929_172_918_981_48, 0.0],
+];
+/// How much of half an interval lies between its outermost place and its end, where the rules see nothing.
+const UNSEEN: f64 = 1.0 - PLACES[0];
 /// Intervals at most: more than a jump on every side needs; what oscillates faster than that is not resolved by any step.
 const MOST_INTERVALS: u32 = 2_000;
 /// Halvings at most: an interval of this share of the whole holds a jump of the function to round-off.
@@ -40,6 +53,18 @@ pub fn integral(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 /// `∫ f` as above; the rules need not agree further than to `error`: the round-off of an `f` whose terms cancel is not pursued.
 pub fn integral_within(f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> f64 {
     Integral::of(f, from, to, error).value
+}
+
+/// `∫ f` as above, also where a kink or a jump lies so near to `from` or `to` that the rules, whose outermost places are inside, do not see it.
+pub fn integral_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    let mut sum = Integral { at: from, ..Integral::default() };
+    if from == to {
+        return 0.0;
+    }
+    let rules = |f: &_, from, to| rules_to_ends(f, from, to);
+    let (value, size, difference) = rules(f, from, to);
+    let mut intervals = MOST_INTERVALS;
+    sum.refined(f, (from, to), (value, difference), AGREEMENT * size, 0, (&mut intervals, &rules))
 }
 
 /// An integral, and how well it is known.
@@ -63,7 +88,7 @@ impl Integral {
             let (value, size, difference) = rules(f, from, to);
             let mut intervals = MOST_INTERVALS;
             let bound = f64::max(AGREEMENT * size, error);
-            sum.value = sum.refined(f, (from, to), (value, difference), bound, 0, &mut intervals);
+            sum.value = sum.refined(f, (from, to), (value, difference), bound, 0, (&mut intervals, &rules));
         }
         sum
     }
@@ -75,14 +100,14 @@ impl Integral {
     }
 
     /// The integral over an interval; what is missed of it is noted.
-    fn refined(
+    fn refined<F: Fn(f64) -> f64>(
         &mut self,
-        f: &impl Fn(f64) -> f64,
+        f: &F,
         (from, to): (f64, f64),
         (sum, difference): (f64, f64),
         bound: f64,
         depth: u32,
-        intervals: &mut u32,
+        (intervals, rules): (&mut u32, &impl Fn(&F, f64, f64) -> (f64, f64, f64)),
     ) -> f64 {
         let middle = 0.5 * (from + to);
         if difference <= bound {
@@ -101,7 +126,7 @@ impl Integral {
             .into_iter()
             .map(|(from, to)| {
                 let (sum, _, difference) = rules(f, from, to);
-                self.refined(f, (from, to), (sum, difference), bound, depth + 1, intervals)
+                self.refined(f, (from, to), (sum, difference), bound, depth + 1, (&mut *intervals, rules))
             })
             .sum()
     }
@@ -126,6 +151,20 @@ fn rules(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
     (sum * half, size * half.abs(), ((sum - gauss) * half).abs())
 }
 
+/// [`rules`], and by how much more it may be off: where the values at the ends are not those of the polynomial through the others, something happens before them.
+fn rules_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let (sum, size, difference) = rules(f, from, to);
+    let mut ends = [0.0; 2];
+    for (place, [below, above]) in PLACES.into_iter().zip(AT_END) {
+        let values = [f(middle - half * place), f(middle + half * place)];
+        ends[0] += above * values[0] + below * values[1];
+        ends[1] += below * values[0] + above * values[1];
+    }
+    let gap = (f(from) - ends[0]).abs() + (f(to) - ends[1]).abs();
+    (sum, size, difference + UNSEEN * half.abs() * gap)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -142,6 +181,20 @@ mod tests {
         close(integral(&|t| if t < 0.123 { 2.0 } else { -1.0 }, 0.0, 1.0), 0.246 - 0.877);
         close(integral(&|_| 5.0, 0.25, 0.25), 0.0);
         assert!(integral(&|t: f64| (t - 0.5).sqrt(), 0.0, 1.0).is_nan());
+    }
+
+    /// A force law has its kinks anywhere in a step: next to the end of an interval the rules are blind.
+    #[test]
+    fn kinks_near_ends_are_seen() {
+        for gap in [1e-2, 3e-3, 1e-4, 1e-6, 1e-9] {
+            let kink = |x: f64| 1.0 + x + 7.0 * (x - (1.0 - gap)).max(0.0);
+            let jump = |x: f64| if x < gap { 3.0 } else { 1.0 };
+            let exact = [1.5 + 3.5 * gap * gap, 1.0 + 2.0 * gap];
+            let found = [integral_to_ends(&kink, 0.0, 1.0), integral_to_ends(&jump, 0.0, 1.0)];
+            assert!((found[0] - exact[0]).abs() < 1e-13 && (found[1] - exact[1]).abs() < 1e-13, "{gap}: {found:?}");
+            let smooth = |x: f64| (3.0 * x).exp();
+            assert!((integral_to_ends(&smooth, 0.0, gap) - (3.0 * gap).exp_m1() / 3.0).abs() < 1e-15);
+        }
     }
 
     /// What is no integral must be known as such, and where; a jump or a root at the edge is one.

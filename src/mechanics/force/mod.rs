@@ -1,5 +1,6 @@
-//! Forces between markers and on them: springs, dampers, actuators and loads.
+//! Forces between markers and on them: springs, dampers, friction, stops, actuators and loads.
 
 pub mod actuator;
+pub mod law;
 pub mod load;
 pub mod spring;

@@ -1,7 +1,9 @@
 //! Springs and dampers: `stiffness (x − rest) + damping x'` against a relative coordinate `x`, N or N m.
 //!
-//! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind.
+//! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind. A law takes the place of both terms: a rope, a function, friction
+//! or a stop.
 
+use crate::mechanics::force::law::{Law, LawForce};
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose_pair::PairVector;
 use crate::mechanics::marker::Marker;
@@ -10,7 +12,7 @@ use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 
 /// A spring with a damper.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Spring {
     /// Name in the model file, of the spring or of its joint.
     pub name: String,
@@ -25,6 +27,8 @@ pub struct Spring {
     /// How easily a step moves the coordinate from where it is drawn: one over the mass or the moment of inertia behind it, which stiffness adds to, 1/kg or
     /// 1/(kg m²); 0 where it is not known.
     pub mobility: f64,
+    /// Its law, if it is not linear: stiffness and damping are 0 then.
+    pub law: Option<Law>,
 }
 
 impl Spring {
@@ -34,7 +38,10 @@ impl Spring {
             return 0.0;
         }
         let stretch = self.value(coordinate, c) - self.rest;
-        0.5 * self.stiffness * stretch * stretch
+        match &self.law {
+            Some(law) => law.energy(stretch),
+            None => 0.5 * self.stiffness * stretch * stretch,
+        }
     }
 
     fn value(&self, coordinate: &RelativeCoordinate, c: &Configuration) -> f64 {
@@ -43,6 +50,10 @@ impl Spring {
 
     /// Its force against the growing of the coordinate, N or N m; over a step that of the mean value at both ends, with what numerical dissipation adds.
     pub fn tension(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> f64 {
+        if let Some(law) = &self.law {
+            let force = self.law_force(law, coordinate, c, passage);
+            return force.elastic + force.viscous;
+        }
         let elastic = match passage {
             Passage::Rest | Passage::Instant { .. } => self.value(coordinate, c) - self.rest,
             Passage::Step(step) => {
@@ -54,6 +65,58 @@ impl Spring {
             }
         };
         self.stiffness * elastic + self.damping * self.rate(coordinate, c, passage)
+    }
+
+    /// The force of its law.
+    fn law_force(&self, law: &Law, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> LawForce {
+        match passage {
+            Passage::Rest => law.at(self.value(coordinate, c) - self.rest, 0.0),
+            Passage::Instant { velocity, .. } => {
+                law.at(self.value(coordinate, c) - self.rest, coordinate.rate(c, velocity))
+            }
+            Passage::Step(step) => {
+                let [start, end] = [step.start, step.end].map(|end| self.value(coordinate, end) - self.rest);
+                let rate = (end - start) / step.duration;
+                let late = self.lateness_of(law, start, step.duration);
+                let taken = match late {
+                    0.0 => rate,
+                    late => (1.0 + late) * rate - late * coordinate.rate(step.start, step.velocity),
+                };
+                let mut force = law.over(start, end, taken);
+                // Numerical dissipation works with the stiffness at the start, which the end does not change.
+                let stiffness = law.at(start, 0.0).by_x;
+                if stiffness > 0.0 && stiffness.is_finite() {
+                    let number = c.mesh.relative_rate_index(self.coordinate);
+                    force.elastic += stiffness * step.duration * step.unpredicted(rate, number);
+                    force.by_x += stiffness * step.dissipation.sum();
+                }
+                force
+            }
+        }
+    }
+
+    /// [`Self::lateness`] of a law that a step begins at the elongation `start`.
+    fn lateness_of(&self, law: &Law, start: f64, duration: f64) -> f64 {
+        let damping = law.at(start, 0.0).by_v;
+        1.0 - 2.0 / (damping * self.mobility * duration).max(2.0)
+    }
+
+    /// The force of its damper alone.
+    fn viscous(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> f64 {
+        match &self.law {
+            Some(law) => self.law_force(law, coordinate, c, passage).viscous,
+            None => self.damping * self.rate(coordinate, c, passage),
+        }
+    }
+
+    /// Says that its law is not a finite number at the rate `v`; none: it is one.
+    pub fn undefined(&self, coordinate: &RelativeCoordinate, c: &Configuration, v: f64) -> Option<String> {
+        let law = self.law.as_ref()?;
+        let x = self.value(coordinate, c) - self.rest;
+        let force = law.at(x, v);
+        let is_finite = [force.elastic, force.viscous, force.by_x, force.by_v].iter().all(|value| value.is_finite());
+        (!is_finite)
+            .then(|| format!("the force of spring {} or its derivative, at x = {x:.5} and v = {v:.5},", self.name))
     }
 
     /// The length of the vector between both sides in the middle of a step over the mean of both ends': a distance then works as much as its energy
@@ -125,6 +188,10 @@ impl Spring {
         let tension = self.tension(coordinate, c, passage) * self.shortening(coordinate, c, passage);
         let mut blocks = coordinate.hessian(c, tension);
         let here = coordinate.gradient(c);
+        if let Some(law) = &self.law {
+            self.add_law_hessian(law, coordinate, c, passage, &mut blocks);
+            return blocks;
+        }
         match passage {
             Passage::Rest => add_products(&here, &here, self.stiffness, &mut blocks),
             Passage::Step(TimeStep { end, duration, dissipation, .. }) => {
@@ -142,12 +209,53 @@ impl Spring {
         blocks
     }
 
-    /// Derivative of [`Self::gradient`] by the velocities of both sides, blocks `aa, ab, ba, bb`.
-    pub fn damping_matrix(&self, coordinate: &RelativeCoordinate, c: &Configuration) -> [MarkerMatrix; 4] {
+    /// The part of [`Self::hessian`] by which the force of a law changes.
+    fn add_law_hessian(
+        &self,
+        law: &Law,
+        coordinate: &RelativeCoordinate,
+        c: &Configuration,
+        passage: &Passage,
+        blocks: &mut [MarkerMatrix; 4],
+    ) {
+        let (here, force) = (coordinate.gradient(c), self.law_force(law, coordinate, c, passage));
+        match passage {
+            Passage::Rest => add_products(&here, &here, force.by_x, blocks),
+            Passage::Step(TimeStep { start, end, duration, .. }) => {
+                let late = self.lateness_of(law, self.value(coordinate, start) - self.rest, *duration);
+                let by_end = 2.0 * (force.by_x + force.by_v * (1.0 + late) / duration);
+                add_products(&here, &coordinate.gradient(end), by_end, blocks);
+            }
+            Passage::Instant { velocity, .. } => {
+                add_products(&here, &here, force.by_x, blocks);
+                add_products(&here, &coordinate.rate_gradient(c, velocity), force.by_v, blocks);
+            }
+        }
+    }
+
+    /// Derivative of [`Self::gradient`] with respect to the velocities of both sides, blocks `aa, ab, ba, bb`.
+    pub fn damping_matrix(
+        &self,
+        coordinate: &RelativeCoordinate,
+        c: &Configuration,
+        velocity: &[f64],
+    ) -> [MarkerMatrix; 4] {
         let here = coordinate.gradient(c);
         let mut blocks = [MarkerMatrix::zeros(); 4];
-        add_products(&here, &here, self.damping, &mut blocks);
+        let damping = match &self.law {
+            Some(law) => self.law_force(law, coordinate, c, &Passage::with_velocity(velocity)).by_v,
+            None => self.damping,
+        };
+        add_products(&here, &here, damping, &mut blocks);
         blocks
+    }
+
+    /// Power that its damper takes with the velocities `velocity`, W.
+    pub fn dissipation(&self, coordinate: &RelativeCoordinate, c: &Configuration, velocity: &[f64]) -> f64 {
+        if self.is_idle() {
+            return 0.0;
+        }
+        self.viscous(coordinate, c, &Passage::with_velocity(velocity)) * coordinate.rate(c, velocity)
     }
 
     /// What moving frames put into the system through the spring, and what the damper takes out, while the coordinate changes by `whole`, of which
@@ -170,8 +278,7 @@ impl Spring {
             return 0.0;
         }
         let passage = Passage::Step(*step);
-        let (tension, viscous) =
-            (self.tension(coordinate, c, &passage), self.damping * self.rate(coordinate, c, &passage));
+        let (tension, viscous) = (self.tension(coordinate, c, &passage), self.viscous(coordinate, c, &passage));
         let whole = self.value(coordinate, step.end) - self.value(coordinate, step.start);
         let sides_moved = coordinate.change(c, step.increment) * self.shortening(coordinate, c, &passage);
         let [given, taken] = self.outside_work(coordinate, tension, viscous, [sides_moved, whole]);
@@ -184,8 +291,7 @@ impl Spring {
             return [0.0; 2];
         }
         let passage = Passage::with_velocity(velocity);
-        let (tension, viscous) =
-            (self.tension(coordinate, c, &passage), self.damping * self.rate(coordinate, c, &passage));
+        let (tension, viscous) = (self.tension(coordinate, c, &passage), self.viscous(coordinate, c, &passage));
         self.outside_work(coordinate, tension, viscous, [coordinate.change(c, velocity), coordinate.rate(c, velocity)])
     }
 
@@ -199,7 +305,12 @@ impl Spring {
 
     /// Whether it does nothing now. Its measure may have no meaning then: the rotation vector of parts that turn freely.
     pub fn is_idle(&self) -> bool {
-        self.stiffness == 0.0 && self.damping == 0.0
+        self.stiffness == 0.0 && self.damping == 0.0 && self.law.is_none()
+    }
+
+    /// Whether it has a damper.
+    pub fn is_damped(&self) -> bool {
+        self.law.as_ref().map_or(self.damping != 0.0, Law::is_damped)
     }
 }
 

@@ -125,6 +125,11 @@ impl EnergyBalance {
         self.skipped = JUMP_STEPS;
     }
 
+    /// By what the energy has changed so far beyond the work, J: what the integrator adds or takes.
+    pub fn drift(&self) -> f64 {
+        self.drift
+    }
+
     /// The alarm, if there has been one.
     pub fn alarm(&self) -> Option<Alarm> {
         self.alarm

@@ -322,6 +322,11 @@ impl SystemBuilder {
         self.system.joint_parts[joint].drives.push(drive);
     }
 
+    /// Adds spring `spring` to what joint `joint` of the model file consists of.
+    pub fn add_spring_of(&mut self, joint: usize, spring: usize) {
+        self.system.joint_parts[joint].springs.push(spring);
+    }
+
     /// Adds an actuator and returns its number.
     pub fn add_actuator(&mut self, actuator: Actuator) -> usize {
         self.system.actuators.push(actuator);

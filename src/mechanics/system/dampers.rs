@@ -52,15 +52,15 @@ impl System {
         }
     }
 
-    /// Adds `factor` times the derivative of the forces by the velocities, at an instant, to the first blocks of `tangent`.
-    pub fn add_damping_matrix(&self, c: &Configuration, factor: f64, tangent: &mut Blocks) {
+    /// Adds `factor` times the derivative of the forces with respect to the velocities, at an instant with the velocities `velocity`, to the first blocks of `tangent`.
+    pub fn add_damping_matrix(&self, c: &Configuration, velocity: &[f64], factor: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         for (number, element) in self.damped_elements() {
             element.add_damping_matrix(&c.beams, factor, tangent.block_mut(layout.element(number)));
         }
-        for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.damping != 0.0) {
+        for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.is_damped()) {
             let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
-            let parts = spring.damping_matrix(&self.relative_coordinates[spring.coordinate], c);
+            let parts = spring.damping_matrix(&self.relative_coordinates[spring.coordinate], c, velocity);
             for (pair, (block, part)) in layout.spring(number).zip(&parts).enumerate() {
                 add_corner(tangent.block_mut(block), counts[pair / 2], part, factor);
             }

@@ -5,6 +5,8 @@ use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::primitive::Primitive;
 use crate::mechanics::input::excitation::{HostEffort, HostWrench};
+use crate::mechanics::marker::configuration::Configuration;
+use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::system::System;
 
 impl System {
@@ -80,6 +82,14 @@ impl System {
         Some(match self.signals().find_map(|signal| signal.undefined(time)) {
             Some(reason) => format!("{what}, where {reason},"),
             None => what,
+        })
+    }
+
+    /// The first spring whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its last accepted value.
+    pub fn undefined_law(&self, c: &Configuration, rate: impl Fn(&RelativeCoordinate, f64) -> f64) -> Option<String> {
+        self.springs.iter().filter(|spring| spring.law.is_some()).find_map(|spring| {
+            let coordinate = &self.relative_coordinates[spring.coordinate];
+            spring.undefined(coordinate, c, rate(coordinate, c.relative_values[spring.coordinate]))
         })
     }
 

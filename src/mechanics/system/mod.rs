@@ -148,7 +148,7 @@ impl System {
 
     /// Whether a spring or a material has damping.
     pub fn is_damped(&self) -> bool {
-        self.springs.iter().any(|spring| spring.damping != 0.0) || self.has_material_damping()
+        self.springs.iter().any(Spring::is_damped) || self.has_material_damping()
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

@@ -24,7 +24,6 @@ use crate::mechanics::system::joint_parts::JointParts;
 use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
-use crate::model::file::entries::spring::SpringSpec;
 use crate::model::file::reader::anchor::Anchor;
 
 impl Builder<'_> {
@@ -129,21 +128,37 @@ impl Builder<'_> {
         (self.system.add_relative_coordinate(a, b, Measure::Length), length)
     }
 
-    pub(super) fn add_spring(&mut self, written: &SpringSpec) {
-        let (coordinate, length) = self.between([&written.a, &written.b], &format!("spring {}", written.name));
-        self.spring(&written.name, coordinate, &tune::spring(written), length);
+    /// Adds a spring, friction or a stop.
+    pub(super) fn add_spring(&mut self, name: &str, action: Action, tuned: &Tuned) {
+        let (coordinate, drawn) = match &action {
+            Action::Between { a, b } => self.between([a, b], &format!("spring {name}")),
+            // A coordinate of its own: springs of the file come before joints. As drawn, joints are at 0.
+            Action::Joint { joint, coordinate } => {
+                let [a, b] = self.sides(&self.document.joints[*joint]);
+                let measure = match coordinate {
+                    Coordinate::Angle => Measure::Angle(0),
+                    Coordinate::Distance => Measure::Distance(0),
+                };
+                (self.system.add_relative_coordinate(a, b, measure), 0.0)
+            }
+        };
+        self.spring(name, coordinate, tuned, drawn);
+    }
+
+    /// Adds the springs, friction and stops of the file that act on joints to what the joints transmit.
+    pub(super) fn join_springs(&mut self) {
+        for (number, (_, action, _)) in tune::springs_of_file(self.document).enumerate() {
+            if let Action::Joint { joint, .. } = action {
+                self.system.add_spring_of(joint, number);
+            }
+        }
     }
 
     fn spring(&mut self, name: &str, coordinate: usize, tuned: &Tuned, drawn: f64) -> usize {
         let value = |number| self.document.value(number);
-        let spring = spring::Spring {
-            name: name.to_owned(),
-            coordinate,
-            stiffness: value(tuned.stiffness),
-            damping: value(tuned.damping),
-            rest: tuned.rest.map_or(drawn, value),
-            mobility: 0.0,
-        };
+        let (stiffness, damping, law) = tuned.numbers(self.document);
+        let rest = tuned.rest.map_or(drawn, value);
+        let spring = spring::Spring { name: name.to_owned(), coordinate, stiffness, damping, rest, mobility: 0.0, law };
         self.system.add_spring(spring)
     }
 }

@@ -62,8 +62,9 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     }
     document.bodies.iter().for_each(|body| builder.add_body(body));
     document.frames.iter().for_each(|frame| builder.add_frame(frame));
-    document.springs.iter().for_each(|spring| builder.add_spring(spring));
+    tune::springs_of_file(document).for_each(|(name, action, tuned)| builder.add_spring(name, action, &tuned));
     document.joints.iter().for_each(|joint| builder.add_joint(joint));
+    builder.join_springs();
     document.drives.iter().for_each(|drive| builder.add_drive(drive));
     document.actuators.iter().for_each(|actuator| builder.add_actuator(actuator));
     document.loads.iter().for_each(|load| builder.add_load(load));
@@ -184,7 +185,11 @@ impl Builder<'_> {
                     self.system.watch(*marker, None);
                 });
             }
-            output::Target::Drive(_) | output::Target::Actuator(_) => {}
+            output::Target::Drive(_)
+            | output::Target::Actuator(_)
+            | output::Target::Spring(_)
+            | output::Target::Friction(_)
+            | output::Target::Stop(_) => {}
         }
         if let Some(marker) = observer {
             (first..self.system.sensors()).for_each(|sensor| self.system.observe(sensor, marker));

@@ -43,7 +43,7 @@ fn walk(program: &Program, variable: Line, range: [f64; 2], found: &mut Vec<f64>
                 stack[height] = Some(Line::constant(value));
                 height += 1;
             }
-            Operation::Parameter(_) => {
+            Operation::Parameter(_) | Operation::Rate => {
                 stack[height] = None;
                 height += 1;
             }

@@ -100,6 +100,22 @@ impl Function {
         self.pieces[self.piece(t)].jet(t, |_| f64::NAN)
     }
 
+    /// `f` at the variable `x` and its rate `v`, with its derivatives with respect to both.
+    pub fn with_rate(&self, x: f64, v: f64) -> [f64; 3] {
+        let piece = &self.pieces[self.piece(x)];
+        let by_x = piece.evaluated(Jet::variable(x), Jet::constant(v));
+        if !piece.has_rate() {
+            return [by_x.value, by_x.first, 0.0];
+        }
+        let by_v = piece.evaluated(Jet::constant(x), Jet::variable(v));
+        [by_x.value, by_x.first, by_v.first]
+    }
+
+    /// Whether the rate of the variable occurs.
+    pub fn has_rate(&self) -> bool {
+        self.pieces.iter().any(Program::has_rate)
+    }
+
     /// The number of the piece that is valid at t.
     fn piece(&self, t: f64) -> usize {
         self.limits.iter().position(|limit| t < *limit).unwrap_or(self.limits.len())

@@ -26,6 +26,8 @@ pub enum Variable {
     Time,
     /// `s`, the curve parameter.
     Curve,
+    /// `x`, the elongation of a spring, with its rate `v` as a second variable.
+    Elongation,
 }
 
 impl Variable {
@@ -35,6 +37,12 @@ impl Variable {
             Self::None => "",
             Self::Time => "t",
             Self::Curve => "s",
+            Self::Elongation => "x",
         }
+    }
+
+    /// How its rate is written, where an expression may use it.
+    pub fn rate(self) -> &'static str {
+        if self == Self::Elongation { "v" } else { "" }
     }
 }

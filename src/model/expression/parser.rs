@@ -50,6 +50,8 @@ pub struct ExpressionError {
 pub struct Scope<'a> {
     /// The variable; empty: none.
     pub variable: &'a str,
+    /// The rate of the variable, in laws of springs; empty: none.
+    pub rate: &'a str,
     /// The place of a parameter.
     pub parameter: &'a dyn Fn(&str) -> Option<usize>,
     /// A function of the file.
@@ -76,7 +78,16 @@ pub fn compile(
     variable: Variable,
     lookup: &dyn Fn(&str) -> Option<usize>,
 ) -> Result<Program, ExpressionError> {
-    compile_in(text, Scope { variable: variable.word(), parameter: lookup, function: &|_| None, inside: None })
+    compile_in(
+        text,
+        Scope {
+            variable: variable.word(),
+            rate: variable.rate(),
+            parameter: lookup,
+            function: &|_| None,
+            inside: None,
+        },
+    )
 }
 
 /// Compiles `text` with the names of `scope`.
@@ -341,7 +352,13 @@ impl Parser<'_> {
         let operation = match name {
             "pi" => Operation::Constant(std::f64::consts::PI),
             "e" => Operation::Constant(std::f64::consts::E),
-            _ if name == self.scope.variable => Operation::Variable,
+            _ if name == self.scope.variable || name == self.scope.rate => {
+                if !self.scope.rate.is_empty() && (self.scope.parameter)(name).is_some() {
+                    let label = "rename the entry of [parameters]: in this law, x is the elongation and v its rate";
+                    return Err(error(format!("`{name}` is both a variable and a parameter"), label, range));
+                }
+                if name == self.scope.variable { Operation::Variable } else { Operation::Rate }
+            }
             "t" | "s" if let Some(function) = self.scope.inside => {
                 let label = format!("{function} has the argument `{}`", self.scope.variable);
                 return Err(error(format!("`{name}` is not known here"), label, range));

@@ -18,8 +18,10 @@ pub enum Operation {
     Constant(f64),
     /// A parameter, by its place in the list that the caller gives.
     Parameter(usize),
-    /// The variable, t or s.
+    /// The variable, t, s or x.
     Variable,
+    /// The rate v of the variable x.
+    Rate,
     /// A function of one argument.
     Unary(Unary),
     /// A function of two arguments.
@@ -208,7 +210,7 @@ impl Program {
         let mut cost = 0_usize;
         for operation in &operations {
             height = match operation {
-                Operation::Constant(_) | Operation::Parameter(_) | Operation::Variable => height + 1,
+                Operation::Constant(_) | Operation::Parameter(_) | Operation::Variable | Operation::Rate => height + 1,
                 Operation::Unary(_) | Operation::Call(_) => height,
                 Operation::Binary(_) => height - 1,
                 Operation::Ternary(_) => height - 2,
@@ -230,9 +232,14 @@ impl Program {
         self.calls.iter().map(|called| called.depth()).max().unwrap_or(0)
     }
 
-    /// Whether the variable does not occur.
+    /// Whether neither the variable nor its rate occurs.
     pub fn is_constant(&self) -> bool {
-        !self.operations.contains(&Operation::Variable)
+        !self.operations.contains(&Operation::Variable) && !self.has_rate()
+    }
+
+    /// Whether the rate of the variable occurs.
+    pub fn has_rate(&self) -> bool {
+        self.operations.contains(&Operation::Rate)
     }
 
     /// The operations in the order of their execution.
@@ -280,9 +287,14 @@ impl Program {
         self.jet(variable, parameters).value
     }
 
-    /// `(f, f', f'')` by the variable.
+    /// `(f, f', f'')` by the variable, at the rate 0.
     pub fn jet(&self, variable: f64, parameters: impl Fn(usize) -> f64) -> Jet {
-        self.run(variable, &parameters, &mut |_, _| {})
+        self.run([Jet::variable(variable), Jet::constant(0.0)], &parameters, &mut |_, _| {})
+    }
+
+    /// With the variable and its rate as they are. The parameters are bound.
+    pub fn evaluated(&self, variable: Jet, rate: Jet) -> Jet {
+        self.run([variable, rate], &|_| f64::NAN, &mut |_, _| {})
     }
 
     /// Whether a table that it calls has no values outside of its rows.
@@ -296,7 +308,7 @@ impl Program {
     /// The first call of a table without a value at its argument: its function and the argument. The parameters are bound.
     pub fn undefined(&self, variable: f64) -> Option<Undefined> {
         let mut found = None;
-        self.run(variable, &|_| f64::NAN, &mut |called, argument| {
+        self.run([Jet::variable(variable), Jet::constant(0.0)], &|_| f64::NAN, &mut |called, argument| {
             if let Body::Table(table) = &called.body
                 && found.is_none()
                 && table.is_undefined(argument)
@@ -307,7 +319,12 @@ impl Program {
         found
     }
 
-    fn run(&self, variable: f64, parameters: &impl Fn(usize) -> f64, watch: &mut impl FnMut(&Called, f64)) -> Jet {
+    fn run(
+        &self,
+        [variable, rate]: [Jet; 2],
+        parameters: &impl Fn(usize) -> f64,
+        watch: &mut impl FnMut(&Called, f64),
+    ) -> Jet {
         let mut stack = [Jet::default(); STACK];
         let mut height = 0;
         for operation in &self.operations {
@@ -321,7 +338,11 @@ impl Program {
                     height += 1;
                 }
                 Operation::Variable => {
-                    stack[height] = Jet::variable(variable);
+                    stack[height] = variable;
+                    height += 1;
+                }
+                Operation::Rate => {
+                    stack[height] = rate;
                     height += 1;
                 }
                 Operation::Unary(function) => stack[height - 1] = unary(function, stack[height - 1]),
@@ -338,7 +359,9 @@ impl Program {
                     let argument = stack[height - 1];
                     watch(called, argument.value);
                     let result = match &called.body {
-                        Body::Expression(program) => program.run(argument.value, parameters, watch),
+                        Body::Expression(program) => {
+                            program.run([Jet::variable(argument.value), Jet::constant(0.0)], parameters, watch)
+                        }
                         Body::Table(table) => table.jet(argument.value),
                     };
                     stack[height - 1] = argument.chain(result.value, result.first, result.second);

@@ -6,6 +6,7 @@ use super::entries::beam::BeamSpec;
 use super::entries::body::BodySpec;
 use super::entries::drive::DriveSpec;
 use super::entries::frame::FrameSpec;
+use super::entries::friction::FrictionSpec;
 use super::entries::function;
 use super::entries::joint::JointSpec;
 use super::entries::load::LoadSpec;
@@ -17,7 +18,9 @@ use super::entries::point::PointSpec;
 use super::entries::section::SectionSpec;
 use super::entries::simulation::{Analysis, SimulationSpec, Steps};
 use super::entries::spring::SpringSpec;
-use super::number::{Number, Numbers, Written};
+use super::entries::stop::StopSpec;
+use super::number::{Number, Numbers};
+use super::objections;
 use super::parameter::Parameter;
 use super::range::Range;
 use super::reader::{Context, Reader};
@@ -60,6 +63,10 @@ pub struct Document {
     pub actuators: Vec<ActuatorSpec>,
     /// Springs, in file order.
     pub springs: Vec<SpringSpec>,
+    /// Friction, in file order.
+    pub frictions: Vec<FrictionSpec>,
+    /// Stops, in file order.
+    pub stops: Vec<StopSpec>,
     /// Loads, in file order.
     pub loads: Vec<LoadSpec>,
     /// Outputs, in file order.
@@ -106,10 +113,20 @@ impl Document {
         let drives = tree.named(&mut context, "drive", |name, reader| DriveSpec::read(name, reader, &joints));
         DriveSpec::report_doubles(&drives, &mut context.report);
         let actuators = tree.named(&mut context, "actuator", |name, reader| ActuatorSpec::read(name, reader, &joints));
-        let springs = tree.named(&mut context, "spring", SpringSpec::read);
+        let springs = tree.named(&mut context, "spring", |name, reader| SpringSpec::read(name, reader, &joints));
+        let frictions = tree.named(&mut context, "friction", |name, reader| FrictionSpec::read(name, reader, &joints));
+        let stops = tree.named(&mut context, "stop", |name, reader| StopSpec::read(name, reader, &joints));
         let loads = tree.named(&mut context, "load", LoadSpec::read);
-        let things =
-            Things { beams: &beams, sections: &sections, joints: &joints, drives: &drives, actuators: &actuators };
+        let things = Things {
+            beams: &beams,
+            sections: &sections,
+            joints: &joints,
+            drives: &drives,
+            actuators: &actuators,
+            springs: &springs,
+            frictions: &frictions,
+            stops: &stops,
+        };
         let outputs = tree.named(&mut context, "output", |name, reader| OutputSpec::read(name, reader, things));
         let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
         tree.finish(&mut context);
@@ -118,8 +135,8 @@ impl Document {
         numbers.resolve();
         numbers.spread_tunable();
         let stop = simulation.as_ref().map_or(0.0, |simulation| numbers.values[simulation.stop.0]);
-        let undefined = report_undefined(&numbers, stop, &mut report);
-        report_objections(&numbers, &sections, &undefined, &mut report);
+        let undefined = objections::report_undefined(&numbers, stop, &mut report);
+        objections::report_objections(&numbers, &sections, &undefined, &mut report);
         let parameters = Parameter::table(&numbers);
         collisions::report(&parameters, &numbers, &outputs, &names, &mut report);
         let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };
@@ -138,11 +155,27 @@ impl Document {
             drives,
             actuators,
             springs,
+            frictions,
+            stops,
             loads,
             outputs,
             simulation,
         };
         (Some(document), report)
+    }
+
+    /// The things that outputs ask about.
+    pub fn things(&self) -> Things<'_> {
+        Things {
+            beams: &self.beams,
+            sections: &self.sections,
+            joints: &self.joints,
+            drives: &self.drives,
+            actuators: &self.actuators,
+            springs: &self.springs,
+            frictions: &self.frictions,
+            stops: &self.stops,
+        }
     }
 
     /// The text of the model: that of the file, without copies and includes.
@@ -270,9 +303,19 @@ impl Document {
         let drives = self.drives.iter().map(|part| ("drive", part.name.as_str(), part.place));
         let actuators = self.actuators.iter().map(|part| ("actuator", part.name.as_str(), part.place));
         let springs = self.springs.iter().map(|part| ("spring", part.name.as_str(), part.place));
+        let frictions = self.frictions.iter().map(|part| ("friction", part.name.as_str(), part.place));
+        let stops = self.stops.iter().map(|part| ("stop", part.name.as_str(), part.place));
         let loads = self.loads.iter().map(|part| ("load", part.name.as_str(), part.place));
         let motions = joints.chain(drives).chain(actuators);
-        beams.chain(bodies).chain(frames).chain(points).chain(motions).chain(springs).chain(loads)
+        beams
+            .chain(bodies)
+            .chain(frames)
+            .chain(points)
+            .chain(motions)
+            .chain(springs)
+            .chain(frictions)
+            .chain(stops)
+            .chain(loads)
     }
 
     /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help` below it.
@@ -369,7 +412,8 @@ impl Top {
 }
 
 /// Why two things cannot have the same name.
-const SHARED: &str = "beams, bodies, frames, points, joints, drives, actuators and springs share their names";
+const SHARED: &str =
+    "beams, bodies, frames, points, joints, drives, actuators, springs, friction and stops share their names";
 
 /// Every name with what it stands for; illegal, reserved and double ones are reported.
 fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
@@ -433,36 +477,4 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
 fn names_in(entry: &Entry) -> impl Iterator<Item = String> + '_ {
     let things = if let Node::Table(things) = &entry.item.node { things.as_slice() } else { &[] };
     things.iter().filter(|thing| matches!(thing.item.node, Node::Table(_))).map(|thing| thing.key.clone())
-}
-
-/// Reports every number that asks a table for a value it does not have, as far as that is known before a run to `stop` s, and gives them back.
-fn report_undefined(numbers: &Numbers, stop: f64, report: &mut Report<'_>) -> Vec<Number> {
-    let mut list = Vec::new();
-    for (number, time, undefined) in numbers.undefined(stop) {
-        let slot = &numbers.slots[number.0];
-        let at = if numbers.function(number).is_constant() { String::new() } else { format!(" at t = {time} s") };
-        let help =
-            format!("add rows to the table, or set outside = \"hold\" or \"repeat\" in [function.{}]", undefined.name);
-        let message = format!("`{}` has no value{at}", slot.meta.name);
-        report.error(slot.place, &message, &undefined.to_string(), &help);
-        list.push(number);
-    }
-    list
-}
-
-/// Reports every number that is out of its range, but for those that are reported already.
-fn report_objections(numbers: &Numbers, sections: &[SectionSpec], told: &[Number], report: &mut Report<'_>) {
-    let tubes = sections.iter().filter_map(|section| section.objection(numbers));
-    let objections = numbers.objections().into_iter().filter(|(number, _)| !told.contains(number));
-    for (number, objection) in objections.chain(tubes) {
-        let slot = &numbers.slots[number.0];
-        let value = numbers.values[number.0];
-        let unit = if slot.meta.unit.is_empty() || !value.is_finite() { "" } else { &format!(" {}", slot.meta.unit) };
-        let verb = if matches!(slot.written, Written::Plain(_)) { "this is" } else { "this gives" };
-        let label = match &slot.written {
-            Written::Formula(formula) if !formula.is_constant() => String::new(),
-            _ => format!("{verb} {value}{unit}"),
-        };
-        report.error(slot.place, &format!("`{}` {objection}", slot.meta.name), &label, "");
-    }
 }

@@ -5,6 +5,7 @@ mod disk;
 pub mod document;
 pub mod entries;
 pub mod number;
+mod objections;
 pub mod parameter;
 pub mod quantity;
 pub mod range;

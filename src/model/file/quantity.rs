@@ -47,10 +47,14 @@ pub enum Quantity {
     AngleRate,
     /// Rate of the distance of a joint.
     DistanceRate,
-    /// Torque or force of a drive or an actuator.
+    /// Torque or force of a drive, an actuator, friction or a stop.
     Effort,
-    /// Power of a drive or an actuator.
+    /// Power of a drive or an actuator; what friction or the damper of a spring or a stop takes.
     Power,
+    /// Tension of a spring.
+    Force,
+    /// Elastic energy of a spring or a stop.
+    Energy,
 }
 
 /// What an output looks at.
@@ -70,6 +74,12 @@ pub enum Site {
     Drive,
     /// An actuator.
     Actuator,
+    /// A spring.
+    Spring,
+    /// Friction.
+    Friction,
+    /// A stop.
+    Stop,
 }
 
 impl Site {
@@ -83,6 +93,9 @@ impl Site {
             Self::Joint => "a joint",
             Self::Drive => "a drive",
             Self::Actuator => "an actuator",
+            Self::Spring => "a spring",
+            Self::Friction => "a [friction]",
+            Self::Stop => "a stop",
         }
     }
 }
@@ -123,11 +136,14 @@ impl At {
 const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame, Site::Point]);
 const BEAM: At = At(&[Site::Beam]);
 const HOLD: At = At(&[Site::Joint, Site::Frame]);
-const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator]);
-const EFFORT: At = At(&[Site::Drive, Site::Actuator]);
+const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Spring, Site::Friction, Site::Stop]);
+const EFFORT: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Friction, Site::Stop]);
+const POWER: At = At(&[Site::Drive, Site::Actuator, Site::Spring, Site::Friction, Site::Stop]);
+const SPRING: At = At(&[Site::Spring]);
+const STORE: At = At(&[Site::Spring, Site::Stop]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 24] = [
+pub const QUANTITIES: [Row; 26] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -204,8 +220,10 @@ pub const QUANTITIES: [Row; 24] = [
     FREE.row(Quantity::Distance, "distance", 1, "m", "distance of b from a along the axis, 0 as drawn"),
     FREE.row(Quantity::AngleRate, "angle_rate", 1, "rad/s", "rate of the angle of b relative to a about the axis"),
     FREE.row(Quantity::DistanceRate, "distance_rate", 1, "m/s", "rate of the distance of b from a along the axis"),
-    FREE.row(Quantity::Effort, "effort", 1, "N.m", "torque or force of the drive or actuator on side b"),
-    EFFORT.row(Quantity::Power, "power", 1, "W", "power of the drive or actuator: its effort times the rate of its coordinate"),
+    EFFORT.row(Quantity::Effort, "effort", 1, "N.m", "torque or force of the drive or actuator on side b"),
+    POWER.row(Quantity::Power, "power", 1, "W", "power of the drive or actuator: its effort times the rate of its coordinate"),
+    SPRING.row(Quantity::Force, "force", 1, "N", "force or torque of the spring, positive where it pulls its sides together"),
+    STORE.row(Quantity::Energy, "energy", 1, "J", "elastic energy of the spring or stop"),
 ];
 
 impl Quantity {
@@ -227,7 +245,7 @@ impl Quantity {
     pub fn is_rough(self) -> bool {
         use Quantity::*;
         let is_strain = matches!(self, AxialStrain | Curvature | Torsion | Stress);
-        let is_force = matches!(self, SectionForce | SectionMoment | Effort | Power) || self.is_transmitted();
+        let is_force = matches!(self, SectionForce | SectionMoment | Effort | Power | Force) || self.is_transmitted();
         is_strain || is_force || self == Acceleration
     }
 
@@ -259,6 +277,6 @@ mod tests {
         for row in &QUANTITIES {
             assert_eq!(row.quantity.row(), row);
         }
-        assert_eq!(Quantity::Power as usize, QUANTITIES.len() - 1, "the last of the enum is the last of the table");
+        assert_eq!(Quantity::Energy as usize, QUANTITIES.len() - 1, "the last of the enum is the last of the table");
     }
 }

@@ -18,7 +18,7 @@ pub struct Rule {
     pub integer: bool,
     /// The solver takes a change between two steps.
     pub tunable: bool,
-    /// What it may depend on: t, or along a curve s.
+    /// What it may depend on: t, along a curve s, in the law of a spring x and v.
     pub variable: Variable,
 }
 
@@ -59,6 +59,11 @@ impl Rule {
 
     const fn in_time(mut self) -> Self {
         self.variable = Variable::Time;
+        self
+    }
+
+    const fn over_elongation(mut self) -> Self {
+        self.variable = Variable::Elongation;
         self
     }
 
@@ -148,6 +153,34 @@ pub const THRUST: Rule = rule("effort", "force of the actuator on side b, away f
 pub const SPRING_STIFFNESS: Rule = rule("stiffness", "stiffness of the spring", "N/m").from(0.0).tunable();
 pub const SPRING_DAMPING: Rule = rule("damping", "damping along the spring", "N.s/m").from(0.0).tunable();
 pub const SPRING_LENGTH: Rule = rule("length", "unstretched length of the spring", "m").from(0.0).tunable();
+pub const REST_ANGLE: Rule = rule("rest", "angle at which the spring is free of torque", "rad").tunable();
+pub const REST_DISTANCE: Rule = rule("rest", "distance at which the spring is free of force", "m").tunable();
+pub const SPRING_FORCE: Rule =
+    rule("force", "tension of the spring, by its elongation x and the rate v", "N").tunable().over_elongation();
+pub const SPRING_TORQUE: Rule =
+    rule("force", "torque of the spring against the angle, by its elongation x and the rate v", "N.m")
+        .tunable()
+        .over_elongation();
+
+pub const COULOMB_TORQUE: Rule = rule("coulomb", "torque of dry friction", "N.m").from(0.0).tunable();
+pub const COULOMB_FORCE: Rule = rule("coulomb", "force of dry friction", "N").from(0.0).tunable();
+pub const VISCOUS_TORQUE: Rule = rule("viscous", "friction torque per rate", "N.m.s/rad").from(0.0).tunable();
+pub const VISCOUS_FORCE: Rule = rule("viscous", "friction force per rate", "N.s/m").from(0.0).tunable();
+pub const FRICTION_ANGLE_RATE: Rule =
+    rule("speed", "rate at which dry friction has 71 % of its torque", "rad/s").above(0.0).tunable();
+pub const FRICTION_RATE: Rule =
+    rule("speed", "rate at which dry friction has 71 % of its force", "m/s").above(0.0).tunable();
+
+pub const LOWER_ANGLE: Rule = rule("lower", "least angle without contact", "rad").tunable();
+pub const UPPER_ANGLE: Rule = rule("upper", "largest angle without contact", "rad").tunable();
+pub const LOWER_DISTANCE: Rule = rule("lower", "least distance without contact", "m").tunable();
+pub const UPPER_DISTANCE: Rule = rule("upper", "largest distance without contact", "m").tunable();
+pub const ANGLE_STOP_STIFFNESS: Rule = rule("stiffness", "stiffness of the stop", "N.m/rad").above(0.0).tunable();
+pub const STOP_STIFFNESS: Rule = rule("stiffness", "stiffness of the stop", "N/m").above(0.0).tunable();
+pub const ANGLE_STOP_DAMPING: Rule =
+    rule("damping", "share of the elastic torque per rate of penetration", "s/rad").from(0.0).tunable();
+pub const STOP_DAMPING: Rule =
+    rule("damping", "share of the elastic force per rate of penetration", "s/m").from(0.0).tunable();
 
 pub const FORCE: Rule = rule("force", "force", "N").tunable().in_time();
 pub const MOMENT: Rule = rule("moment", "moment", "N.m").tunable().in_time();

@@ -26,7 +26,7 @@ pub(super) enum Role {
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 70] = [
+const ROLES: [(&str, &str, Role); 78] = [
     ("function", "argument", Role::Word),
     ("function", "table", Role::Number),
     ("function", "file", Role::Word),
@@ -84,6 +84,14 @@ const ROLES: [(&str, &str, Role); 70] = [
     ("joint", "axis2", Role::Direction),
     ("", "coordinate", Role::Word),
     ("actuator", "effort", Role::Number),
+    ("spring", "force", Role::Number),
+    ("spring", "rest", Role::Number),
+    ("spring", "only", Role::Word),
+    ("friction", "coulomb", Role::Number),
+    ("friction", "viscous", Role::Number),
+    ("friction", "speed", Role::Number),
+    ("stop", "lower", Role::Number),
+    ("stop", "upper", Role::Number),
     ("load", "force", Role::Direction),
     ("load", "moment", Role::Direction),
     ("load", "follower", Role::Word),

@@ -1,7 +1,7 @@
 //! The keys of the sections with a name: where several sections have one name, the key says which of them is meant.
 
 /// Every section with the keys that it may have.
-const KEYS: [(&str, &[&str]); 13] = [
+const KEYS: [(&str, &[&str]); 15] = [
     ("function", &["value", "argument", "table", "file", "column", "interpolation", "outside"]),
     ("material", &["young", "poisson", "shear", "density", "damping"]),
     (
@@ -63,7 +63,9 @@ const KEYS: [(&str, &[&str]); 13] = [
     ),
     ("drive", &["joint", "coordinate", "value", "rate", "input"]),
     ("actuator", &["joint", "coordinate", "a", "b", "effort", "input"]),
-    ("spring", &["a", "b", "stiffness", "damping", "length"]),
+    ("spring", &["a", "b", "joint", "coordinate", "stiffness", "damping", "length", "rest", "only", "force"]),
+    ("friction", &["joint", "coordinate", "coulomb", "viscous", "speed"]),
+    ("stop", &["joint", "coordinate", "lower", "upper", "stiffness", "damping"]),
     ("load", &["at", "on", "force", "moment", "follower", "input"]),
     ("output", &["at", "on", "stations", "in", "quantities"]),
 ];

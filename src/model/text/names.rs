@@ -20,12 +20,14 @@ pub enum Kind {
     Drive,
     Actuator,
     Spring,
+    Friction,
+    Stop,
     Load,
     Output,
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 13] = [
+pub const SECTIONS: [(&str, Kind); 15] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -37,6 +39,8 @@ pub const SECTIONS: [(&str, Kind); 13] = [
     ("drive", Kind::Drive),
     ("actuator", Kind::Actuator),
     ("spring", Kind::Spring),
+    ("friction", Kind::Friction),
+    ("stop", Kind::Stop),
     ("load", Kind::Load),
     ("output", Kind::Output),
 ];
@@ -45,7 +49,7 @@ impl Kind {
     /// Whether it is a part of the mechanism, which an `a`, a `b` or an `at` can refer to.
     fn is_part(self) -> bool {
         use Kind::*;
-        matches!(self, Body | Beam | Frame | Point | Joint | Drive | Actuator | Spring)
+        matches!(self, Body | Beam | Frame | Point | Joint | Drive | Actuator | Spring | Friction | Stop)
     }
 
     /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.

@@ -17,6 +17,7 @@ use super::file::entries::body::{BodySpec, Inertia};
 use super::file::entries::curve::Line;
 use super::file::entries::joint::JointSpec;
 use super::file::entries::material::Lateral;
+use super::file::entries::stop::StopSpec;
 use super::file::entries::{load, output};
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
@@ -84,8 +85,11 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         checker.check_joint(joint);
     }
     for spring in &document.springs {
-        checker.check_ends(&format!("spring {}", spring.name), [spring.a, spring.b]);
+        if let Some(ends) = spring.ends() {
+            checker.check_ends(&format!("spring {}", spring.name), ends);
+        }
     }
+    document.stops.iter().for_each(|stop| checker.check_limits(stop));
     for actuator in &document.actuators {
         if let Action::Between { a, b } = actuator.action {
             checker.check_ends(&format!("actuator {}", actuator.name), [a, b]);
@@ -100,6 +104,9 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         output::Target::Joint(_)
         | output::Target::Drive(_)
         | output::Target::Actuator(_)
+        | output::Target::Spring(_)
+        | output::Target::Friction(_)
+        | output::Target::Stop(_)
         | output::Target::On { .. } => None,
     });
     let observers = document.outputs.iter().filter_map(|output| Some(&output.observer.as_ref()?.anchor));
@@ -237,6 +244,19 @@ impl Checker<'_> {
             self.mistake(anchor.place, &message, &label, &help);
         }
         node.map(|node| (beam, node))
+    }
+
+    /// Both limits of a stop, of which the lower one must be below the upper one.
+    fn check_limits(&mut self, stop: &StopSpec) {
+        let (Some(lower), Some(upper)) = (stop.lower, stop.upper) else { return };
+        let [least, largest] = [lower, upper].map(|number| self.document.value(number));
+        // Not-a-number is reported where it begins.
+        if least >= largest {
+            let message = format!("the lower limit of stop {} is not below its upper limit", stop.name);
+            let label = format!("`lower` is {least}, and `upper` is {largest}");
+            let help = "the coordinate moves freely from `lower` to `upper`: exchange the two or change one";
+            self.mistake(self.document.place(lower), &message, &label, help);
+        }
     }
 
     /// Axes, a row each, of a part of the kind `kind`.

@@ -73,7 +73,7 @@ impl Groups {
             Spot::Body(body) => document.beams.len() + body,
         };
         let joints = document.joints.iter().map(|joint| (joint.a, joint.b));
-        let springs = document.springs.iter().map(|spring| (spring.a, spring.b));
+        let springs = document.springs.iter().filter_map(|spring| spring.ends().map(|[a, b]| (a, b)));
         for (a, b) in joints.chain(springs) {
             let (a, b) = (groups.first(part(a.spot)), groups.first(part(b.spot)));
             groups.parents[a.max(b)] = a.min(b);

@@ -80,7 +80,7 @@ impl Givens {
             (Acceleration | ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => {
                 Found::All
             }
-            (Velocity | AngularVelocity | AngleRate | DistanceRate, _) => Found::Motion,
+            (Velocity | AngularVelocity | AngleRate | DistanceRate | Force, _) => Found::Motion,
             _ => Found::Drawing,
         }
     }

@@ -2,6 +2,8 @@
 
 mod dependencies;
 pub mod inputs;
+mod reading;
 mod table;
 
-pub use table::{Measure, Moment, Source, Table};
+pub use reading::Moment;
+pub use table::{Measure, Source, Table};

@@ -3,21 +3,19 @@
 
 use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
+use super::reading::{Moment, coordinate_of, of_effort, of_spring, push_point, push_wrench};
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
 use crate::mechanics::beam::resultants::Fiber;
-use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::output::joint_loads::JointLoads;
-use crate::mechanics::state::State;
-use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
 use crate::model::file::entries::output::{OutputSpec, Target};
 use crate::model::file::quantity::Quantity;
 use crate::model::file::reader::anchor::{Anchor, Spot};
 use crate::model::file::unit;
-use crate::solve::step::response::Response;
 use std::ops::Range;
 
 /// What a row is read from.
@@ -44,6 +42,8 @@ pub enum Measure {
     Drive(usize, Quantity),
     /// A quantity of an actuator, by its place in the file.
     Actuator(usize, Quantity),
+    /// A quantity of a spring, friction or a stop, by its place in the system: they are built in the order of the file, one kind after the other.
+    Spring(usize, Quantity),
     /// Kinetic, elastic, gravity and total energy.
     Energy,
     /// Linear and angular momentum.
@@ -60,25 +60,13 @@ impl Measure {
             Self::Frame(_, quantity)
             | Self::Joint(_, quantity)
             | Self::Drive(_, quantity)
-            | Self::Actuator(_, quantity) => quantity.row().components,
+            | Self::Actuator(_, quantity)
+            | Self::Spring(_, quantity) => quantity.row().components,
             Self::Energy => 4,
             Self::Momentum => 6,
             Self::Statistics => 3,
         }
     }
-}
-
-/// A state with all that results are read from.
-#[derive(Clone, Copy, Debug)]
-pub struct Moment<'a> {
-    /// The system.
-    pub system: &'a System,
-    /// Its state.
-    pub state: &'a State,
-    /// Accelerations and multipliers at the time of the state; needed where [`Table::needs_response`].
-    pub response: &'a Response,
-    /// The fibers of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty: the largest ones are.
-    pub fibers: &'a [Fiber],
 }
 
 /// The variable table, and where each row's value comes from.
@@ -159,7 +147,7 @@ impl Table {
     /// Rows of a quantity of an output whose sensors are `sensors`.
     fn push_quantity(&mut self, document: &Document, output: &OutputSpec, quantity: Quantity, sensors: Range<usize>) {
         let row = quantity.row();
-        let unit = output.unit(quantity, &document.drives, &document.actuators);
+        let unit = output.unit(quantity, document.things());
         let name = format!("{}.{}", output.name, row.word);
         let meaning = format!("{}: {}", output.name, output.meaning(quantity));
         if output.observer.is_some() && quantity.is_transmitted() {
@@ -173,6 +161,12 @@ impl Table {
             Target::Joint(joint) => Measure::Joint(joint, quantity),
             Target::Drive(drive) => Measure::Drive(drive, quantity),
             Target::Actuator(actuator) => Measure::Actuator(actuator, quantity),
+            // In the order of their building.
+            Target::Spring(number) => Measure::Spring(number, quantity),
+            Target::Friction(number) => Measure::Spring(document.springs.len() + number, quantity),
+            Target::Stop(number) => {
+                Measure::Spring(document.springs.len() + document.frictions.len() + number, quantity)
+            }
             Target::On { stations, .. } => {
                 for station in 1..=stations {
                     for component in 1..=row.components {
@@ -208,8 +202,8 @@ impl Table {
             Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
                 quantity.is_transmitted() || matches!(quantity, Quantity::Effort | Quantity::Power)
             }
-            // Its effort is given.
-            Measure::Actuator(..) => false,
+            // An effort is given, and a spring follows from positions and velocities.
+            Measure::Actuator(..) | Measure::Spring(..) => false,
             Measure::Energy | Measure::Momentum | Measure::Statistics => false,
         })
     }
@@ -221,7 +215,7 @@ impl Table {
             Measure::Joint(_, quantity) | Measure::Drive(_, quantity) | Measure::Actuator(_, quantity) => {
                 quantity.is_coordinate()
             }
-            Measure::Energy => true,
+            Measure::Energy | Measure::Spring(..) => true,
             Measure::Frame(..) | Measure::Momentum | Measure::Statistics => false,
         })
     }
@@ -233,6 +227,7 @@ impl Table {
             | Measure::Joint(_, quantity)
             | Measure::Drive(_, quantity)
             | Measure::Actuator(_, quantity)
+            | Measure::Spring(_, quantity)
             | Measure::Frame(_, quantity) => Some(*quantity),
             Measure::Energy | Measure::Momentum | Measure::Statistics => None,
         }
@@ -350,6 +345,9 @@ impl Table {
                     let effort = || loads.actuator_effort(*number);
                     values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
                 }
+                Measure::Spring(number, quantity) => {
+                    values.push(of_spring(&system.springs[*number], *quantity, moment, &configuration));
+                }
                 Measure::Energy => {
                     let parts = [
                         system.kinetic_energy(&state.velocity),
@@ -377,82 +375,6 @@ impl Table {
             }
         }
     }
-}
-
-fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
-    let Moment { system, state, response, fibers } = *moment;
-    let sensor = &system.sensors[number];
-    let rotation = &state.rotations[number];
-    let mut push = |v: Vec3| values.extend(v.iter());
-    match quantity {
-        Quantity::Position => match sensor.observer {
-            Some(_) => push(sensor.seen_position(c)),
-            None => push(system.global(sensor.seen_position(c))),
-        },
-        Quantity::Displacement => push(sensor.seen_displacement(c)),
-        Quantity::Velocity => push(sensor.seen_motion(c, &state.velocity).0),
-        Quantity::Acceleration => push(sensor.seen_acceleration(c, &state.velocity, &response.acceleration)),
-        Quantity::Rotation => push(*rotation),
-        Quantity::Quaternion => values.extend(sensor.quaternion(rotation)),
-        Quantity::AngularVelocity => push(sensor.seen_motion(c, &state.velocity).1),
-        Quantity::Twist => values.push(sensor.twist(system, c)),
-        Quantity::AxialStrain => values.push(sensor.strains(c).axial),
-        Quantity::Curvature => values.extend(sensor.strains(c).curvature),
-        Quantity::Torsion => values.push(sensor.strains(c).torsion),
-        Quantity::SectionForce => values.push(sensor.section_forces(c).axial),
-        Quantity::SectionMoment => values.extend(sensor.section_forces(c).moment),
-        Quantity::Stress => {
-            let stress = match fibers.get(number) {
-                Some(fiber) => sensor.stress_of(fiber, system, c),
-                None => sensor.stress(system, c),
-            };
-            values.push(stress.expect("the file is refused: a general section has no stress"));
-        }
-        Quantity::ReactionForce
-        | Quantity::ReactionMoment
-        | Quantity::AppliedForce
-        | Quantity::AppliedMoment
-        | Quantity::Angle
-        | Quantity::Distance
-        | Quantity::AngleRate
-        | Quantity::DistanceRate
-        | Quantity::Effort
-        | Quantity::Power => unreachable!("the file is refused: these belong to joints, drives, actuators and frames"),
-    }
-}
-
-/// A quantity of a drive or an actuator with the effort `effort` on a coordinate.
-fn of_effort(
-    effort: impl Fn() -> f64,
-    coordinate: usize,
-    quantity: Quantity,
-    moment: &Moment,
-    c: &Configuration,
-) -> f64 {
-    match quantity {
-        Quantity::Effort => effort(),
-        Quantity::Power => effort() * moment.system.relative_coordinates[coordinate].rate(c, &moment.state.velocity),
-        _ => coordinate_of(coordinate, quantity, moment, c),
-    }
-}
-
-/// A free coordinate of a joint, rad or m, or its rate, rad/s or m/s.
-fn coordinate_of(coordinate: usize, quantity: Quantity, moment: &Moment, c: &Configuration) -> f64 {
-    let Moment { system, state, .. } = moment;
-    match quantity.is_rate() {
-        true => system.relative_coordinates[coordinate].rate(c, &state.velocity),
-        false => state.relative_values[coordinate],
-    }
-}
-
-fn push_wrench(values: &mut Vec<f64>, (force, moment): (Vec3, Vec3), quantity: Quantity) {
-    let wanted = match quantity {
-        Quantity::ReactionForce => force,
-        Quantity::ReactionMoment => moment,
-        Quantity::AppliedForce => Vec3::zeros() - force, // 0 where it is 0, not -0
-        _ => Vec3::zeros() - moment,
-    };
-    values.extend(wanted.iter());
 }
 
 fn result(name: &str, unit: &str, description: String, start: Value) -> Variable {

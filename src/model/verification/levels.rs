@@ -144,7 +144,11 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
     // With its section: a load or an output of the same name may have such a key.
     let points = document.points.iter().map(|point| (format!("point.{}.on", point.name), point.on));
     let joints = document.joints.iter().flat_map(move |joint| sides(&joint.name, joint.a, joint.b));
-    let springs = document.springs.iter().flat_map(move |spring| sides(&spring.name, spring.a, spring.b));
+    let springs = document
+        .springs
+        .iter()
+        .filter_map(move |spring| spring.ends().map(|[a, b]| sides(&spring.name, a, b)))
+        .flatten();
     let actuators = document.actuators.iter().filter_map(move |actuator| match actuator.action {
         Action::Between { a, b } => Some(sides(&actuator.name, a, b)),
         Action::Joint { .. } => None,
@@ -158,6 +162,9 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
         output::Target::Joint(_)
         | output::Target::Drive(_)
         | output::Target::Actuator(_)
+        | output::Target::Spring(_)
+        | output::Target::Friction(_)
+        | output::Target::Stop(_)
         | output::Target::On { .. } => None,
     });
     let observers = document.outputs.iter().filter_map(|output| {

@@ -1,7 +1,7 @@
 //! A mechanism as drawn: lines, points and arrows with names, for pictures.
 
 use crate::model::file::document::Document;
-use crate::model::file::entries::actuator::{Action, ActuatorSpec};
+use crate::model::file::entries::actuator::Action;
 use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::{load, output};
 use crate::model::file::number::Number;
@@ -131,9 +131,9 @@ impl Drawing {
                 drawing.lines.push(line);
             }
         }
-        for spring in &document.springs {
+        for (spring, ends) in document.springs.iter().filter_map(|spring| Some((spring, spring.ends()?))) {
             // A spring's ground is the origin.
-            let points = [spring.a, spring.b].map(|end| point(end).unwrap_or([0.0; 3])).to_vec();
+            let points = ends.map(|end| point(end).unwrap_or([0.0; 3])).to_vec();
             drawing.lines.push(Line { name: spring.name.clone(), kind: LineKind::Spring, points, nodes: Vec::new() });
         }
         for body in &document.bodies {
@@ -205,15 +205,18 @@ impl Drawing {
         }
         for output in &document.outputs {
             let joint = |joint: usize| document.joints.get(joint).and_then(|joint| place(document, &lines, joint));
-            let acting = |actuator: &ActuatorSpec| match &actuator.action {
-                Action::Joint { joint: number, .. } => joint(*number),
-                Action::Between { b, .. } => point(*b),
+            let acting = |action: Action| match action {
+                Action::Joint { joint: number, .. } => joint(number),
+                Action::Between { b, .. } => point(b),
             };
             let at = match output.target {
                 output::Target::At(anchor) => point(anchor),
                 output::Target::Joint(number) => joint(number),
                 output::Target::Drive(number) => document.drives.get(number).and_then(|drive| joint(drive.joint)),
-                output::Target::Actuator(number) => document.actuators.get(number).and_then(&acting),
+                output::Target::Actuator(number) => document.actuators.get(number).and_then(|own| acting(own.action)),
+                output::Target::Spring(number) => document.springs.get(number).and_then(|own| acting(own.action)),
+                output::Target::Friction(number) => document.frictions.get(number).and_then(|own| acting(own.action)),
+                output::Target::Stop(number) => document.stops.get(number).and_then(|own| acting(own.action)),
                 // The whole beam: its name stands at the middle.
                 output::Target::On { beam, .. } => lines.line(beam).map(|line| line.place(0.5).into()),
             };

@@ -128,8 +128,8 @@ impl Watched {
             let springs = || parts.springs.first().map(|spring| sides_of(system.springs[*spring].coordinate));
             conditions.or_else(springs).map(|sides| (number, sides))
         });
-        let springs = system.springs[..document.springs.len()].iter();
-        let springs = springs.map(|spring| {
+        let springs = system.springs.iter().zip(&document.springs).filter(|(_, written)| written.ends().is_some());
+        let springs = springs.map(|(spring, _)| {
             [system.relative_coordinates[spring.coordinate].a, system.relative_coordinates[spring.coordinate].b]
         });
         let arrows = system.loads.iter().enumerate().flat_map(|(number, load)| {
@@ -188,6 +188,7 @@ impl Scene {
             }
         });
         let points = document.outputs.iter().filter(|output| matches!(output.target, Target::At(_)));
+        let springs = document.springs.iter().filter(|spring| spring.ends().is_some());
         Self {
             name: document.model.name.clone(),
             description: document.model.description.clone(),
@@ -199,7 +200,7 @@ impl Scene {
             bodies: bodies.collect(),
             frames: document.frames.iter().map(|frame| frame.name.clone()).collect(),
             joints: joints.collect(),
-            springs: document.springs.iter().map(|spring| spring.name.clone()).collect(),
+            springs: springs.map(|spring| spring.name.clone()).collect(),
             loads: loads.collect(),
             points: points.map(|output| output.name.clone()).collect(),
         }

@@ -338,6 +338,12 @@ impl Step<'_> {
 }
 
 impl Problem for Step<'_> {
+    fn undefined_law(&self) -> Option<String> {
+        let Self { system, state, scratch, .. } = self;
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
+        system.undefined_law(&configuration, |coordinate, _| coordinate.rate(&configuration, &scratch.velocity))
+    }
+
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
         let (system, state) = (self.system, self.state);
         let scratch = &mut *self.scratch;
@@ -349,7 +355,7 @@ impl Problem for Step<'_> {
         let passage = Passage::with_velocity(&scratch.velocity);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
-        system.add_damping_matrix(&configuration, scale * by_q[0], tangent);
+        system.add_damping_matrix(&configuration, &scratch.velocity, scale * by_q[0], tangent);
         system.add_mass(1.0, tangent);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
         gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);

@@ -126,6 +126,11 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
         return Err(Error::NotFinite { time: state.time, what });
     }
     state.prescribed = system.prescribe_start(state.time, &state.targets);
+    let mut cache = FrameCache::default();
+    let drawn = cache.of(system, state);
+    if let Some(what) = system.undefined_law(&drawn, |coordinate, _| coordinate.rate(&drawn, &state.velocity)) {
+        return Err(Error::NotFinite { time: state.time, what });
+    }
     let given = state.velocity.clone();
     system.mass_times(&state.velocity, &mut state.momentum);
     Projection::once(system).set_velocity(system, integrator.kkt(), &mut FrameCache::default(), state)?;

@@ -26,6 +26,9 @@ pub trait Problem {
     /// returns the time at which loads were taken, s.
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64;
 
+    /// The force law that is not defined at the current unknowns, in words.
+    fn undefined_law(&self) -> Option<String>;
+
     /// Adds a correction to the unknowns.
     fn correct(&mut self, correction: &[f64]);
 }
@@ -100,7 +103,8 @@ pub fn solve(
         let loads_time = problem.linearize(kkt, right);
         if right.iter().any(|value| !value.is_finite()) {
             *iterations += 1;
-            return Err(Error::NotFinite { time: loads_time, what: system.describe_not_finite(loads_time) });
+            let what = problem.undefined_law().unwrap_or_else(|| system.describe_not_finite(loads_time));
+            return Err(Error::NotFinite { time: loads_time, what });
         }
         kkt.solve(system, right, time)?;
         problem.correct(right);

@@ -389,6 +389,12 @@ impl<'a> Equilibrium<'a> {
 }
 
 impl Problem for Equilibrium<'_> {
+    fn undefined_law(&self) -> Option<String> {
+        let Self { system, state, scratch, motion, .. } = self;
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, motion);
+        system.undefined_law(&configuration, |_, _| 0.0)
+    }
+
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
         let (system, state) = (self.system, self.state);
         let scratch = &mut *self.scratch;

@@ -2,6 +2,9 @@
 
 pub mod actuators;
 pub mod bodies_on_springs;
+pub mod friction_and_stops;
+pub mod law_derivatives;
+pub mod laws;
 pub mod load_derivatives;
 pub mod loads;
 pub mod observers;

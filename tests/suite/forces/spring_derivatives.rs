@@ -50,6 +50,7 @@ fn check_spring_derivatives() {
                 damping: 0.3,
                 rest: random.signed(),
                 mobility: 0.0,
+                law: None,
             };
             let c = machine.configuration();
             let energy = |q: All<Dual>| {
@@ -103,7 +104,7 @@ fn check_spring_derivatives() {
             let expected =
                 by_all_twice.fixed_view::<COUNT, COUNT>(0, 0) * (0.3 * rate) + by_q * rate_q.transpose() * 0.3;
             assert!((tangent - expected).amax() < ROUNDING * size * size, "{kind:?}");
-            let by_v = spread(&machine, [&a, &b], &spring.damping_matrix(&coordinate, &c));
+            let by_v = spread(&machine, [&a, &b], &spring.damping_matrix(&coordinate, &c, velocity));
             assert!((by_v - by_q * by_q.transpose() * 0.3).amax() < ROUNDING * size);
 
             // Over a step: rates are differences of the relative coordinates at its ends. Here the machine in the middle is the one at the start.

@@ -14,6 +14,7 @@ use ancf14::model::entries::joint::{Coordinate, JointKind, JointSpec};
 use ancf14::model::entries::load;
 use ancf14::model::entries::output::Target;
 use ancf14::model::entries::simulation::{Initial, IntegratorSpec};
+use ancf14::model::entries::spring::{SpringLaw, SpringSpec};
 use ancf14::model::quantity::{QUANTITIES, Quantity, Site};
 
 pub const EVERYTHING: &str = include_str!("../../everything.toml");
@@ -176,11 +177,16 @@ fn actuators_arrive_as_written() {
 fn springs_materials_and_the_simulation_arrive_as_written() {
     let document = parse(&[]);
     let [tie, rope, line] = document.springs.as_slice() else { panic!("three springs") };
-    assert_eq!((tie.a.spot, document.value(tie.stiffness)), (Spot::Ground, 100.0));
-    assert_eq!((tie.length.map(|length| document.value(length)), rope.length), (Some(0.2), None));
-    assert_eq!((rope.a.spot, rope.b.spot, document.value(rope.damping)), (Spot::Frame(0), Spot::Body(1), 0.0));
+    let ends = |spring: &SpringSpec| spring.ends().expect("two points");
+    let linear = |spring: &SpringSpec| match spring.law {
+        SpringLaw::Linear { stiffness, damping, only: None } => [document.value(stiffness), document.value(damping)],
+        other => panic!("{other:?}"),
+    };
+    assert_eq!((ends(tie)[0].spot, linear(tie)[0]), (Spot::Ground, 100.0));
+    assert_eq!((tie.rest.map(|length| document.value(length)), rope.rest), (Some(0.2), None));
+    assert_eq!((ends(rope).map(|end| end.spot), linear(rope)[1]), ([Spot::Frame(0), Spot::Body(1)], 0.0));
     // A point stands for what it is on, and says which one it is.
-    assert_eq!([line.a, line.b].map(|end| (end.spot, end.point)), [(Spot::Ground, Some(0)), (Spot::Body(1), Some(1))]);
+    assert_eq!(ends(line).map(|end| (end.spot, end.point)), [(Spot::Ground, Some(0)), (Spot::Body(1), Some(1))]);
     assert_eq!(row(&document, "tie.length").variability, Variability::Tunable);
     assert_eq!(document.value(document.materials[0].damping), 1e-4);
     assert_eq!(document.simulation.initial, Initial::Equilibrium);
@@ -215,7 +221,7 @@ fn outputs_look_at_everything() {
     assert_eq!(document.outputs[1].target, Target::On { beam: 0, stations: 5 });
     assert_eq!(document.outputs[2].target, Target::On { beam: 0, stations: 21 });
     assert_eq!((document.outputs[5].target, document.outputs[7].target), (Target::Joint(0), Target::Drive(1)));
-    let unit = |output: usize| document.outputs[output].unit(Quantity::Effort, &document.drives, &document.actuators);
+    let unit = |output: usize| document.outputs[output].unit(Quantity::Effort, document.things());
     assert_eq!((unit(5), unit(7), unit(9)), ("N.m", "N", "N"));
     assert_eq!(document.outputs[9].target, Target::Actuator(2));
     assert!(document.parameters().iter().all(|parameter| !parameter.variable.name.ends_with("stations")));
@@ -237,7 +243,7 @@ fn overrides_reach_every_section() {
     assert_eq!(document.value(document.bodies[0].mass), 4.0);
     assert!(matches!(document.bodies[1].inertia, Inertia::Tensor(tensor) if document.value(tensor[5]) == 1e-3));
     assert_eq!(document.bodies[1].axes.map(|axes| document.vector(axes[1])), Some([-1.0, 0.0, 0.0]));
-    assert_eq!(document.springs[1].length.map(|length| document.value(length)), Some(0.1));
+    assert_eq!(document.springs[1].rest.map(|length| document.value(length)), Some(0.1));
     for (key, value, expected) in [
         ("disk.inertia[4]", "1", "`disk.inertia[4]` has no such component"),
         ("bob.inertia[7]", "1", "`bob.inertia[7]` has no such component"),

@@ -283,6 +283,7 @@ fn double_pendulum() -> (System, State) {
         damping: 0.3,
         rest: 0.2,
         mobility: 0.0,
+        law: None,
     });
     builder.finish(Vec3::new(0.5, -9.0, 2.0))
 }

@@ -69,6 +69,7 @@ fn everything() -> (System, State) {
         damping: 20.0,
         rest: 0.8,
         mobility: 0.0,
+        law: None,
     });
     builder.add_load(Load {
         name: "thrust".into(),

@@ -211,7 +211,8 @@ pub fn cushion(
     for (measure, stiffness) in measures.zip(stiffness.into_iter().chain(rotational)) {
         let coordinate = builder.add_relative_coordinate(a, b, measure);
         let damping = stiffness * damping_time;
-        builder.add_spring(Spring { name: "cushion".into(), coordinate, stiffness, damping, rest: 0.0, mobility: 0.0 });
+        let name = String::from("cushion");
+        builder.add_spring(Spring { name, coordinate, stiffness, damping, rest: 0.0, mobility: 0.0, law: None });
     }
 }
 

@@ -44,13 +44,20 @@ pub enum Action {
     },
 }
 
+impl Action {
+    /// The coordinate that it is: a distance between two points.
+    pub fn coordinate(self) -> Coordinate {
+        match self {
+            Self::Joint { coordinate, .. } => coordinate,
+            Self::Between { .. } => Coordinate::Distance,
+        }
+    }
+}
+
 impl ActuatorSpec {
     /// The coordinate that its effort works on: a distance between two points.
     pub fn coordinate(&self) -> Coordinate {
-        match self.action {
-            Action::Joint { coordinate, .. } => coordinate,
-            Action::Between { .. } => Coordinate::Distance,
-        }
+        self.action.coordinate()
     }
 
     /// The joint that it acts on.
@@ -64,7 +71,7 @@ impl ActuatorSpec {
     /// Reads a section; `joints` are those of the file that could be read.
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
         let (action, coordinate) =
-            if reader.has("a") || reader.has("b") { between(&mut reader) } else { on_joint(&mut reader, joints) };
+            if reader.has("a") || reader.has("b") { between(&mut reader) } else { on_joint(&mut reader, joints, ON) };
         // Without the coordinate nobody knows what the effort is.
         let Some(coordinate) = coordinate else {
             reader.abandon();
@@ -93,8 +100,10 @@ impl ActuatorSpec {
     }
 }
 
+const ON: &str = "the joint that the actuator acts on, or `a` and `b`, the points that it pushes apart";
+
 /// The two points; the coordinate is known in any case.
-fn between(reader: &mut Reader<'_, '_>) -> (Option<Action>, Option<Coordinate>) {
+pub(super) fn between(reader: &mut Reader<'_, '_>) -> (Option<Action>, Option<Coordinate>) {
     if reader.has("joint") {
         // One mistake: the coordinate belongs to the joint.
         reader.set_aside("coordinate");
@@ -107,10 +116,14 @@ fn between(reader: &mut Reader<'_, '_>) -> (Option<Action>, Option<Coordinate>) 
     (a.zip(b).map(|(a, b)| Action::Between { a, b }), Some(Coordinate::Distance))
 }
 
-/// The joint and its coordinate.
-fn on_joint(reader: &mut Reader<'_, '_>, joints: &[JointSpec]) -> (Option<Action>, Option<Coordinate>) {
+/// The joint and its coordinate; `wanted` says which joint belongs there.
+pub(super) fn on_joint(
+    reader: &mut Reader<'_, '_>,
+    joints: &[JointSpec],
+    wanted: &str,
+) -> (Option<Action>, Option<Coordinate>) {
     if !reader.has("joint") {
-        reader.missing("joint", "the joint that the actuator acts on, or `a` and `b`, the points that it pushes apart");
+        reader.missing("joint", wanted);
         return (None, None);
     }
     let joint = reader.reference("joint", Kind::Joint);

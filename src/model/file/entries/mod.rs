@@ -6,6 +6,7 @@ pub mod body;
 pub mod curve;
 pub mod drive;
 pub mod frame;
+pub mod friction;
 pub mod function;
 pub mod joint;
 pub mod load;
@@ -17,5 +18,6 @@ pub mod point;
 pub mod section;
 pub mod simulation;
 pub mod spring;
+pub mod stop;
 
 pub use super::reader::anchor;

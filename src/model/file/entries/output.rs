@@ -1,10 +1,13 @@
-//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive, an actuator or a frame, or along a beam.
+//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive, an actuator, a spring, friction, a stop or a frame, or along a beam.
 
 use super::actuator::ActuatorSpec;
 use super::beam::BeamSpec;
 use super::drive::DriveSpec;
+use super::friction::FrictionSpec;
 use super::joint::{self, Coordinate, JointSpec};
 use super::section::{SectionSpec, Shape};
+use super::spring::SpringSpec;
+use super::stop::StopSpec;
 use crate::model::file::quantity::{QUANTITIES, Quantity, Row, Site};
 use crate::model::file::reader::anchor::{Along, Anchor, OBSERVING, Spot, WATCHED};
 use crate::model::file::reader::{Reader, either, listing};
@@ -48,6 +51,12 @@ pub enum Target {
     Drive(usize),
     /// An actuator, by its place in the list.
     Actuator(usize),
+    /// A spring, by its place in the list.
+    Spring(usize),
+    /// Friction, by its place in the list.
+    Friction(usize),
+    /// A stop, by its place in the list.
+    Stop(usize),
     /// A whole beam.
     On {
         /// Place in the list of beams.
@@ -58,24 +67,40 @@ pub enum Target {
 }
 
 impl Target {
-    /// The number of its sensors, which read what is not of a joint, a drive or an actuator.
+    /// The number of its sensors, which read what is not of a joint, a drive, an actuator, a spring, friction or a stop.
     pub fn sensors(&self) -> usize {
         match self {
             Self::At(_) => 1,
             Self::On { stations, .. } => *stations,
-            Self::Joint(_) | Self::Drive(_) | Self::Actuator(_) => 0,
+            Self::Joint(_)
+            | Self::Drive(_)
+            | Self::Actuator(_)
+            | Self::Spring(_)
+            | Self::Friction(_)
+            | Self::Stop(_) => 0,
         }
     }
 }
 
 /// The things of the file that could be read and that outputs ask about.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::model) struct Things<'a> {
+pub struct Things<'a> {
+    /// Beams.
     pub beams: &'a [BeamSpec],
+    /// Sections.
     pub sections: &'a [SectionSpec],
+    /// Joints.
     pub joints: &'a [JointSpec],
+    /// Drives.
     pub drives: &'a [DriveSpec],
+    /// Actuators.
     pub actuators: &'a [ActuatorSpec],
+    /// Springs.
+    pub springs: &'a [SpringSpec],
+    /// Friction.
+    pub frictions: &'a [FrictionSpec],
+    /// Stops.
+    pub stops: &'a [StopSpec],
 }
 
 /// Default of `stations`.
@@ -108,7 +133,15 @@ impl OutputSpec {
 
     /// What one of its quantities is, with its axes.
     pub fn meaning(&self, quantity: Quantity) -> String {
-        let meaning = quantity.row().meaning;
+        let meaning = match (quantity, self.target) {
+            (Quantity::Power, Target::Spring(_)) => "power that the damper of the spring takes",
+            (Quantity::Power, Target::Friction(_)) => "power that the friction takes",
+            (Quantity::Power, Target::Stop(_)) => "power that the damping of the stop takes",
+            (Quantity::Effort, Target::Friction(_)) => "torque or force of the friction on side b",
+            (Quantity::Effort, Target::Stop(_)) => "torque or force of the stop on side b",
+            (Quantity::Distance, Target::Spring(_)) => "distance of b from a; on a joint along the axis, 0 as drawn",
+            _ => quantity.row().meaning,
+        };
         let Some(ObserverSpec { name, .. }) = &self.observer else { return String::from(meaning) };
         match quantity {
             Quantity::Quaternion => format!("{meaning}, relative to {name}"),
@@ -117,20 +150,19 @@ impl OutputSpec {
         }
     }
 
-    /// Unit label of one of its quantities: an effort is a torque or a force.
-    pub fn unit(&self, quantity: Quantity, drives: &[DriveSpec], actuators: &[ActuatorSpec]) -> &'static str {
+    /// Unit label of one of its quantities, by the `things` of the file: an effort is a torque or a force.
+    pub fn unit(&self, quantity: Quantity, things: Things<'_>) -> &'static str {
         let coordinate = match self.target {
-            Target::Drive(drive) => drives.get(drive).map(|drive| drive.coordinate),
-            Target::Actuator(actuator) => actuators.get(actuator).map(ActuatorSpec::coordinate),
             Target::Joint(joint) => {
-                let drive = drives.iter().find(|drive| drive.joint == joint).map(|drive| drive.coordinate);
-                let actuator = || actuators.iter().find(|actuator| actuator.joint() == Some(joint));
+                let drive = things.drives.iter().find(|drive| drive.joint == joint).map(|drive| drive.coordinate);
+                let actuator = || things.actuators.iter().find(|actuator| actuator.joint() == Some(joint));
                 drive.or_else(|| actuator().map(ActuatorSpec::coordinate))
             }
-            Target::At(_) | Target::On { .. } => None,
+            target => things.coordinates().find(|(own, ..)| *own == target).map(|(.., coordinate)| coordinate),
         };
         match coordinate {
             Some(Coordinate::Distance) if quantity == Quantity::Effort => "N",
+            Some(Coordinate::Angle) if quantity == Quantity::Force => "N.m",
             _ => quantity.row().unit,
         }
     }
@@ -165,6 +197,18 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
         Some((Kind::Actuator, index)) => {
             reader.take("at");
             Some(Target::Actuator(index))
+        }
+        Some((Kind::Spring, index)) => {
+            reader.take("at");
+            Some(Target::Spring(index))
+        }
+        Some((Kind::Friction, index)) => {
+            reader.take("at");
+            Some(Target::Friction(index))
+        }
+        Some((Kind::Stop, index)) => {
+            reader.take("at");
+            Some(Target::Stop(index))
         }
         _ => Anchor::read(reader, "at", &WATCHED).map(Target::At),
     }
@@ -224,6 +268,18 @@ struct Mistake {
 }
 
 impl Target {
+    /// Kind, place in the list and word of what acts on a coordinate.
+    fn acting(self) -> Option<(Kind, usize, &'static str)> {
+        match self {
+            Self::Drive(index) => Some((Kind::Drive, index, "drive")),
+            Self::Actuator(index) => Some((Kind::Actuator, index, "actuator")),
+            Self::Spring(index) => Some((Kind::Spring, index, "spring")),
+            Self::Friction(index) => Some((Kind::Friction, index, "friction")),
+            Self::Stop(index) => Some((Kind::Stop, index, "stop")),
+            Self::At(_) | Self::Joint(_) | Self::On { .. } => None,
+        }
+    }
+
     /// What kind of thing it is.
     pub fn site(self) -> Site {
         match self {
@@ -234,6 +290,9 @@ impl Target {
             Self::Joint(_) => Site::Joint,
             Self::Drive(_) => Site::Drive,
             Self::Actuator(_) => Site::Actuator,
+            Self::Spring(_) => Site::Spring,
+            Self::Friction(_) => Site::Friction,
+            Self::Stop(_) => Site::Stop,
         }
     }
 }
@@ -306,23 +365,35 @@ impl<'a> Things<'a> {
         })
     }
 
+    /// Drives, actuators, springs, friction and stops with their names and what they act on, by their places in the lists.
+    fn coordinates(self) -> impl Iterator<Item = (Target, &'a str, Coordinate)> {
+        let drives = self.drives.iter().map(|own| (own.name.as_str(), own.coordinate)).enumerate();
+        let actuators = self.actuators.iter().map(|own| (own.name.as_str(), own.coordinate())).enumerate();
+        let springs = self.springs.iter().map(|own| (own.name.as_str(), own.action.coordinate())).enumerate();
+        let frictions = self.frictions.iter().map(|own| (own.name.as_str(), own.action.coordinate())).enumerate();
+        let stops = self.stops.iter().map(|own| (own.name.as_str(), own.action.coordinate())).enumerate();
+        let drives = drives.map(|(number, (name, coordinate))| (Target::Drive(number), name, coordinate));
+        let actuators = actuators.map(|(number, (name, coordinate))| (Target::Actuator(number), name, coordinate));
+        let springs = springs.map(|(number, (name, coordinate))| (Target::Spring(number), name, coordinate));
+        let frictions = frictions.map(|(number, (name, coordinate))| (Target::Friction(number), name, coordinate));
+        let stops = stops.map(|(number, (name, coordinate))| (Target::Stop(number), name, coordinate));
+        drives.chain(actuators).chain(springs).chain(frictions).chain(stops)
+    }
+
     fn without_coordinate(&self, coordinate: Coordinate, target: Target, names: &Names) -> Option<Mistake> {
         let (known, what) = match target {
             Target::Joint(joint) => {
                 let joint = self.joint(joint, names)?;
                 (joint.kind.coordinates().to_vec(), format!("the {} joint {}", joint.kind.word(), joint.name))
             }
-            Target::Drive(drive) => {
-                let name = names.name(Kind::Drive, drive)?;
-                let drive = self.drives.iter().find(|drive| drive.name == name)?;
-                (vec![drive.coordinate], format!("the drive {name}"))
+            target => {
+                let (kind, index, word) = target.acting()?;
+                let name = names.name(kind, index)?;
+                let mut all = self.coordinates();
+                let (.., coordinate) =
+                    all.find(|(own, own_name, _)| own.acting().is_some_and(|own| own.0 == kind) && *own_name == name)?;
+                (vec![coordinate], format!("the {word} {name}"))
             }
-            Target::Actuator(actuator) => {
-                let name = names.name(Kind::Actuator, actuator)?;
-                let actuator = self.actuators.iter().find(|actuator| actuator.name == name)?;
-                (vec![actuator.coordinate()], format!("the actuator {name}"))
-            }
-            _ => return None,
         };
         (!known.contains(&coordinate)).then(|| Mistake {
             message: format!("{what} has no {}", coordinate.word()),

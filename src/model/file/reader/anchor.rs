@@ -81,9 +81,20 @@ pub const LOADED: Allowed = Allowed {
 };
 /// What can be looked at, by an anchor or otherwise.
 pub const WATCHED: Allowed = Allowed {
-    kinds: &[Kind::Body, Kind::Frame, Kind::Point, Kind::Joint, Kind::Drive, Kind::Actuator, Kind::Beam],
+    kinds: &[
+        Kind::Body,
+        Kind::Frame,
+        Kind::Point,
+        Kind::Joint,
+        Kind::Drive,
+        Kind::Actuator,
+        Kind::Spring,
+        Kind::Friction,
+        Kind::Stop,
+        Kind::Beam,
+    ],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE or ACTUATOR",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, SPRING, FRICTION or STOP",
 };
 
 /// What an observer can move with.

@@ -34,13 +34,13 @@ pub struct Context<'a> {
 impl Context<'_> {
     /// Compiles an expression that stands at `place`.
     pub fn program(&mut self, text: &str, place: Place, variable: Variable) -> Option<Program> {
-        let result = self.compiled(text, variable.word(), None);
+        let result = self.compiled(text, [variable.word(), variable.rate()], None);
         self.told(text, place, result)
     }
 
     /// Compiles the expression of a function of the file.
     pub fn function_program(&mut self, text: &str, place: Place, function: &str, argument: &str) -> Option<Program> {
-        let result = self.compiled(text, argument, Some(function));
+        let result = self.compiled(text, [argument, ""], Some(function));
         self.told(text, place, result)
     }
 
@@ -52,16 +52,21 @@ impl Context<'_> {
             Some(Callee::Sound(Arc::new(Called { name: name.to_owned(), body })))
         };
         let parameter = |name: &str| self.numbers.parameter(name);
-        let scope = Scope { variable: argument, parameter: &parameter, function: &function, inside: None };
+        let scope = Scope { variable: argument, rate: "", parameter: &parameter, function: &function, inside: None };
         // What is wrong is said when the expression is compiled.
         drop(compile_in(text, scope));
     }
 
-    fn compiled(&self, text: &str, variable: &str, inside: Option<&str>) -> Result<Program, ExpressionError> {
+    fn compiled(
+        &self,
+        text: &str,
+        [variable, rate]: [&str; 2],
+        inside: Option<&str>,
+    ) -> Result<Program, ExpressionError> {
         let known = |name: &str| self.functions.iter().find(|(known, _)| known == name);
         let function = |name: &str| known(name).map(|(_, callee)| callee.clone());
         let parameter = |name: &str| self.numbers.parameter(name);
-        compile_in(text, Scope { variable, parameter: &parameter, function: &function, inside })
+        compile_in(text, Scope { variable, rate, parameter: &parameter, function: &function, inside })
     }
 
     /// The program; a mistake is reported.

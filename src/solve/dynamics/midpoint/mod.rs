@@ -356,6 +356,15 @@ impl Problem for Step<'_> {
         state.time + 0.5 * h
     }
 
+    fn undefined_law(&self) -> Option<String> {
+        let Self { system, state, step, scratch, .. } = self;
+        let start = system.configuration(&state.q, &scratch.frames_start, state, &state.prescribed);
+        let end = system.configuration(&scratch.q_end, &scratch.frames_end, state, &scratch.prescribed_end);
+        system.undefined_law(&end, |coordinate, previous| {
+            (coordinate.value(&end, previous) - coordinate.value(&start, previous)) / step
+        })
+    }
+
     fn correct(&mut self, correction: &[f64]) {
         self.scratch.correct(correction);
     }
