@@ -11,6 +11,7 @@ mod front;
 mod fuzz;
 mod joints;
 mod language;
+mod machines;
 mod motion;
 mod references;
 mod support;

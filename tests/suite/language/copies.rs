@@ -6,10 +6,10 @@ use ancf14::model::document::Document;
 use ancf14::model::simulation::Simulation;
 use ancf14_testing::running::{run, start, value};
 
-const WHEEL: &str = include_str!("../../copies/bicycle_wheel.toml");
+const WHEEL: &str = include_str!("../../machines/bicycle_wheel.toml");
 const SHIPPED_WHEEL: &str = include_str!("../../../crates/cli/templates/wheel.toml");
-const NET: &str = include_str!("../../copies/trampoline_net.toml");
-const TURBINE: &str = include_str!("../../copies/wind_turbine.toml");
+const NET: &str = include_str!("../../machines/trampoline_net.toml");
+const TURBINE: &str = include_str!("../../machines/wind_turbine.toml");
 
 fn parse(text: &str, overrides: &[(&str, &str)]) -> Result<Document, String> {
     let overrides: Vec<_> = overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
