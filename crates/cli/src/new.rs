@@ -57,7 +57,7 @@ const TEMPLATES: [Template; 9] = [
     Template {
         name: "wheel",
         about: "a bicycle wheel: spokes by copies, equilibrium under a load",
-        text: include_str!("../templates/wheel.toml"),
+        text: include_str!("../../../models/bicycle_wheel.toml"),
     },
 ];
 

@@ -2,6 +2,7 @@
 //!
 //! The rigidity of bodies and the drives are lists of conditions too: whatever holds the system together is a [`Joint`].
 
+use super::gear::GearSide;
 use super::primitive::{MOST_ROWS, Primitive};
 use crate::math::jet::Jet;
 use crate::mechanics::geometry::marker_jacobian::{MARKER, MarkerMatrix};
@@ -29,6 +30,8 @@ pub struct Joint {
     pub primitives: &'static [Primitive],
     /// The drive that prescribes the measure of its only primitive, if one does.
     pub drive: Option<usize>,
+    /// How its only primitive enters the condition of a gear, if it does.
+    pub gear: Option<GearSide>,
 }
 
 /// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×24 each, of which only the rows of conditions and the columns of coordinates are set.
@@ -62,6 +65,11 @@ impl Joint {
         self.primitives.iter().map(|primitive| primitive.rows()).sum()
     }
 
+    /// Whether its part is added to the condition of the joint before it: it is the second side of a gear.
+    pub fn shares_condition(&self) -> bool {
+        self.gear.is_some_and(|side| side.is_second)
+    }
+
     /// What its drive prescribes, with its rate and acceleration; nothing: 0.
     fn prescribed(&self, c: &Configuration) -> Jet {
         self.drive.map_or(Jet::constant(0.0), |drive| c.prescribed.drives[drive])
@@ -70,6 +78,10 @@ impl Joint {
     /// The conditions, zero when they hold; m or 1.
     pub fn phi(&self, c: &Configuration, phi: &mut [f64]) {
         let (a, b) = (self.a.pose(c), self.b.pose(c));
+        if let (Some(side), [Primitive::Measured(measure)]) = (&self.gear, self.primitives) {
+            phi[0] = side.factor * measure.value(&a, &b, side.previous(c));
+            return;
+        }
         let prescribed = self.prescribed(c).value;
         let mut row = 0;
         for primitive in self.primitives {
@@ -85,6 +97,9 @@ impl Joint {
         for primitive in self.primitives {
             for local in 0..primitive.rows() {
                 gradients[row] = primitive.phi_x(a, b, local);
+                if let Some(side) = self.gear {
+                    gradients[row] *= side.factor;
+                }
                 row += 1;
             }
         }
@@ -103,7 +118,11 @@ impl Joint {
         let mut row = 0;
         for primitive in self.primitives {
             debug_assert!(primitive.rows() <= MOST_ROWS);
-            primitive.add_phi_xx(a, b, &lambda[row..row + primitive.rows()], &mut hessian);
+            let own = &lambda[row..row + primitive.rows()];
+            match self.gear {
+                Some(side) => primitive.add_phi_xx(a, b, &[side.factor * own[0]], &mut hessian),
+                None => primitive.add_phi_xx(a, b, own, &mut hessian),
+            }
             row += primitive.rows();
         }
         hessian

@@ -1,7 +1,8 @@
-//! What holds a mechanism together: joints as lists of primitive conditions, a file a kind, the rigidity of bodies, drives.
+//! What holds a mechanism together: joints as lists of primitive conditions, a file a kind, the rigidity of bodies, drives, gears.
 
 pub mod cylindrical;
 pub mod driven;
+pub mod gear;
 pub mod inline;
 pub mod inplane;
 pub mod joint;

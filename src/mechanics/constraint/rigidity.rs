@@ -30,6 +30,7 @@ impl RigidBody {
             b: directors,
             primitives: PRIMITIVES,
             drive: None,
+            gear: None,
         }
     }
 }
@@ -38,5 +39,5 @@ impl RigidBody {
 /// nowhere, of the gradients as the directors of a body, which has the same coordinates.
 pub fn section_rigidity(name: String, start: usize) -> Joint {
     let gradients = Marker::Body { start, offset: Vec3::zeros(), axes: Mat3::identity() };
-    Joint { name, a: Marker::Ground(Pose::default()), b: gradients, primitives: RIGID, drive: None }
+    Joint { name, a: Marker::Ground(Pose::default()), b: gradients, primitives: RIGID, drive: None, gear: None }
 }

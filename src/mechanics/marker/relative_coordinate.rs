@@ -46,6 +46,20 @@ impl RelativeCoordinate {
         self.measure.gradient(&self.a.pose(c), &self.b.pose(c)).dot(&self.pose_rates(c, velocity))
     }
 
+    /// Its second derivative by time, m/s² or rad/s², at the velocities of all coordinates and their derivatives `acceleration`.
+    pub fn acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64]) -> f64 {
+        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let rates = self.pose_rates(c, velocity);
+        let mut hessian = PairHessian::default();
+        self.measure.add_hessian(&a, &b, 1.0, &mut hessian);
+        let mut own = PairVector::zeros();
+        for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
+            let of_side = marker.pose_acceleration(c, velocity, acceleration);
+            own.fixed_columns_mut::<VECTORS>(VECTORS * side).copy_from(&of_side);
+        }
+        hessian.times(&rates).dot(&rates) + self.measure.gradient(&a, &b).dot(&own)
+    }
+
     /// Its change when the coordinates of its sides change by `change`, to first order.
     pub fn change(&self, c: &Configuration, change: &[f64]) -> f64 {
         let sides = self.gradient(c).into_iter().zip([&self.a, &self.b]);
@@ -89,8 +103,7 @@ impl RelativeCoordinate {
     fn pose_rates(&self, c: &Configuration, velocity: &[f64]) -> PairVector {
         let mut rates = PairVector::zeros();
         for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
-            let rate = marker.pose_q(c).times(&own_velocity(c, marker, velocity)) + marker.pose_t(c)[0].vectors();
-            rates.fixed_columns_mut::<VECTORS>(VECTORS * side).copy_from(&rate);
+            rates.fixed_columns_mut::<VECTORS>(VECTORS * side).copy_from(&marker.pose_rate(c, velocity));
         }
         rates
     }

@@ -14,6 +14,7 @@ use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::joint_parts::JointParts;
+use std::ops::Range;
 
 /// Which side of a joint or relative coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +50,7 @@ impl JointLoads<'_> {
     /// Force (N) and moment (N m) that b receives through the joint of these `parts`, at b's place, in global axes.
     pub fn reaction(&self, parts: &JointParts) -> (Vec3, Vec3) {
         let joints = parts.joint.into_iter().chain(parts.drives.iter().map(|drive| self.drive(*drive)));
+        let joints = joints.chain(parts.gears.iter().map(|(gear, is_second)| self.gear(*gear, *is_second)));
         let by_joints = joints.map(|joint| self.of_joint(joint, Side::B));
         let by_springs = parts.springs.iter().map(|spring| self.of_spring(*spring, Side::B));
         let by_actuators = parts.actuators.iter().map(|actuator| self.of_actuator(*actuator, Side::B));
@@ -62,12 +64,17 @@ impl JointLoads<'_> {
 
     /// Torque (N m) or force (N) of drive `drive` on b, along its coordinate.
     pub fn effort(&self, drive: usize) -> f64 {
-        -self.multipliers[self.first_row(self.drive(drive))]
+        -self.multipliers[self.rows(self.drive(drive)).start]
     }
 
     /// Torque (N m) or force (N) of actuator `actuator` on b, along its coordinate.
     pub fn actuator_effort(&self, actuator: usize) -> f64 {
         self.system.actuators[actuator].at(self.state.time, &self.state.targets.efforts[actuator])
+    }
+
+    /// Torque (N m) or force (N) of gear `gear` on side b of its first joint, along the coordinate of that.
+    pub fn gear_effort(&self, gear: usize) -> f64 {
+        -self.multipliers[self.rows(self.gear(gear, false)).start]
     }
 
     /// Force (N) and moment (N m) about its origin that moving frame `frame` must supply, in global axes.
@@ -111,14 +118,21 @@ impl JointLoads<'_> {
         self.system.joints.iter().position(is_own).expect("every drive has its condition")
     }
 
-    fn first_row(&self, joint: usize) -> usize {
-        self.system.joints[..joint].iter().map(Joint::rows).sum()
+    /// The number among the joints of a side of a gear.
+    fn gear(&self, gear: usize, is_second: bool) -> usize {
+        let is_own = |joint: &Joint| joint.gear.is_some_and(|side| side.gear == gear && side.is_second == is_second);
+        self.system.joints.iter().position(is_own).expect("every gear has both its sides")
+    }
+
+    /// The numbers of the conditions of a joint.
+    fn rows(&self, joint: usize) -> Range<usize> {
+        let mut all = self.system.joints_with_rows().map(|(_, rows)| rows);
+        all.nth(joint).expect("a joint of the system")
     }
 
     fn of_joint(&self, number: usize, side: Side) -> Acting {
         let joint = &self.system.joints[number];
-        let row = self.first_row(number);
-        let lambda = &self.multipliers[row..row + joint.rows()];
+        let lambda = &self.multipliers[self.rows(number)];
         self.acting([&joint.a, &joint.b], side, &-joint.phi_x(self.c, lambda))
     }
 

@@ -16,6 +16,7 @@ use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::rigid_body::{BodyDesign, RigidBody};
 use crate::mechanics::constraint::driven::Driven;
+use crate::mechanics::constraint::gear::GearSide;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::rigidity;
 use crate::mechanics::constraint::weld;
@@ -56,6 +57,8 @@ pub struct SystemBuilder {
     /// Whether the section of a node has been made rigid, by its number; beyond the end: not.
     stiff_nodes: Vec<bool>,
     drive_joints: Vec<Joint>,
+    /// Both sides of each gear.
+    gear_joints: Vec<Joint>,
     prescribed: Prescribed,
     targets: Targets,
 }
@@ -187,7 +190,7 @@ impl SystemBuilder {
                 let axes = self.drawn(&section).axes.transpose();
                 Marker::Node { node, offset: Vec3::zeros(), axes }
             });
-            self.inner_joints.push(Joint { name, a, b, primitives: weld::PRIMITIVES, drive: None });
+            self.inner_joints.push(Joint { name, a, b, primitives: weld::PRIMITIVES, drive: None, gear: None });
         }
     }
 
@@ -295,10 +298,41 @@ impl SystemBuilder {
         let number = self.system.drives.len();
         let coordinate = self.add_relative_coordinate(a, b, driven.measure());
         let primitives = driven.primitives();
-        self.drive_joints.push(Joint { name: format!("drive {name}"), a, b, primitives, drive: Some(number) });
+        self.drive_joints.push(Joint {
+            name: format!("drive {name}"),
+            a,
+            b,
+            primitives,
+            drive: Some(number),
+            gear: None,
+        });
         self.system.drives.push(Drive { name: name.into(), coordinate, guide });
         self.targets.drives.push(target);
         number
+    }
+
+    /// Adds a gear between relative coordinates, `x_first − ratio·x_second = 0`, and returns its number.
+    pub fn add_gear(&mut self, name: &str, coordinates: [usize; 2], ratio: f64) -> usize {
+        let gear = self.gear_joints.len() / 2;
+        for (coordinate, factor, is_second) in [(coordinates[0], 1.0, false), (coordinates[1], -ratio, true)] {
+            let RelativeCoordinate { a, b, measure } = self.system.relative_coordinates[coordinate].clone();
+            let primitives = GearSide::primitives(measure);
+            let side = GearSide { gear, coordinate, factor, is_second };
+            self.gear_joints.push(Joint {
+                name: format!("gear {name}"),
+                a,
+                b,
+                primitives,
+                drive: None,
+                gear: Some(side),
+            });
+        }
+        gear
+    }
+
+    /// Adds a side of gear `gear` to what joint `joint` of the model file consists of.
+    pub fn add_gear_of(&mut self, joint: usize, gear: usize, is_second: bool) {
+        self.system.joint_parts[joint].gears.push((gear, is_second));
     }
 
     /// Adds a spring and returns its number.
@@ -414,6 +448,7 @@ impl SystemBuilder {
             triads,
             inner_joints,
             drive_joints,
+            gear_joints,
             mut prescribed,
             mut targets,
             ..
@@ -426,6 +461,7 @@ impl SystemBuilder {
         system.joints.extend(inner_joints);
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);
+        system.joints.extend(gear_joints);
         system.collect_breaks();
         system.find_held_nodes();
         system.mass = system.whole_mass();

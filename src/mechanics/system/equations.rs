@@ -173,29 +173,30 @@ impl System {
 
     /// Constraint conditions `g(q)`, zero when the joints hold; m or 1.
     pub fn constraint_conditions(&self, c: &Configuration, g: &mut [f64]) {
-        let mut row = 0;
-        for joint in &self.joints {
-            joint.phi(c, &mut g[row..row + joint.rows()]);
-            row += joint.rows();
+        self.set_conditions(g, |joint, own| joint.phi(c, own));
+    }
+
+    /// Sets `conditions` by what `set` gives for each joint; the second side of a gear adds to it.
+    fn set_conditions(&self, conditions: &mut [f64], set: impl Fn(&Joint, &mut [f64])) {
+        for (joint, rows) in self.joints_with_rows() {
+            if joint.shares_condition() {
+                let mut own = [0.0];
+                set(joint, &mut own);
+                conditions[rows.start] += own[0];
+            } else {
+                set(joint, &mut conditions[rows]);
+            }
         }
     }
 
     /// `∂g/∂t` at fixed coordinates, of drives and moving frames; m/s or 1/s.
     pub fn constraint_rates(&self, c: &Configuration, g_t: &mut [f64]) {
-        let mut row = 0;
-        for joint in &self.joints {
-            joint.phi_t(c, &mut g_t[row..row + joint.rows()]);
-            row += joint.rows();
-        }
+        self.set_conditions(g_t, |joint, own| joint.phi_t(c, own));
     }
 
     /// `g''` without the part of the accelerations; m/s² or 1/s².
     pub fn constraint_accelerations(&self, c: &Configuration, velocity: &[f64], g_tt: &mut [f64]) {
-        let mut row = 0;
-        for joint in &self.joints {
-            joint.phi_tt(c, velocity, &mut g_tt[row..row + joint.rows()]);
-            row += joint.rows();
-        }
+        self.set_conditions(g_tt, |joint, own| joint.phi_tt(c, velocity, own));
     }
 
     /// `∂g/∂q`, a pair of blocks a joint.
@@ -208,10 +209,8 @@ impl System {
 
     /// `rates += ∂g/∂q · velocity`.
     pub fn add_constraint_rates(&self, gradients: &[JointGradient], velocity: &[f64], rates: &mut [f64]) {
-        let mut row = 0;
-        for (joint, gradient) in self.joints.iter().zip(gradients) {
-            self.add_joint_rates(joint, gradient, velocity, &mut rates[row..row + joint.rows()]);
-            row += joint.rows();
+        for ((joint, rows), gradient) in self.joints_with_rows().zip(gradients) {
+            self.add_joint_rates(joint, gradient, velocity, &mut rates[rows]);
         }
     }
 
@@ -233,16 +232,14 @@ impl System {
         factor: f64,
         forces: &mut [f64],
     ) {
-        let mut row = 0;
-        for (joint, gradient) in self.joints.iter().zip(gradients) {
+        for ((joint, rows), gradient) in self.joints_with_rows().zip(gradients) {
+            let own = &multipliers[rows];
             for (marker, block) in [(&joint.a, &gradient.a), (&joint.b, &gradient.b)] {
-                let own = &multipliers[row..row + joint.rows()];
                 let forces = &mut forces[marker.coordinates(&self.mesh)];
                 for (force, column) in forces.iter_mut().zip(columns(block)) {
                     own.iter().zip(column).for_each(|(multiplier, value)| *force += factor * value * multiplier);
                 }
             }
-            row += joint.rows();
         }
     }
 }

@@ -15,4 +15,6 @@ pub struct JointParts {
     pub drives: Vec<usize>,
     /// Actuators.
     pub actuators: Vec<usize>,
+    /// Gears, and whether this joint is the second side of each.
+    pub gears: Vec<(usize, bool)>,
 }

@@ -29,14 +29,9 @@ impl System {
                 _ => format!("{body} (turning)"),
             };
         }
-        let mut row = self.coordinates();
-        for joint in &self.joints {
-            row += joint.rows();
-            if index < row {
-                return self.describe_joint(joint);
-            }
-        }
-        String::from("an unknown")
+        let condition = index - self.coordinates();
+        let found = self.joints_with_rows().find(|(_, rows)| rows.contains(&condition));
+        found.map_or_else(|| String::from("an unknown"), |(joint, _)| self.describe_joint(joint))
     }
 
     /// A joint's name. The rigidity of a body is nobody's choice: in its place stand the joints of the body.

@@ -162,9 +162,26 @@ impl System {
         self.mesh.nodes.iter().map(Node::coordinates).chain(bodies)
     }
 
+    /// The relative coordinate of the first side of a gear.
+    pub fn gear_coordinate(&self, gear: usize) -> usize {
+        let mut sides = self.joints.iter().filter_map(|joint| joint.gear);
+        sides.find(|side| side.gear == gear).expect("every gear has both its sides").coordinate
+    }
+
     /// Number of constraint conditions.
     pub fn constraints(&self) -> usize {
-        self.joints.iter().map(Joint::rows).sum()
+        self.joints_with_rows().last().map_or(0, |(_, rows)| rows.end)
+    }
+
+    /// The joints, each with the numbers of its conditions: both sides of a gear have the same one.
+    pub fn joints_with_rows(&self) -> impl Iterator<Item = (&Joint, Range<usize>)> {
+        let mut end = 0;
+        self.joints.iter().map(move |joint| {
+            let rows = joint.rows();
+            let first = if joint.shares_condition() { end - rows } else { end };
+            end = first + rows;
+            (joint, first..end)
+        })
     }
 
     /// The instant that `q` with its `frames` and `prescribed` describe, after the accepted `state`.

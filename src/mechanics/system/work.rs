@@ -92,15 +92,18 @@ impl System {
     /// Work of drives and of joints to moving frames while the coordinates change by `change`, J; their power for velocities, W. All other
     /// constraints do none.
     pub fn driven_work(&self, gradients: &[JointGradient], multipliers: &[f64], change: &[f64]) -> f64 {
-        let (mut work, mut row) = (0.0, 0);
-        for (joint, gradient) in self.joints.iter().zip(gradients) {
-            let own = row..row + joint.rows();
-            row = own.end;
-            if is_driven(joint) {
+        let mut work = 0.0;
+        let mut joints = self.joints_with_rows().zip(gradients).peekable();
+        while let Some(((joint, rows), gradient)) = joints.next() {
+            let second = joints.next_if(|((next, _), _)| next.shares_condition());
+            if is_driven(joint) || second.as_ref().is_some_and(|((joint, _), _)| is_driven(joint)) {
                 let mut rates = [0.0; MOST_CONDITIONS];
                 let rates = &mut rates[..joint.rows()];
                 self.add_joint_rates(joint, gradient, change, rates);
-                work -= dot(&multipliers[own], rates);
+                if let Some(((joint, _), gradient)) = second {
+                    self.add_joint_rates(joint, gradient, change, rates);
+                }
+                work -= dot(&multipliers[rows], rates);
             }
         }
         work

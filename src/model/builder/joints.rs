@@ -1,4 +1,4 @@
-//! Joints, drives, actuators and springs of the file as conditions, relative coordinates, actuators and springs of the system.
+//! Joints, drives, actuators, gears and springs of the file as conditions, relative coordinates, actuators and springs of the system.
 
 use super::tune::{self, Tuned};
 use super::{Builder, signal, vector};
@@ -23,6 +23,7 @@ use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::joint_parts::JointParts;
 use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::drive::{DriveSpec, Motion};
+use crate::model::file::entries::gear::GearSpec;
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
 use crate::model::file::reader::anchor::Anchor;
 
@@ -32,7 +33,7 @@ impl Builder<'_> {
         let joint = conditions(written.kind).map(|primitives| {
             let [a, b] = sides;
             let name = format!("joint {}", written.name);
-            self.system.add_joint(joint::Joint { name, a, b, primitives, drive: None })
+            self.system.add_joint(joint::Joint { name, a, b, primitives, drive: None, gear: None })
         });
         let mut coordinate = |present: bool, measure| {
             let [a, b] = sides;
@@ -91,14 +92,7 @@ impl Builder<'_> {
 
     pub(super) fn add_actuator(&mut self, written: &ActuatorSpec) {
         let coordinate = match &written.action {
-            Action::Joint { joint, coordinate } => {
-                let parts = &self.system.joint_parts()[*joint];
-                let known = match coordinate {
-                    Coordinate::Angle => parts.angle,
-                    Coordinate::Distance => parts.distance,
-                };
-                known.expect("the file is refused: the joint leaves no such coordinate free")
-            }
+            Action::Joint { joint, coordinate } => self.coordinate(*joint, *coordinate),
             Action::Between { a, b } => self.between([a, b], &format!("actuator {}", written.name)).0,
         };
         let guide = match written.input {
@@ -108,6 +102,24 @@ impl Builder<'_> {
         let actuator = self.system.add_actuator(Actuator { name: written.name.clone(), coordinate, guide });
         if let Some(joint) = written.joint() {
             self.system.add_actuator_of(joint, actuator);
+        }
+    }
+
+    /// The relative coordinate that is a coordinate of a joint.
+    fn coordinate(&self, joint: usize, coordinate: Coordinate) -> usize {
+        let parts = &self.system.joint_parts()[joint];
+        let known = match coordinate {
+            Coordinate::Angle => parts.angle,
+            Coordinate::Distance => parts.distance,
+        };
+        known.expect("the file is refused: the joint leaves no such coordinate free")
+    }
+
+    pub(super) fn add_gear(&mut self, written: &GearSpec) {
+        let coordinates = written.sides.map(|(joint, coordinate)| self.coordinate(joint, coordinate));
+        let gear = self.system.add_gear(&written.name, coordinates, self.document.value(written.ratio));
+        for ((joint, _), is_second) in written.sides.into_iter().zip([false, true]) {
+            self.system.add_gear_of(joint, gear, is_second);
         }
     }
 

@@ -67,6 +67,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     builder.join_springs();
     document.drives.iter().for_each(|drive| builder.add_drive(drive));
     document.actuators.iter().for_each(|actuator| builder.add_actuator(actuator));
+    document.gears.iter().for_each(|gear| builder.add_gear(gear));
     document.loads.iter().for_each(|load| builder.add_load(load));
     document.outputs.iter().for_each(|output| builder.add_sensors(output));
     if !builder.mistakes.is_empty() {
@@ -187,6 +188,7 @@ impl Builder<'_> {
             }
             output::Target::Drive(_)
             | output::Target::Actuator(_)
+            | output::Target::Gear(_)
             | output::Target::Spring(_)
             | output::Target::Friction(_)
             | output::Target::Stop(_) => {}

@@ -8,6 +8,7 @@ use super::entries::drive::DriveSpec;
 use super::entries::frame::FrameSpec;
 use super::entries::friction::FrictionSpec;
 use super::entries::function;
+use super::entries::gear::GearSpec;
 use super::entries::joint::JointSpec;
 use super::entries::load::LoadSpec;
 use super::entries::material::MaterialSpec;
@@ -61,6 +62,8 @@ pub struct Document {
     pub drives: Vec<DriveSpec>,
     /// Actuators, in file order.
     pub actuators: Vec<ActuatorSpec>,
+    /// Gears, in file order.
+    pub gears: Vec<GearSpec>,
     /// Springs, in file order.
     pub springs: Vec<SpringSpec>,
     /// Friction, in file order.
@@ -113,6 +116,7 @@ impl Document {
         let drives = tree.named(&mut context, "drive", |name, reader| DriveSpec::read(name, reader, &joints));
         DriveSpec::report_doubles(&drives, &mut context.report);
         let actuators = tree.named(&mut context, "actuator", |name, reader| ActuatorSpec::read(name, reader, &joints));
+        let gears = tree.named(&mut context, "gear", |name, reader| GearSpec::read(name, reader, &joints));
         let springs = tree.named(&mut context, "spring", |name, reader| SpringSpec::read(name, reader, &joints));
         let frictions = tree.named(&mut context, "friction", |name, reader| FrictionSpec::read(name, reader, &joints));
         let stops = tree.named(&mut context, "stop", |name, reader| StopSpec::read(name, reader, &joints));
@@ -123,6 +127,7 @@ impl Document {
             joints: &joints,
             drives: &drives,
             actuators: &actuators,
+            gears: &gears,
             springs: &springs,
             frictions: &frictions,
             stops: &stops,
@@ -154,6 +159,7 @@ impl Document {
             joints,
             drives,
             actuators,
+            gears,
             springs,
             frictions,
             stops,
@@ -172,6 +178,7 @@ impl Document {
             joints: &self.joints,
             drives: &self.drives,
             actuators: &self.actuators,
+            gears: &self.gears,
             springs: &self.springs,
             frictions: &self.frictions,
             stops: &self.stops,
@@ -302,11 +309,12 @@ impl Document {
         let joints = self.joints.iter().map(|part| ("joint", part.name.as_str(), part.place));
         let drives = self.drives.iter().map(|part| ("drive", part.name.as_str(), part.place));
         let actuators = self.actuators.iter().map(|part| ("actuator", part.name.as_str(), part.place));
+        let gears = self.gears.iter().map(|part| ("gear", part.name.as_str(), part.place));
         let springs = self.springs.iter().map(|part| ("spring", part.name.as_str(), part.place));
         let frictions = self.frictions.iter().map(|part| ("friction", part.name.as_str(), part.place));
         let stops = self.stops.iter().map(|part| ("stop", part.name.as_str(), part.place));
         let loads = self.loads.iter().map(|part| ("load", part.name.as_str(), part.place));
-        let motions = joints.chain(drives).chain(actuators);
+        let motions = joints.chain(drives).chain(actuators).chain(gears);
         beams
             .chain(bodies)
             .chain(frames)
@@ -413,7 +421,7 @@ impl Top {
 
 /// Why two things cannot have the same name.
 const SHARED: &str =
-    "beams, bodies, frames, points, joints, drives, actuators, springs, friction and stops share their names";
+    "beams, bodies, frames, points, joints, drives, actuators, gears, springs, friction and stops share their names";
 
 /// Every name with what it stands for; illegal, reserved and double ones are reported.
 fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {

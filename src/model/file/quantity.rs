@@ -47,9 +47,13 @@ pub enum Quantity {
     AngleRate,
     /// Rate of the distance of a joint.
     DistanceRate,
-    /// Torque or force of a drive, an actuator, friction or a stop.
+    /// Second derivative of the angle of a joint.
+    AngleAcceleration,
+    /// Second derivative of the distance of a joint.
+    DistanceAcceleration,
+    /// Torque or force of a drive, an actuator, a gear, friction or a stop.
     Effort,
-    /// Power of a drive or an actuator; what friction or the damper of a spring or a stop takes.
+    /// Power of a drive or an actuator, or through a gear; what friction or the damper of a spring or a stop takes.
     Power,
     /// Tension of a spring.
     Force,
@@ -74,6 +78,8 @@ pub enum Site {
     Drive,
     /// An actuator.
     Actuator,
+    /// A gear.
+    Gear,
     /// A spring.
     Spring,
     /// Friction.
@@ -93,6 +99,7 @@ impl Site {
             Self::Joint => "a joint",
             Self::Drive => "a drive",
             Self::Actuator => "an actuator",
+            Self::Gear => "a gear",
             Self::Spring => "a spring",
             Self::Friction => "a [friction]",
             Self::Stop => "a stop",
@@ -137,13 +144,13 @@ const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame, Site::Point]);
 const BEAM: At = At(&[Site::Beam]);
 const HOLD: At = At(&[Site::Joint, Site::Frame]);
 const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Spring, Site::Friction, Site::Stop]);
-const EFFORT: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Friction, Site::Stop]);
-const POWER: At = At(&[Site::Drive, Site::Actuator, Site::Spring, Site::Friction, Site::Stop]);
+const EFFORT: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Gear, Site::Friction, Site::Stop]);
+const POWER: At = At(&[Site::Drive, Site::Actuator, Site::Gear, Site::Spring, Site::Friction, Site::Stop]);
 const SPRING: At = At(&[Site::Spring]);
 const STORE: At = At(&[Site::Spring, Site::Stop]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 26] = [
+pub const QUANTITIES: [Row; 28] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -220,6 +227,20 @@ pub const QUANTITIES: [Row; 26] = [
     FREE.row(Quantity::Distance, "distance", 1, "m", "distance of b from a along the axis, 0 as drawn"),
     FREE.row(Quantity::AngleRate, "angle_rate", 1, "rad/s", "rate of the angle of b relative to a about the axis"),
     FREE.row(Quantity::DistanceRate, "distance_rate", 1, "m/s", "rate of the distance of b from a along the axis"),
+    FREE.row(
+        Quantity::AngleAcceleration,
+        "angle_acceleration",
+        1,
+        "rad/s2",
+        "second derivative of the angle of b relative to a about the axis",
+    ),
+    FREE.row(
+        Quantity::DistanceAcceleration,
+        "distance_acceleration",
+        1,
+        "m/s2",
+        "second derivative of the distance of b from a along the axis",
+    ),
     EFFORT.row(Quantity::Effort, "effort", 1, "N.m", "torque or force of the drive or actuator on side b"),
     POWER.row(Quantity::Power, "power", 1, "W", "power of the drive or actuator: its effort times the rate of its coordinate"),
     SPRING.row(Quantity::Force, "force", 1, "N", "force or torque of the spring, positive where it pulls its sides together"),
@@ -246,7 +267,13 @@ impl Quantity {
         use Quantity::*;
         let is_strain = matches!(self, AxialStrain | Curvature | Torsion | Stress);
         let is_force = matches!(self, SectionForce | SectionMoment | Effort | Power | Force) || self.is_transmitted();
-        is_strain || is_force || self == Acceleration
+        is_strain || is_force || self.is_acceleration()
+    }
+
+    /// Whether it is a second derivative by time.
+    pub fn is_acceleration(self) -> bool {
+        use Quantity::*;
+        matches!(self, Acceleration | AngleAcceleration | DistanceAcceleration)
     }
 
     /// Whether it is a free coordinate of a joint, or its rate.

@@ -162,6 +162,10 @@ pub const SPRING_TORQUE: Rule =
         .tunable()
         .over_elongation();
 
+pub const RATIO: Rule = rule("ratio", "coordinate of joint a over that of joint b", "");
+pub const RATIO_ANGLE_DISTANCE: Rule = rule("ratio", "angle of joint a over the distance of joint b", "rad/m");
+pub const RATIO_DISTANCE_ANGLE: Rule = rule("ratio", "distance of joint a over the angle of joint b", "m/rad");
+
 pub const COULOMB_TORQUE: Rule = rule("coulomb", "torque of dry friction", "N.m").from(0.0).tunable();
 pub const COULOMB_FORCE: Rule = rule("coulomb", "force of dry friction", "N").from(0.0).tunable();
 pub const VISCOUS_TORQUE: Rule = rule("viscous", "friction torque per rate", "N.m.s/rad").from(0.0).tunable();

@@ -26,7 +26,7 @@ pub(super) enum Role {
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 78] = [
+const ROLES: [(&str, &str, Role); 81] = [
     ("function", "argument", Role::Word),
     ("function", "table", Role::Number),
     ("function", "file", Role::Word),
@@ -84,6 +84,9 @@ const ROLES: [(&str, &str, Role); 78] = [
     ("joint", "axis2", Role::Direction),
     ("", "coordinate", Role::Word),
     ("actuator", "effort", Role::Number),
+    ("gear", "a_coordinate", Role::Word),
+    ("gear", "b_coordinate", Role::Word),
+    ("gear", "ratio", Role::Number),
     ("spring", "force", Role::Number),
     ("spring", "rest", Role::Number),
     ("spring", "only", Role::Word),

@@ -1,7 +1,7 @@
 //! The keys of the sections with a name: where several sections have one name, the key says which of them is meant.
 
 /// Every section with the keys that it may have.
-const KEYS: [(&str, &[&str]); 15] = [
+const KEYS: [(&str, &[&str]); 16] = [
     ("function", &["value", "argument", "table", "file", "column", "interpolation", "outside"]),
     ("material", &["young", "poisson", "shear", "density", "damping"]),
     (
@@ -63,6 +63,7 @@ const KEYS: [(&str, &[&str]); 15] = [
     ),
     ("drive", &["joint", "coordinate", "value", "rate", "input"]),
     ("actuator", &["joint", "coordinate", "a", "b", "effort", "input"]),
+    ("gear", &["a", "a_coordinate", "b", "b_coordinate", "ratio"]),
     ("spring", &["a", "b", "joint", "coordinate", "stiffness", "damping", "length", "rest", "only", "force"]),
     ("friction", &["joint", "coordinate", "coulomb", "viscous", "speed"]),
     ("stop", &["joint", "coordinate", "lower", "upper", "stiffness", "damping"]),

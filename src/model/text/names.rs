@@ -19,6 +19,7 @@ pub enum Kind {
     Joint,
     Drive,
     Actuator,
+    Gear,
     Spring,
     Friction,
     Stop,
@@ -27,7 +28,7 @@ pub enum Kind {
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 15] = [
+pub const SECTIONS: [(&str, Kind); 16] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -38,6 +39,7 @@ pub const SECTIONS: [(&str, Kind); 15] = [
     ("joint", Kind::Joint),
     ("drive", Kind::Drive),
     ("actuator", Kind::Actuator),
+    ("gear", Kind::Gear),
     ("spring", Kind::Spring),
     ("friction", Kind::Friction),
     ("stop", Kind::Stop),
@@ -49,7 +51,7 @@ impl Kind {
     /// Whether it is a part of the mechanism, which an `a`, a `b` or an `at` can refer to.
     fn is_part(self) -> bool {
         use Kind::*;
-        matches!(self, Body | Beam | Frame | Point | Joint | Drive | Actuator | Spring | Friction | Stop)
+        matches!(self, Body | Beam | Frame | Point | Joint | Drive | Actuator | Gear | Spring | Friction | Stop)
     }
 
     /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.

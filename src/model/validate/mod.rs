@@ -15,6 +15,7 @@ use super::file::entries::actuator::Action;
 use super::file::entries::beam::BeamSpec;
 use super::file::entries::body::{BodySpec, Inertia};
 use super::file::entries::curve::Line;
+use super::file::entries::gear::GearSpec;
 use super::file::entries::joint::JointSpec;
 use super::file::entries::material::Lateral;
 use super::file::entries::stop::StopSpec;
@@ -89,6 +90,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
             checker.check_ends(&format!("spring {}", spring.name), ends);
         }
     }
+    document.gears.iter().for_each(|gear| checker.check_ratio(gear));
     document.stops.iter().for_each(|stop| checker.check_limits(stop));
     for actuator in &document.actuators {
         if let Action::Between { a, b } = actuator.action {
@@ -104,6 +106,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         output::Target::Joint(_)
         | output::Target::Drive(_)
         | output::Target::Actuator(_)
+        | output::Target::Gear(_)
         | output::Target::Spring(_)
         | output::Target::Friction(_)
         | output::Target::Stop(_)
@@ -244,6 +247,15 @@ impl Checker<'_> {
             self.mistake(anchor.place, &message, &label, &help);
         }
         node.map(|node| (beam, node))
+    }
+
+    /// The ratio of a gear, which must not be 0.
+    fn check_ratio(&mut self, gear: &GearSpec) {
+        if self.document.value(gear.ratio) == 0.0 {
+            let message = format!("the ratio of gear {} is 0", gear.name);
+            let help = "to hold a joint, use a drive with value = 0";
+            self.mistake(self.document.place(gear.ratio), &message, "joint a would not move at all", help);
+        }
     }
 
     /// Both limits of a stop, of which the lower one must be below the upper one.

@@ -77,9 +77,8 @@ impl Givens {
                 Found::Frame(*frame)
             }
             _ if !self.as_drawn => Found::All,
-            (Acceleration | ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => {
-                Found::All
-            }
+            (quantity, _) if quantity.is_acceleration() => Found::All,
+            (ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => Found::All,
             (Velocity | AngularVelocity | AngleRate | DistanceRate | Force, _) => Found::Motion,
             _ => Found::Drawing,
         }

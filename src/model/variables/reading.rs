@@ -60,6 +60,8 @@ pub(super) fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configurati
         | Quantity::Distance
         | Quantity::AngleRate
         | Quantity::DistanceRate
+        | Quantity::AngleAcceleration
+        | Quantity::DistanceAcceleration
         | Quantity::Effort
         | Quantity::Power
         | Quantity::Force
@@ -95,12 +97,16 @@ pub(super) fn of_spring(spring: &Spring, quantity: Quantity, moment: &Moment, c:
     }
 }
 
-/// A free coordinate of a joint, rad or m, or its rate, rad/s or m/s.
+/// A free coordinate of a joint, rad or m, its rate, rad/s or m/s, or its second derivative, rad/s² or m/s².
 pub(super) fn coordinate_of(coordinate: usize, quantity: Quantity, moment: &Moment, c: &Configuration) -> f64 {
-    let Moment { system, state, .. } = moment;
-    match quantity.is_rate() {
-        true => system.relative_coordinates[coordinate].rate(c, &state.velocity),
-        false => state.relative_values[coordinate],
+    let Moment { system, state, response, .. } = moment;
+    let own = &system.relative_coordinates[coordinate];
+    if quantity.is_acceleration() {
+        own.acceleration(c, &state.velocity, &response.acceleration)
+    } else if quantity.is_rate() {
+        own.rate(c, &state.velocity)
+    } else {
+        state.relative_values[coordinate]
     }
 }
 

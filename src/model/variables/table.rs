@@ -42,6 +42,8 @@ pub enum Measure {
     Drive(usize, Quantity),
     /// A quantity of an actuator, by its place in the file.
     Actuator(usize, Quantity),
+    /// A quantity of a gear, by its place in the file.
+    Gear(usize, Quantity),
     /// A quantity of a spring, friction or a stop, by its place in the system: they are built in the order of the file, one kind after the other.
     Spring(usize, Quantity),
     /// Kinetic, elastic, gravity and total energy.
@@ -61,6 +63,7 @@ impl Measure {
             | Self::Joint(_, quantity)
             | Self::Drive(_, quantity)
             | Self::Actuator(_, quantity)
+            | Self::Gear(_, quantity)
             | Self::Spring(_, quantity) => quantity.row().components,
             Self::Energy => 4,
             Self::Momentum => 6,
@@ -161,6 +164,7 @@ impl Table {
             Target::Joint(joint) => Measure::Joint(joint, quantity),
             Target::Drive(drive) => Measure::Drive(drive, quantity),
             Target::Actuator(actuator) => Measure::Actuator(actuator, quantity),
+            Target::Gear(gear) => Measure::Gear(gear, quantity),
             // In the order of their building.
             Target::Spring(number) => Measure::Spring(number, quantity),
             Target::Friction(number) => Measure::Spring(document.springs.len() + number, quantity),
@@ -197,13 +201,15 @@ impl Table {
     /// Whether accelerations or multipliers are among what results are read from.
     pub fn needs_response(&self) -> bool {
         self.measures.iter().any(|measure| match measure {
-            Measure::Sensors(_, quantity) => *quantity == Quantity::Acceleration,
-            Measure::Frame(..) => true,
+            Measure::Sensors(_, quantity) => quantity.is_acceleration(),
+            Measure::Frame(..) | Measure::Gear(..) => true,
             Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
-                quantity.is_transmitted() || matches!(quantity, Quantity::Effort | Quantity::Power)
+                quantity.is_transmitted()
+                    || quantity.is_acceleration()
+                    || matches!(quantity, Quantity::Effort | Quantity::Power)
             }
             // An effort is given, and a spring follows from positions and velocities.
-            Measure::Actuator(..) | Measure::Spring(..) => false,
+            Measure::Actuator(_, quantity) | Measure::Spring(_, quantity) => quantity.is_acceleration(),
             Measure::Energy | Measure::Momentum | Measure::Statistics => false,
         })
     }
@@ -211,12 +217,12 @@ impl Table {
     /// Whether a result follows from positions and velocities: not from accelerations, multipliers or momenta, nor is it a count.
     pub fn follows_from_motion(&self, result: usize) -> bool {
         self.measure_of(result).is_some_and(|measure| match measure {
-            Measure::Sensors(_, quantity) => *quantity != Quantity::Acceleration,
+            Measure::Sensors(_, quantity) | Measure::Spring(_, quantity) => !quantity.is_acceleration(),
             Measure::Joint(_, quantity) | Measure::Drive(_, quantity) | Measure::Actuator(_, quantity) => {
                 quantity.is_coordinate()
             }
-            Measure::Energy | Measure::Spring(..) => true,
-            Measure::Frame(..) | Measure::Momentum | Measure::Statistics => false,
+            Measure::Energy => true,
+            Measure::Frame(..) | Measure::Gear(..) | Measure::Momentum | Measure::Statistics => false,
         })
     }
 
@@ -227,6 +233,7 @@ impl Table {
             | Measure::Joint(_, quantity)
             | Measure::Drive(_, quantity)
             | Measure::Actuator(_, quantity)
+            | Measure::Gear(_, quantity)
             | Measure::Spring(_, quantity)
             | Measure::Frame(_, quantity) => Some(*quantity),
             Measure::Energy | Measure::Momentum | Measure::Statistics => None,
@@ -327,7 +334,8 @@ impl Table {
                             values.push(drives.chain(actuators).sum());
                         }
                         _ => {
-                            let is_angle = matches!(quantity, Quantity::Angle | Quantity::AngleRate);
+                            use Quantity::{Angle, AngleAcceleration, AngleRate};
+                            let is_angle = matches!(quantity, Angle | AngleRate | AngleAcceleration);
                             let coordinate = if is_angle { parts.angle } else { parts.distance };
                             let coordinate =
                                 coordinate.expect("the file is refused: the joint leaves no such coordinate free");
@@ -343,6 +351,11 @@ impl Table {
                 Measure::Actuator(number, quantity) => {
                     let coordinate = system.actuators[*number].coordinate;
                     let effort = || loads.actuator_effort(*number);
+                    values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
+                }
+                Measure::Gear(number, quantity) => {
+                    let effort = || loads.gear_effort(*number);
+                    let coordinate = system.gear_coordinate(*number);
                     values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
                 }
                 Measure::Spring(number, quantity) => {

@@ -162,6 +162,7 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
         output::Target::Joint(_)
         | output::Target::Drive(_)
         | output::Target::Actuator(_)
+        | output::Target::Gear(_)
         | output::Target::Spring(_)
         | output::Target::Friction(_)
         | output::Target::Stop(_)

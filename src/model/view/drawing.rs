@@ -214,6 +214,7 @@ impl Drawing {
                 output::Target::Joint(number) => joint(number),
                 output::Target::Drive(number) => document.drives.get(number).and_then(|drive| joint(drive.joint)),
                 output::Target::Actuator(number) => document.actuators.get(number).and_then(|own| acting(own.action)),
+                output::Target::Gear(number) => document.gears.get(number).and_then(|gear| joint(gear.sides[0].0)),
                 output::Target::Spring(number) => document.springs.get(number).and_then(|own| acting(own.action)),
                 output::Target::Friction(number) => document.frictions.get(number).and_then(|own| acting(own.action)),
                 output::Target::Stop(number) => document.stops.get(number).and_then(|own| acting(own.action)),

@@ -40,21 +40,38 @@ pub struct Kkt {
 struct Inertia {
     /// Which blocks of the whole matrix are in it.
     kept: Vec<usize>,
+    /// The second sides of gears, by their numbers among the joints, each with the first of its eight blocks that connect the two sides.
+    gears: Vec<(usize, usize)>,
     blocks: Blocks,
     ldl: SparseLdl,
 }
 
 impl Inertia {
-    /// For the blocks `whole` of a matrix whose first unknowns are `coordinates`.
-    fn new(coordinates: usize, whole: &Blocks) -> Option<Self> {
+    /// For `system` and the blocks `whole` of its matrix.
+    fn new(system: &System, whole: &Blocks) -> Option<Self> {
+        let coordinates = system.coordinates();
         let inside = |block: &Block| block.row < coordinates && block.column < coordinates;
         let (mut kept, mut blocks) = (Vec::new(), Blocks::default());
         for (number, block) in whole.layout().iter().enumerate().filter(|(_, block)| inside(block)) {
             kept.push(number);
             blocks.push(*block);
         }
+        let mut gears = Vec::new();
+        for (number, pair) in system.joints.windows(2).enumerate().filter(|(_, pair)| pair[1].shares_condition()) {
+            gears.push((number + 1, blocks.layout().len()));
+            for place in 0..4 {
+                let [first, second] = [(&pair[0], place / 2), (&pair[1], place % 2)].map(|(joint, side)| {
+                    let marker = if side == 0 { &joint.a } else { &joint.b };
+                    marker.coordinates(&system.mesh)
+                });
+                for (rows, columns) in [(&first, &second), (&second, &first)] {
+                    let (row, column) = (rows.start, columns.start);
+                    blocks.push(Block { row, column, rows: rows.len(), columns: columns.len() });
+                }
+            }
+        }
         let ldl = SparseLdl::new(coordinates, &blocks).ok()?;
-        Some(Self { kept, blocks, ldl })
+        Some(Self { kept, gears, blocks, ldl })
     }
 }
 
@@ -123,10 +140,8 @@ impl Kkt {
         gradients: &mut Vec<JointGradient>,
     ) {
         gradients.resize(system.joints.len(), JointGradient::default());
-        let mut row = 0;
-        for ((joint, gradient), first) in system.joints.iter().zip(gradients).zip(&self.curvatures) {
-            let own = &multipliers[row..row + joint.rows()];
-            row += joint.rows();
+        for (((joint, rows), gradient), first) in system.joints_with_rows().zip(gradients).zip(&self.curvatures) {
+            let own = &multipliers[rows];
             let [a, b] = [joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len()];
             let parts = &mut *self.parts;
             joint.phi_q_and_qq(c, own, gradient, parts);
@@ -180,35 +195,33 @@ impl Kkt {
     ///
     /// They are the negative pivots of `A + Bᵀ B/ε = L D Lᵀ`, the constraints being springs that are stiffer than anything else.
     pub fn releasing_motions(&mut self, system: &System) -> Option<usize> {
-        let coordinates = system.coordinates();
         if self.inertia.is_none() {
-            self.inertia = Inertia::new(coordinates, &self.blocks);
+            self.inertia = Inertia::new(system, &self.blocks);
         }
-        let Inertia { kept, blocks, ldl } = self.inertia.as_mut()?;
+        let Inertia { kept, gears, blocks, ldl } = self.inertia.as_mut()?;
         for (own, number) in kept.iter().enumerate() {
             blocks.block_mut(own).copy_from_slice(self.blocks.block(*number));
         }
-        let mut row = coordinates;
-        for (joint, (first, curvature)) in self.joints.iter().zip(&self.curvatures).enumerate() {
-            let conditions = system.joints[joint].rows();
-            // Rows of a and of b; the four blocks of the joint's stiffness are aa, ab, ba, bb.
-            let sides = [self.blocks.block(first + 2), self.blocks.block(first + 3)];
+        // Only the conditions of gears are between their sides.
+        (kept.len()..blocks.layout().len()).for_each(|number| blocks.block_mut(number).fill(0.0));
+        let stiffness = |condition: usize| self.solver.scale(system.coordinates() + condition).powi(2) / YIELDING;
+        // Rows of a and of b; the four blocks of the joint's stiffness are aa, ab, ba, bb.
+        let sides = |joint: usize| [2, 3].map(|side| self.blocks.block(self.joints[joint] + side));
+        let mut second_sides = gears.iter().peekable();
+        for (number, ((_, rows), curvature)) in system.joints_with_rows().zip(&self.curvatures).enumerate() {
             let own = kept.partition_point(|number| number < curvature);
             for place in 0..4 {
-                let [left, right] = [sides[place / 2], sides[place % 2]];
-                let target = blocks.block_mut(own + place);
-                let (rows, columns) = (left.len() / conditions, right.len() / conditions);
-                for condition in 0..conditions {
-                    let stiffness = self.solver.scale(row + condition).powi(2) / YIELDING;
-                    for column in 0..columns {
-                        let factor = stiffness * right[column * conditions + condition];
-                        for line in 0..rows {
-                            target[column * rows + line] += factor * left[line * conditions + condition];
-                        }
+                let pair = [sides(number)[place / 2], sides(number)[place % 2]];
+                add_yielding(blocks.block_mut(own + place), pair, rows.clone().map(stiffness));
+            }
+            if let Some((_, between)) = second_sides.next_if(|(joint, _)| *joint == number) {
+                for place in 0..4 {
+                    let [first, second] = [sides(number - 1)[place / 2], sides(number)[place % 2]];
+                    for (turn, pair) in [[first, second], [second, first]].into_iter().enumerate() {
+                        add_yielding(blocks.block_mut(between + 2 * place + turn), pair, rows.clone().map(stiffness));
                     }
                 }
             }
-            row += conditions;
         }
         ldl.negative_pivots(blocks, |index| self.solver.scale(index))
     }
@@ -261,6 +274,20 @@ impl Kkt {
     }
 }
 
+/// Adds the products of the gradients of conditions on two sides, `left` and `right`, to the block between them: of each condition by its own stiffness.
+fn add_yielding(target: &mut [f64], [left, right]: [&[f64]; 2], stiffnesses: impl ExactSizeIterator<Item = f64>) {
+    let conditions = stiffnesses.len();
+    let (rows, columns) = (left.len() / conditions, right.len() / conditions);
+    for (condition, stiffness) in stiffnesses.enumerate() {
+        for column in 0..columns {
+            let factor = stiffness * right[column * conditions + condition];
+            for line in 0..rows {
+                target[column * rows + line] += factor * left[line * conditions + condition];
+            }
+        }
+    }
+}
+
 /// The unknowns of a system; `inertia`: the matrix has the masses in it.
 pub fn unknowns(system: &System, inertia: bool) -> Unknowns {
     let nodes = system.mesh.coordinates();
@@ -296,15 +323,14 @@ fn constraint_layout(system: &System) -> (Blocks, Vec<usize>) {
     let mut blocks = Blocks::default();
     system.push_tangent_blocks(&mut blocks);
     let mut joints = Vec::new();
-    let mut row = system.coordinates();
-    for joint in &system.joints {
+    for (joint, rows) in system.joints_with_rows() {
+        let row = system.coordinates() + rows.start;
         let (a, b) = (joint.a.coordinates(&system.mesh), joint.b.coordinates(&system.mesh));
         let conditions = joint.rows();
         joints.push(blocks.push(Block { row: a.start, column: row, rows: a.len(), columns: conditions }));
         blocks.push(Block { row: b.start, column: row, rows: b.len(), columns: conditions });
         blocks.push(Block { row, column: a.start, rows: conditions, columns: a.len() });
         blocks.push(Block { row, column: b.start, rows: conditions, columns: b.len() });
-        row += conditions;
     }
     (blocks, joints)
 }

@@ -13,7 +13,7 @@ use std::ops::Range;
 
 /// Most conditions: `S` is full, and its factorization grows with their third power. Bodies on ball joints at the tip of a beam take fewer instructions a step than
 /// the general way with 51 conditions, more with 69.
-const MOST_ROWS: usize = 60;
+pub const MOST_ROWS: usize = 60;
 
 /// Share of the largest velocities that a motion of this energy may have, below which terms of a condition are taken as round-off of other ones.
 const SMALLEST_SHARE: f64 = 1e-3;
@@ -77,10 +77,11 @@ pub struct ConstrainedMass {
 }
 
 impl ConstrainedMass {
-    /// For `system`, whose mass matrix is in `blocks`. None where there are too many conditions, or where something has no mass.
+    /// For `system`, whose mass matrix is in `blocks`. None where there are too many conditions, or gears, or where something has no mass.
     pub fn new(system: &System, blocks: &Blocks) -> Option<Self> {
         let count = system.constraints();
-        if count > MOST_ROWS {
+        // The two sides of a gear would be two grips of one condition.
+        if count > MOST_ROWS || system.joints.iter().any(Joint::shares_condition) {
             return None;
         }
         let mass = MassFactor::new(system.coordinates(), blocks).ok()?;

@@ -107,6 +107,7 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
         b,
         primitives: weld::PRIMITIVES,
         drive: None,
+        gear: None,
     });
     let growing = |v: [f64; 3]| {
         v.map(|size| Signal::Function(Arc::new(move |time| Jet { value: size * time, first: size, second: 0.0 })))

@@ -2,11 +2,8 @@
 //! or a stop that pulls shows in full.
 
 use crate::running::{run, start, value};
-use crate::support::machines::march;
+use crate::support::machines::drift;
 use ancf14::fmi::Model;
-use ancf14::model::builder;
-use ancf14::model::document::Document;
-use ancf14::solve::dynamics::midpoint::Midpoint;
 
 /// A block of 2 kg on a rail along x.
 fn block(start: &str, rest: &str, simulation: &str) -> String {
@@ -17,21 +14,6 @@ fn block(start: &str, rest: &str, simulation: &str) -> String {
          [output.way]\nat = \"rail\"\nquantities = [\"distance\", \"distance_rate\", \"reaction_force\"]\n{rest}\n\
          [simulation]\n{simulation}\n"
     )
-}
-
-/// What the energy has changed by beyond the work that is counted, and by how much it has changed, J.
-fn drift(text: &str, steps: (f64, u32)) -> [f64; 2] {
-    let document = Document::parse("model.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
-    let built = builder::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"));
-    let (system, mut state) = (built.system, built.state);
-    let mut energies = Vec::new();
-    // Newton leaves 1e-11 of the first correction of a step, which is 1e-3.
-    let mut midpoint = Midpoint::new(&system, 1.0, steps.0, 1e-14);
-    march(&system, &mut state, &mut midpoint, steps, |state| {
-        energies.extend(state.balance.last.map(|last| last.kinetic + last.elastic));
-    })
-    .unwrap_or_else(|failure| panic!("{failure}"));
-    [state.balance.drift(), energies[energies.len() - 1] - energies[0]]
 }
 
 /// With the smoothed friction `F v/√(v² + s²)` a block slides by `(m/F) ∫ √(v² + s²) dv`, which is `m v²/(2 F)` but for the smoothing. It then stands still.
@@ -50,7 +32,7 @@ fn a_block_slides_as_far_as_its_energy_lasts() {
     });
     // The smoothing adds 1e-4 to 0.2 m; a step is off by the square of `step friction/mass` where the block stops.
     assert!((whole - 0.2).abs() < 2e-4 && errors[0] < 2e-5 && errors[1] < 0.25 * errors[0], "{whole} {errors:?}");
-    let [drifted, changed] = drift(&block("velocity = [1, 0, 0]", &rub, "stop = 1\nstep = 1e-3"), (1e-3, 2000));
+    let [drifted, changed] = drift(&block("velocity = [1, 0, 0]", &rub, "stop = 1\nstep = 1e-3"), 1.0, (1e-3, 2000));
     // Without the first step, all of 1 J is gone.
     assert!(drifted.abs() < 1e-9 && (changed + 1.0).abs() < 0.01, "{drifted:e} {changed}");
 }
@@ -134,7 +116,7 @@ fn stops_throw_a_block_back() {
     // 80 and 300 steps a contact: its error is (omega step)²/12 of the velocity and less.
     assert!(errors[0].iter().all(|error| *error < 1e-3), "{errors:?}");
     assert!(errors[1].iter().zip(errors[0]).all(|(fine, coarse)| *fine < 0.2 * coarse + 1e-8), "{errors:?}");
-    let [drifted, changed] = drift(&block("velocity = [1, 0, 0]", stops, "stop = 1\nstep = 1e-3"), (1e-3, 1000));
+    let [drifted, changed] = drift(&block("velocity = [1, 0, 0]", stops, "stop = 1\nstep = 1e-3"), 1.0, (1e-3, 1000));
     assert!(drifted.abs() < 1e-9 && changed < -0.5, "{drifted:e} {changed}");
 }
 

@@ -2,12 +2,9 @@
 //! both sides of every kink; motions must follow closed forms. A mean that is off, a slope that belongs to the other side or a damper that is counted twice shows in full.
 
 use crate::running::{run, start, try_start, value};
-use crate::support::machines::march;
+use crate::support::machines::drift;
 use ancf14::fmi::Model;
 use ancf14::mechanics::force::law::{Law, LawForce};
-use ancf14::model::builder;
-use ancf14::model::document::Document;
-use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::modes::modes;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -112,23 +109,6 @@ fn duffing_oscillator_has_its_period() {
         let order = (pair[0] / pair[1]).log2();
         assert!((1.9..2.1).contains(&order), "order {order} of {errors:?}");
     }
-}
-
-/// Runs a model by its internal steps; the drift of its energy balance, J, and the change of the energy, J.
-fn drift(text: &str, radius: f64, steps: (f64, u32)) -> [f64; 2] {
-    let document = Document::parse("model.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
-    let built = builder::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"));
-    let (system, mut state) = (built.system, built.state);
-    let (mut first, mut last) = (None, 0.0);
-    // Newton leaves 1e-11 of the first correction of a step, which is 1e-3.
-    let mut midpoint = Midpoint::new(&system, radius, steps.0, 1e-14);
-    march(&system, &mut state, &mut midpoint, steps, |state| {
-        let Some(energies) = state.balance.last else { return };
-        last = energies.kinetic + energies.elastic;
-        first.get_or_insert(last);
-    })
-    .unwrap_or_else(|failure| panic!("{failure}"));
-    [state.balance.drift(), last - first.unwrap_or(f64::NAN)]
 }
 
 /// A conservative law with kinks keeps the energy without numerical dissipation; a viscous law takes as much as is counted, on a joint and between two points that turn.

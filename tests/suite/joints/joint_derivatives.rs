@@ -6,6 +6,7 @@ use crate::support::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, 
 use crate::support::oracle::{self, Scalar};
 use ancf14::mechanics::constraint::cylindrical;
 use ancf14::mechanics::constraint::driven::Driven;
+use ancf14::mechanics::constraint::gear::GearSide;
 use ancf14::mechanics::constraint::inline;
 use ancf14::mechanics::constraint::inplane;
 use ancf14::mechanics::constraint::joint::{Joint, JointGradient};
@@ -41,7 +42,8 @@ fn weighted_conditions<D: Scalar>(machine: &Machine, joint: &Joint, lambda: &[f6
                 // Angles are compared within half a turn.
                 let turns =
                     if matches!(kind, Measure::Angle(_)) { (value.re() / std::f64::consts::TAU).round() } else { 0.0 };
-                rows.push(value - std::f64::consts::TAU * turns);
+                let factor = joint.gear.map_or(1.0, |side| side.factor);
+                rows.push((value - std::f64::consts::TAU * turns) * factor);
             }
             Primitive::Rigid(i, j) if i == j => rows.push((oracle::dot(&b[1 + i], &b[1 + i]) - 1.0) * 0.5),
             Primitive::Rigid(i, j) => rows.push(oracle::dot(&b[1 + i], &b[1 + j])),
@@ -115,7 +117,7 @@ fn check_joint_derivatives() {
         for sides in SIDES {
             let machine = Machine::new(&mut random);
             let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
-            let joint = Joint { name: "joint".into(), a, b, primitives, drive: None };
+            let joint = Joint { name: "joint".into(), a, b, primitives, drive: None, gear: None };
             assert_eq!(joint.rows(), rows);
             check_joint(&machine, &joint, &mut random);
         }
@@ -134,8 +136,28 @@ fn check_drive_derivatives() {
         for sides in SIDES {
             let machine = Machine::new(&mut random);
             let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
-            let joint = Joint { name: "drive".into(), a, b, primitives: driven.primitives(), drive: Some(0) };
+            let joint =
+                Joint { name: "drive".into(), a, b, primitives: driven.primitives(), drive: Some(0), gear: None };
             check_joint(&machine, &joint, &mut random);
+        }
+    }
+}
+
+/// Sides of gears: a coordinate times a factor.
+#[test]
+fn gear_derivatives() {
+    deep(check_gear_derivatives);
+}
+
+fn check_gear_derivatives() {
+    let mut random = Random(27);
+    for measure in [Measure::Angle(0), Measure::Distance(0)] {
+        for sides in SIDES {
+            let machine = Machine::new(&mut random);
+            let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
+            let gear = Some(GearSide { gear: 0, coordinate: 0, factor: -2.5, is_second: true });
+            let primitives = GearSide::primitives(measure);
+            check_joint(&machine, &Joint { name: "gear".into(), a, b, primitives, drive: None, gear }, &mut random);
         }
     }
 }

@@ -49,6 +49,7 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
             b: builder.tied(&start, &Pose { place: hook, axes }),
             primitives: spherical::PRIMITIVES,
             drive: None,
+            gear: None,
         },
         {
             // A rigid arm on both sides: the joint sits somewhere between the beams.
@@ -59,6 +60,7 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
                 b: builder.tied(&next, &Pose { place, axes }),
                 primitives,
                 drive: None,
+                gear: None,
             }
         },
     ];

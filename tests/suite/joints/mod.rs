@@ -2,6 +2,7 @@
 
 pub mod closed_loops;
 pub mod drives;
+pub mod gears;
 pub mod host_motion;
 pub mod joint_derivatives;
 pub mod joint_freedoms;

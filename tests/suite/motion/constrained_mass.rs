@@ -15,7 +15,7 @@ use ancf14::solve::linear::mass_factor::MassFactor;
 use ancf14::solve::linear::sparse_lu::SparseLu;
 use ancf14::solve::newton::kkt;
 use ancf14::solve::newton::kkt::Kkt;
-use ancf14::solve::step::constrained_mass::ConstrainedMass;
+use ancf14::solve::step::constrained_mass::{ConstrainedMass, MOST_ROWS};
 
 /// The masses alone.
 fn masses(system: &System) -> Kkt {
@@ -35,7 +35,12 @@ fn solutions_are_those_of_the_whole_system() {
     let mut random = Random(11);
     for (name, Built { system, state }) in machines() {
         let mut kkt = masses(&system);
-        let mut fast = ConstrainedMass::new(&system, &kkt.blocks).unwrap_or_else(|| panic!("{name} has none"));
+        let Some(mut fast) = ConstrainedMass::new(&system, &kkt.blocks) else {
+            // A disk is as flat as can be: one of its directors has no mass.
+            let is_flat = system.bodies.iter().any(|body| body.director_inertia.contains(&0.0));
+            assert!(is_flat || system.constraints() > MOST_ROWS, "{name} has none");
+            continue;
+        };
         let mut general = SparseLu::new(&kkt::units(&system), &kkt.blocks).unwrap();
         let size = system.coordinates() + system.constraints();
         let mut worst = 0.0_f64;

@@ -297,7 +297,7 @@ pub fn joint(
     primitives: &'static [Primitive],
 ) -> [Marker; 2] {
     let [a, b] = parts.map(|part| builder.tied(part, pose));
-    builder.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None });
+    builder.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None, gear: None });
     [a, b]
 }
 

@@ -23,6 +23,8 @@ use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
+use ancf14::model::builder;
+use ancf14::model::document::Document;
 use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::dynamics::start::{self, Dynamics};
 use ancf14::solve::step::integrator::Integrator;
@@ -81,6 +83,7 @@ pub fn hold(
         b: builder.tied(&builder.node(node), &Pose { place, axes: *axes }),
         primitives,
         drive: None,
+        gear: None,
     };
     builder.add_joint(joint);
 }
@@ -136,6 +139,22 @@ pub fn march(
         watch(state);
     }
     Ok(())
+}
+
+/// Runs a model by `steps.1` internal steps of `steps.0` s with the spectral radius `radius`: by what its energy changes beyond the work that is accounted for, J, and by
+/// how much it changes, J.
+pub fn drift(text: &str, radius: f64, steps: (f64, u32)) -> [f64; 2] {
+    let document = Document::parse("model.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let built = builder::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let (system, mut state) = (built.system, built.state);
+    let mut energies = Vec::new();
+    // Newton leaves 1e-11 of the first correction of a step, which is 1e-3.
+    let mut midpoint = Midpoint::new(&system, radius, steps.0, 1e-14);
+    march(&system, &mut state, &mut midpoint, steps, |state| {
+        energies.extend(state.balance.last.map(|last| last.kinetic + last.elastic));
+    })
+    .unwrap_or_else(|failure| panic!("{failure}"));
+    [state.balance.drift(), energies[energies.len() - 1] - energies[0]]
 }
 
 /// Kinetic, elastic and gravity energy, J.

@@ -8,6 +8,7 @@ pub mod drive;
 pub mod frame;
 pub mod friction;
 pub mod function;
+pub mod gear;
 pub mod joint;
 pub mod load;
 pub mod material;

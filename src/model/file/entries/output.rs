@@ -1,9 +1,10 @@
-//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive, an actuator, a spring, friction, a stop or a frame, or along a beam.
+//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive, an actuator, a gear, a spring, friction, a stop or a frame, or along a beam.
 
 use super::actuator::ActuatorSpec;
 use super::beam::BeamSpec;
 use super::drive::DriveSpec;
 use super::friction::FrictionSpec;
+use super::gear::GearSpec;
 use super::joint::{self, Coordinate, JointSpec};
 use super::section::{SectionSpec, Shape};
 use super::spring::SpringSpec;
@@ -51,6 +52,8 @@ pub enum Target {
     Drive(usize),
     /// An actuator, by its place in the list.
     Actuator(usize),
+    /// A gear, by its place in the list.
+    Gear(usize),
     /// A spring, by its place in the list.
     Spring(usize),
     /// Friction, by its place in the list.
@@ -67,7 +70,7 @@ pub enum Target {
 }
 
 impl Target {
-    /// The number of its sensors, which read what is not of a joint, a drive, an actuator, a spring, friction or a stop.
+    /// The number of its sensors, which read what is not of a joint, a drive, an actuator, a gear, a spring, friction or a stop.
     pub fn sensors(&self) -> usize {
         match self {
             Self::At(_) => 1,
@@ -75,6 +78,7 @@ impl Target {
             Self::Joint(_)
             | Self::Drive(_)
             | Self::Actuator(_)
+            | Self::Gear(_)
             | Self::Spring(_)
             | Self::Friction(_)
             | Self::Stop(_) => 0,
@@ -95,6 +99,8 @@ pub struct Things<'a> {
     pub drives: &'a [DriveSpec],
     /// Actuators.
     pub actuators: &'a [ActuatorSpec],
+    /// Gears.
+    pub gears: &'a [GearSpec],
     /// Springs.
     pub springs: &'a [SpringSpec],
     /// Friction.
@@ -134,6 +140,8 @@ impl OutputSpec {
     /// What one of its quantities is, with its axes.
     pub fn meaning(&self, quantity: Quantity) -> String {
         let meaning = match (quantity, self.target) {
+            (Quantity::Power, Target::Gear(_)) => "power that the gear takes from joint b and gives to joint a",
+            (Quantity::Effort, Target::Gear(_)) => "torque or force of the gear on side b of joint a",
             (Quantity::Power, Target::Spring(_)) => "power that the damper of the spring takes",
             (Quantity::Power, Target::Friction(_)) => "power that the friction takes",
             (Quantity::Power, Target::Stop(_)) => "power that the damping of the stop takes",
@@ -197,6 +205,10 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
         Some((Kind::Actuator, index)) => {
             reader.take("at");
             Some(Target::Actuator(index))
+        }
+        Some((Kind::Gear, index)) => {
+            reader.take("at");
+            Some(Target::Gear(index))
         }
         Some((Kind::Spring, index)) => {
             reader.take("at");
@@ -273,6 +285,7 @@ impl Target {
         match self {
             Self::Drive(index) => Some((Kind::Drive, index, "drive")),
             Self::Actuator(index) => Some((Kind::Actuator, index, "actuator")),
+            Self::Gear(index) => Some((Kind::Gear, index, "gear")),
             Self::Spring(index) => Some((Kind::Spring, index, "spring")),
             Self::Friction(index) => Some((Kind::Friction, index, "friction")),
             Self::Stop(index) => Some((Kind::Stop, index, "stop")),
@@ -290,6 +303,7 @@ impl Target {
             Self::Joint(_) => Site::Joint,
             Self::Drive(_) => Site::Drive,
             Self::Actuator(_) => Site::Actuator,
+            Self::Gear(_) => Site::Gear,
             Self::Spring(_) => Site::Spring,
             Self::Friction(_) => Site::Friction,
             Self::Stop(_) => Site::Stop,
@@ -339,8 +353,10 @@ impl<'a> Things<'a> {
         }
         match (row.quantity, target) {
             (Quantity::Stress, _) => self.without_outline(target, names),
-            (Quantity::Angle | Quantity::AngleRate, _) => self.without_coordinate(Coordinate::Angle, target, names),
-            (Quantity::Distance | Quantity::DistanceRate, _) => {
+            (Quantity::Angle | Quantity::AngleRate | Quantity::AngleAcceleration, _) => {
+                self.without_coordinate(Coordinate::Angle, target, names)
+            }
+            (Quantity::Distance | Quantity::DistanceRate | Quantity::DistanceAcceleration, _) => {
                 self.without_coordinate(Coordinate::Distance, target, names)
             }
             (Quantity::Effort, Target::Joint(joint)) => self.without_one_effort(joint, names),
@@ -365,19 +381,21 @@ impl<'a> Things<'a> {
         })
     }
 
-    /// Drives, actuators, springs, friction and stops with their names and what they act on, by their places in the lists.
+    /// Drives, actuators, gears (by their first joint), springs, friction and stops with their names and what they act on, by their places in the lists.
     fn coordinates(self) -> impl Iterator<Item = (Target, &'a str, Coordinate)> {
         let drives = self.drives.iter().map(|own| (own.name.as_str(), own.coordinate)).enumerate();
         let actuators = self.actuators.iter().map(|own| (own.name.as_str(), own.coordinate())).enumerate();
+        let gears = self.gears.iter().map(|own| (own.name.as_str(), own.sides[0].1)).enumerate();
         let springs = self.springs.iter().map(|own| (own.name.as_str(), own.action.coordinate())).enumerate();
         let frictions = self.frictions.iter().map(|own| (own.name.as_str(), own.action.coordinate())).enumerate();
         let stops = self.stops.iter().map(|own| (own.name.as_str(), own.action.coordinate())).enumerate();
         let drives = drives.map(|(number, (name, coordinate))| (Target::Drive(number), name, coordinate));
         let actuators = actuators.map(|(number, (name, coordinate))| (Target::Actuator(number), name, coordinate));
+        let gears = gears.map(|(number, (name, coordinate))| (Target::Gear(number), name, coordinate));
         let springs = springs.map(|(number, (name, coordinate))| (Target::Spring(number), name, coordinate));
         let frictions = frictions.map(|(number, (name, coordinate))| (Target::Friction(number), name, coordinate));
         let stops = stops.map(|(number, (name, coordinate))| (Target::Stop(number), name, coordinate));
-        drives.chain(actuators).chain(springs).chain(frictions).chain(stops)
+        drives.chain(actuators).chain(gears).chain(springs).chain(frictions).chain(stops)
     }
 
     fn without_coordinate(&self, coordinate: Coordinate, target: Target, names: &Names) -> Option<Mistake> {

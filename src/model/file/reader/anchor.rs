@@ -88,13 +88,14 @@ pub const WATCHED: Allowed = Allowed {
         Kind::Joint,
         Kind::Drive,
         Kind::Actuator,
+        Kind::Gear,
         Kind::Spring,
         Kind::Friction,
         Kind::Stop,
         Kind::Beam,
     ],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, SPRING, FRICTION or STOP",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION or STOP",
 };
 
 /// What an observer can move with.

@@ -1,0 +1,87 @@
+//! `[gear.NAME]`: the coordinates of two joints are proportional.
+
+use super::drive::check_coordinate;
+use super::joint::{self, Coordinate, JointSpec};
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::schema::{self, Rule};
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::Kind;
+
+/// A section `[gear.NAME]`.
+#[derive(Clone, Debug)]
+pub struct GearSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// The two joints, by their places in the list, each with a coordinate that it has.
+    pub sides: [(usize, Coordinate); 2],
+    /// The coordinate of the first joint over that of the second one; 1, rad/m or m/rad. Not 0.
+    pub ratio: Number,
+}
+
+/// The keys of a side: the joint, its coordinate.
+const SIDES: [(&str, &str); 2] = [("a", "a_coordinate"), ("b", "b_coordinate")];
+
+impl GearSpec {
+    /// Reads a section; `joints` are those of the file that could be read.
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
+        let [a, b] = SIDES.map(|keys| side(&mut reader, keys, joints));
+        let (Some(a), Some(b)) = (a, b) else {
+            // Without the coordinates nobody knows what the ratio is.
+            reader.abandon();
+            return None;
+        };
+        if a == b {
+            let place = reader.place;
+            let message = format!("{} connects a coordinate with itself", reader.title);
+            reader.context.report.error(place, &message, "`a` and `b` are the same", "name two joints");
+        }
+        let ratio = reader.number(rule(a.1, b.1));
+        let place = reader.place;
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, sides: [a, b], ratio })
+    }
+}
+
+/// A joint and its coordinate, which need not be given where the joint has one only.
+fn side(
+    reader: &mut Reader<'_, '_>,
+    (key, coordinate_key): (&'static str, &'static str),
+    joints: &[JointSpec],
+) -> Option<(usize, Coordinate)> {
+    let named_at = reader.place_of(key);
+    let joint = reader.reference(key, Kind::Joint);
+    let known = joint.and_then(|joint| reader.context.names.name(Kind::Joint, joint));
+    let known = joints.iter().find(|joint| Some(joint.name.as_str()) == known);
+    let place = reader.place_of(coordinate_key);
+    let only = match known.map(|joint| joint.kind.coordinates()) {
+        Some([only]) => Some(*only),
+        _ => None,
+    };
+    if let (Some(known), false) = (known, reader.has(coordinate_key)) {
+        if known.kind.coordinates().is_empty() {
+            let message = format!("the {} joint {} has no coordinate", known.kind.word(), known.name);
+            reader.context.report.error(named_at, &message, "a gear connects coordinates", joint::COORDINATES);
+            return None;
+        }
+    } else if known.is_none() {
+        reader.set_aside(coordinate_key);
+        return None;
+    }
+    let coordinate = reader.word(coordinate_key, &Coordinate::WORDS, only)?;
+    if let Some(known) = known {
+        check_coordinate(reader, coordinate, place, known);
+    }
+    Some((joint?, coordinate))
+}
+
+/// The rule of the ratio of two coordinates.
+fn rule(a: Coordinate, b: Coordinate) -> &'static Rule {
+    match (a, b) {
+        (Coordinate::Angle, Coordinate::Distance) => &schema::RATIO_ANGLE_DISTANCE,
+        (Coordinate::Distance, Coordinate::Angle) => &schema::RATIO_DISTANCE_ANGLE,
+        _ => &schema::RATIO,
+    }
+}
