@@ -42,6 +42,9 @@ impl Plot {
             let (kind, name) = match quantity.split_once('.') {
                 Some(("momentum" | "statistics", _)) => continue,
                 Some(("energy", _)) => (Kind::Time, "energy".to_owned()),
+                Some(("work", "loads" | "actuators" | "drives" | "dissipated" | "drift")) => {
+                    (Kind::Time, "work".to_owned())
+                }
                 Some((output, "position")) if is_beam(output) => (Kind::Shape, quantity.to_owned()),
                 Some((output, _)) if is_beam(output) => {
                     let component = index.trim_end_matches(']').split_once(',');

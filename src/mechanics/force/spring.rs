@@ -272,17 +272,16 @@ impl Spring {
         [by_frames, viscous * sides_moved]
     }
 
-    /// Work over `step`, whose middle is `c`, J, as the step takes its forces: what moving frames put in less what the damper takes out.
-    pub fn step_work(&self, coordinate: &RelativeCoordinate, c: &Configuration, step: &TimeStep) -> f64 {
+    /// Work over `step`, whose middle is `c`, J, as the step takes its forces: what moving frames put in, and what the damper takes out.
+    pub fn step_work(&self, coordinate: &RelativeCoordinate, c: &Configuration, step: &TimeStep) -> [f64; 2] {
         if self.is_idle() {
-            return 0.0;
+            return [0.0; 2];
         }
         let passage = Passage::Step(*step);
         let (tension, viscous) = (self.tension(coordinate, c, &passage), self.viscous(coordinate, c, &passage));
         let whole = self.value(coordinate, step.end) - self.value(coordinate, step.start);
         let sides_moved = coordinate.change(c, step.increment) * self.shortening(coordinate, c, &passage);
-        let [given, taken] = self.outside_work(coordinate, tension, viscous, [sides_moved, whole]);
-        given - taken
+        self.outside_work(coordinate, tension, viscous, [sides_moved, whole])
     }
 
     /// Power at an instant with the velocities `velocity`, W: what moving frames put in, and what the damper takes out.

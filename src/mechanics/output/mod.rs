@@ -1,6 +1,7 @@
 //! What is read off a system: reactions, stress, section forces, mode shapes, and signs of a mesh that is too coarse or too fine.
 
 mod axial_jump;
+pub mod clamped_end;
 pub mod joint_loads;
 pub mod mesh_error;
 pub mod mode_shape;

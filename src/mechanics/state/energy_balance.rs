@@ -4,6 +4,7 @@
 //! where the step resolves the motion, and without bound where it does not. Every internal step is accounted for, so that nothing hides
 //! between two rows of the results.
 
+use super::energy_account::{EnergyAccount, Work};
 use serde::{Deserialize, Serialize};
 
 /// Share of the largest energy by which the energy may drift. The midpoint rules keep it within some thousandths where the step resolves the motion.
@@ -72,10 +73,14 @@ pub struct EnergyBalance {
     largest: f64,
     /// How many of the next steps are left out of the account.
     skipped: u32,
+    /// In how many of the next steps a drive's jump is still at work.
+    struck: u32,
     /// Steps in a row, up to the last one, for which the loss to numerical damping has been beyond its band.
     damped_steps: u32,
     /// Where the drift left its band first.
     alarm: Option<Alarm>,
+    /// The work by its origin; none: nobody asks for it.
+    pub account: Option<EnergyAccount>,
 }
 
 /// A drift that cannot be the step's usual error.
@@ -125,6 +130,22 @@ impl EnergyBalance {
         self.skipped = JUMP_STEPS;
     }
 
+    /// Says that a drive's rate jumps at the end of the step that is accounted for next.
+    pub fn strike(&mut self) {
+        self.struck = JUMP_STEPS;
+    }
+
+    /// Adds the `work` of a step to the account by origin, if somebody asks for it; the energy of the system, of gravity too, has gone from `start` to `end`, J.
+    pub fn add_work(&mut self, work: &Work, [start, end]: [f64; 2]) {
+        let is_struck = self.struck > 0;
+        self.struck = self.struck.saturating_sub(1);
+        let Some(account) = &mut self.account else { return };
+        account.work.add(work, 1.0);
+        // What a drive does when its rate jumps is no power, but its work.
+        *(if is_struck { &mut account.work.drives } else { &mut account.drift }) += end - start - work.sum();
+        account.energy = Some(end);
+    }
+
     /// By what the energy has changed so far beyond the work, J: what the integrator adds or takes.
     pub fn drift(&self) -> f64 {
         self.drift
@@ -138,6 +159,9 @@ impl EnergyBalance {
     /// Forgets the energies of the last step: stiffnesses have been set from outside, which is no step's doing.
     pub fn forget_last(&mut self) {
         self.last = None;
+        if let Some(account) = &mut self.account {
+            account.energy = None;
+        }
     }
 }
 

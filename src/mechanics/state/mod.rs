@@ -1,5 +1,6 @@
 //! What changes in time, as plain data: to save, restore and repeat is to clone this.
 
+pub mod energy_account;
 pub mod energy_balance;
 pub mod pace;
 pub mod time_error;
@@ -98,6 +99,7 @@ impl State {
         let Accelerations { of_coordinates, algorithmic } = &self.accelerations;
         lengths(self) == lengths(other)
             && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
+            && self.balance.account.is_some() == other.balance.account.is_some()
             && self.viscous.is_possible(other.strain_rates.len())
             && self.prediction.is_possible(other.q.len())
             && self.time_error.is_possible(other.q.len(), other.multipliers.len())

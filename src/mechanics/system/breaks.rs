@@ -61,6 +61,20 @@ impl System {
             || self.moving_frames.iter().flat_map(|frame| frame.signals()).any(|signal| jumps(signal, 2))
     }
 
+    /// Whether the velocity of a drive or a frame jumps within [`AT_BREAK`] of a step of `step` s from `time`.
+    pub fn is_struck(&self, time: f64, step: f64) -> bool {
+        let margin = AT_BREAK * step;
+        let first = self.breaks.partition_point(|own| *own < time - margin);
+        let Some(time) = self.breaks.get(first).copied().filter(|own| *own <= time + margin) else { return false };
+        let jumps =
+            |signal: &Signal, derivatives: usize| signal.breaks_at(time) && jumps(signal, time, step, derivatives);
+        // Of a rate the velocity is the value itself.
+        self.drives.iter().any(|drive| match &drive.guide {
+            Guide::Rate(signal) => jumps(signal, 0),
+            _ => drive.signal().is_some_and(|signal| jumps(signal, 1)),
+        }) || self.moving_frames.iter().flat_map(|frame| frame.signals()).any(|signal| jumps(signal, 1))
+    }
+
     /// The jumps of the prescribed motion after `from` up to `to`, s, each as a sentence. No finite force moves a mechanism at once.
     pub fn jumps(&self, from: f64, to: f64) -> Vec<String> {
         let least = ROUNDING * self.size.max(1.0);

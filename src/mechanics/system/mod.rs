@@ -13,7 +13,7 @@ mod limits;
 pub mod step_starts;
 mod tangent_layout;
 pub mod variation;
-mod work;
+pub mod work;
 
 pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};

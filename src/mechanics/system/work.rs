@@ -2,6 +2,8 @@
 
 use crate::math::Vec3;
 use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
+use crate::mechanics::force::actuator;
+use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
@@ -9,10 +11,29 @@ use crate::mechanics::state::energy_balance::{Energies, LIFT_ROUND_OFF};
 use crate::mechanics::system::System;
 use crate::mechanics::system::step_starts::StepStarts;
 
+/// What a step does to the energies.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct StepEnergy {
+    /// Elastic energy at its end, J.
+    pub elastic: f64,
+    /// Work of what acts from outside but for constraints, J.
+    pub work: f64,
+    /// The part of it that moving frames do through springs, J.
+    pub by_frames: f64,
+    /// The part of it that dampers take, J.
+    pub dissipated: f64,
+}
+
 impl System {
     /// Kinetic energy with the velocities `velocity`, and elastic energy at `c`, J.
     pub fn energies(&self, c: &Configuration, velocity: &[f64]) -> Energies {
         Energies { kinetic: self.kinetic_energy(velocity), elastic: self.elastic_energy(c) }
+    }
+
+    /// Kinetic, elastic and gravity energy at `c` with the velocities `velocity`, J.
+    pub fn whole_energy(&self, c: &Configuration, q: &[f64], velocity: &[f64]) -> f64 {
+        let Energies { kinetic, elastic } = self.energies(c, velocity);
+        kinetic + elastic + self.gravity_energy(q)
     }
 
     /// Energy that is round-off of the weight, J.
@@ -29,8 +50,8 @@ impl System {
         self.bodies.iter().fold(nodes, |sum, body| sum + body.mass)
     }
 
-    /// [`System::forces`] over a step, and `strain_rates` set to the rates over it. Returns the elastic energy at its end, J, and the work of what acts
-    /// from outside but for constraints, J, as the step takes its forces.
+    /// [`System::forces`] over a step, and `strain_rates` set to the rates over it. Returns what the step does to the energies, as it
+    /// takes its forces.
     pub fn finish_step(
         &self,
         c: &Configuration,
@@ -38,24 +59,51 @@ impl System {
         excitation: &Excitation,
         forces: &mut [f64],
         strain_rates: &mut [f64],
-    ) -> [f64; 2] {
+    ) -> StepEnergy {
         self.add_external(c, excitation, forces);
-        let (mut work, mut elastic) = (-dot(forces, step.increment), 0.0);
+        let mut found = StepEnergy { work: -dot(forces, step.increment), ..StepEnergy::default() };
         let of_beams = step.of_beams();
         for element in &self.mesh.elements {
             let [energy, taken] = element.finish_step(&c.beams, &of_beams, forces, strain_rates);
-            elastic += energy;
-            work -= taken;
+            found.elastic += energy;
+            found.work -= taken;
+            found.dissipated += taken;
         }
         let passage = Passage::Step(*step);
         self.add_springs(c, &passage, forces);
         for spring in &self.springs {
             let coordinate = &self.relative_coordinates[spring.coordinate];
-            elastic += spring.energy(coordinate, step.end);
+            found.elastic += spring.energy(coordinate, step.end);
             strain_rates[self.mesh.relative_rate_index(spring.coordinate)] = spring.step_rate(coordinate, step);
-            work += spring.step_work(coordinate, c, step);
+            let [given, taken] = spring.step_work(coordinate, c, step);
+            found.work += given - taken;
+            found.by_frames += given;
+            found.dissipated += taken;
         }
-        [elastic, work]
+        found
+    }
+
+    /// Work of loads and of actuators at `c` while the coordinates change by `change`, J; their power for velocities, W.
+    pub fn loads_and_actuators(&self, c: &Configuration, excitation: &Excitation, change: &[f64]) -> [f64; 2] {
+        let (mut of_loads, mut of_actuators) = (0.0, 0.0);
+        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
+            for (number, (marker, _)) in load.points.iter().enumerate() {
+                of_loads += dot(load.force(c, number, wrench).as_slice(), &change[marker.coordinates(&self.mesh)]);
+            }
+        }
+        for (actuator, effort) in self.actuators.iter().zip(&excitation.efforts) {
+            let parts = actuator::force(&self.relative_coordinates[actuator.coordinate], c, *effort);
+            for (marker, part) in self.sides(actuator.coordinate).into_iter().zip(&parts) {
+                of_actuators += dot(part.as_slice(), &change[marker.coordinates(&self.mesh)]);
+            }
+        }
+        [of_loads, of_actuators]
+    }
+
+    /// Power of moving frames through springs at the instant `c`, W.
+    pub fn power_of_frames(&self, c: &Configuration, velocity: &[f64]) -> f64 {
+        let power = |spring: &Spring| spring.power(&self.relative_coordinates[spring.coordinate], c, velocity)[0];
+        self.springs.iter().map(power).sum()
     }
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates` to the rates there of all strains, and of the

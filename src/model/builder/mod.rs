@@ -21,6 +21,7 @@ use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::signal::{Pieces, Signal};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::state::State;
+use crate::mechanics::state::energy_account::EnergyAccount;
 use crate::mechanics::system::System;
 use crate::mechanics::system::builder::SystemBuilder;
 use crate::solve::step::mobility::set_mobilities;
@@ -73,8 +74,9 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     if !builder.mistakes.is_empty() {
         return Err(Diagnostics(builder.mistakes));
     }
-    let (mut system, state) = builder.system.finish(vector(document, document.model.gravity));
+    let (mut system, mut state) = builder.system.finish(vector(document, document.model.gravity));
     system.origin = origin;
+    state.balance.account = document.simulation.energy_account.then(EnergyAccount::default);
     set_mobilities(&mut system, &state, document.largest_step());
     Ok(Built { system, state })
 }

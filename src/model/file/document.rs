@@ -276,14 +276,23 @@ impl Document {
         self.numbers.slots[number.0].place
     }
 
-    /// Where a number is written, for messages: `line 7`, or the override.
-    pub fn origin(&self, number: Number) -> String {
-        let place = self.place(number);
+    /// Whether a number is written in the file or in an override; else it is a default.
+    pub fn is_written(&self, number: Number) -> bool {
+        self.numbers.slots[number.0].listed.is_some() || self.place(number).source > 0
+    }
+
+    /// Where something is written, for messages: `m.toml, line 7`, or the override.
+    pub fn origin(&self, place: Place) -> String {
         let told = self.source.told(place);
         match told.source.file_name(told.place.source) {
-            Some(_) => format!("line {}", self.source.line(place)),
+            Some(file_name) => format!("{file_name}, line {}", self.source.line(place)),
             None => String::from("--set"),
         }
+    }
+
+    /// Where the text of something comes from: copies of one text have one origin.
+    pub fn origin_place(&self, place: Place) -> Place {
+        self.source.told(place).place
     }
 
     /// A message of the solver at the line of the first part of the model that it names; none if it names none.

@@ -28,6 +28,9 @@ const TYPES: [(&str, &str); 21] = [
     ("J", "Energy"),
 ];
 
+/// Units without a type definition.
+const OTHERS: [(&str, &str); 2] = [("Hz", ""), ("W", "")];
+
 /// The quantity of a unit label; an empty label is a plain number, an unknown one has no exponents.
 pub fn quantity(label: &str) -> Quantity {
     let name = TYPES.iter().find(|(unit, _)| *unit == label).map_or("", |(_, name)| name);
@@ -38,7 +41,7 @@ pub fn quantity(label: &str) -> Quantity {
 pub fn coherent_instead(label: &str) -> Option<&'static str> {
     let unit = Unit::parse(label).filter(|unit| !unit.is_coherent())?;
     let same = |known: &&(&str, &str)| Unit::parse(known.0).is_some_and(|known| known.exponents == unit.exponents);
-    Some(TYPES.iter().find(same).map_or("the coherent SI unit", |(known, _)| known))
+    Some(TYPES.iter().chain(&OTHERS).find(same).map_or("the coherent SI unit", |(known, _)| known))
 }
 
 #[cfg(test)]
@@ -58,6 +61,7 @@ mod tests {
     fn conversions_name_the_unit_to_write() {
         assert_eq!(coherent_instead("mm"), Some("m"));
         assert_eq!(coherent_instead("kN"), Some("N"));
+        assert_eq!(coherent_instead("1/min"), Some("Hz"));
         assert_eq!(coherent_instead("m"), None);
         assert_eq!(coherent_instead("EUR"), None);
     }

@@ -1,9 +1,11 @@
 //! What a run is watched for: signs that its numbers should not be trusted. Each is warned of once.
 
 mod alternation;
+mod ends;
 mod mesh;
 
 use self::alternation::AlternationWatch;
+use self::ends::EndWatch;
 use self::mesh::MeshWatch;
 use crate::error::decimal;
 use crate::mechanics::state::State;
@@ -28,6 +30,7 @@ pub struct Watch {
     /// The integrator damps by itself: the energy may fall.
     damps: bool,
     mesh: MeshWatch,
+    ends: EndWatch,
     alternation: AlternationWatch,
 }
 
@@ -42,7 +45,7 @@ impl Watch {
         };
         let analysis = document.simulation.analysis;
         let (mesh, alternation) = (MeshWatch::new(analysis), AlternationWatch::new(analysis));
-        Self { damps, mesh, alternation, ..Self::default() }
+        Self { damps, mesh, ends: EndWatch::new(analysis), alternation, ..Self::default() }
     }
 
     /// Looks at a new state and returns what the user should know of it; `table` has what is read off it, and `results` what was.
@@ -57,8 +60,9 @@ impl Watch {
         let twist = self.twist(system, state, frames);
         let axial = self.axial(system, state, table, frames);
         let mesh = self.mesh.look(system, state, table, frames);
+        let ends = self.ends.look(system, state, frames);
         let alternation = self.alternation.look(system, state, table, results);
-        twist.into_iter().chain(axial).chain(mesh).chain(alternation).chain(self.energy(state)).collect()
+        twist.into_iter().chain(axial).chain(mesh).chain(ends).chain(alternation).chain(self.energy(state)).collect()
     }
 
     /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.

@@ -195,17 +195,25 @@ pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>)
 }
 
 /// Words of other programs and languages: where they stand, and what they are called here.
-const SYNONYMS: [(&str, &[&str], &str); 21] = [
+const SYNONYMS: [(&str, &[&str], &str); 29] = [
     ("type", &["fixed", "rigid", "fix", "clamp", "clamped"], "weld"),
     ("type", &["hinge", "pin", "pivot", "hinged", "pinned"], "revolute"),
     ("type", &["ball", "ball_joint", "sphere"], "spherical"),
     ("type", &["slider", "translational", "slide"], "prismatic"),
     ("type", &["cardan", "hooke"], "universal"),
-    ("shape", &["i", "h", "l", "c", "t", "u", "z", "angle", "channel", "ibeam", "box"], "general"),
+    ("shape", &["i", "h", "ibeam", "i_beam", "box"], "general"),
     ("shape", &["round", "rod", "disk", "solid"], "circle"),
     ("shape", &["pipe", "hollow", "ring"], "tube"),
     ("shape", &["square", "rect", "strip"], "rectangle"),
     ("integrator", &["alpha", "hht", "newmark"], "generalized_alpha"),
+    (KEY, &["e", "e_modulus", "youngs", "modulus"], "young"),
+    (KEY, &["nu"], "poisson"),
+    (KEY, &["g", "g_modulus"], "shear"),
+    (KEY, &["rho"], "density"),
+    (KEY, &["k"], "stiffness"),
+    (KEY, &["c", "d"], "damping"),
+    (KEY, &["m"], "mass"),
+    (KEY, &["r"], "radius"),
     (FUNCTION, &["log"], "ln` or `log10"),
     (FUNCTION, &["loge"], "ln"),
     (FUNCTION, &["modulo", "fmod", "rem"], "mod"),
@@ -221,12 +229,48 @@ const SYNONYMS: [(&str, &[&str], &str); 21] = [
 
 /// Where the words of expressions stand.
 pub const FUNCTION: &str = "function";
+/// Where the keys of sections stand.
+pub const KEY: &str = "key";
+
+/// Words that ask for what there is not, each with the place where they stand and what to do instead.
+const NOT_AVAILABLE: [(&str, &[&str], &str); 2] = [
+    (
+        "shape",
+        &["i", "h", "ibeam", "i_beam", "box"],
+        "this outline is not available; shape = \"general\" takes its area, second_moment_y, second_moment_z and torsion_constant",
+    ),
+    (
+        "shape",
+        &["l", "c", "t", "u", "z", "angle", "channel"],
+        "this outline is not available, because sections are doubly symmetric; where twist does not matter, shape = \"general\" takes its area, \
+         second_moment_y, second_moment_z and torsion_constant, about the principal axes",
+    ),
+];
+
+/// What to do where a word asks for what there is not; none: it does not.
+pub fn instead(key: &str, word: &str) -> Option<&'static str> {
+    let lower = word.to_ascii_lowercase();
+    let found = NOT_AVAILABLE.iter().find(|(place, words, _)| *place == key && words.contains(&lower.as_str()));
+    found.map(|(.., help)| *help)
+}
+
+/// The one of `candidates` that another program calls `word`, else the nearest one; none: none is near.
+pub fn meant<'a>(place: &str, word: &str, candidates: impl Iterator<Item = &'a str> + Clone) -> Option<&'a str> {
+    let lower = word.to_ascii_lowercase();
+    let is_meant = |candidate: &&str| {
+        SYNONYMS
+            .iter()
+            .any(|(own, words, meant)| *own == place && meant == candidate && words.contains(&lower.as_str()))
+    };
+    candidates.clone().find(is_meant).or_else(|| nearest(word, candidates))
+}
 
 /// `did you mean `weld`?` for a word that another program has for it, else for the nearest candidate, or nothing.
 pub fn suggestion_for<'a>(key: &str, word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
     let lower = word.to_ascii_lowercase();
     let meant = SYNONYMS.iter().find(|(place, words, _)| *place == key && words.contains(&lower.as_str()));
-    meant.map_or_else(|| suggestion(word, candidates), |(.., meant)| format!("did you mean `{meant}`?"))
+    let other = || if instead(key, word).is_some() { String::new() } else { suggestion(word, candidates) };
+    meant.map_or_else(other, |(.., meant)| format!("did you mean `{meant}`?"))
 }
 
 /// A C identifier made of free text, never empty and no keyword: the FMU's modelIdentifier.

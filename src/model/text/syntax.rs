@@ -109,6 +109,15 @@ fn open_bracket(text: &str) -> Option<usize> {
     open.pop()
 }
 
+/// A number and a name behind it, of which somebody may mean the product: `2t`, `2 pi`.
+pub fn factors(text: &str) -> Option<[&str; 2]> {
+    let is_of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let text = text.trim();
+    let begin = text.find(|c: char| c.is_ascii_alphabetic() || c == '_')?;
+    let (number, name) = (text[..begin].trim_end(), &text[begin..]);
+    (number.parse::<f64>().is_ok() && name.chars().all(is_of_name)).then_some([number, name])
+}
+
 /// Whether a text is a number and a unit behind it: `20 mm`, `7.85e3 kg/m3`.
 pub fn has_unit(text: &str) -> bool {
     let is_letter = |c: char| c.is_alphabetic() || c == '\u{b0}' || c == '%';
@@ -148,6 +157,16 @@ mod tests {
         }
         for text in ["20", "1e3", "2*t", "1 0 0", "mm", "steel", "", "1 - t"] {
             assert!(!has_unit(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn factors_are_recognized() {
+        for (text, expected) in [("2t", ["2", "t"]), ("-0.5 pi", ["-0.5", "pi"]), ("2e", ["2", "e"])] {
+            assert_eq!(factors(text), Some(expected), "{text}");
+        }
+        for text in ["t", "2*t", "2t*t", "20", "1e3", ""] {
+            assert_eq!(factors(text), None, "{text}");
         }
     }
 

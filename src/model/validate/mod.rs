@@ -159,7 +159,11 @@ impl Checker<'_> {
             } else if sine < SMALLEST_SINE {
                 let message = format!("the y_axis of beam {} is along the beam", beam.name);
                 let place = document.place(beam.y_axis[0]);
-                let help = format!("give {} a y_axis that is more than 1 degree off its direction", beam.name);
+                let help = match self.document.is_written(beam.y_axis[0]) {
+                    true => format!("give {} a y_axis that is more than 1 degree off its direction", beam.name),
+                    // The default is along y, and so is the beam.
+                    false => String::from("the default is y_axis = [0, 1, 0]; for this beam, write y_axis = [0, 0, 1]"),
+                };
                 self.mistake(place, &message, "the section's y must be across the beam", &help);
             }
         }

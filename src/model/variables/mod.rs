@@ -6,4 +6,4 @@ mod reading;
 mod table;
 
 pub use reading::Moment;
-pub use table::{Measure, Source, Table};
+pub use table::{Measure, Source, Table, is_of_account};

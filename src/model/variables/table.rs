@@ -10,6 +10,7 @@ use crate::math::Vec3;
 use crate::mechanics::beam::resultants::Fiber;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::output::joint_loads::JointLoads;
+use crate::mechanics::state::energy_account::EnergyAccount;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
 use crate::model::file::entries::output::{OutputSpec, Target};
@@ -48,10 +49,26 @@ pub enum Measure {
     Spring(usize, Quantity),
     /// Kinetic, elastic, gravity and total energy.
     Energy,
+    /// Work of loads, actuators and drives, and energy that dampers and the integrator take.
+    Account,
     /// Linear and angular momentum.
     Momentum,
     /// Steps, iterations, rejected steps.
     Statistics,
+}
+
+/// The results of an account of energy.
+const ACCOUNT: [(&str, &str); 5] = [
+    ("work.loads", "Work of loads since the start"),
+    ("work.actuators", "Work of actuators since the start"),
+    ("work.drives", "Work of drives and moving frames since the start"),
+    ("work.dissipated", "Energy that dampers, friction, stops and material damping have taken since the start"),
+    ("work.drift", "Energy that the integrator has added since the start; it has taken what is negative"),
+];
+
+/// Whether a result of this name is one of the account of energy.
+pub fn is_of_account(name: &str) -> bool {
+    ACCOUNT.iter().any(|(own, _)| *own == name)
 }
 
 impl Measure {
@@ -66,6 +83,7 @@ impl Measure {
             | Self::Gear(_, quantity)
             | Self::Spring(_, quantity) => quantity.row().components,
             Self::Energy => 4,
+            Self::Account => ACCOUNT.len(),
             Self::Momentum => 6,
             Self::Statistics => 3,
         }
@@ -121,6 +139,10 @@ impl Table {
             table.push_result(name, 1, "J", meaning);
         }
         table.measures.push(Measure::Energy);
+        if document.simulation.energy_account {
+            ACCOUNT.iter().for_each(|(name, meaning)| table.push_result(name, 1, "J", meaning));
+            table.measures.push(Measure::Account);
+        }
         table.push_result("momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");
         table.push_result("momentum.angular", 3, "kg.m2/s", "Angular momentum about the origin, in global axes");
         table.measures.push(Measure::Momentum);
@@ -210,7 +232,7 @@ impl Table {
             }
             // An effort is given, and a spring follows from positions and velocities.
             Measure::Actuator(_, quantity) | Measure::Spring(_, quantity) => quantity.is_acceleration(),
-            Measure::Energy | Measure::Momentum | Measure::Statistics => false,
+            Measure::Energy | Measure::Account | Measure::Momentum | Measure::Statistics => false,
         })
     }
 
@@ -222,7 +244,11 @@ impl Table {
                 quantity.is_coordinate()
             }
             Measure::Energy => true,
-            Measure::Frame(..) | Measure::Gear(..) | Measure::Momentum | Measure::Statistics => false,
+            Measure::Frame(..)
+            | Measure::Gear(..)
+            | Measure::Account
+            | Measure::Momentum
+            | Measure::Statistics => false,
         })
     }
 
@@ -236,7 +262,7 @@ impl Table {
             | Measure::Gear(_, quantity)
             | Measure::Spring(_, quantity)
             | Measure::Frame(_, quantity) => Some(*quantity),
-            Measure::Energy | Measure::Momentum | Measure::Statistics => None,
+            Measure::Energy | Measure::Account | Measure::Momentum | Measure::Statistics => None,
         }
     }
 
@@ -267,7 +293,8 @@ impl Table {
         self.measures.iter().filter_map(move |measure| {
             let numbers = end..end + measure.results();
             end = numbers.end;
-            let is_of_output = !matches!(measure, Measure::Energy | Measure::Momentum | Measure::Statistics);
+            let is_always_there = matches!(measure, Measure::Energy | Measure::Momentum | Measure::Statistics);
+            let is_of_output = !is_always_there && *measure != Measure::Account;
             is_of_output.then(|| (self.variables[first + numbers.start].quantity.unit.as_str(), numbers))
         })
     }
@@ -369,6 +396,10 @@ impl Table {
                     ];
                     values.extend(parts);
                     values.push(parts.iter().sum());
+                }
+                Measure::Account => {
+                    let EnergyAccount { work, drift, .. } = state.balance.account.unwrap_or_default();
+                    values.extend([work.loads, work.actuators, work.drives, work.dissipated, drift]);
                 }
                 Measure::Momentum => {
                     let (linear, angular) = system.momentum(&state.q, &state.momentum);

@@ -9,6 +9,7 @@ use crate::fmi::Model;
 use crate::model::file::document::Document;
 use crate::model::run::scale::Measures;
 use crate::model::run::simulation::Simulation;
+use crate::model::variables::is_of_account;
 
 /// The error of a column.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +83,8 @@ impl Verification {
             let is_real = estimate.trust != Trust::RoundOff;
             let demand = Demand { parts: Parts::of(name, tally, scale), allowed: wanted * scale };
             let demand = (is_real && estimate.error() > demand.allowed).then_some(demand);
-            let is_asked_for = !matches!(name.split('.').next(), Some("energy" | "momentum"));
+            let is_always_there = matches!(name.split('.').next(), Some("energy" | "momentum"));
+            let is_asked_for = !is_always_there && !is_of_account(name);
             rows.push(Row {
                 name: name.clone(),
                 unit: unit.clone(),

@@ -14,8 +14,9 @@ use crate::error::Error;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
-use crate::mechanics::marker::configuration::Passage;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::state::State;
+use crate::mechanics::state::energy_account::{EnergyAccount, Work};
 use crate::mechanics::state::energy_balance::{Energies, EnergyBalance, Losses};
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
@@ -263,14 +264,30 @@ impl Scratch {
         let energies = system.energies(&configuration, &self.velocity);
         let [acting, damping] = system.power(&configuration, &self.velocity, &self.excitation, &mut self.forces);
         let driving = system.driven_work(&self.gradients, &self.scaled_multipliers, &self.velocity);
-        let power = [acting + acceleration_by_q * driving, damping];
+        let driving = acceleration_by_q * driving;
+        let power = [acting + driving, damping];
         if balance.last.is_none() {
-            (balance.last, balance.power) = begin_balance(system, state);
+            let (energies, power, shares) = begin_balance(system, state);
+            (balance.last, balance.power) = (Some(energies), power);
+            let energy = Some(energies.kinetic + energies.elastic + system.gravity_energy(&state.q));
+            balance.account = balance.account.map(|account| EnergyAccount { power: shares, energy, ..account });
         }
+        let shares = balance
+            .account
+            .is_some()
+            .then(|| shares(system, &configuration, &self.velocity, &self.excitation, [driving, damping]));
         let given = 0.5 * step * (balance.power[0] + power[0]);
         // Where a rate changes within a step, the powers at its ends are not those between: the smaller one is surely taken.
         let taken = step * balance.power[1].min(power[1]);
         balance.account(end, given - taken, energies, system.energy_noise(), Losses::NumericalAtInstants);
+        if let (Some(account), Some(shares)) = (&mut balance.account, shares) {
+            let mut work = Work::default();
+            [account.power, shares].iter().for_each(|power| work.add(power, 0.5 * step));
+            account.power = shares;
+            let energy = energies.kinetic + energies.elastic + system.gravity_energy(&self.q);
+            let begin = account.energy.unwrap_or(energy);
+            balance.add_work(&work, [begin, energy]);
+        }
         balance.power = power;
         balance
     }
@@ -293,15 +310,28 @@ impl Scratch {
     }
 }
 
-/// The energies (J) and the power of what acts from outside (W) at `state`, whose last step is not known or was before a break.
-fn begin_balance(system: &System, state: &State) -> (Option<Energies>, [f64; 2]) {
+/// Power by its origin at the instant `c`, W; drives but for those of springs give `driving`, and dampers take `damping`.
+fn shares(
+    system: &System,
+    c: &Configuration,
+    velocity: &[f64],
+    excitation: &Excitation,
+    [driving, damping]: [f64; 2],
+) -> Work {
+    let [loads, actuators] = system.loads_and_actuators(c, excitation, velocity);
+    Work { loads, actuators, drives: driving + system.power_of_frames(c, velocity), dissipated: damping }
+}
+
+/// The energies (J) and the power of what acts from outside (W), also by its origin, at `state`, whose last step is not known or was before a break.
+fn begin_balance(system: &System, state: &State) -> (Energies, [f64; 2], Work) {
     let (mut cache, mut excitation, mut gradients) = (FrameCache::default(), Excitation::default(), Vec::new());
     let configuration = cache.of(system, state);
     system.excite(state.time, &state.targets, &mut excitation);
     system.constraint_gradients(&configuration, &mut gradients);
     let [acting, damping] = system.power(&configuration, &state.velocity, &excitation, &mut vec![0.0; state.q.len()]);
     let driving = system.driven_work(&gradients, &state.multipliers, &state.velocity);
-    (Some(system.energies(&configuration, &state.velocity)), [acting + driving, damping])
+    let shares = shares(system, &configuration, &state.velocity, &excitation, [driving, damping]);
+    (system.energies(&configuration, &state.velocity), [acting + driving, damping], shares)
 }
 
 /// One step as Newton sees it.

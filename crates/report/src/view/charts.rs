@@ -103,6 +103,7 @@ fn group(name: &str) -> String {
     let (quantity, index) = name.split_once('[').unwrap_or((name, ""));
     match (quantity.split_once('.'), index.trim_end_matches(']').split_once(',')) {
         (Some((kind @ ("energy" | "statistics"), _)), _) => kind.to_owned(),
+        (Some((kind @ "work", "loads" | "actuators" | "drives" | "dissipated" | "drift")), _) => kind.to_owned(),
         (_, Some((_, component))) => format!("{quantity}.{component}"),
         _ => quantity.to_owned(),
     }
@@ -116,7 +117,8 @@ mod tests {
     #[test]
     fn columns_that_belong_together_share_a_chart() {
         let groups =
-            ["tip.position[1]", "line.position[3,2]", "line.twist[3]", "energy.total", "hinge.angle"].map(group);
-        assert_eq!(groups, ["tip.position", "line.position.2", "line.twist", "energy", "hinge.angle"]);
+            ["tip.position[1]", "line.position[3,2]", "line.twist[3]", "energy.total", "work.drift", "hinge.angle"]
+                .map(group);
+        assert_eq!(groups, ["tip.position", "line.position.2", "line.twist", "energy", "work", "hinge.angle"]);
     }
 }

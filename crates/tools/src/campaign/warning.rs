@@ -12,7 +12,7 @@ enum Doubt {
 }
 
 /// Words of every warning that is known, with what is doubted by it.
-const KNOWN: [(&str, Doubt); 22] = [
+const KNOWN: [(&str, Doubt); 27] = [
     ("the integrator has gained", Doubt::Steps),
     ("the integrator has lost", Doubt::Steps),
     ("numerical damping has taken", Doubt::Steps),
@@ -34,7 +34,12 @@ const KNOWN: [(&str, Doubt); 22] = [
     ("initial velocities", Doubt::Nothing),
     ("dampers are not used", Doubt::Nothing),
     ("the quaternion of frame", Doubt::Nothing),
-    ("its unit is", Doubt::Nothing),
+    ("is unusually soft", Doubt::Nothing),
+    ("is unusually light", Doubt::Nothing),
+    ("Angles are in radians", Doubt::Nothing),
+    ("begins with a jump of velocity", Doubt::Nothing),
+    ("shear deformation matters", Doubt::Nothing),
+    ("grows without bound", Doubt::Results),
 ];
 
 /// What is doubted by a warning; one that is not known here counts as a doubt of the results, and the page names it.

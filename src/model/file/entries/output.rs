@@ -237,6 +237,11 @@ fn quantities(
     let known = || QUANTITIES.iter().map(|row| row.word);
     let items = match &item.node {
         Node::Array(items) if !items.is_empty() => items,
+        Node::Text(word) => {
+            let message = format!("`quantities` is {}", item.node.describe());
+            reader.context.report.error(item.place, &message, &format!("[\"{word}\"] was expected"), "");
+            return Vec::new();
+        }
         _ => {
             reader.context.wrong_type("quantities", item, "a list of at least one word");
             return Vec::new();

@@ -26,6 +26,8 @@ pub struct SimulationSpec {
     pub tolerance: Number,
     /// Whether `run` estimates the errors of its results.
     pub verify: bool,
+    /// Whether the work by its origin is among the results.
+    pub energy_account: bool,
 }
 
 /// What is computed.
@@ -115,6 +117,11 @@ impl SimulationSpec {
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&schema::TOLERANCE, TOLERANCE);
         let verify = reader.boolean("verify", false);
+        if analysis == Analysis::Static {
+            let message = "a static analysis has no energy account";
+            reader.refuse("energy_account", message, "it sums the work over the steps of a motion: remove it");
+        }
+        let energy_account = reader.boolean("energy_account", false);
         let steps = match step {
             Some(step) => {
                 reader.refuse("accuracy", "accuracy and step exclude each other", "leave out one of the two");
@@ -144,7 +151,7 @@ impl SimulationSpec {
         }
         reader.finish();
         let initial = initial.unwrap_or(Initial::AsDrawn);
-        Self { place, analysis, integrator, initial, stop, steps, output_step, tolerance, verify }
+        Self { place, analysis, integrator, initial, stop, steps, output_step, tolerance, verify, energy_account }
     }
 }
 

@@ -11,10 +11,13 @@ use crate::model::expression::function::{Formula, Piece};
 use crate::model::expression::program::{Body, Called, FUNCTIONS, MORE_FUNCTIONS};
 use crate::model::expression::{Callee, ExpressionError, Program, Scope, Variable, compile_in};
 use crate::model::text::diagnostic::{Place, Report};
-use crate::model::text::names::{FUNCTION, Kind, Names, nearest, suggestion, suggestion_for};
+use crate::model::text::names::{FUNCTION, KEY, Kind, Names, instead, meant, suggestion, suggestion_for};
 use crate::model::text::syntax;
 use crate::model::text::tree::{Entry, Item, Node};
 use std::sync::Arc;
+
+/// The names of numbers that the language has.
+const CONSTANTS: [&str; 2] = ["pi", "e"];
 
 /// What all sections are read with.
 #[derive(Debug)]
@@ -34,14 +37,15 @@ pub struct Context<'a> {
 impl Context<'_> {
     /// Compiles an expression that stands at `place`.
     pub fn program(&mut self, text: &str, place: Place, variable: Variable) -> Option<Program> {
-        let result = self.compiled(text, [variable.word(), variable.rate()], None);
-        self.told(text, place, result)
+        let variables = [variable.word(), variable.rate()];
+        let result = self.compiled(text, variables, None);
+        self.told(text, place, variables, result)
     }
 
     /// Compiles the expression of a function of the file.
     pub fn function_program(&mut self, text: &str, place: Place, function: &str, argument: &str) -> Option<Program> {
         let result = self.compiled(text, [argument, ""], Some(function));
-        self.told(text, place, result)
+        self.told(text, place, [argument, ""], result)
     }
 
     /// Tells the names of all functions that the expression of a function may call.
@@ -70,11 +74,26 @@ impl Context<'_> {
     }
 
     /// The program; a mistake is reported.
-    fn told(&mut self, text: &str, place: Place, result: Result<Program, ExpressionError>) -> Option<Program> {
+    fn told(
+        &mut self,
+        text: &str,
+        place: Place,
+        variables: [&str; 2],
+        result: Result<Program, ExpressionError>,
+    ) -> Option<Program> {
         match result {
             Ok(program) => Some(program),
             Err(error) if error.is_reported => None,
             Err(error) => {
+                if let Some([number, name]) = syntax::factors(text)
+                    && (variables.contains(&name)
+                        || CONSTANTS.contains(&name)
+                        || self.numbers.parameter(name).is_some())
+                {
+                    let label = format!("\"{number}*{name}\" was expected");
+                    self.report.error(place, "a product is written with *", &label, "");
+                    return None;
+                }
                 if syntax::has_unit(text) {
                     self.report.error(place, "numbers are written without units", "this one has a unit", syntax::UNITS);
                     return None;
@@ -173,9 +192,9 @@ impl<'c, 'a> Reader<'c, 'a> {
         let help = format!("known here: {}", self.known.join(", "));
         for entry in std::mem::take(&mut self.entries) {
             let message = format!("unknown key `{}` in {}", entry.key, self.title);
-            let meant = nearest(&entry.key, self.known.iter().copied());
+            let meant = meant(KEY, &entry.key, self.known.iter().copied());
             self.missing.retain(|(key, _)| Some(key.as_str()) != meant);
-            let label = suggestion(&entry.key, self.known.iter().copied());
+            let label = meant.map_or(String::new(), |key| format!("did you mean `{key}`?"));
             self.context.report.error(entry.key_place, &message, &label, &help);
         }
         self.abandon();
@@ -390,7 +409,8 @@ impl<'c, 'a> Reader<'c, 'a> {
         }
         let message = format!("unknown {key} \"{word}\"");
         let near = suggestion_for(key, word, words.iter().map(|(word, _)| *word));
-        self.context.report.error(entry.item.place, &message, &near, &format!("known here: {listing}"));
+        let known = format!("known here: {listing}");
+        self.context.report.error(entry.item.place, &message, &near, instead(key, word).unwrap_or(&known));
         default
     }
 

@@ -23,6 +23,7 @@ use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::state::{Prediction, Shrinking, State};
 use crate::mechanics::system::System;
 use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::work::StepEnergy;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::prediction;
@@ -125,7 +126,7 @@ impl Integrator for Midpoint {
         let solved = self.solve(system, state, dissipation, span, &mut next);
         let solved = solved.and_then(|solved| self.judge(system, state, dissipation, span, &mut next).map(|()| solved));
         state.statistics.iterations = next.statistics.iterations;
-        let (convergence, [elastic, outside]) = match solved {
+        let (convergence, found) = match solved {
             Ok(solved) => solved,
             Err(reason) => {
                 self.next = Some(next);
@@ -133,7 +134,11 @@ impl Integrator for Midpoint {
             }
         };
         let energy_before = self.scratch.energies(system, state);
-        let work = outside + self.scratch.finish(system, &mut next, span);
+        let work = found.work + self.scratch.finish(system, &mut next, span);
+        let account = state.balance.account.map(|account| {
+            let begin = account.energy.unwrap_or_else(|| self.scratch.whole_energy(system, state));
+            (self.scratch.work(system, state, dissipation, span, &next), begin)
+        });
         self.scratch.continue_rates(state, span.step, &mut next);
         self.carry_error(system, state, dissipation, span, &mut next);
         // Those of the middle are no longer needed.
@@ -146,6 +151,9 @@ impl Integrator for Midpoint {
             next.balance.last = Some(energy_before);
             if system.is_sudden(end, step) {
                 next.balance.skip_jump();
+                if system.is_struck(end, step) {
+                    next.balance.strike();
+                }
                 next.time_error.known = 0;
                 next.viscous.jump();
                 if let Some(pacing) = self.pacing {
@@ -153,7 +161,11 @@ impl Integrator for Midpoint {
                 }
             }
             let losses = if self.dissipation == Dissipation::default() { Losses::None } else { Losses::Numerical };
-            next.balance.account(end, work, Energies { kinetic, elastic }, system.energy_noise(), losses);
+            let energies = Energies { kinetic, elastic: found.elastic };
+            next.balance.account(end, work, energies, system.energy_noise(), losses);
+            if let Some((work, begin)) = account {
+                next.balance.add_work(&work, [begin, self.scratch.whole_energy_of_end(system, state, &next)]);
+            }
             std::mem::swap(state, &mut next);
         }
         self.next = Some(next);
@@ -162,8 +174,8 @@ impl Integrator for Midpoint {
 }
 
 impl Midpoint {
-    /// Solves for the step over `span` from `state`, and refines the solution. Counts iterations, and sets the rates of strains, in `next`. Returns how the iteration went, the
-    /// elastic energy at the end, and the work of what acts from outside but for constraints, J.
+    /// Solves for the step over `span` from `state`, and refines the solution. Counts iterations, and sets the rates of strains, in `next`. Returns how the iteration went, and
+    /// what the step does to the energies.
     ///
     /// # Errors
     /// Newton does not converge, or the elements cannot bear the end.
@@ -174,7 +186,7 @@ impl Midpoint {
         dissipation: Dissipation,
         span: Span,
         next: &mut State,
-    ) -> Result<(Convergence, [f64; 2]), Error> {
+    ) -> Result<(Convergence, StepEnergy), Error> {
         let mut expected = state.prediction.shrinking;
         loop {
             let size = [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance);
@@ -413,6 +425,10 @@ impl Linearized for Midpoint {
         self.scratch.evaluate(system, state, dissipation, span, next);
         constraint_forces(&mut self.scratch);
         self.scratch.finish(system, next, span);
+        if next.balance.account.is_some() {
+            let work = self.scratch.work(system, state, dissipation, span, next);
+            next.balance.account.iter_mut().for_each(|account| account.work.add(&work, 1.0));
+        }
         self.scratch.continue_rates(state, span.step, next);
     }
 }

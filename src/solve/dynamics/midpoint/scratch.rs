@@ -7,11 +7,13 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::state::State;
+use crate::mechanics::state::energy_account::Work;
 use crate::mechanics::state::energy_balance::Energies;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::mechanics::system::step_starts::StepStarts;
+use crate::mechanics::system::work::StepEnergy;
 use crate::solve::newton::prediction;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::Span;
@@ -127,6 +129,38 @@ impl Scratch {
         state.balance.last.unwrap_or_else(|| system.energies(&start, &state.velocity))
     }
 
+    /// The work over the step from `state` to `next` by its origin, J, with the solution as it has been refined.
+    pub fn work(&self, system: &System, state: &State, dissipation: Dissipation, span: Span, next: &State) -> Work {
+        let [start, middle, end] = configurations(
+            system,
+            state,
+            [&self.q_middle, &self.q_end],
+            [&self.frames_start, &self.frames_middle, &self.frames_end],
+            [&self.prescribed_middle, &self.prescribed_end],
+        );
+        let starts = (&self.start_rates[..], &self.starts);
+        let over = time_step(state, [&start, &end], &self.increment, starts, span.step, dissipation);
+        // Not into the memory of the step: its results do not depend on who asks for the work.
+        let (mut forces, mut rates, mut gradients) = (self.forces.clone(), next.strain_rates.clone(), Vec::new());
+        let found = system.finish_step(&middle, &over, &self.excitation, &mut forces, &mut rates);
+        system.constraint_gradients(&middle, &mut gradients);
+        let driven = system.driven_work(&gradients, &next.multipliers, &self.increment);
+        let [loads, actuators] = system.loads_and_actuators(&middle, &self.excitation, &self.increment);
+        Work { loads, actuators, drives: driven + found.by_frames, dissipated: found.dissipated }
+    }
+
+    /// Kinetic, elastic and gravity energy at the start of the step from `state`, J.
+    pub fn whole_energy(&self, system: &System, state: &State) -> f64 {
+        let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
+        system.whole_energy(&start, &state.q, &state.velocity)
+    }
+
+    /// The same at the end, `next`.
+    pub fn whole_energy_of_end(&self, system: &System, state: &State, next: &State) -> f64 {
+        let end = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
+        system.whole_energy(&end, &next.q, &next.velocity)
+    }
+
     /// Gradients of the conditions in the middle, at the current positions.
     pub fn differentiate(&mut self, system: &System, state: &State) {
         let middle = system.configuration(&self.q_middle, &self.frames_middle, state, &self.prescribed_middle);
@@ -140,7 +174,7 @@ impl Scratch {
     }
 
     /// Sets the forces of the step from `state` at the current positions, without those of the joints, their gradients, and the rates of strains over the step in
-    /// `next`. Returns the elastic energy at the end, and the work over the step of what acts from outside but for constraints, J.
+    /// `next`. Returns what the step does to the energies.
     pub fn evaluate(
         &mut self,
         system: &System,
@@ -148,7 +182,7 @@ impl Scratch {
         dissipation: Dissipation,
         span: Span,
         next: &mut State,
-    ) -> [f64; 2] {
+    ) -> StepEnergy {
         let [start, middle, end] = configurations(
             system,
             state,
