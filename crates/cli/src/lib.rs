@@ -2,6 +2,7 @@
 //! of a signal that ended a run. The program and the Python package both call [`main`].
 
 mod check;
+mod conclusion;
 mod demo;
 mod export;
 mod folder;
@@ -43,7 +44,7 @@ struct Arguments {
     /// Say nothing but what was asked for, warnings and errors
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Answer with one JSON document on the standard output: variables of `check`, modes of `modes`, warnings and errors of all commands
+    /// Answer with one JSON document on the standard output: variables of `check`, extremes of `run`, modes of `modes`, warnings and errors of all commands
     #[arg(long, global = true, conflicts_with = "quiet")]
     json: bool,
 }
@@ -62,7 +63,7 @@ enum Command {
         #[arg(long, conflicts_with = "name")]
         list: bool,
     },
-    /// Simulate a model: results.csv and one plot per quantity
+    /// Simulate a model: results.csv, summary.json and one plot per quantity
     ///
     /// During the run its rows are in results.part.csv, which becomes results.csv at the end. A run that fails or is
     /// interrupted leaves its rows there. Files of the previous run in the same folder are replaced.
@@ -281,7 +282,8 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (directory, wish) = (model.directory(out), is_wanted.then_some(wish));
             let read: Vec<_> =
                 [model.input()].into_iter().chain(inputs.iter().map(|path| (INPUTS, path.as_path()))).collect();
-            run::run(simulation, table.as_ref(), &directory, &read, wish, film.transpose()?)
+            let (inputs, settings, film) = (table.as_ref(), &*model.overrides, film.transpose()?);
+            run::run(simulation, &directory, run::Order { inputs, read: &read, settings, wish, film })
         }
         Command::Check { model, resolved: true, .. } => {
             let (simulation, text) = model.load()?;

@@ -1,5 +1,6 @@
 //! `run`: initialize, advance from row to row, write, plot, and say what it took.
 
+use super::conclusion::{self, SUMMARY};
 use super::folder::Folder;
 use super::inputs::Inputs;
 use super::keeper::{Keeper, Signal, interrupted, kept};
@@ -27,16 +28,24 @@ const PARTIAL: &str = "results.part.csv";
 /// The page that shows it move.
 const PAGE: &str = "view.html";
 
-/// Simulates, with a table of `inputs` or the start values of the file, and writes everything into the folder `directory`; with a `wish` the errors of the results too, with a `film` a page that shows
-/// the mechanism move.
-pub fn run(
-    mut simulation: Simulation,
-    inputs: Option<&Inputs>,
-    directory: &Path,
-    read: &[Input<'_>],
-    wish: Option<Wish<'_>>,
-    mut film: Option<Film>,
-) -> Result<(), Stop> {
+/// What is asked for.
+#[derive(Debug, Default)]
+pub struct Order<'a> {
+    /// A table of inputs; none: the start values of the file.
+    pub inputs: Option<&'a Inputs>,
+    /// Files that the command reads.
+    pub read: &'a [Input<'a>],
+    /// The overrides of `--set`.
+    pub settings: &'a [(String, String)],
+    /// That errors be estimated.
+    pub wish: Option<Wish<'a>>,
+    /// A page that shows the mechanism move.
+    pub film: Option<Film>,
+}
+
+/// Simulates and writes everything into the folder `directory`.
+pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Result<(), Stop> {
+    let Order { inputs, read, settings, wish, mut film } = order;
     let last_row = last_row(&simulation)?;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
@@ -45,7 +54,7 @@ pub fn run(
     let plots = Plot::all(&results.columns, simulation.document());
     let of_wish = wish.iter().flat_map(|_| &verify::FILES);
     let own =
-        [COMPLETE, PARTIAL].iter().chain(of_wish).chain(film.iter().map(|_| &PAGE)).map(|name| (*name).to_owned());
+        [COMPLETE, PARTIAL, SUMMARY].iter().chain(of_wish).chain(film.iter().map(|_| &PAGE)).map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
     folder.claim("run", &simulation.about().guid, &names, read)?;
     let keeper = Keeper::start(Shared::clone(&rows))
@@ -66,17 +75,24 @@ pub fn run(
     if let Some(warning) = effort::rejections(simulation.document(), statistics, reached, results.count) {
         complain(&format!("warning: {warning}"));
     }
-    let told = match (&finished, results.reached()) {
-        (Ok(Some(what)), Some(reached)) => {
-            say(&summary(&results, reached, wall)).and_then(|()| exactness(&simulation)).and_then(|()| say(what))
-        }
+    let outcome = outcome.map_err(|end| end.stop(&locked(&rows)));
+    let summary = conclusion::summary(&simulation, &results, settings, wall, is_complete);
+    let told = match (&finished, &summary) {
+        (Ok(Some(what)), Some(summary)) => conclusion::tell(summary, &simulation).and_then(|()| say(what)),
         _ => Ok(()),
     };
-    let outcome = outcome.map_err(|end| end.stop(&locked(&rows)));
+    let concluded = |outcome: &Result<(), Stop>| {
+        summary.as_ref().map_or(Ok(()), |summary| conclusion::write(summary, outcome, &folder))
+    };
+    let written = concluded(&outcome);
     let shown = film.map_or(Ok(()), |film| show(film, &folder, &outcome, reached));
     // The first reason to fail is the one to tell.
-    outcome.and(finished.map(drop)).and(told).and(shown)?;
-    wish.map_or(Ok(()), |wish| verify::verify(&simulation, rows, last_row, &folder, wish))
+    outcome.and(finished.map(drop)).and(told).and(written).and(shown)?;
+    let Some(wish) = wish else { return Ok(()) };
+    let verified = verify::verify(&simulation, rows, last_row, &folder, wish);
+    // Again, with the warnings about errors.
+    let written = concluded(&verified);
+    verified.and(written)
 }
 
 /// Brings the rows to the disk and draws the plots; says what there is. None: there was no row.
@@ -180,50 +196,4 @@ fn simulate(
     });
     bar.finish_and_clear();
     outcome
-}
-
-/// What it took.
-fn summary(results: &Results, reached: f64, wall: f64) -> String {
-    let count = |name: &str| results.last(name).unwrap_or(0.0);
-    let (steps, iterations, rejected) =
-        (count("statistics.steps"), count("statistics.iterations"), count("statistics.rejected"));
-    format!(
-        "t = {} s: {steps} steps, {iterations} Newton iterations, {rejected} rejected, {wall:.3} s wall time, {}",
-        decimal(reached),
-        pace(reached, wall)
-    )
-}
-
-/// How exact the results are, where that is followed.
-fn exactness(simulation: &Simulation) -> Result<(), Stop> {
-    let Some(worst) = simulation.least_accurate() else { return Ok(()) };
-    say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))
-}
-
-/// How fast a run was compared with real time.
-fn pace(simulated: f64, wall: f64) -> String {
-    let factor = simulated / wall;
-    match factor {
-        _ if !factor.is_finite() || factor == 0.0 => String::from("too short to measure its speed"),
-        1.0.. => format!("{} times faster than real time", two_digits(factor)),
-        _ => format!("{} times slower than real time", two_digits(1.0 / factor)),
-    }
-}
-
-/// A number with two digits at least: 1.3, 17, 2450.
-fn two_digits(value: f64) -> String {
-    if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A reader sees which of the two is the faster one.
-    #[test]
-    fn the_pace_says_faster_or_slower() {
-        assert_eq!(pace(10.0, 2.0), "5.0 times faster than real time");
-        assert_eq!(pace(1.0, 4.0), "4.0 times slower than real time");
-        assert_eq!(pace(0.0, 1.0), pace(1.0, 0.0));
-    }
 }

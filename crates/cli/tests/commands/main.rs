@@ -10,6 +10,7 @@ mod output_files;
 mod programs;
 mod same_results;
 mod shells;
+mod summary;
 mod view_command;
 
 use std::process::Output;

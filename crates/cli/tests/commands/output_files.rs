@@ -102,7 +102,7 @@ fn assert_whole(path: &Path) {
 #[test]
 fn regression_what_is_incomplete_looks_incomplete() {
     let place = Place::new();
-    let complete = ["energy.svg", "place.position.svg", "place.velocity.svg", "results.csv"];
+    let complete = ["energy.svg", "place.position.svg", "place.velocity.svg", "results.csv", "summary.json"];
     assert_eq!(code(&place.ancf14(&["run", "m.toml"])), 0);
     assert_eq!(place.results(), complete);
     fs::write(place.at("m-results/mine.svg"), "mine").unwrap();
@@ -114,7 +114,7 @@ fn regression_what_is_incomplete_looks_incomplete() {
     assert!(text(&output.stderr).contains("m-results/results.part.csv"), "{}", text(&output.stderr));
     assert_eq!(
         place.results(),
-        ["energy.svg", "mine.svg", "place.position.svg", "place.velocity.svg", "results.part.csv"]
+        ["energy.svg", "mine.svg", "place.position.svg", "place.velocity.svg", "results.part.csv", "summary.json"]
     );
     assert_whole(&place.at("m-results/results.part.csv"));
     assert!(fs::read_to_string(place.at("m-results/energy.svg")).unwrap().contains("incomplete"));
@@ -168,7 +168,7 @@ fn regression_old_pictures_go() {
     let output = place.ancf14(&["run", "m.toml"]);
     assert!(text(&output.stderr).contains("modes.csv, shapes.csv and modes.svg"), "{}", text(&output.stderr));
     let expected =
-        ["energy.svg", "modes.csv", "modes.svg", "results.csv", "shapes.csv", "spot.position.svg", "spot.velocity.svg"];
+        ["energy.svg", "modes.csv", "modes.svg", "results.csv", "shapes.csv", "spot.position.svg", "spot.velocity.svg", "summary.json"];
     assert_eq!(place.results(), expected);
 }
 
