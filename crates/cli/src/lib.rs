@@ -26,6 +26,7 @@ use ancf14::model::simulation::Simulation;
 use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
 use ancf14::model::{builder, file, notes};
 use ancf14_pack::libraries::Platform;
+use ancf14_report::draw::Projection;
 use ancf14_report::view::Film;
 use clap::{Args, Parser, Subcommand};
 use inputs::Inputs;
@@ -91,6 +92,9 @@ enum Command {
         /// Draw the mechanism: an SVG picture with names, or a PNG picture without
         #[arg(long, value_name = "FILE.svg")]
         draw: Option<PathBuf>,
+        /// Draw it from another side: front, top, side, iso or oblique [default: oblique]
+        #[arg(long, value_name = "VIEW", value_parser = picture::view, requires = "draw")]
+        view: Option<Projection>,
         /// Print the model file without copies and includes instead: it gives the same results
         #[arg(long, conflicts_with = "draw")]
         resolved: bool,
@@ -289,8 +293,9 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, text) = model.load()?;
             check::resolved(&text, &simulation.document().remaining(&model.overrides))
         }
-        Command::Check { model, draw, .. } => {
-            let picture = draw.as_deref().map(picture::Target::of).transpose()?;
+        Command::Check { model, draw, view, .. } => {
+            let view = view.unwrap_or_default();
+            let picture = draw.as_deref().map(|path| picture::Target::of(path, view)).transpose()?;
             output::spare(&[model.input()], draw.as_slice())?;
             let (simulation, _) = model.load()?;
             check::check(simulation, &model.name(), picture)

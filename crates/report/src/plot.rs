@@ -2,7 +2,7 @@
 //! shape at some instants; and one of the energies.
 
 use crate::chart::{Chart, Line, Stroke};
-use crate::draw::flat;
+use crate::draw::Projection;
 use crate::results::{Column, Results};
 use ancf14::model::document::Document;
 use ancf14::model::entries::output::Target;
@@ -109,7 +109,7 @@ impl Plot {
             let values: Vec<f64> = self.columns.iter().map(|column| row[*column]).collect();
             let last = (values.len() - 1).max(1) as f64;
             let points = match self.kind {
-                Kind::Shape => values.as_chunks().0.iter().map(|place: &[f64; 3]| flat(*place).into()).collect(),
+                Kind::Shape => values.as_chunks().0.iter().map(|place: &[f64; 3]| Projection::Oblique.flat(*place).into()).collect(),
                 Kind::Time | Kind::Length => {
                     values.iter().enumerate().map(|(k, value)| (k as f64 / last, *value)).collect()
                 }

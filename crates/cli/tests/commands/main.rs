@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod command_line;
+mod drawing_views;
 mod inputs_command;
 mod modes_command;
 mod new_command;
