@@ -1,12 +1,15 @@
-//! What a run leaves besides its rows: summary.json, and some lines on the terminal.
+//! What a run leaves besides its rows and plots: summary.json, the page index.html, and some lines on the terminal.
 
 use super::folder::Folder;
-use super::{Stop, say, voice};
+use super::{Complaint, Stop, say, voice};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
+use ancf14::model::drawing::Drawing;
 use ancf14::model::simulation::Simulation;
+use ancf14_report::draw::{self, PROJECTIONS};
 use ancf14_report::extremes::{Extremes, Peak, chosen};
-use ancf14_report::numbers::significant;
+use ancf14_report::numbers::{significant, trimmed};
+use ancf14_report::overview::Overview;
 use ancf14_report::results::Results;
 use ancf14_report::summary::{Summary, TimeStepError};
 use serde_json::json;
@@ -14,6 +17,8 @@ use std::fmt::Write;
 
 /// The document of a run.
 pub const SUMMARY: &str = "summary.json";
+/// The page of a run.
+pub const PAGE: &str = "index.html";
 /// Lines of the table on the terminal, without its head and its foot: all of it is a dozen.
 const LINES: usize = 10;
 /// Digits of the numbers in it.
@@ -51,11 +56,28 @@ pub fn summary(
     })
 }
 
-/// Writes the document, with the warnings so far and why the run ended early; with `--json` it is what the program prints.
-pub fn write(summary: &Summary, outcome: &Result<(), Stop>, folder: &Folder) -> Result<(), Stop> {
-    let errors = outcome.as_ref().map_or_else(Stop::complaints, |()| Vec::new());
+/// Writes the document and the page, with the warnings so far and why the run ended early; with `--json` the document is what the program prints. `pictures` are
+/// the plots, and `files` what else is in the folder.
+pub fn write(
+    summary: &Summary,
+    (simulation, outcome): (&Simulation, &Result<(), Stop>),
+    pictures: &[(String, String)],
+    files: &[&str],
+    folder: &Folder,
+) -> Result<(), Stop> {
+    let errors = outcome.as_ref().map_or_else(|stop| stop.complaints(), |()| Vec::new());
     voice::deliver(json!(summary));
-    folder.write(SUMMARY, &format!("{:#}\n", voice::whole(&errors)))
+    folder.write(SUMMARY, &format!("{:#}\n", voice::whole(&errors)))?;
+    let drawing = Drawing::new(simulation.document());
+    let suited = draw::suited(&drawing);
+    let mut views = PROJECTIONS;
+    // The best one comes first.
+    views.sort_by_key(|(_, view)| *view != suited);
+    let drawings = views.map(|(word, view)| (word, draw::fitted(&drawing, view)));
+    let errors: Vec<String> = errors.into_iter().map(Complaint::text).collect();
+    let page =
+        Overview { summary, errors: &errors, warnings: &voice::warnings(), drawings: &drawings, pictures, files };
+    folder.write(PAGE, &page.html())
 }
 
 /// Says what the run took, how exact it is, and what its outputs came to.
@@ -116,7 +138,8 @@ fn table(columns: &[Extremes]) -> Option<String> {
 
 /// An extreme and its time.
 fn peak(peak: &Option<Peak>) -> [String; 2] {
-    [number(peak.map(|peak| peak.value)), number(peak.map(|peak| peak.time))]
+    let time = peak.map_or_else(|| String::from("-"), |peak| trimmed(peak.time, DIGITS));
+    [number(peak.map(|peak| peak.value)), time]
 }
 
 fn number(value: Option<f64>) -> String {
@@ -145,13 +168,18 @@ mod tests {
             maximum: Some(Peak { value: high, time: 1.0 }),
             last: None,
         };
-        let text = table(&[column("tip.x", -0.11004, 0.0), column("root.angle", 1e-7, 123.4), column("energy.total", 0.0, 0.0)]).unwrap();
+        let text = table(&[
+            column("tip.x", -0.11004, 0.0),
+            column("root.angle", 1e-7, 123.4),
+            column("energy.total", 0.0, 0.0),
+        ])
+        .unwrap();
         assert_eq!(
             text.lines().collect::<Vec<_>>(),
             [
-                "                    minimum  at t (s)  maximum  at t (s)  at the end",
-                "  tip.x (m)         -0.1100    0.2500        0     1.000           -",
-                "  root.angle (m)  1.000e-7    0.2500    123.4     1.000           -",
+                "                   minimum  at t (s)  maximum  at t (s)  at the end",
+                "  tip.x (m)        -0.1100      0.25        0         1           -",
+                "  root.angle (m)  1.000e-7      0.25    123.4         1           -",
                 "  1 more column in summary.json",
             ]
         );

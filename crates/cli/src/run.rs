@@ -1,6 +1,6 @@
 //! `run`: initialize, advance from row to row, write, plot, and say what it took.
 
-use super::conclusion::{self, SUMMARY};
+use super::conclusion::{self, PAGE, SUMMARY};
 use super::folder::Folder;
 use super::inputs::Inputs;
 use super::keeper::{Keeper, Signal, interrupted, kept};
@@ -26,7 +26,7 @@ use std::time::Instant;
 const COMPLETE: &str = "results.csv";
 const PARTIAL: &str = "results.part.csv";
 /// The page that shows it move.
-const PAGE: &str = "view.html";
+const VIEW: &str = "view.html";
 
 /// What is asked for.
 #[derive(Debug, Default)]
@@ -53,8 +53,11 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let rows = Rows::shared(partial.clone());
     let plots = Plot::all(&results.columns, simulation.document());
     let of_wish = wish.iter().flat_map(|_| &verify::FILES);
-    let own =
-        [COMPLETE, PARTIAL, SUMMARY].iter().chain(of_wish).chain(film.iter().map(|_| &PAGE)).map(|name| (*name).to_owned());
+    let own = [COMPLETE, PARTIAL, SUMMARY, PAGE]
+        .iter()
+        .chain(of_wish)
+        .chain(film.iter().map(|_| &VIEW))
+        .map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
     folder.claim("run", &simulation.about().guid, &names, read)?;
     let keeper = Keeper::start(Shared::clone(&rows))
@@ -78,48 +81,65 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let outcome = outcome.map_err(|end| end.stop(&locked(&rows)));
     let summary = conclusion::summary(&simulation, &results, settings, wall, is_complete);
     let told = match (&finished, &summary) {
-        (Ok(Some(what)), Some(summary)) => conclusion::tell(summary, &simulation).and_then(|()| say(what)),
+        (Ok(_), Some(summary)) => conclusion::tell(summary, &simulation),
         _ => Ok(()),
     };
-    let concluded = |outcome: &Result<(), Stop>| {
-        summary.as_ref().map_or(Ok(()), |summary| conclusion::write(summary, outcome, &folder))
+    let (finished, mut pictures) = finished.map_or_else(|stop| (Err(stop), Vec::new()), |pictures| (Ok(()), pictures));
+    let mut files = vec![if is_complete { COMPLETE } else { PARTIAL }, SUMMARY];
+    files.extend(film.iter().map(|_| VIEW));
+    let conclude = |outcome: &Result<(), Stop>, pictures: &[(String, String)], files: &[&str]| {
+        let write = |summary| conclusion::write(summary, (&simulation, outcome), pictures, files, &folder);
+        summary.as_ref().map_or(Ok(()), write)
     };
-    let written = concluded(&outcome);
+    let written = conclude(&outcome, &pictures, &files);
+    let pointed = match &summary {
+        Some(summary) if finished.is_ok() && written.is_ok() => {
+            let (table, page) = (locked(&rows).path.clone(), folder.file(PAGE));
+            say(&format!("{} rows in {}; all plots on one page: {}", summary.rows, table.display(), page.display()))
+        }
+        _ => Ok(()),
+    };
     let shown = film.map_or(Ok(()), |film| show(film, &folder, &outcome, reached));
     // The first reason to fail is the one to tell.
-    outcome.and(finished.map(drop)).and(told).and(written).and(shown)?;
+    outcome.and(finished).and(told).and(written).and(pointed).and(shown)?;
     let Some(wish) = wish else { return Ok(()) };
     let verified = verify::verify(&simulation, rows, last_row, &folder, wish);
-    // Again, with the warnings about errors.
-    let written = concluded(&verified);
+    // Again, with the errors and the warnings about them.
+    let [table, chart] = verify::FILES;
+    if let Ok(svg) = fs::read_to_string(folder.file(chart)) {
+        pictures.insert(0, (chart.to_owned(), svg));
+        files.push(table);
+    }
+    let written = conclude(&verified, &pictures, &files);
     verified.and(written)
 }
 
-/// Brings the rows to the disk and draws the plots; says what there is. None: there was no row.
+/// Brings the rows to the disk and draws the plots; returns their names and texts.
 fn finish(
     results: &Results,
     rows: &Shared,
     plots: &[Plot],
     folder: &Folder,
     is_complete: bool,
-) -> Result<Option<String>, Stop> {
-    let Some(reached) = results.reached() else { return Ok(None) };
+) -> Result<Vec<(String, String)>, Stop> {
+    let Some(reached) = results.reached() else { return Ok(Vec::new()) };
     let (partial, complete) = (folder.file(PARTIAL), folder.file(COMPLETE));
     locked(rows).finish().map_err(|reason| trouble(&partial, &reason))?;
-    let (table, remark) = if is_complete {
+    let remark = if is_complete {
         fs::rename(&partial, &complete).map_err(|reason| trouble(&complete, &reason))?;
         locked(rows).path.clone_from(&complete);
-        (complete, String::new())
+        String::new()
     } else {
-        (partial, format!(" (incomplete: to t = {} s)", decimal(reached)))
+        format!(" (incomplete: to t = {} s)", decimal(reached))
     };
     let drawn = if results.count > 1 { plots } else { &[] };
-    for plot in drawn {
+    let draw = |plot: &Plot| {
         let name = plot.file();
         let svg = plot.svg(results, &remark).map_err(|reason| trouble(&folder.file(&name), &reason))?;
         folder.write(&name, &svg)?;
-    }
-    Ok(Some(format!("{} rows in {}, {} plots beside it", results.count, table.display(), drawn.len())))
+        Ok((name, svg))
+    };
+    drawn.iter().map(draw).collect()
 }
 
 /// Writes the page, of a run that failed too.
@@ -130,8 +150,8 @@ fn show(mut film: Film, folder: &Folder, outcome: &Result<(), Stop>, reached: f6
     if film.instants() == 0 {
         return Ok(());
     }
-    folder.write(PAGE, &page(&film)?)?;
-    say(&format!("open {} in a browser to see it move", folder.file(PAGE).display()))
+    folder.write(VIEW, &page(&film)?)?;
+    say(&format!("open {} in a browser to see it move", folder.file(VIEW).display()))
 }
 
 /// What ends a run early.

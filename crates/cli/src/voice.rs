@@ -56,6 +56,12 @@ impl Complaint {
         let message = message.strip_prefix("error: ").unwrap_or(message).to_owned();
         Self { message, location: None, line: None, column: None, excerpt: None, label: None, help: None }
     }
+
+    /// In lines, with its place.
+    pub fn text(self) -> String {
+        let place = self.location.map(|location| format!("in {location}"));
+        [Some(self.message), place, self.help].into_iter().flatten().collect::<Vec<_>>().join("\n")
+    }
 }
 
 /// Sets the style of this process.
@@ -104,6 +110,11 @@ pub fn complain(text: &str) {
 /// Keeps what was asked for, an object, for the document.
 pub fn deliver(product: Value) {
     document().product = product;
+}
+
+/// The warnings so far.
+pub fn warnings() -> Vec<String> {
+    document().warnings.clone()
 }
 
 /// The document so far: what was asked for, warnings and errors.

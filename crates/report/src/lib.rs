@@ -10,6 +10,7 @@ pub mod errors;
 pub mod extremes;
 pub mod modes;
 pub mod numbers;
+pub mod overview;
 mod panels;
 pub mod picture;
 pub mod plot;

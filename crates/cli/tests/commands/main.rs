@@ -4,6 +4,7 @@
 
 mod command_line;
 mod drawing_views;
+mod index_page;
 mod inputs_command;
 mod modes_command;
 mod new_command;
