@@ -120,3 +120,25 @@ fn warnings_are_in_the_summary() {
     assert!(told.iter().any(|warning| warning.contains("miss")), "{told:?}");
     assert_eq!(summary(directory.path())["warnings"], serde_json::json!(told));
 }
+
+/// Without totals the table has the columns of the outputs only, the same bytes in each; the summary and the terminal still count the steps.
+#[test]
+fn tables_without_totals_are_the_rest() {
+    let directory = tempfile::tempdir().unwrap();
+    let text_of = std::fs::read_to_string(model("pendulum")).unwrap();
+    let columns = |file: &str, line: &str| -> Vec<Vec<String>> {
+        std::fs::write(directory.path().join(file), format!("{text_of}\n{line}\n")).unwrap();
+        let ran = run(directory.path(), file, &["--set", "simulation.stop=0.1", "--verify"]);
+        assert!(ran.status.success(), "{}", text(&ran.stderr));
+        let table = std::fs::read_to_string(directory.path().join("out/results.csv")).unwrap();
+        let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+        (0..rows[0].len()).map(|column| rows.iter().map(|row| row[column].to_owned()).collect()).collect()
+    };
+    let all = columns("all.toml", "");
+    let steps = summary(directory.path())["steps"].as_u64().unwrap();
+    let some = columns("some.toml", "totals = []");
+    assert_eq!(all.len() - some.len(), 13);
+    assert_eq!(all[..some.len()], some);
+    assert_eq!(summary(directory.path())["steps"].as_u64(), Some(steps));
+    assert!(steps > 0 && !directory.path().join("out/energy.svg").exists());
+}

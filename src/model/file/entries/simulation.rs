@@ -26,6 +26,19 @@ pub struct SimulationSpec {
     pub tolerance: Number,
     /// Whether `run` estimates the errors of its results.
     pub verify: bool,
+    /// The results of the whole mechanism that stand behind those of the outputs.
+    pub totals: Vec<Total>,
+}
+
+/// Results of the whole mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Total {
+    /// Kinetic, elastic, gravity and total energy.
+    Energy,
+    /// Linear and angular momentum.
+    Momentum,
+    /// Steps, iterations, rejected steps.
+    Statistics,
 }
 
 /// What is computed.
@@ -84,6 +97,8 @@ const INTEGRATORS: [(&str, Word); 3] = [
     ("variational", Word::Variational),
     ("generalized_alpha", Word::GeneralizedAlpha),
 ];
+const TOTALS: [(&str, Total); 3] =
+    [("energy", Total::Energy), ("momentum", Total::Momentum), ("statistics", Total::Statistics)];
 const INITIALS: [(&str, Initial); 2] = [("as_drawn", Initial::AsDrawn), ("equilibrium", Initial::Equilibrium)];
 
 /// A word of `integrator`; `variational`, the paper's midpoint rule, is now `conserving` without numerical dissipation.
@@ -115,6 +130,7 @@ impl SimulationSpec {
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&schema::TOLERANCE, TOLERANCE);
         let verify = reader.boolean("verify", false);
+        let totals = reader.words("totals", &TOTALS);
         let steps = match step {
             Some(step) => {
                 reader.refuse("accuracy", "accuracy and step exclude each other", "leave out one of the two");
@@ -144,7 +160,7 @@ impl SimulationSpec {
         }
         reader.finish();
         let initial = initial.unwrap_or(Initial::AsDrawn);
-        Self { place, analysis, integrator, initial, stop, steps, output_step, tolerance, verify }
+        Self { place, analysis, integrator, initial, stop, steps, output_step, tolerance, verify, totals }
     }
 }
 
