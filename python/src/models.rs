@@ -7,8 +7,9 @@ use ancf14::model::simulation::Simulation;
 use ancf14_pack::contents::{Contents, LICENCES};
 use ancf14_pack::libraries::{self, Platform};
 use ancf14_pack::package;
+use ancf14_report::draw::{self, Projection};
 use ancf14_report::modes::word;
-use ancf14_report::{draw, picture, results};
+use ancf14_report::{picture, results};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -37,7 +38,7 @@ pub fn modes(found: &Modes) -> FoundModes {
 
 /// The drawing that `ancf14 check --draw` writes.
 pub fn drawing(model: &Simulation) -> String {
-    draw::svg(&Drawing::new(model.document()), &model.about().name)
+    draw::svg(&Drawing::new(model.document()), &model.about().name, Projection::default())
 }
 
 /// The bytes of an FMU with the library of this platform.
@@ -48,7 +49,7 @@ pub fn fmu(model: &Simulation, text: &str, library: PathBuf) -> Result<Vec<u8>, 
         model: text,
         licences: LICENCES,
         icon: &icon,
-        drawing: &draw::svg(&drawing, ""),
+        drawing: &draw::svg(&drawing, "", Projection::default()),
         legend: &draw::legend(&drawing),
     };
     let libraries = libraries::read(&[(Platform::NATIVE, library)]).map_err(|reason| reason.to_string())?;

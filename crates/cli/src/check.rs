@@ -6,7 +6,7 @@ use ancf14::fmi::Model;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::model::drawing::Drawing;
 use ancf14::model::simulation::Simulation;
-use ancf14_report::results::shortest;
+use ancf14_report::numbers::shortest;
 use serde_json::{Value, json};
 
 /// Columns of the table.

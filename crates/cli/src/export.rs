@@ -9,7 +9,8 @@ use ancf14::model::notes;
 use ancf14_pack::contents::{Contents, LICENCES};
 use ancf14_pack::libraries::{self, Platform};
 use ancf14_pack::package;
-use ancf14_report::{draw, picture};
+use ancf14_report::draw::{self, Projection};
+use ancf14_report::picture;
 use std::path::{Path, PathBuf};
 
 /// `win64=ancf14.dll`.
@@ -51,7 +52,7 @@ pub fn pack(
         model: &text,
         licences: LICENCES,
         icon: &picture::icon(&drawing).map_err(|reason| undrawn(&*reason))?,
-        drawing: &draw::svg(&drawing, ""),
+        drawing: &draw::svg(&drawing, "", Projection::default()),
         legend: &draw::legend(&drawing),
     };
     let bytes = libraries::read(&packed).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;

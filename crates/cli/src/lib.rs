@@ -2,6 +2,7 @@
 //! of a signal that ended a run. The program and the Python package both call [`main`].
 
 mod check;
+mod conclusion;
 mod demo;
 mod export;
 mod folder;
@@ -25,6 +26,7 @@ use ancf14::model::simulation::Simulation;
 use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
 use ancf14::model::{builder, file, notes};
 use ancf14_pack::libraries::Platform;
+use ancf14_report::draw::Projection;
 use ancf14_report::view::Film;
 use clap::{Args, Parser, Subcommand};
 use inputs::Inputs;
@@ -43,7 +45,7 @@ struct Arguments {
     /// Say nothing but what was asked for, warnings and errors
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Answer with one JSON document on the standard output: variables of `check`, modes of `modes`, warnings and errors of all commands
+    /// Answer with one JSON document on the standard output: variables of `check`, extremes of `run`, modes of `modes`, warnings and errors of all commands
     #[arg(long, global = true, conflicts_with = "quiet")]
     json: bool,
 }
@@ -62,7 +64,7 @@ enum Command {
         #[arg(long, conflicts_with = "name")]
         list: bool,
     },
-    /// Simulate a model: results.csv and one plot per quantity
+    /// Simulate a model: results.csv, a plot of each quantity, summary.json, and the page index.html with all of it
     ///
     /// During the run its rows are in results.part.csv, which becomes results.csv at the end. A run that fails or is
     /// interrupted leaves its rows there. Files of the previous run in the same folder are replaced.
@@ -90,6 +92,9 @@ enum Command {
         /// Draw the mechanism: an SVG picture with names, or a PNG picture without
         #[arg(long, value_name = "FILE.svg")]
         draw: Option<PathBuf>,
+        /// Draw it from another side: front, top, side, iso or oblique [default: oblique]
+        #[arg(long, value_name = "VIEW", value_parser = picture::view, requires = "draw")]
+        view: Option<Projection>,
         /// Print the model file without copies and includes instead: it gives the same results
         #[arg(long, conflicts_with = "draw")]
         resolved: bool,
@@ -281,14 +286,16 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (directory, wish) = (model.directory(out), is_wanted.then_some(wish));
             let read: Vec<_> =
                 [model.input()].into_iter().chain(inputs.iter().map(|path| (INPUTS, path.as_path()))).collect();
-            run::run(simulation, table.as_ref(), &directory, &read, wish, film.transpose()?)
+            let (inputs, settings, film) = (table.as_ref(), &*model.overrides, film.transpose()?);
+            run::run(simulation, &directory, run::Order { inputs, read: &read, settings, wish, film })
         }
         Command::Check { model, resolved: true, .. } => {
             let (simulation, text) = model.load()?;
             check::resolved(&text, &simulation.document().remaining(&model.overrides))
         }
-        Command::Check { model, draw, .. } => {
-            let picture = draw.as_deref().map(picture::Target::of).transpose()?;
+        Command::Check { model, draw, view, .. } => {
+            let view = view.unwrap_or_default();
+            let picture = draw.as_deref().map(|path| picture::Target::of(path, view)).transpose()?;
             output::spare(&[model.input()], draw.as_slice())?;
             let (simulation, _) = model.load()?;
             check::check(simulation, &model.name(), picture)

@@ -1,5 +1,6 @@
 //! `run`: initialize, advance from row to row, write, plot, and say what it took.
 
+use super::conclusion::{self, PAGE, SUMMARY};
 use super::folder::Folder;
 use super::inputs::Inputs;
 use super::keeper::{Keeper, Signal, interrupted, kept};
@@ -25,18 +26,26 @@ use std::time::Instant;
 const COMPLETE: &str = "results.csv";
 const PARTIAL: &str = "results.part.csv";
 /// The page that shows it move.
-const PAGE: &str = "view.html";
+const VIEW: &str = "view.html";
 
-/// Simulates, with a table of `inputs` or the start values of the file, and writes everything into the folder `directory`; with a `wish` the errors of the results too, with a `film` a page that shows
-/// the mechanism move.
-pub fn run(
-    mut simulation: Simulation,
-    inputs: Option<&Inputs>,
-    directory: &Path,
-    read: &[Input<'_>],
-    wish: Option<Wish<'_>>,
-    mut film: Option<Film>,
-) -> Result<(), Stop> {
+/// What is asked for.
+#[derive(Debug, Default)]
+pub struct Order<'a> {
+    /// A table of inputs; none: the start values of the file.
+    pub inputs: Option<&'a Inputs>,
+    /// Files that the command reads.
+    pub read: &'a [Input<'a>],
+    /// The overrides of `--set`.
+    pub settings: &'a [(String, String)],
+    /// That errors be estimated.
+    pub wish: Option<Wish<'a>>,
+    /// A page that shows the mechanism move.
+    pub film: Option<Film>,
+}
+
+/// Simulates and writes everything into the folder `directory`.
+pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Result<(), Stop> {
+    let Order { inputs, read, settings, wish, mut film } = order;
     let last_row = last_row(&simulation)?;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
@@ -44,8 +53,11 @@ pub fn run(
     let rows = Rows::shared(partial.clone());
     let plots = Plot::all(&results.columns, simulation.document());
     let of_wish = wish.iter().flat_map(|_| &verify::FILES);
-    let own =
-        [COMPLETE, PARTIAL].iter().chain(of_wish).chain(film.iter().map(|_| &PAGE)).map(|name| (*name).to_owned());
+    let own = [COMPLETE, PARTIAL, SUMMARY, PAGE]
+        .iter()
+        .chain(of_wish)
+        .chain(film.iter().map(|_| &VIEW))
+        .map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
     folder.claim("run", &simulation.about().guid, &names, read)?;
     let keeper = Keeper::start(Shared::clone(&rows))
@@ -66,44 +78,68 @@ pub fn run(
     if let Some(warning) = effort::rejections(simulation.document(), statistics, reached, results.count) {
         complain(&format!("warning: {warning}"));
     }
-    let told = match (&finished, results.reached()) {
-        (Ok(Some(what)), Some(reached)) => {
-            say(&summary(&results, reached, wall)).and_then(|()| exactness(&simulation)).and_then(|()| say(what))
+    let outcome = outcome.map_err(|end| end.stop(&locked(&rows)));
+    let summary = conclusion::summary(&simulation, &results, settings, wall, is_complete);
+    let told = match (&finished, &summary) {
+        (Ok(_), Some(summary)) => conclusion::tell(summary, &simulation),
+        _ => Ok(()),
+    };
+    let (finished, mut pictures) = finished.map_or_else(|stop| (Err(stop), Vec::new()), |pictures| (Ok(()), pictures));
+    let mut files = vec![if is_complete { COMPLETE } else { PARTIAL }, SUMMARY];
+    files.extend(film.iter().map(|_| VIEW));
+    let conclude = |outcome: &Result<(), Stop>, pictures: &[(String, String)], files: &[&str]| {
+        let write = |summary| conclusion::write(summary, (&simulation, outcome), pictures, files, &folder);
+        summary.as_ref().map_or(Ok(()), write)
+    };
+    let written = conclude(&outcome, &pictures, &files);
+    let pointed = match &summary {
+        Some(summary) if finished.is_ok() && written.is_ok() => {
+            let (table, page) = (locked(&rows).path.clone(), folder.file(PAGE));
+            say(&format!("{} rows in {}; all plots on one page: {}", summary.rows, table.display(), page.display()))
         }
         _ => Ok(()),
     };
-    let outcome = outcome.map_err(|end| end.stop(&locked(&rows)));
     let shown = film.map_or(Ok(()), |film| show(film, &folder, &outcome, reached));
     // The first reason to fail is the one to tell.
-    outcome.and(finished.map(drop)).and(told).and(shown)?;
-    wish.map_or(Ok(()), |wish| verify::verify(&simulation, rows, last_row, &folder, wish))
+    outcome.and(finished).and(told).and(written).and(pointed).and(shown)?;
+    let Some(wish) = wish else { return Ok(()) };
+    let verified = verify::verify(&simulation, rows, last_row, &folder, wish);
+    // Again, with the errors and the warnings about them.
+    let [table, chart] = verify::FILES;
+    if let Ok(svg) = fs::read_to_string(folder.file(chart)) {
+        pictures.insert(0, (chart.to_owned(), svg));
+        files.push(table);
+    }
+    let written = conclude(&verified, &pictures, &files);
+    verified.and(written)
 }
 
-/// Brings the rows to the disk and draws the plots; says what there is. None: there was no row.
+/// Brings the rows to the disk and draws the plots; returns their names and texts.
 fn finish(
     results: &Results,
     rows: &Shared,
     plots: &[Plot],
     folder: &Folder,
     is_complete: bool,
-) -> Result<Option<String>, Stop> {
-    let Some(reached) = results.reached() else { return Ok(None) };
+) -> Result<Vec<(String, String)>, Stop> {
+    let Some(reached) = results.reached() else { return Ok(Vec::new()) };
     let (partial, complete) = (folder.file(PARTIAL), folder.file(COMPLETE));
     locked(rows).finish().map_err(|reason| trouble(&partial, &reason))?;
-    let (table, remark) = if is_complete {
+    let remark = if is_complete {
         fs::rename(&partial, &complete).map_err(|reason| trouble(&complete, &reason))?;
         locked(rows).path.clone_from(&complete);
-        (complete, String::new())
+        String::new()
     } else {
-        (partial, format!(" (incomplete: to t = {} s)", decimal(reached)))
+        format!(" (incomplete: to t = {} s)", decimal(reached))
     };
     let drawn = if results.count > 1 { plots } else { &[] };
-    for plot in drawn {
+    let draw = |plot: &Plot| {
         let name = plot.file();
         let svg = plot.svg(results, &remark).map_err(|reason| trouble(&folder.file(&name), &reason))?;
         folder.write(&name, &svg)?;
-    }
-    Ok(Some(format!("{} rows in {}, {} plots beside it", results.count, table.display(), drawn.len())))
+        Ok((name, svg))
+    };
+    drawn.iter().map(draw).collect()
 }
 
 /// Writes the page, of a run that failed too.
@@ -114,8 +150,8 @@ fn show(mut film: Film, folder: &Folder, outcome: &Result<(), Stop>, reached: f6
     if film.instants() == 0 {
         return Ok(());
     }
-    folder.write(PAGE, &page(&film)?)?;
-    say(&format!("open {} in a browser to see it move", folder.file(PAGE).display()))
+    folder.write(VIEW, &page(&film)?)?;
+    say(&format!("open {} in a browser to see it move", folder.file(VIEW).display()))
 }
 
 /// What ends a run early.
@@ -180,50 +216,4 @@ fn simulate(
     });
     bar.finish_and_clear();
     outcome
-}
-
-/// What it took.
-fn summary(results: &Results, reached: f64, wall: f64) -> String {
-    let count = |name: &str| results.last(name).unwrap_or(0.0);
-    let (steps, iterations, rejected) =
-        (count("statistics.steps"), count("statistics.iterations"), count("statistics.rejected"));
-    format!(
-        "t = {} s: {steps} steps, {iterations} Newton iterations, {rejected} rejected, {wall:.3} s wall time, {}",
-        decimal(reached),
-        pace(reached, wall)
-    )
-}
-
-/// How exact the results are, where that is followed.
-fn exactness(simulation: &Simulation) -> Result<(), Stop> {
-    let Some(worst) = simulation.least_accurate() else { return Ok(()) };
-    say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))
-}
-
-/// How fast a run was compared with real time.
-fn pace(simulated: f64, wall: f64) -> String {
-    let factor = simulated / wall;
-    match factor {
-        _ if !factor.is_finite() || factor == 0.0 => String::from("too short to measure its speed"),
-        1.0.. => format!("{} times faster than real time", two_digits(factor)),
-        _ => format!("{} times slower than real time", two_digits(1.0 / factor)),
-    }
-}
-
-/// A number with two digits at least: 1.3, 17, 2450.
-fn two_digits(value: f64) -> String {
-    if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A reader sees which of the two is the faster one.
-    #[test]
-    fn the_pace_says_faster_or_slower() {
-        assert_eq!(pace(10.0, 2.0), "5.0 times faster than real time");
-        assert_eq!(pace(1.0, 4.0), "4.0 times slower than real time");
-        assert_eq!(pace(0.0, 1.0), pace(1.0, 0.0));
-    }
 }

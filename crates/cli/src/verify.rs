@@ -15,7 +15,7 @@ use ancf14::model::verification::levels::{Level, Override};
 use ancf14::model::verification::{Report, Row, Verification};
 use ancf14_report::bars::Bars;
 use ancf14_report::errors;
-use ancf14_report::results::shortest;
+use ancf14_report::numbers::shortest;
 use std::fmt::Write;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader};

@@ -56,11 +56,18 @@ impl Complaint {
         let message = message.strip_prefix("error: ").unwrap_or(message).to_owned();
         Self { message, location: None, line: None, column: None, excerpt: None, label: None, help: None }
     }
+
+    /// In lines, with its place.
+    pub fn text(self) -> String {
+        let place = self.location.map(|location| format!("in {location}"));
+        [Some(self.message), place, self.help].into_iter().flatten().collect::<Vec<_>>().join("\n")
+    }
 }
 
 /// Sets the style of this process.
 pub fn set(style: Style) {
     STYLE.store(style as u8, Ordering::Relaxed);
+    *document() = Document { product: Value::Null, warnings: Vec::new() };
 }
 
 /// Whether the answer is one document.
@@ -93,11 +100,10 @@ pub fn print(text: &str) -> Result<(), Stop> {
 
 /// Tells an error or a warning.
 pub fn complain(text: &str) {
-    match text.strip_prefix("warning: ").filter(|_| is_json()) {
-        Some(warning) => document().warnings.push(warning.to_owned()),
-        None => {
-            let _ = writeln!(io::stderr(), "{text}");
-        }
+    let warning = text.strip_prefix("warning: ");
+    document().warnings.extend(warning.map(str::to_owned));
+    if warning.is_none() || !is_json() {
+        let _ = writeln!(io::stderr(), "{text}");
     }
 }
 
@@ -106,17 +112,24 @@ pub fn deliver(product: Value) {
     document().product = product;
 }
 
-/// Prints the document of `--json`: what was asked for, warnings and errors.
+/// The warnings so far.
+pub fn warnings() -> Vec<String> {
+    document().warnings.clone()
+}
+
+/// The document so far: what was asked for, warnings and errors.
+pub fn whole(errors: &[Complaint]) -> Value {
+    let Document { product, warnings } = &*document();
+    let mut whole = json!({ "format": FORMAT, "errors": errors, "warnings": warnings });
+    if let (Value::Object(whole), Value::Object(product)) = (&mut whole, product) {
+        whole.extend(product.clone());
+    }
+    whole
+}
+
+/// Prints the document of `--json`.
 pub fn conclude(errors: &[Complaint]) -> Result<(), Stop> {
-    let Document { product, warnings } = &mut *document();
-    let mut whole = json!({ "format": FORMAT });
-    for (name, value) in [("errors", json!(errors)), ("warnings", json!(warnings))] {
-        whole[name] = value;
-    }
-    if let (Value::Object(whole), Value::Object(product)) = (&mut whole, product.take()) {
-        whole.extend(product);
-    }
-    print(&format!("{whole:#}"))
+    print(&format!("{:#}", whole(errors)))
 }
 
 fn document() -> MutexGuard<'static, Document> {

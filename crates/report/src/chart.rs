@@ -1,7 +1,9 @@
 //! A chart as an SVG picture: lines and dots over two axes, ticks that can be read, a legend beside it.
 
+use crate::panels::panels;
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
 
 /// Size of a chart on the screen, pixels.
@@ -17,6 +19,9 @@ pub(crate) const BELOW: i32 = 48 * FINE;
 const LEFT: i32 = 84 * FINE;
 /// Height of the title: the height that remains for the axes depends on it.
 const TITLE: i32 = 36 * FINE;
+/// Height of one of several panels, and what is free above and below its axes.
+const PANEL: i32 = 190 * FINE;
+const BETWEEN: i32 = 8 * FINE;
 /// First line of the legend, distance of its lines, and how many there is room for.
 const FIRST: i32 = 64 * FINE;
 const SPACING: i32 = 24 * FINE;
@@ -48,10 +53,21 @@ pub struct Chart {
     pub title: String,
     /// What the axes say.
     pub axes: [String; 2],
-    /// Whether a length is the same along both axes: shapes.
-    pub shape: bool,
+    /// How the axes are laid out.
+    pub layout: Layout,
     /// Lines in the order of the legend.
     pub lines: Vec<Line>,
+}
+
+/// How the axes of a chart are laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// One pair of axes for all lines.
+    Single,
+    /// The same, and a length is the same along both axes: shapes.
+    Shape,
+    /// A panel for the lines of each size, one below the other: no line looks flat because another one is large.
+    Panels,
 }
 
 /// A line of a chart.
@@ -82,39 +98,87 @@ impl Chart {
     /// # Errors
     /// It cannot be drawn.
     pub fn svg(&self) -> Result<String, Box<dyn Error>> {
+        let panels = match self.layout {
+            Layout::Single | Layout::Shape => vec![(0..self.lines.len()).collect()],
+            Layout::Panels => panels(&self.lines.iter().map(Line::span).collect::<Vec<_>>()),
+        };
+        let panels: Vec<Vec<&Line>> =
+            panels.into_iter().map(|panel| panel.into_iter().map(|line| &self.lines[line]).collect()).collect();
+        let shown = match panels.len() {
+            0 | 1 => SHOWN,
+            count => (SHOWN.0, ((HEAD + PANEL * count as i32 + BELOW - BETWEEN) / FINE) as u32),
+        };
+        let size = (shown.0 * FINE as u32, shown.1 * FINE as u32);
         let mut text = String::new();
-        self.draw(&SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
-        let size = |(width, height)| format!("width=\"{width}\" height=\"{height}\"");
-        Ok(text.replacen(&size(SIZE), &size(SHOWN), 1))
+        self.draw(&SVGBackend::with_string(&mut text, size).into_drawing_area(), &panels)?;
+        let words = |(width, height)| format!("width=\"{width}\" height=\"{height}\"");
+        Ok(text.replacen(&words(size), &words(shown), 1))
     }
 
-    fn draw(&self, root: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Box<dyn Error>> {
+    fn draw(&self, root: &Area<'_>, panels: &[Vec<&Line>]) -> Result<(), Box<dyn Error>> {
         root.fill(&WHITE)?;
-        let (left, right) = root.split_horizontally(SIZE.0 as i32 - LEGEND);
-        let [across, along] = self.ranges();
+        if let [panel] = panels {
+            let look =
+                Look { title: &self.title, margins: [MARGIN; 2], below: BELOW, labels: 9, letters: 16, first: FIRST };
+            self.panel(root, panel, &look)?;
+        } else {
+            let (mut above, mut rest) = root.split_vertically(HEAD);
+            let center = text(22).color(&INK).pos(Pos::new(HPos::Center, VPos::Center));
+            let middle = (LEFT + MARGIN + SIZE.0 as i32 - LEGEND - MARGIN) / 2;
+            above.draw(&Text::new(self.title.clone(), (middle, HEAD / 2), center))?;
+            for (k, panel) in panels.iter().enumerate() {
+                let is_last = k + 1 == panels.len();
+                if is_last {
+                    above = rest.clone();
+                } else {
+                    (above, rest) = rest.split_vertically(PANEL);
+                }
+                let below = if is_last { BELOW } else { BETWEEN };
+                let look = Look { title: "", margins: [BETWEEN; 2], below, labels: 5, letters: 14, first: 2 * BETWEEN };
+                self.panel(&above, panel, &look)?;
+            }
+        }
+        root.present()?;
+        Ok(())
+    }
+
+    /// Draws axes with some of the lines, and the names of these.
+    fn panel(&self, area: &Area<'_>, lines: &[&Line], look: &Look<'_>) -> Result<(), Box<dyn Error>> {
+        let (left, right) = area.split_horizontally(SIZE.0 as i32 - LEGEND);
+        let [across, along] = self.ranges(lines);
         let (width, height) = (across.1 - across.0, along.1 - along.0);
-        let mut chart = ChartBuilder::on(&left)
-            .caption(&self.title, text(22).color(&INK))
+        let is_inner = look.below < BELOW;
+        let mut builder = ChartBuilder::on(&left);
+        if !look.title.is_empty() || self.layout != Layout::Panels {
+            builder.caption(look.title, text(22).color(&INK));
+        }
+        let [top, bottom] = look.margins;
+        let mut chart = builder
             .margin(MARGIN)
-            .x_label_area_size(BELOW)
+            .margin_top(top)
+            .margin_bottom(bottom)
+            .x_label_area_size(look.below)
             .y_label_area_size(LEFT)
             .build_cartesian_2d(across.0..across.1, along.0..along.1)?;
-        chart
-            .configure_mesh()
-            .x_labels(9)
-            .y_labels(9)
+        let horizontal = |value: &f64| if is_inner { String::new() } else { tick(*value, width) };
+        let vertical = |value: &f64| tick(*value, height);
+        let mut mesh = chart.configure_mesh();
+        mesh.x_labels(9)
+            .y_labels(look.labels)
             .max_light_lines(0)
             .bold_line_style(GRID.stroke_width(THIN))
             .axis_style(INK.stroke_width(THIN))
             .set_all_tick_mark_size(5 * FINE)
             .label_style(text(14).color(&INK))
-            .axis_desc_style(text(16).color(&INK))
-            .x_desc(&self.axes[0])
+            .axis_desc_style(text(look.letters).color(&INK))
             .y_desc(&self.axes[1])
-            .x_label_formatter(&|value| tick(*value, width))
-            .y_label_formatter(&|value| tick(*value, height))
-            .draw()?;
-        for line in &self.lines {
+            .x_label_formatter(&horizontal)
+            .y_label_formatter(&vertical);
+        if !is_inner {
+            mesh.x_desc(&self.axes[0]);
+        }
+        mesh.draw()?;
+        for line in lines {
             match line.stroke {
                 Stroke::Solid => {
                     chart.draw_series(LineSeries::new(thinned(&line.points), line.style()))?;
@@ -125,17 +189,17 @@ impl Chart {
                 }
             }
         }
-        self.legend(&right)?;
-        root.present()?;
-        Ok(())
+        legend(&right, lines, look.first)
     }
 
     /// What the axes span.
-    fn ranges(&self) -> [(f64, f64); 2] {
-        let points = || self.lines.iter().flat_map(|line| &line.points);
+    fn ranges(&self, lines: &[&Line]) -> [(f64, f64); 2] {
+        let points = || lines.iter().flat_map(|line| &line.points);
         let along = range(points().map(|point| point.1));
-        if !self.shape {
-            return [extent(points().map(|point| point.0)).unwrap_or((0.0, 1.0)), along];
+        if self.layout != Layout::Shape {
+            // The same for all panels.
+            let all = self.lines.iter().flat_map(|line| &line.points);
+            return [extent(all.map(|point| point.0)).unwrap_or((0.0, 1.0)), along];
         }
         let across = range(points().map(|point| point.0));
         let [columns, rows] =
@@ -146,26 +210,46 @@ impl Chart {
             (middle - half, middle + half)
         })
     }
+}
 
-    /// Samples and names beside the chart, where they hide nothing.
-    fn legend(&self, area: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Box<dyn Error>> {
-        let label = || text(15).color(&INK);
-        let named: Vec<&Line> = self.lines.iter().filter(|line| !line.name.is_empty()).collect();
-        for (k, line) in named.iter().take(NAMES).enumerate() {
-            let y = FIRST + SPACING * k as i32;
-            match line.stroke {
-                Stroke::Solid => area.draw(&PathElement::new([(4 * FINE, y), (30 * FINE, y)], line.style()))?,
-                Stroke::Dots => area.draw(&Circle::new((17 * FINE, y), DOT, line.style()))?,
-            }
-            area.draw(&Text::new(line.name.clone(), (38 * FINE, y - 7 * FINE), label()))?;
+/// Draws samples and names beside axes, where they hide nothing.
+fn legend(area: &Area<'_>, lines: &[&Line], first: i32) -> Result<(), Box<dyn Error>> {
+    let label = || text(15).color(&INK);
+    let named: Vec<&&Line> = lines.iter().filter(|line| !line.name.is_empty()).collect();
+    for (k, line) in named.iter().take(NAMES).enumerate() {
+        let y = first + SPACING * k as i32;
+        match line.stroke {
+            Stroke::Solid => area.draw(&PathElement::new([(4 * FINE, y), (30 * FINE, y)], line.style()))?,
+            Stroke::Dots => area.draw(&Circle::new((17 * FINE, y), DOT, line.style()))?,
         }
-        if named.len() > NAMES {
-            let y = FIRST + SPACING * NAMES as i32;
-            let rest = format!("and {} more", named.len() - NAMES);
-            area.draw(&Text::new(rest, (38 * FINE, y - 7 * FINE), label()))?;
-        }
-        Ok(())
+        area.draw(&Text::new(line.name.clone(), (38 * FINE, y - 7 * FINE), label()))?;
     }
+    if named.len() > NAMES {
+        let y = first + SPACING * NAMES as i32;
+        let rest = format!("and {} more", named.len() - NAMES);
+        area.draw(&Text::new(rest, (38 * FINE, y - 7 * FINE), label()))?;
+    }
+    Ok(())
+}
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// Height of the title above several panels.
+const HEAD: i32 = TITLE + MARGIN;
+
+/// How a panel looks.
+struct Look<'a> {
+    /// Above it; empty: it has no title of its own.
+    title: &'a str,
+    /// Above and below.
+    margins: [i32; 2],
+    /// Height of the labels below; less than [`BELOW`]: there are none.
+    below: i32,
+    /// Numbers at the axis on the left, and the height of the letters beside it.
+    labels: usize,
+    letters: i32,
+    /// First line of the legend.
+    first: i32,
 }
 
 /// Radius of a dot.
@@ -177,6 +261,15 @@ pub(crate) fn text(height: i32) -> FontDesc<'static> {
 }
 
 impl Line {
+    /// Its lowest and highest value, if it has a point.
+    fn span(&self) -> Option<(f64, f64)> {
+        let values = self.points.iter().map(|point| point.1).filter(|value| value.is_finite());
+        values.fold(None, |span, value| {
+            let (low, high) = span.unwrap_or((value, value));
+            Some((value.min(low), value.max(high)))
+        })
+    }
+
     fn style(&self) -> ShapeStyle {
         let color = COLORS[self.color % COLORS.len()];
         match self.stroke {
@@ -269,7 +362,12 @@ mod tests {
     fn regression_ramps_are_no_staircases() {
         let points = (0..=300).map(|k| (f64::from(k), 0.01 * f64::from(k))).collect();
         let line = Line { name: String::new(), stroke: Stroke::Solid, color: 0, points };
-        let chart = Chart { title: String::new(), axes: [const { String::new() }; 2], shape: false, lines: vec![line] };
+        let chart = Chart {
+            title: String::new(),
+            axes: [const { String::new() }; 2],
+            layout: Layout::Single,
+            lines: vec![line],
+        };
         let svg = chart.svg().unwrap();
         assert!(svg.starts_with("<svg width=\"960\" height=\"540\" viewBox=\"0 0 9600 5400\""), "{}", &svg[..100]);
         let ramp =
@@ -278,6 +376,30 @@ mod tests {
             ramp.unwrap().split_whitespace().map(|point| point.split_once(',').unwrap().1.parse().unwrap()).collect();
         let rises: Vec<f64> = points.windows(2).map(|pair| pair[0] - pair[1]).collect();
         assert!(rises.len() == 300 && rises.iter().all(|rise| (rise - rises[0]).abs() <= 1.0), "{rises:?}");
+    }
+
+    /// A small curve next to a large one has a panel of its own, as high as that of the large one; the picture grows, and its names stay those of the curves.
+    #[test]
+    fn small_curves_have_a_panel() {
+        let line = |name: &str, color, size: f64| {
+            let points = (0..=100).map(|k| (f64::from(k), size * (0.1 * f64::from(k)).sin())).collect();
+            Line { name: name.to_owned(), stroke: Stroke::Solid, color, points }
+        };
+        let axes = [const { String::new() }; 2];
+        let lines = vec![line("x", 0, 5.0), line("y", 1, 4.0), line("z", 2, 7e-4)];
+        let svg = Chart { title: String::from("tip"), axes, layout: Layout::Panels, lines }.svg().unwrap();
+        assert!(svg.starts_with("<svg width=\"960\" height=\"470\" viewBox=\"0 0 9600 4700\""), "{}", &svg[..100]);
+        let heights = ["#0072B2", "#D55E00", "#009E73"].map(|color| {
+            let curves = svg.lines().filter(|line| line.contains("polyline") && line.contains(color));
+            let points = curves.map(|line| line.split("points=\"").nth(1).unwrap().split('"').next().unwrap());
+            let longest = points.max_by_key(|points| points.len()).unwrap();
+            let heights =
+                longest.split_whitespace().map(|point| point.split_once(',').unwrap().1.parse::<f64>().unwrap());
+            let [low, high] = heights.fold([f64::INFINITY, 0.0], |[low, high], y| [low.min(y), y.max(high)]);
+            high - low
+        });
+        // The height of a panel without its margins, a tenth of a pixel each.
+        assert!(heights[2] > 0.99 * heights[0] && heights[1] < 0.9 * heights[0], "{heights:?}");
     }
 
     /// A single peak among many points survives.

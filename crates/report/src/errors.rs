@@ -1,6 +1,6 @@
 //! The table of estimated errors as CSV.
 
-use crate::results::shortest;
+use crate::numbers::shortest;
 use ancf14::error::decimal;
 use ancf14::model::verification::Report;
 use ancf14::model::verification::estimate::Order;

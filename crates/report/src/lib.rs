@@ -4,12 +4,18 @@
 
 pub mod bars;
 pub mod chart;
+pub mod column;
 pub mod draw;
 pub mod errors;
+pub mod extremes;
 pub mod modes;
+pub mod numbers;
+pub mod overview;
+mod panels;
 pub mod picture;
 pub mod plot;
 pub mod results;
 pub mod shapes;
+pub mod summary;
 pub mod trace;
 pub mod view;

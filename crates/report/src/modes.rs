@@ -1,6 +1,6 @@
 //! Natural modes as text: their tables as CSV, and how a mode goes on in words.
 
-use crate::results::shortest;
+use crate::numbers::{shortest, significant};
 use ancf14::model::modes::{Kind, Mode, Modes};
 
 /// How a mode goes on, in a few words.
@@ -23,12 +23,7 @@ pub fn word(mode: &Mode) -> &'static str {
 
 /// Six significant digits, without an exponent where that is as short.
 pub fn digits(value: f64) -> String {
-    let before = value.abs().log10().floor().clamp(-300.0, 300.0) as i32 + 1;
-    if (-3..=9).contains(&before) {
-        format!("{value:.*}", (6 - before).max(0) as usize)
-    } else {
-        format!("{value:.5e}")
-    }
+    significant(value, 6)
 }
 
 /// The text of modes.csv: a row a mode.
@@ -55,23 +50,4 @@ pub fn shapes(found: &Modes) -> String {
         }
     }
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Numbers of a table have six digits, whatever their size.
-    #[test]
-    fn six_digits_are_shown() {
-        for (value, text) in [
-            (9.0609999, "9.06100"),
-            (56.932, "56.9320"),
-            (123456.7, "123457"),
-            (1.5e-7, "1.50000e-7"),
-            (0.0123, "0.0123000"),
-        ] {
-            assert_eq!(digits(value), text);
-        }
-    }
 }

@@ -1,6 +1,6 @@
 //! Drawings as the pixels of a PNG picture.
 
-use crate::draw;
+use crate::draw::{self, Projection};
 use ancf14::model::drawing::Drawing;
 use resvg::{
     render,
@@ -25,8 +25,8 @@ pub fn icon(drawing: &Drawing) -> Result<Vec<u8>, Box<dyn Error>> {
 ///
 /// # Errors
 /// It cannot be drawn.
-pub fn page(drawing: &Drawing) -> Result<Vec<u8>, Box<dyn Error>> {
-    png(&draw::unnamed(drawing), PAGE)
+pub fn page(drawing: &Drawing, projection: Projection) -> Result<Vec<u8>, Box<dyn Error>> {
+    png(&draw::unnamed(drawing, projection), PAGE)
 }
 
 /// The bytes of a PNG picture of an SVG drawing without text: no font is read, the same drawing gives the same bytes.

@@ -1,8 +1,9 @@
 //! Plots of results: one SVG per quantity of an output, its components as lines over time; of a quantity at the stations of a beam the
 //! shape at some instants; and one of the energies.
 
-use crate::chart::{Chart, Line, Stroke};
-use crate::draw::flat;
+use crate::chart::{Chart, Layout, Line, Stroke};
+use crate::column::Name;
+use crate::draw::Projection;
 use crate::results::{Column, Results};
 use ancf14::model::document::Document;
 use ancf14::model::entries::output::Target;
@@ -38,7 +39,7 @@ impl Plot {
         };
         let mut plots: Vec<Self> = Vec::new();
         for (place, column) in columns.iter().enumerate() {
-            let (quantity, index) = column.name.split_once('[').unwrap_or((column.name.as_str(), ""));
+            let Name { quantity, component, .. } = Name::of(&column.name);
             let (kind, name) = match quantity.split_once('.') {
                 Some(("momentum" | "statistics", _)) => continue,
                 Some(("energy", _)) => (Kind::Time, "energy".to_owned()),
@@ -47,8 +48,8 @@ impl Plot {
                 }
                 Some((output, "position")) if is_beam(output) => (Kind::Shape, quantity.to_owned()),
                 Some((output, _)) if is_beam(output) => {
-                    let component = index.trim_end_matches(']').split_once(',');
-                    (Kind::Length, component.map_or(quantity.to_owned(), |(_, part)| format!("{quantity}.{part}")))
+                    let part = if component.is_empty() { String::new() } else { format!(".{component}") };
+                    (Kind::Length, format!("{quantity}{part}"))
                 }
                 _ => (Kind::Time, quantity.to_owned()),
             };
@@ -79,7 +80,10 @@ impl Plot {
         let last = words.next().unwrap_or(&self.name);
         // `shape.displacement.2`: the component stands behind the quantity.
         let quantity = match last.parse::<u8>() {
-            Ok(component) => format!("{}, component {component}", words.next().unwrap_or("")),
+            Ok(_) => {
+                let quantity = words.next().unwrap_or("");
+                format!("{quantity}, {}", Name { quantity, station: "", component: last }.axis())
+            }
             Err(_) => last.to_owned(),
         };
         let value = format!("{} ({unit})", quantity.replace('_', " "));
@@ -92,16 +96,22 @@ impl Plot {
             Kind::Time => self.curves(results),
             Kind::Length | Kind::Shape => self.snapshots(results),
         };
-        Chart { title: format!("{}{remark}", self.name), axes, shape: self.kind == Kind::Shape, lines }
+        let layout = match self.kind {
+            Kind::Time => Layout::Panels,
+            Kind::Length => Layout::Single,
+            Kind::Shape => Layout::Shape,
+        };
+        Chart { title: format!("{}{remark}", self.name), axes, layout, lines }
     }
 
     fn curves(&self, results: &Results) -> Vec<Line> {
         let line = |(color, column): (usize, &usize)| {
             let Column { name, trace, .. } = &results.columns[*column];
-            let label = name
-                .strip_prefix(&self.name)
-                .filter(|rest| rest.starts_with('.'))
-                .map_or_else(|| name.split_once('.').map_or(name.as_str(), |(_, rest)| rest), |rest| &rest[1..]);
+            // A component, an energy, or a quantity without components.
+            let label = match Name::of(name) {
+                own if !own.component.is_empty() => own.axis(),
+                _ => name.split_once('.').map_or(name.as_str(), |(_, rest)| rest),
+            };
             Line { name: label.to_owned(), stroke: Stroke::Solid, color, points: trace.points() }
         };
         self.columns.iter().enumerate().map(line).collect()
@@ -112,7 +122,12 @@ impl Plot {
             let values: Vec<f64> = self.columns.iter().map(|column| row[*column]).collect();
             let last = (values.len() - 1).max(1) as f64;
             let points = match self.kind {
-                Kind::Shape => values.as_chunks().0.iter().map(|place: &[f64; 3]| flat(*place).into()).collect(),
+                Kind::Shape => values
+                    .as_chunks()
+                    .0
+                    .iter()
+                    .map(|place: &[f64; 3]| Projection::Oblique.flat(*place).into())
+                    .collect(),
                 Kind::Time | Kind::Length => {
                     values.iter().enumerate().map(|(k, value)| (k as f64 / last, *value)).collect()
                 }

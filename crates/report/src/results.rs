@@ -1,5 +1,7 @@
 //! The table of results: every row becomes text, and the plots keep of the rows as much as they show.
 
+use crate::extremes::{Extremes, Peak};
+use crate::numbers::shortest;
 use crate::trace::Trace;
 use ancf14::error::decimal;
 use ancf14::fmi::variable::{Causality, Variable};
@@ -100,6 +102,20 @@ impl Results {
         self.last.as_ref().map(|(_, values)| values[column])
     }
 
+    /// What each column came to.
+    pub fn extremes(&self) -> Vec<Extremes> {
+        let last = |place: usize| self.last.as_ref().map(|(_, values)| values[place]);
+        let extremes = |(place, column): (usize, &Column)| {
+            let [minimum, maximum] = match column.trace.extremes() {
+                Some(points) => points.map(|(time, value)| Some(Peak { value, time: decimal(time) })),
+                None => [None; 2],
+            };
+            let last = last(place).filter(|value| value.is_finite());
+            Extremes { name: column.name.clone(), unit: column.unit.clone(), minimum, maximum, last }
+        };
+        self.columns.iter().enumerate().map(extremes).collect()
+    }
+
     /// Rows at equally spaced instants, and the last one.
     pub fn snapshots(&self) -> impl Iterator<Item = &Row> {
         let taken = self.snapshots.last().map(|(time, _)| *time);
@@ -138,34 +154,4 @@ pub fn table<'a>(names: impl Iterator<Item = &'a str>, rows: impl Iterator<Item 
         text.push('\n');
     }
     text
-}
-
-/// The shortest text that reads back to the same double.
-pub fn shortest(value: f64) -> String {
-    let (plain, exponent) = (format!("{value}"), format!("{value:e}"));
-    if exponent.len() < plain.len() { exponent } else { plain }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Whatever the size, the text reads back exactly, and no other notation of Rust is shorter.
-    #[test]
-    fn shortest_text_reads_back() {
-        for (value, text) in [
-            (0.1, "0.1"),
-            (-0.0, "-0"),
-            (1e-300, "1e-300"),
-            (1e21, "1e21"),
-            (0.001, "1e-3"),
-            (123456.75, "123456.75"),
-            (1.0 / 3.0, "0.3333333333333333"),
-            (5e-324, "5e-324"),
-            (f64::MAX, "1.7976931348623157e308"),
-        ] {
-            assert_eq!(shortest(value), text);
-            assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()));
-        }
-    }
 }

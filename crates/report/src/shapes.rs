@@ -1,10 +1,12 @@
 //! A picture of natural modes: a cell each, the shape over the mechanism at rest, in the oblique projection of draw.rs.
 
-use crate::draw::{escaped, flat};
+use crate::draw::{Projection, escaped};
 use crate::modes::pace;
 use ancf14::model::modes::{Mode, Modes};
 use std::fmt::Write;
 
+/// The view of all cells.
+const VIEW: Projection = Projection::Oblique;
 /// Cells in a row, their size, and what is left free around a shape, pixels.
 const COLUMNS: usize = 3;
 const CELL: [f64; 2] = [400.0, 280.0];
@@ -28,7 +30,7 @@ struct View {
 
 impl View {
     fn place(&self, point: [f64; 3]) -> [f64; 2] {
-        let [x, y] = flat(point);
+        let [x, y] = VIEW.flat(point);
         [self.middle[0] + self.scale * (x - self.center[0]), self.middle[1] - self.scale * (y - self.center[1])]
     }
 }
@@ -122,7 +124,7 @@ fn length(vector: [f64; 3]) -> f64 {
 
 /// Lowest and highest place on paper.
 fn extent(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 2]; 2] {
-    points.map(flat).fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], point| {
+    points.map(|point| VIEW.flat(point)).fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], point| {
         [[0, 1].map(|axis| low[axis].min(point[axis])), [0, 1].map(|axis| high[axis].max(point[axis]))]
     })
 }

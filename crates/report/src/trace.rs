@@ -1,7 +1,7 @@
 //! A column of results as its plot needs it: of many rows the lowest and the highest value in each interval of time.
 
 /// A time, s, and a value.
-type Point = (f64, f64);
+pub type Point = (f64, f64);
 
 /// A curve over time, in bounded memory.
 #[derive(Clone, Debug)]
@@ -56,6 +56,13 @@ impl Trace {
         self.rows *= 2;
     }
 
+    /// The lowest and the highest point, the first of each where there are several; none of an empty curve.
+    pub fn extremes(&self) -> Option<[Point; 2]> {
+        self.intervals.iter().copied().reduce(|[low, high], [lower, higher]| {
+            [if lower.1 < low.1 { lower } else { low }, if higher.1 > high.1 { higher } else { high }]
+        })
+    }
+
     /// The points in their order, the first and the last one of all included.
     pub fn points(&self) -> Vec<Point> {
         let Some([first, last]) = self.ends else { return Vec::new() };
@@ -81,6 +88,9 @@ mod tests {
             assert!(trace.intervals.len() <= 8);
             assert!(points.windows(2).all(|pair| pair[0].0 < pair[1].0), "{points:?}");
             assert!(points.contains(&(f64::from(peak), 7.0)), "{count}: {points:?}");
+            let first_low = if peak == 0 { f64::from(count.min(3) - 1) } else { 0.0 };
+            let [low, high] = trace.extremes().unwrap();
+            assert_eq!((low.0, high), (first_low, (f64::from(peak), 7.0)), "{count}");
             assert_eq!((points[0].0, points[points.len() - 1].0), (0.0, f64::from(count - 1)));
             assert!(count > 8 || points.len() == count as usize);
         }

@@ -11,6 +11,7 @@ pub use tune::{aim, retune, undirected};
 
 use super::file::document::Document;
 use super::file::entries::output::{self, OutputSpec};
+use super::file::entries::simulation::Total;
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::text::diagnostic::{Diagnostic, Diagnostics};
@@ -76,7 +77,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     }
     let (mut system, mut state) = builder.system.finish(vector(document, document.model.gravity));
     system.origin = origin;
-    state.balance.account = document.simulation.energy_account.then(EnergyAccount::default);
+    state.balance.account = document.simulation.totals.contains(&Total::Work).then(EnergyAccount::default);
     set_mobilities(&mut system, &state, document.largest_step());
     Ok(Built { system, state })
 }

@@ -9,7 +9,7 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::variation::Variation;
 use crate::model::file::quantity::Quantity;
 use crate::model::file::schema::FINEST_ACCURACY;
-use crate::model::variables::{Moment, Source, Table};
+use crate::model::variables::{Moment, Table};
 use crate::solve::step::response::{Responder, Response};
 use serde::{Deserialize, Serialize};
 
@@ -55,6 +55,8 @@ struct Family {
     unit: String,
     /// It may be off by more in some looks: [`Quantity::is_rough`].
     is_rough: bool,
+    /// It is told of; energies that are not among the results only say what is large.
+    is_shown: bool,
 }
 
 /// What has been seen of the results so far.
@@ -93,19 +95,19 @@ impl Columns {
     /// Those of `table`.
     pub fn new(table: &Table) -> Self {
         let (mut columns, mut families) = (Vec::new(), Vec::<Family>::new());
-        for (variable, source) in table.variables.iter().zip(&table.sources) {
-            let Source::Result(result) = *source else { continue };
+        for (result, (own, unit)) in table.results.iter().enumerate() {
             let quantity = table.quantity_of(result);
-            let name = scale::family(&variable.name);
+            let name = scale::family(own);
             if quantity.is_none() && name != scale::ENERGY {
                 continue;
             }
             let family = families.iter().position(|own| own.name == name).unwrap_or_else(|| {
                 let is_rough = quantity.is_some_and(Quantity::is_rough);
-                families.push(Family { name: name.to_owned(), unit: variable.quantity.unit.clone(), is_rough });
+                let is_shown = table.is_shown(result);
+                families.push(Family { name: name.to_owned(), unit: unit.clone(), is_rough, is_shown });
                 families.len() - 1
             });
-            columns.push(Column { result, family, from_zero: scale::counts_from_zero(&variable.name) });
+            columns.push(Column { result, family, from_zero: scale::counts_from_zero(own) });
         }
         Self { columns, families }
     }
@@ -155,25 +157,34 @@ impl Accuracy {
         self.errors.iter_mut().zip(largest).for_each(|(errors, largest)| errors.add(*largest));
     }
 
+    /// How far the families range, each with its largest size.
+    fn spans(&self, columns: &Columns) -> Vec<Span> {
+        let mut spans = vec![Span::default(); columns.families.len()];
+        for (column, [low, high]) in columns.columns.iter().zip(&self.ranges) {
+            let size = low.abs().max(high.abs());
+            spans[column.family].include(if column.from_zero { size } else { high - low }, size);
+        }
+        spans
+    }
+
+    /// The largest range of an energy so far, J.
+    pub fn energy(&self, columns: &Columns) -> f64 {
+        let energies =
+            columns.families.iter().zip(self.spans(columns)).filter(|(family, _)| family.name == scale::ENERGY);
+        energies.map(|(_, span)| span.range).fold(0.0, f64::max)
+    }
+
     /// All families of results with their errors, after `duration` s; none of quantities that are zero.
     pub fn errors(&self, columns: &Columns, system: &System, duration: f64) -> Vec<Inexact> {
-        let mut spans = vec![Span::default(); columns.families.len()];
-        let mut energy = 0.0_f64;
-        for (column, [low, high]) in columns.columns.iter().zip(&self.ranges) {
-            let span = &mut spans[column.family];
-            let size = low.abs().max(high.abs());
-            span.include(if column.from_zero { size } else { high - low }, size);
-            if columns.families[column.family].name == scale::ENERGY {
-                energy = energy.max(span.range);
-            }
-        }
+        let (spans, energy) = (self.spans(columns), self.energy(columns));
         let measures = Measures { size: system.size, duration, energy, gravity: system.gravity.norm() };
         let families = || columns.families.iter().zip(&spans);
         let largest_force = |unit: &str| {
             let alike = families().filter(|(family, _)| family.unit == unit && matches!(unit, "N" | "N.m"));
             alike.map(|(_, span)| span.size).fold(0.0, f64::max)
         };
-        let found = families().zip(&self.errors).filter_map(|((Family { name, unit, is_rough }, span), errors)| {
+        let shown = families().zip(&self.errors).filter(|((family, _), _)| family.is_shown);
+        let found = shown.filter_map(|((Family { name, unit, is_rough, .. }, span), errors)| {
             let scale = span.scale(measures.natural(unit));
             let error = errors.exceeded_by(if *is_rough { ROUGH_SHARE } else { 0.0 });
             let error = error / scale.max(SMALL_FORCE * largest_force(unit));

@@ -143,6 +143,11 @@ impl Simulation {
         self.accuracy.errors(&self.columns, system, state.time - start)
     }
 
+    /// The largest range of an energy so far, J: also where the energies are not among the results.
+    pub fn largest_energy(&self) -> f64 {
+        self.accuracy.energy(&self.columns)
+    }
+
     /// The family of results with the largest estimated error.
     pub fn least_accurate(&self) -> Option<Inexact> {
         self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))

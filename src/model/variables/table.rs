@@ -14,6 +14,7 @@ use crate::mechanics::state::energy_account::EnergyAccount;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
 use crate::model::file::entries::output::{OutputSpec, Target};
+use crate::model::file::entries::simulation::Total;
 use crate::model::file::quantity::Quantity;
 use crate::model::file::reader::anchor::{Anchor, Spot};
 use crate::model::file::unit;
@@ -97,8 +98,10 @@ pub struct Table {
     pub variables: Vec<Variable>,
     /// Sources of the rows.
     pub sources: Vec<Source>,
-    /// What the results are made of.
+    /// What the results are made of: also those that the file does not ask for, because errors are compared with the energies.
     pub measures: Vec<Measure>,
+    /// Name and unit of each result.
+    pub results: Vec<(String, String)>,
     /// The measures of forces and moments that a moving observer sees, by their places in the list, with the sensor that the observer looks at.
     seen: Vec<(usize, usize)>,
 }
@@ -106,7 +109,13 @@ pub struct Table {
 impl Table {
     /// Of a model file.
     pub fn new(document: &Document) -> Self {
-        let mut table = Self { variables: Vec::new(), sources: Vec::new(), measures: Vec::new(), seen: Vec::new() };
+        let mut table = Self {
+            variables: Vec::new(),
+            sources: Vec::new(),
+            measures: Vec::new(),
+            results: Vec::new(),
+            seen: Vec::new(),
+        };
         let inputs = Inputs::new(document);
         for (index, parameter) in document.parameters().iter().enumerate() {
             let input = inputs.place(parameter.number).map(Source::Input);
@@ -129,30 +138,34 @@ impl Table {
             }
             sensor += sensors;
         }
-        let energies = table.variables.len();
+        let totals = table.variables.len();
+        let has = |total: Total| document.simulation.totals.contains(&total);
+        let shown = has(Total::Energy);
         for (name, meaning) in [
             ("energy.kinetic", "Kinetic energy"),
             ("energy.elastic", "Strain energy of beams and energy of springs"),
             ("energy.gravity", "Potential energy of gravity, zero at the origin"),
             ("energy.total", "Sum of kinetic, elastic and gravity energy"),
         ] {
-            table.push_result(name, 1, "J", meaning);
+            table.push_total(shown, name, 1, "J", meaning);
         }
         table.measures.push(Measure::Energy);
-        if document.simulation.energy_account {
+        if has(Total::Work) {
             ACCOUNT.iter().for_each(|(name, meaning)| table.push_result(name, 1, "J", meaning));
             table.measures.push(Measure::Account);
         }
-        table.push_result("momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");
-        table.push_result("momentum.angular", 3, "kg.m2/s", "Angular momentum about the origin, in global axes");
+        let (shown, about_origin) = (has(Total::Momentum), "Angular momentum about the origin, in global axes");
+        table.push_total(shown, "momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");
+        table.push_total(shown, "momentum.angular", 3, "kg.m2/s", about_origin);
         table.measures.push(Measure::Momentum);
-        table.find_from(energies, &givens, givens.of_energies());
+        table.find_from(totals, &givens, givens.of_energies());
+        let shown = has(Total::Statistics);
         for (name, meaning) in [
             ("statistics.steps", "Accepted internal steps since the start"),
             ("statistics.iterations", "Newton iterations since the start, those of rejected steps included"),
             ("statistics.rejected", "Rejected internal steps since the start"),
         ] {
-            table.push_result(name, 1, "", meaning);
+            table.push_total(shown, name, 1, "", meaning);
         }
         table.measures.push(Measure::Statistics);
         table
@@ -244,11 +257,9 @@ impl Table {
                 quantity.is_coordinate()
             }
             Measure::Energy => true,
-            Measure::Frame(..)
-            | Measure::Gear(..)
-            | Measure::Account
-            | Measure::Momentum
-            | Measure::Statistics => false,
+            Measure::Frame(..) | Measure::Gear(..) | Measure::Account | Measure::Momentum | Measure::Statistics => {
+                false
+            }
         })
     }
 
@@ -301,7 +312,7 @@ impl Table {
 
     /// The name of a result.
     pub fn result_name(&self, result: usize) -> &str {
-        &self.variables[self.first_result() + result].name
+        &self.results[result].0
     }
 
     /// The row of the first result: all rows behind it are results, in their order.
@@ -310,24 +321,29 @@ impl Table {
         self.sources.iter().position(is_result).unwrap_or(self.sources.len())
     }
 
-    /// Number of results so far.
-    fn results(&self) -> usize {
-        self.sources.iter().filter(|source| matches!(source, Source::Result(_))).count()
+    /// Whether a result is a variable: those of the whole mechanism may be left out.
+    pub fn is_shown(&self, result: usize) -> bool {
+        self.sources.contains(&Source::Result(result))
     }
 
     /// Rows of one quantity: `name`, or `name[1]` and so on.
     fn push_result(&mut self, name: &str, components: usize, unit: &str, meaning: &str) {
+        self.push_total(true, name, components, unit, meaning);
+    }
+
+    /// Rows of one quantity, or only results without rows.
+    fn push_total(&mut self, is_shown: bool, name: &str, components: usize, unit: &str, meaning: &str) {
         let start = if name.starts_with("statistics.") { Value::Integer(0) } else { Value::Real(0.0) };
         for component in 1..=components {
-            let number = self.results();
-            let variable = match components {
-                1 => result(name, unit, meaning.to_owned(), start),
-                _ => {
-                    let name = format!("{name}[{component}]");
-                    result(&name, unit, format!("{meaning}, component {component}"), start)
-                }
+            let number = self.results.len();
+            let (name, meaning) = match components {
+                1 => (name.to_owned(), meaning.to_owned()),
+                _ => (format!("{name}[{component}]"), format!("{meaning}, component {component}")),
             };
-            self.push(variable, Source::Result(number));
+            if is_shown {
+                self.push(result(&name, unit, meaning, start), Source::Result(number));
+            }
+            self.results.push((name, unit.to_owned()));
         }
     }
 

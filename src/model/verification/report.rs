@@ -72,7 +72,7 @@ impl Verification {
         let measures = Measures {
             size: simulation.system().size,
             duration: simulation.about().stop,
-            energy: scale::energy(&columns),
+            energy: scale::energy(&columns).unwrap_or_else(|| simulation.largest_energy()),
             gravity: simulation.system().gravity.norm(),
         };
         let scales = scale::scales(&columns, &measures);

@@ -14,10 +14,10 @@ pub fn scales(columns: &[(&str, &str, &Tally)], measures: &Measures) -> Vec<f64>
     columns.iter().map(|(name, unit, _)| spans[family(name)].scale(measures.natural(unit))).collect()
 }
 
-/// The largest energy of a run, J.
-pub fn energy(columns: &[(&str, &str, &Tally)]) -> f64 {
+/// The largest energy of a run, J; none: the energies are not among the columns.
+pub fn energy(columns: &[(&str, &str, &Tally)]) -> Option<f64> {
     let energies = columns.iter().filter(|(name, ..)| name.starts_with("energy."));
-    energies.map(|(name, _, tally)| range(name, tally)).fold(0.0, f64::max)
+    energies.map(|(name, _, tally)| range(name, tally)).reduce(f64::max)
 }
 
 /// How far a column ranges.

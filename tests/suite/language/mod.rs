@@ -10,5 +10,6 @@ pub mod model_parts;
 pub mod names;
 pub mod notes;
 pub mod odd_machines;
+pub mod totals;
 pub mod turned_copies;
 pub mod view;

@@ -93,7 +93,7 @@ on = "arm"
 force = [0, "0.3*cos(3*t)", 0.4]
 [simulation]
 stop = 1
-energy_account = true
+totals = ["energy", "work", "momentum", "statistics"]
 "#;
 
 const COLUMNS: [&str; 5] = ["work.loads", "work.actuators", "work.drives", "work.dissipated", "work.drift"];
@@ -143,7 +143,7 @@ fn rotor(spin: f64, more: &str, simulation: &str) -> String {
     format!(
         "format = 1\nmodel.name = \"Rotor\"\n[body.rotor]\nmass = 1\nposition = [0, 0, 0]\ninertia = [0.03, 0.03, 0.04]\n\
          angular_velocity = [0, 0, {spin}]\n[joint.axle]\ntype = \"revolute\"\na = \"ground\"\nb = \"rotor\"\naxis = [0, 0, 1]\n{more}\n\
-         [simulation]\nstop = 1\nstep = 1e-3\nenergy_account = true\n{simulation}\n"
+         [simulation]\nstop = 1\nstep = 1e-3\ntotals = [\"energy\", \"work\", \"momentum\", \"statistics\"]\n{simulation}\n"
     )
 }
 
@@ -190,7 +190,7 @@ fn a_frame_works_through_a_damper() {
          [joint.rail]\ntype = \"prismatic\"\na = \"ground\"\nb = \"sled\"\naxis = [1, 0, 0]\n\
          [frame.hook]\nposition = [\"4 + {speed}*t\", 0, 0]\n\
          [spring.tow]\na = \"hook\"\nb = \"sled\"\nstiffness = 0\ndamping = {damping}\n\
-         [simulation]\nstop = 1\nstep = 1e-3\nenergy_account = true\n"
+         [simulation]\nstop = 1\nstep = 1e-3\ntotals = [\"energy\", \"work\", \"momentum\", \"statistics\"]\n"
     );
     let (open, [loads, actuators, drives, dissipated, drift]) = open(&text, 0.1, 1.0);
     let fading = f64::exp(-damping / mass);
@@ -221,7 +221,7 @@ fn the_drift_is_what_the_integrator_takes() {
              [section.round]\nshape = \"circle\"\nradius = 0.01\n\
              [beam.rod]\nmaterial = \"steel\"\nsection = \"round\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 4\nangular_velocity = [0, 0, 1]\n\
              [joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"rod.start\"\n\
-             [simulation]\nstop = 1\nstep = 1e-3\nspectral_radius = {radius}\nenergy_account = true\n"
+             [simulation]\nstop = 1\nstep = 1e-3\nspectral_radius = {radius}\ntotals = [\"energy\", \"work\", \"momentum\", \"statistics\"]\n"
         )
     };
     let mut shares = Vec::new();
@@ -241,7 +241,7 @@ fn the_drift_is_what_the_integrator_takes() {
 #[test]
 fn the_account_changes_no_other_result() {
     let asked = format!("{ALL}step = 1e-3\n");
-    let plain = asked.replace("energy_account = true\n", "");
+    let plain = asked.replace("totals = [\"energy\", \"work\", \"momentum\", \"statistics\"]\n", "");
     let [asked, plain] = [&asked, &plain].map(|text| {
         let mut simulation = start(text);
         run(&mut simulation, 0.01, 0.1, |_| ());
@@ -275,5 +275,9 @@ fn the_account_belongs_to_the_state() {
     other.advance(0.1).unwrap();
     assert_eq!(account(&other), later);
     // The bytes are of a model that asks for the account.
-    assert!(start(&text.replace("energy_account = true\n", "")).read(&bytes).is_err());
+    assert!(
+        start(&text.replace("totals = [\"energy\", \"work\", \"momentum\", \"statistics\"]\n", ""))
+            .read(&bytes)
+            .is_err()
+    );
 }

@@ -3,6 +3,8 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod command_line;
+mod drawing_views;
+mod index_page;
 mod inputs_command;
 mod modes_command;
 mod new_command;
@@ -10,6 +12,7 @@ mod output_files;
 mod programs;
 mod same_results;
 mod shells;
+mod summary;
 mod view_command;
 
 use std::process::Output;

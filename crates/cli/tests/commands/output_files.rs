@@ -102,7 +102,8 @@ fn assert_whole(path: &Path) {
 #[test]
 fn regression_what_is_incomplete_looks_incomplete() {
     let place = Place::new();
-    let complete = ["energy.svg", "place.position.svg", "place.velocity.svg", "results.csv"];
+    let complete =
+        ["energy.svg", "index.html", "place.position.svg", "place.velocity.svg", "results.csv", "summary.json"];
     assert_eq!(code(&place.ancf14(&["run", "m.toml"])), 0);
     assert_eq!(place.results(), complete);
     fs::write(place.at("m-results/mine.svg"), "mine").unwrap();
@@ -114,7 +115,15 @@ fn regression_what_is_incomplete_looks_incomplete() {
     assert!(text(&output.stderr).contains("m-results/results.part.csv"), "{}", text(&output.stderr));
     assert_eq!(
         place.results(),
-        ["energy.svg", "mine.svg", "place.position.svg", "place.velocity.svg", "results.part.csv"]
+        [
+            "energy.svg",
+            "index.html",
+            "mine.svg",
+            "place.position.svg",
+            "place.velocity.svg",
+            "results.part.csv",
+            "summary.json"
+        ]
     );
     assert_whole(&place.at("m-results/results.part.csv"));
     assert!(fs::read_to_string(place.at("m-results/energy.svg")).unwrap().contains("incomplete"));
@@ -167,8 +176,17 @@ fn regression_old_pictures_go() {
     fs::write(place.at("m.toml"), MODEL.replace("output.place", "output.spot")).unwrap();
     let output = place.ancf14(&["run", "m.toml"]);
     assert!(text(&output.stderr).contains("modes.csv, shapes.csv and modes.svg"), "{}", text(&output.stderr));
-    let expected =
-        ["energy.svg", "modes.csv", "modes.svg", "results.csv", "shapes.csv", "spot.position.svg", "spot.velocity.svg"];
+    let expected = [
+        "energy.svg",
+        "index.html",
+        "modes.csv",
+        "modes.svg",
+        "results.csv",
+        "shapes.csv",
+        "spot.position.svg",
+        "spot.velocity.svg",
+        "summary.json",
+    ];
     assert_eq!(place.results(), expected);
 }
 

@@ -18,7 +18,7 @@ mod spring;
 mod static_buckling;
 mod study;
 
-use ancf14_report::chart::{Chart, Line, Stroke};
+use ancf14_report::chart::{Chart, Layout, Line, Stroke};
 use std::fmt::Write;
 
 /// A section of the page.
@@ -105,12 +105,12 @@ fn dots(name: &str, color: usize, points: Vec<(f64, f64)>) -> Line {
 
 /// A chart of curves.
 fn plot(title: &str, axes: [&str; 2], lines: Vec<Line>) -> Chart {
-    Chart { title: title.to_owned(), axes: axes.map(str::to_owned), shape: false, lines }
+    Chart { title: title.to_owned(), axes: axes.map(str::to_owned), layout: Layout::Single, lines }
 }
 
 /// A chart of shapes: a length is the same along both axes.
 fn shapes(title: &str, axes: [&str; 2], lines: Vec<Line>) -> Chart {
-    Chart { shape: true, ..plot(title, axes, lines) }
+    Chart { layout: Layout::Shape, ..plot(title, axes, lines) }
 }
 
 /// Pairs of a column over another, every `every`-th.

@@ -26,8 +26,21 @@ pub struct SimulationSpec {
     pub tolerance: Number,
     /// Whether `run` estimates the errors of its results.
     pub verify: bool,
-    /// Whether the work by its origin is among the results.
-    pub energy_account: bool,
+    /// The results of the whole mechanism that stand behind those of the outputs.
+    pub totals: Vec<Total>,
+}
+
+/// Results of the whole mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Total {
+    /// Kinetic, elastic, gravity and total energy.
+    Energy,
+    /// Work by its origin, of a motion.
+    Work,
+    /// Linear and angular momentum.
+    Momentum,
+    /// Steps, iterations, rejected steps.
+    Statistics,
 }
 
 /// What is computed.
@@ -86,6 +99,14 @@ const INTEGRATORS: [(&str, Word); 3] = [
     ("variational", Word::Variational),
     ("generalized_alpha", Word::GeneralizedAlpha),
 ];
+const TOTALS: [(&str, Total); 4] = [
+    ("energy", Total::Energy),
+    ("work", Total::Work),
+    ("momentum", Total::Momentum),
+    ("statistics", Total::Statistics),
+];
+/// Those of a file that names none.
+const USUAL_TOTALS: [Total; 3] = [Total::Energy, Total::Momentum, Total::Statistics];
 const INITIALS: [(&str, Initial); 2] = [("as_drawn", Initial::AsDrawn), ("equilibrium", Initial::Equilibrium)];
 
 /// A word of `integrator`; `variational`, the paper's midpoint rule, is now `conserving` without numerical dissipation.
@@ -117,11 +138,7 @@ impl SimulationSpec {
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&schema::TOLERANCE, TOLERANCE);
         let verify = reader.boolean("verify", false);
-        if analysis == Analysis::Static {
-            let message = "a static analysis has no energy account";
-            reader.refuse("energy_account", message, "it sums the work over the steps of a motion: remove it");
-        }
-        let energy_account = reader.boolean("energy_account", false);
+        let totals = totals(&mut reader, analysis);
         let steps = match step {
             Some(step) => {
                 reader.refuse("accuracy", "accuracy and step exclude each other", "leave out one of the two");
@@ -151,7 +168,7 @@ impl SimulationSpec {
         }
         reader.finish();
         let initial = initial.unwrap_or(Initial::AsDrawn);
-        Self { place, analysis, integrator, initial, stop, steps, output_step, tolerance, verify, energy_account }
+        Self { place, analysis, integrator, initial, stop, steps, output_step, tolerance, verify, totals }
     }
 }
 
@@ -176,4 +193,15 @@ fn integrator(reader: &mut Reader<'_, '_>) -> IntegratorSpec {
     let message = "this integrator has no spectral_radius";
     reader.refuse("spectral_radius", message, "take integrator = \"conserving\"");
     integrator
+}
+
+/// The results of the whole mechanism.
+fn totals(reader: &mut Reader<'_, '_>, analysis: Analysis) -> Vec<Total> {
+    let place = reader.place_of("totals");
+    let totals = reader.words("totals", &TOTALS, &USUAL_TOTALS);
+    if analysis == Analysis::Static && totals.contains(&Total::Work) {
+        let label = "\"work\" is the sum over the steps of a motion: remove it";
+        reader.context.report.error(place, "a static analysis has no work among its totals", label, "");
+    }
+    totals
 }

@@ -1,8 +1,9 @@
-//! Reads lists of numbers: vectors, longer lists, tables. Each component is a number of its own.
+//! Reads lists of numbers: vectors, longer lists, tables. Each component is a number of its own. And lists of words.
 
-use super::{Reader, unit_words};
+use super::{Reader, listing, unit_words};
 use crate::model::file::number::{Number, Written};
 use crate::model::file::schema::Rule;
+use crate::model::text::names::suggestion;
 use crate::model::text::tree::{Entry, Item, Node};
 
 /// What a vector is.
@@ -72,6 +73,42 @@ impl Reader<'_, '_> {
                 None
             }
         }
+    }
+
+    /// A list of words, which may be empty; `default` where there is none.
+    pub fn words<T: Copy + PartialEq>(
+        &mut self,
+        key: &'static str,
+        words: &[(&'static str, T)],
+        default: &[T],
+    ) -> Vec<T> {
+        let Some(entry) = self.take(key) else { return default.to_vec() };
+        let name = format!("{}{key}", self.prefix);
+        let Node::Array(items) = &entry.item.node else {
+            self.context.wrong_type(&name, &entry.item, "a list of words");
+            return default.to_vec();
+        };
+        let known = || words.iter().map(|(word, _)| *word);
+        let mut found: Vec<T> = Vec::new();
+        for item in items {
+            let Node::Text(word) = &item.node else {
+                self.context.wrong_type(&name, item, "a word in quotes");
+                continue;
+            };
+            let report = &mut self.context.report;
+            match words.iter().find(|(known, _)| known == word) {
+                None => {
+                    let (message, help) =
+                        (format!("unknown word \"{word}\""), format!("known here: {}", listing(known())));
+                    report.error(item.place, &message, &suggestion(word, known()), &help);
+                }
+                Some((_, value)) if found.contains(value) => {
+                    report.error(item.place, &format!("\"{word}\" is listed twice"), "the second one", "");
+                }
+                Some((_, value)) => found.push(*value),
+            }
+        }
+        found
     }
 
     /// The rows that are rows of three numbers; the others are reported.

@@ -1,0 +1,144 @@
+//! Does summary.json say what is in results.csv, and does the terminal show its extremes? A wrong column, a wrong time or an old run would
+//! mislead a program that reads nothing else.
+
+use super::command_line::{ancf14, model, text};
+use serde_json::Value;
+use std::path::Path;
+
+/// A short run of the crane, which warns of nothing and has vectors, scalars and inputs that drives set.
+const SHORT: [&str; 4] = ["--set", "simulation.stop=0.5", "--set", "simulation.output_step=0.05"];
+
+fn run(directory: &Path, file: &str, more: &[&str]) -> std::process::Output {
+    ancf14(directory, &[&["run", file, "-o", "out"], more].concat())
+}
+
+fn summary(directory: &Path) -> Value {
+    serde_json::from_str(&std::fs::read_to_string(directory.join("out/summary.json")).unwrap()).unwrap()
+}
+
+/// Whether a number of a document is this one: serde_json reads numbers to the last bit but one.
+fn is_read(number: &Value, value: f64) -> bool {
+    (number.as_f64().unwrap() - value).abs() <= 2.0 * f64::EPSILON * value.abs()
+}
+
+/// Every column has the extremes, their first times and the last value that its numbers in results.csv have; `--json` prints the file.
+#[test]
+fn the_summary_is_that_of_the_table() {
+    let directory = tempfile::tempdir().unwrap();
+    let ran = run(directory.path(), &model("crane"), &[&SHORT[..], &["--json"]].concat());
+    assert!(ran.status.success(), "{}", text(&ran.stderr));
+    let summary = summary(directory.path());
+    assert_eq!(summary, serde_json::from_slice::<Value>(&ran.stdout).unwrap());
+    assert!(summary["format"] == 1 && summary["model"] == "Crane" && summary["complete"] == true);
+    assert_eq!(summary["errors"].as_array().unwrap().len(), 0);
+    assert!(summary["settings"]["simulation.stop"] == "0.5" && summary["stop"] == 0.5 && summary["reached"] == 0.5);
+    assert!(summary["wall_time"].as_f64().unwrap() > 0.0);
+    let errors = summary["time_step_errors"].as_array().unwrap();
+    let shares: Vec<f64> = errors.iter().map(|error| error["of_range"].as_f64().unwrap()).collect();
+    assert!(shares.len() > 2 && shares.is_sorted_by(|a, b| a >= b) && errors[0]["quantity"].is_string(), "{errors:?}");
+
+    let table = std::fs::read_to_string(directory.path().join("out/results.csv")).unwrap();
+    let header: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let rows: Vec<Vec<f64>> =
+        table.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    assert_eq!(summary["rows"], rows.len());
+    let columns = summary["columns"].as_array().unwrap();
+    assert_eq!(columns.len(), header.len() - 1);
+    let mut moving = 0;
+    for (place, column) in columns.iter().enumerate() {
+        assert_eq!(column["name"], header[place + 1]);
+        let values = || rows.iter().map(|row| (row[0], row[place + 1]));
+        // Of equal values the first one.
+        let low = values().reduce(|low, own| if own.1 < low.1 { own } else { low }).unwrap();
+        let high = values().reduce(|high, own| if own.1 > high.1 { own } else { high }).unwrap();
+        for (key, (time, value)) in [("minimum", low), ("maximum", high)] {
+            assert!(is_read(&column[key]["value"], value), "{column}");
+            assert_eq!(column[key]["time"].as_f64(), Some(time), "{column}");
+        }
+        assert!(is_read(&column["last"], values().last().unwrap().1), "{column}");
+        moving += usize::from(low.0 > 0.0 && low.0 < 0.5);
+    }
+    assert!(moving > 2, "extremes between the ends");
+    let of = |name: &str| &columns[header.iter().position(|column| *column == name).unwrap() - 1];
+    for (key, column) in
+        [("steps", "statistics.steps"), ("iterations", "statistics.iterations"), ("rejected", "statistics.rejected")]
+    {
+        assert_eq!(summary[key].as_f64(), of(column)["last"].as_f64());
+    }
+    assert_eq!(of("energy.total")["unit"], "J");
+}
+
+/// The terminal has a table of a dozen lines at most, whose numbers are those of the summary; `--quiet` prints nothing.
+#[test]
+fn the_terminal_shows_some_extremes() {
+    let directory = tempfile::tempdir().unwrap();
+    for name in ["crane", "ring", "cantilever"] {
+        let ran = run(directory.path(), &model(name), &SHORT);
+        assert!(ran.status.success(), "{}", text(&ran.stderr));
+        let said = text(&ran.stdout);
+        let table: Vec<&str> = said.lines().filter(|line| line.starts_with("  ")).collect();
+        assert!((3..=12).contains(&table.len()), "{said}");
+        let columns = summary(directory.path())["columns"].as_array().unwrap().clone();
+        for line in &table[1..table.len() - 1] {
+            let cells: Vec<&str> = line.split_whitespace().collect();
+            let column = columns.iter().find(|column| column["name"] == cells[0]).unwrap();
+            let highest: f64 = cells[cells.len() - 3].parse().unwrap();
+            let exact = column["maximum"]["value"].as_f64().unwrap();
+            // Four digits are shown.
+            assert!((highest - exact).abs() <= 5e-4 * exact.abs(), "{line}: {exact}");
+        }
+        let shown = table.len() - 2;
+        assert!(table[shown + 1].starts_with(&format!("  {} more column", columns.len() - shown)), "{said}");
+    }
+    let quiet = run(directory.path(), &model("crane"), &[&SHORT[..], &["--quiet"]].concat());
+    assert!(quiet.status.success() && quiet.stdout.is_empty());
+}
+
+/// A run that ends early says so in its summary, with the reason, and up to when its extremes reach.
+#[test]
+fn an_incomplete_run_has_an_incomplete_summary() {
+    let directory = tempfile::tempdir().unwrap();
+    let load = "\n[load.push]\nat = \"arm.end\"\nforce = [0, 0, \"sqrt(0.005 - t)\"]\n";
+    let file = std::fs::read_to_string(model("cantilever")).unwrap() + load;
+    std::fs::write(directory.path().join("m.toml"), file).unwrap();
+    let ran = run(directory.path(), "m.toml", &["--set", "simulation.output_step=1e-3"]);
+    assert_eq!(ran.status.code(), Some(1));
+    let summary = summary(directory.path());
+    assert!(summary["complete"] == false && summary["reached"] == 0.005, "{summary:#}");
+    let reason = summary["errors"][0]["message"].as_str().unwrap();
+    assert!(text(&ran.stderr).contains(reason), "{reason}");
+}
+
+/// Warnings are in it, also those about errors that further runs have found.
+#[test]
+fn warnings_are_in_the_summary() {
+    let directory = tempfile::tempdir().unwrap();
+    let ran = run(directory.path(), &model("pendulum"), &["--set", "simulation.stop=0.2", "--verify=1e-9"]);
+    assert!(ran.status.success(), "{}", text(&ran.stderr));
+    let told: Vec<String> =
+        text(&ran.stderr).lines().filter_map(|line| line.strip_prefix("warning: ")).map(str::to_owned).collect();
+    assert!(told.iter().any(|warning| warning.contains("miss")), "{told:?}");
+    assert_eq!(summary(directory.path())["warnings"], serde_json::json!(told));
+}
+
+/// Without totals the table has the columns of the outputs only, the same bytes in each; the summary and the terminal still count the steps.
+#[test]
+fn tables_without_totals_are_the_rest() {
+    let directory = tempfile::tempdir().unwrap();
+    let text_of = std::fs::read_to_string(model("pendulum")).unwrap();
+    let columns = |file: &str, line: &str| -> Vec<Vec<String>> {
+        std::fs::write(directory.path().join(file), format!("{text_of}\n{line}\n")).unwrap();
+        let ran = run(directory.path(), file, &["--set", "simulation.stop=0.1", "--verify"]);
+        assert!(ran.status.success(), "{}", text(&ran.stderr));
+        let table = std::fs::read_to_string(directory.path().join("out/results.csv")).unwrap();
+        let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+        (0..rows[0].len()).map(|column| rows.iter().map(|row| row[column].to_owned()).collect()).collect()
+    };
+    let all = columns("all.toml", "");
+    let steps = summary(directory.path())["steps"].as_u64().unwrap();
+    let some = columns("some.toml", "totals = []");
+    assert_eq!(all.len() - some.len(), 13);
+    assert_eq!(all[..some.len()], some);
+    assert_eq!(summary(directory.path())["steps"].as_u64(), Some(steps));
+    assert!(steps > 0 && !directory.path().join("out/energy.svg").exists());
+}

@@ -1,0 +1,49 @@
+//! What a run came to, for programs: how it went, and the extremes of every column.
+
+use crate::extremes::Extremes;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The facts of a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// Name and version of the program.
+    pub program: String,
+    /// Name and description of the model.
+    pub model: String,
+    /// One sentence on the model; may be empty.
+    pub description: String,
+    /// Hash of the model with its settings.
+    pub guid: String,
+    /// The overrides of `--set`, by key.
+    pub settings: BTreeMap<String, String>,
+    /// Whether the run came to its end.
+    pub complete: bool,
+    /// When it should end, s.
+    pub stop: f64,
+    /// Time of the last row, s.
+    pub reached: f64,
+    /// Number of rows.
+    pub rows: u64,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Newton iterations.
+    pub iterations: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// How long it took, s.
+    pub wall_time: f64,
+    /// Estimated errors because of the length of the steps, the largest first; empty: not known.
+    pub time_step_errors: Vec<TimeStepError>,
+    /// All columns, in the order of results.csv.
+    pub columns: Vec<Extremes>,
+}
+
+/// How far a quantity is off because of the length of the steps.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimeStepError {
+    /// `tip.velocity`; all energies are `energy`.
+    pub quantity: String,
+    /// The error as a share of the range of the quantity.
+    pub of_range: f64,
+}
