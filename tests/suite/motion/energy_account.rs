@@ -119,20 +119,23 @@ fn open(text: &str, every: f64, stop: f64) -> (f64, [f64; 5]) {
     (worst, before)
 }
 
-/// With everything acting, the account closes to 1e-9 of what has passed through it: the round-off of the steps, and what the last correction of one leaves. Each column but the drift
-/// has some of it. The drift of the midpoint rule without dissipation is what Newton leaves.
+/// With everything acting, the account closes to 1e-12 of what has passed through it: round-off. All columns but the drift have a part in it. The drift, which closes the account, is small: 1.4e-7 of
+/// their sum for the midpoint rule without dissipation, 7e-7 with it, 4e-4 with steps of 4 ms, 6e-5 for generalized-alpha, whose powers are those of instants. A part that is missing would be
+/// 2 % and more.
 #[test]
 fn the_account_closes_with_everything_acting() {
-    for simulation in [
-        "step = 1e-3\nintegrator = \"variational\"",
-        "step = 1e-3",
-        "step = 4e-3\nspectral_radius = 0.6",
-        "accuracy = 1e-3",
-        "step = 1e-3\nintegrator = \"generalized_alpha\"",
+    for (simulation, drift) in [
+        ("step = 1e-3\nintegrator = \"variational\"", 1e-6),
+        ("step = 1e-3", 1e-5),
+        ("step = 4e-3\nspectral_radius = 0.6", 1e-3),
+        ("accuracy = 1e-3", 1e-4),
+        ("step = 1e-3\nintegrator = \"generalized_alpha\"", 3e-4),
     ] {
         let (open, account) = open(&format!("{ALL}{simulation}\n"), 0.01, 1.0);
         println!("{simulation:?}: open {open:.1e}, {account:?}");
-        assert!(open < 1e-9, "{simulation}: {open:e}");
+        assert!(open < 1e-12, "{simulation}: {open:e}");
+        let passed: f64 = account[..4].iter().map(|part| part.abs()).sum();
+        assert!(account[4].abs() < drift * passed, "{simulation}: {account:?}");
         assert!(account[..4].iter().all(|part| part.abs() > 1e-3), "{simulation}: {account:?}");
         assert!(account[3] > 0.0, "{account:?}");
     }
@@ -212,7 +215,8 @@ fn a_jump_of_a_drive_is_its_work() {
     }
 }
 
-/// The drift is what numerical dissipation takes: an undamped rod whose waves the steps do not resolve loses energy to nothing else, and keeps it without dissipation.
+/// The drift is what numerical dissipation takes: an undamped rod whose waves the steps do not resolve loses energy to nothing else. Without dissipation, the error of the rule itself is left, 1e-8
+/// of the energy: it falls with the cube of the step, and with the square of the motion.
 #[test]
 fn the_drift_is_what_the_integrator_takes() {
     let rod = |radius: f64| {
@@ -234,7 +238,7 @@ fn the_drift_is_what_the_integrator_takes() {
         shares.push(account[4] / first);
     }
     println!("{shares:?}");
-    assert!(shares[0] < -1e-3 && shares[1].abs() < 1e-9, "{shares:?}");
+    assert!(shares[0] < -1e-3 && shares[1].abs() < 1e-7, "{shares:?}");
 }
 
 /// The columns are there where the file asks for them, behind the energies, and change no other result.
