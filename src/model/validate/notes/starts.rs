@@ -1,4 +1,4 @@
-//! Motions that begin with a jump of velocity: the mechanism is at rest, and a drive or a frame is not.
+//! Motions that begin with a jump of velocity: the mechanism is at rest, and a drive is not.
 
 use super::Note;
 use crate::math::Vec3;
