@@ -25,9 +25,15 @@ impl<'a> Name<'a> {
         }
     }
 
-    /// Whether it is an energy, a momentum or a count of the whole mechanism.
+    /// Whether it is an energy, a work, a momentum or a count of the whole mechanism, which no output asks for.
     pub fn is_total(self) -> bool {
-        matches!(self.quantity.split_once('.'), Some(("energy" | "momentum" | "statistics", _)))
+        matches!(
+            self.quantity.split_once('.'),
+            Some(
+                ("energy" | "momentum" | "statistics", _)
+                    | ("work", "loads" | "actuators" | "drives" | "dissipated" | "drift")
+            )
+        )
     }
 
     /// What a chart calls its component: x, y or z where it is one of a vector.
@@ -86,6 +92,14 @@ mod tests {
             assert_eq!([found.quantity, found.station, found.component], parts);
             assert_eq!(found.axis(), axis, "{name}");
         }
-        assert!(Name::of("energy.total").is_total() && !Name::of("door.energy").is_total());
+        for (name, is_total) in [
+            ("energy.total", true),
+            ("work.drift", true),
+            ("momentum.linear[1]", true),
+            ("door.energy", false),
+            ("work.position[1]", false),
+        ] {
+            assert_eq!(Name::of(name).is_total(), is_total, "{name}");
+        }
     }
 }

@@ -55,7 +55,7 @@ fn the_summary_is_that_of_the_table() {
             assert!(is_read(&column[key]["value"], value), "{column}");
             assert_eq!(column[key]["time"].as_f64(), Some(time), "{column}");
         }
-        assert!(is_read(&column["last"], values().last().unwrap().1), "{column}");
+        assert!(is_read(&column["last"], values().next_back().unwrap().1), "{column}");
         moving += usize::from(low.0 > 0.0 && low.0 < 0.5);
     }
     assert!(moving > 2, "extremes between the ends");

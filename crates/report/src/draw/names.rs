@@ -101,7 +101,7 @@ impl Names {
             if copies().count() <= MOST_COPIES {
                 kept.push(name.clone());
             } else if self.names[..place].iter().find(is_copy).is_none()
-                && let Some(last) = copies().last()
+                && let Some(last) = copies().next_back()
             {
                 kept.push(Name { text: format!("{} \u{2026} {}", name.text, last.text), ..name.clone() });
             }
