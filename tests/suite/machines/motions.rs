@@ -1,7 +1,7 @@
 //! Machines that move: kinematics, momentum, controllers and laws against closed forms.
 
 use super::{check, column, last, machine, machine_with, results};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 const CARDAN_SHAFT: &str = include_str!("../../machines/cardan_shaft.toml");
 const DRILL_STRING: &str = include_str!("../../machines/drill_string.toml");
@@ -45,7 +45,7 @@ fn drill_string_stretches_and_sticks_and_slips() {
     let fastest = late.iter().copied().fold(0.0, f64::max);
     println!("speed of the bit: {slowest:.4} to {fastest:.3} rad/s");
     // While it sticks, it creeps by the smooth law: 0.05 rad/s times atanh of the torque over 4500 N m.
-    assert!(slowest.abs() < 0.1 && fastest > 2.0 * 6.283, "{slowest} to {fastest}");
+    assert!(slowest.abs() < 0.1 && fastest > 2.0 * TAU, "{slowest} to {fastest}");
 }
 
 /// At rest the line bears the fish and half of itself; the motion does not depend on the steps.
