@@ -27,6 +27,8 @@ const STYLE: &str = include_str!("overview.css");
 /// Lines of the first table, and of the table of all columns.
 const LINES: usize = 40;
 const MOST: usize = 2_000;
+/// Links to charts that are shown without a click.
+const LINKS: usize = 60;
 /// Digits of the numbers in them.
 const DIGITS: usize = 5;
 /// Bytes of pictures that are in the page itself; a browser loads the others from their files.
@@ -146,12 +148,19 @@ impl Overview<'_> {
         if self.pictures.is_empty() {
             return Ok(());
         }
-        writeln!(page, "<h2>Charts</h2>\n<nav>")?;
+        let is_long = self.pictures.len() > LINKS;
+        let (open, close) = match is_long {
+            true => {
+                (format!("<details><summary>List of the {} charts</summary>\n", self.pictures.len()), "</details>\n")
+            }
+            false => (String::new(), ""),
+        };
+        writeln!(page, "<h2>Charts</h2>\n{open}<nav>")?;
         let title = |file: &str| escaped(file.trim_end_matches(".svg"));
         for (file, _) in self.pictures {
             writeln!(page, "<a href=\"#{0}\">{0}</a>", title(file))?;
         }
-        writeln!(page, "</nav>\n<div class=\"charts\">")?;
+        writeln!(page, "</nav>\n{close}<div class=\"charts\">")?;
         let mut bytes = 0;
         for (file, svg) in self.pictures {
             bytes += svg.len();
@@ -227,6 +236,21 @@ mod tests {
                 last: Some(-0.25),
             }],
         }
+    }
+
+    /// Of very many charts the list is behind a click, and those beyond the bound of the page stay in their files.
+    #[test]
+    fn many_charts_keep_the_page_small() {
+        let svg = format!("<svg>{}</svg>\n", " ".repeat(INLINE / 100));
+        let pictures: Vec<(String, String)> = (0..120).map(|k| (format!("a{k}.b.svg"), svg.clone())).collect();
+        let summary = summary(true);
+        let of = |pictures: &[(String, String)]| {
+            Overview { summary: &summary, errors: &[], warnings: &[], drawings: &[], pictures, files: &[] }.html()
+        };
+        let page = of(&pictures);
+        assert!(page.len() < INLINE + 100_000 && page.contains("List of the 120 charts"), "{}", page.len());
+        assert!(!page.contains("<img src=\"a98.b.svg\"") && page.contains("<img src=\"a119.b.svg\""));
+        assert!(!of(&pictures[..10]).contains("List of the"));
     }
 
     /// Names and messages of the user are text, not markup; what went wrong is said; nothing is loaded from elsewhere.
