@@ -132,7 +132,9 @@ fn table(columns: &[Extremes]) -> Option<String> {
     }
     let left = columns.len() - places.len();
     let plural = if left == 1 { "" } else { "s" };
-    let _ = write!(text, "  {left} more column{plural} in {SUMMARY}");
+    if left > 0 {
+        let _ = write!(text, "  {left} more column{plural} in {SUMMARY}");
+    }
     (!places.is_empty()).then_some(text)
 }
 

@@ -23,6 +23,11 @@ pub struct Folder {
     rows: Vec<Row>,
 }
 
+/// Whether a file has a name that other programs give, too: a page or a document.
+fn is_page(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "html" || extension == "json")
+}
+
 /// A file that a command wrote.
 #[derive(Clone, Debug, PartialEq)]
 struct Row {
@@ -72,6 +77,14 @@ impl Folder {
         let paths: Vec<PathBuf> = names.iter().map(|name| self.file(name)).collect();
         output::spare(inputs, &paths)?;
         output::spare(inputs, &[self.file(LIST)])?;
+        for path in paths.iter().filter(|path| is_page(path) && path.symlink_metadata().is_ok()) {
+            if !self.rows.iter().any(|row| self.path.join(&row.name) == *path) {
+                return Err(output::trouble(
+                    path,
+                    &"ancf14 did not write the file that is there; choose another folder with --out",
+                ));
+            }
+        }
         let (own, others): (Vec<Row>, Vec<Row>) = self.rows.drain(..).partition(|row| row.command == command);
         let stale = own.iter().map(|row| self.path.join(&row.name));
         let mut stale: Vec<PathBuf> = stale.chain(paths).filter(|path| path.symlink_metadata().is_ok()).collect();
@@ -154,6 +167,24 @@ mod tests {
         let mut found: Vec<_> = fs::read_dir(there.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
         found.sort();
         assert_eq!(found, [LIST, "mine.svg", "modes.csv", "new.svg", "results.csv"]);
+    }
+
+    /// A page of the user stays, and so does everything else in the folder: the command fails before it touches anything.
+    #[test]
+    fn pages_of_the_user_are_spared() {
+        let there = tempfile::tempdir().unwrap();
+        for name in ["index.html", "results.csv"] {
+            fs::write(there.path().join(name), "mine").unwrap();
+        }
+        let mut folder = Folder::open(there.path()).unwrap();
+        let list = names(&["results.csv", "index.html"]);
+        assert!(folder.claim("run", "{1}", &list, &[]).is_err());
+        assert!(list.iter().all(|name| fs::read_to_string(folder.file(name)).unwrap() == "mine"));
+        fs::remove_file(folder.file("index.html")).unwrap();
+        folder.claim("run", "{1}", &list, &[]).unwrap();
+        folder.write("index.html", "own").unwrap();
+        folder.claim("run", "{1}", &list, &[]).unwrap();
+        assert!(!folder.file("index.html").exists());
     }
 
     /// A folder has one writer; what a list names outside of its folder is not touched.

@@ -64,7 +64,7 @@ enum Command {
         #[arg(long, conflicts_with = "name")]
         list: bool,
     },
-    /// Simulate a model: results.csv, a plot of each quantity, summary.json, and the page index.html with all of it
+    /// Simulate a model: results.csv, a plot of each quantity, summary.json, and index.html, which shows everything on one page
     ///
     /// During the run its rows are in results.part.csv, which becomes results.csv at the end. A run that fails or is
     /// interrupted leaves its rows there. Files of the previous run in the same folder are replaced.

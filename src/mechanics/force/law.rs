@@ -1,4 +1,4 @@
-//! Laws of springs, dampers, friction and stops: a force `f(x, v)` against the growing of `x`, N or N m. `x` is the elongation, m or rad, and `v` its rate.
+//! Laws of springs, dampers, friction and stops: a force `f(x, v)` against an increase of `x`, N or N m. `x` is the elongation, m or rad, and `v` its rate.
 //!
 //! `f(x, 0)` is elastic and has the energy `∫ f(x, 0) dx`. The rest, `f(x, v) − f(x, 0)`, is viscous. Over a step, both are means over the way from the elongation
 //! at its start to that at its end: the elastic part works exactly as much as the energy changes, and where the law has a kink or a jump, the force of the step is still a
@@ -74,6 +74,9 @@ pub struct LawForce {
     pub by_v: f64,
 }
 
+/// Intervals at most of the integral of a law over a step, and from 0 on: room for two jumps, and for ten.
+const INTERVALS_OF_STEP: u32 = 120;
+const INTERVALS_OF_ENERGY: u32 = 600;
 /// Share of a derivative up to which it is integrated: no result depends on it, only how fast Newton converges.
 const SLOPE_ERROR: f64 = 1e-10;
 /// Where the force changes by less than this share over a step, the derivative of its mean is an integral: the difference of the two would have lost too many digits.
@@ -84,7 +87,7 @@ impl Law {
     pub fn energy(&self, x: f64) -> f64 {
         match self {
             Self::OneSided { sign, stiffness, .. } => 0.5 * stiffness * (sign * x).max(0.0).powi(2),
-            Self::Function { function, .. } => integral_to_ends(&|x| function(x, 0.0)[0], 0.0, x),
+            Self::Function { function, .. } => integral_to_ends(&|x| function(x, 0.0)[0], 0.0, x, INTERVALS_OF_ENERGY),
             Self::Friction { .. } => 0.0,
             Self::Stop { limits: [lower, upper], stiffness, .. } => {
                 0.5 * stiffness * ((lower - x).max(0.0).powi(2) + (x - upper).max(0.0).powi(2))
@@ -155,6 +158,21 @@ impl Law {
         }
     }
 
+    /// Its viscous friction, N s/m or N m s/rad: of friction alone.
+    pub fn viscosity(&self) -> f64 {
+        if let Self::Friction { viscous, .. } = self { *viscous } else { 0.0 }
+    }
+
+    /// [`Self::over`] without [`Self::viscosity`].
+    pub fn over_without_viscosity(&self, start: f64, end: f64, v: f64) -> LawForce {
+        match self {
+            Self::Friction { coulomb, speed, .. } => {
+                Self::Friction { coulomb: *coulomb, viscous: 0.0, speed: *speed }.over(start, end, v)
+            }
+            _ => self.over(start, end, v),
+        }
+    }
+
     /// Whether it has a part that depends on the rate.
     pub fn is_damped(&self) -> bool {
         match self {
@@ -201,7 +219,7 @@ impl Contact {
 /// The mean of a function over the way from `start` to `end`, and its derivative with respect to the end; `f` has value and derivative.
 fn mean(f: impl Fn(f64) -> [f64; 3], [start, end]: [f64; 2]) -> [f64; 2] {
     let way = end - start;
-    let value = integral_to_ends(&|s| f(start + s * way)[0], 0.0, 1.0);
+    let value = integral_to_ends(&|s| f(start + s * way)[0], 0.0, 1.0, INTERVALS_OF_STEP);
     let last = f(end)[0];
     let change = last - value;
     let slope = if change.abs() > CANCELLATION * last.abs().max(value.abs()) {

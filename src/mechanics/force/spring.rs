@@ -67,7 +67,7 @@ impl Spring {
         self.stiffness * elastic + self.damping * self.rate(coordinate, c, passage)
     }
 
-    /// The force of its law.
+    /// The force of its law; over a step its derivative with respect to the rate is that with respect to the mean rate of the step.
     fn law_force(&self, law: &Law, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> LawForce {
         match passage {
             Passage::Rest => law.at(self.value(coordinate, c) - self.rest, 0.0),
@@ -77,12 +77,20 @@ impl Spring {
             Passage::Step(step) => {
                 let [start, end] = [step.start, step.end].map(|end| self.value(coordinate, end) - self.rest);
                 let rate = (end - start) / step.duration;
-                let late = self.lateness_of(law, start, step.duration);
-                let taken = match late {
+                let taken = |late: f64| match late {
                     0.0 => rate,
                     late => (1.0 + late) * rate - late * coordinate.rate(step.start, step.velocity),
                 };
-                let mut force = law.over(start, end, taken);
+                let late = self.lateness_of(law, start, step.duration);
+                let mut force = law.over_without_viscosity(start, end, taken(late));
+                force.by_v *= 1.0 + late;
+                // Beside dry friction, which stops within less than a step, viscous friction keeps its own time.
+                let viscous = law.viscosity();
+                if viscous != 0.0 {
+                    let late = lateness(viscous * self.mobility, step.duration);
+                    force.viscous += viscous * taken(late);
+                    force.by_v += viscous * (1.0 + late);
+                }
                 // Numerical dissipation works with the stiffness at the start, which the end does not change.
                 let stiffness = law.at(start, 0.0).by_x;
                 if stiffness > 0.0 && stiffness.is_finite() {
@@ -97,8 +105,7 @@ impl Spring {
 
     /// [`Self::lateness`] of a law that a step begins at the elongation `start`.
     fn lateness_of(&self, law: &Law, start: f64, duration: f64) -> f64 {
-        let damping = law.at(start, 0.0).by_v;
-        1.0 - 2.0 / (damping * self.mobility * duration).max(2.0)
+        lateness(law.at(start, 0.0).by_v * self.mobility, duration)
     }
 
     /// The force of its damper alone.
@@ -162,7 +169,7 @@ impl Spring {
     /// In the middle, a damper `c` multiplies the rate of a mass `m` by `(1 − z/2)/(1 + z/2)` a step, `z = c h/m`: beyond `z = 2` the rate changes its
     /// sign with every step, and beyond 20 it hardly fades. Taken later by `1 − 2/z`, it makes the factor 0.
     fn lateness(&self, duration: f64) -> f64 {
-        1.0 - 2.0 / (self.decay_rate() * duration).max(2.0)
+        lateness(self.decay_rate(), duration)
     }
 
     /// How fast the damper takes the motion of the mass that it holds, `c/m`, 1/s; 0 where that mass is not known.
@@ -185,13 +192,15 @@ impl Spring {
         if self.is_idle() {
             return [MarkerMatrix::zeros(); 4];
         }
-        let tension = self.tension(coordinate, c, passage) * self.shortening(coordinate, c, passage);
-        let mut blocks = coordinate.hessian(c, tension);
-        let here = coordinate.gradient(c);
+        let shortening = self.shortening(coordinate, c, passage);
         if let Some(law) = &self.law {
-            self.add_law_hessian(law, coordinate, c, passage, &mut blocks);
+            let force = self.law_force(law, coordinate, c, passage);
+            let mut blocks = coordinate.hessian(c, (force.elastic + force.viscous) * shortening);
+            add_law_hessian(&force, coordinate, c, passage, &mut blocks);
             return blocks;
         }
+        let mut blocks = coordinate.hessian(c, self.tension(coordinate, c, passage) * shortening);
+        let here = coordinate.gradient(c);
         match passage {
             Passage::Rest => add_products(&here, &here, self.stiffness, &mut blocks),
             Passage::Step(TimeStep { end, duration, dissipation, .. }) => {
@@ -207,30 +216,6 @@ impl Spring {
             }
         }
         blocks
-    }
-
-    /// The part of [`Self::hessian`] by which the force of a law changes.
-    fn add_law_hessian(
-        &self,
-        law: &Law,
-        coordinate: &RelativeCoordinate,
-        c: &Configuration,
-        passage: &Passage,
-        blocks: &mut [MarkerMatrix; 4],
-    ) {
-        let (here, force) = (coordinate.gradient(c), self.law_force(law, coordinate, c, passage));
-        match passage {
-            Passage::Rest => add_products(&here, &here, force.by_x, blocks),
-            Passage::Step(TimeStep { start, end, duration, .. }) => {
-                let late = self.lateness_of(law, self.value(coordinate, start) - self.rest, *duration);
-                let by_end = 2.0 * (force.by_x + force.by_v * (1.0 + late) / duration);
-                add_products(&here, &coordinate.gradient(end), by_end, blocks);
-            }
-            Passage::Instant { velocity, .. } => {
-                add_products(&here, &here, force.by_x, blocks);
-                add_products(&here, &coordinate.rate_gradient(c, velocity), force.by_v, blocks);
-            }
-        }
     }
 
     /// Derivative of [`Self::gradient`] with respect to the velocities of both sides, blocks `aa, ab, ba, bb`.
@@ -268,8 +253,7 @@ impl Spring {
         [sides_moved, whole]: [f64; 2],
     ) -> [f64; 2] {
         let is_framed = [coordinate.a, coordinate.b].iter().any(|side| matches!(side, Marker::Frame { .. }));
-        let by_frames = if is_framed { (tension - viscous) * (whole - sides_moved) } else { 0.0 };
-        [by_frames, viscous * sides_moved]
+        if is_framed { [tension * (whole - sides_moved), viscous * whole] } else { [0.0, viscous * sides_moved] }
     }
 
     /// Work over `step`, whose middle is `c`, J, as the step takes its forces: what moving frames put in, and what the damper takes out.
@@ -310,6 +294,33 @@ impl Spring {
     /// Whether it has a damper.
     pub fn is_damped(&self) -> bool {
         self.law.as_ref().map_or(self.damping != 0.0, Law::is_damped)
+    }
+}
+
+/// How far from the middle of a step of `duration` s towards its end the rate of a damper is taken that takes motion at `decay_rate`, 1/s.
+fn lateness(decay_rate: f64, duration: f64) -> f64 {
+    1.0 - 2.0 / (decay_rate * duration).max(2.0)
+}
+
+/// Adds the part of [`Spring::hessian`] by which the force of a law changes.
+fn add_law_hessian(
+    force: &LawForce,
+    coordinate: &RelativeCoordinate,
+    c: &Configuration,
+    passage: &Passage,
+    blocks: &mut [MarkerMatrix; 4],
+) {
+    let here = coordinate.gradient(c);
+    match passage {
+        Passage::Rest => add_products(&here, &here, force.by_x, blocks),
+        Passage::Step(TimeStep { end, duration, .. }) => {
+            let by_end = 2.0 * (force.by_x + force.by_v / duration);
+            add_products(&here, &coordinate.gradient(end), by_end, blocks);
+        }
+        Passage::Instant { velocity, .. } => {
+            add_products(&here, &here, force.by_x, blocks);
+            add_products(&here, &coordinate.rate_gradient(c, velocity), force.by_v, blocks);
+        }
     }
 }
 

@@ -72,8 +72,7 @@ impl System {
         let load = load.map(|load| format!("the force or moment of load {}", load.name));
         let actuator = self.actuators.iter().find(|actuator| !actuator.at(time, &HostEffort::default()).is_finite());
         let actuator = actuator.map(|actuator| format!("the effort of actuator {}", actuator.name));
-        let what =
-            load.or(actuator).or_else(|| self.undefined_motion(time).map(|name| format!("the motion of {name}")))?;
+        let what = load.or(actuator).or_else(|| self.undefined_motion(time))?;
         Some(match self.signals().find_map(|signal| signal.undefined(time)) {
             Some(reason) => format!("{what}, where {reason},"),
             None => what,

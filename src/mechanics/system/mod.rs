@@ -21,6 +21,7 @@ pub use equations::{copy_corner, copy_transposed};
 use self::frame_cache::FrameCache;
 use self::joint_parts::JointParts;
 use crate::math::Vec3;
+use crate::math::jet::Jet;
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14::kinematics::Holonomy;
 use crate::mechanics::beam::configuration::BeamConfiguration;
@@ -131,7 +132,7 @@ impl System {
         prescribed.frames.extend(frames.map(|(k, frame)| frame.at(k, next, targets)));
     }
 
-    /// A drive or frame whose motion is not finite at `time`, s.
+    /// The motion of a drive or a frame that is not finite at `time`, s, in words; of a drive the rate or the acceleration where that alone is not.
     fn undefined_motion(&self, time: f64) -> Option<String> {
         let targets = Targets {
             end: time,
@@ -142,8 +143,13 @@ impl System {
         let motion = self.prescribe_start(time, &targets);
         let drive = self.drives.iter().zip(&motion.drives).find(|(_, jet)| !jet.is_finite());
         let frame = self.moving_frames.iter().zip(&motion.frames).find(|(_, frame)| !frame.is_finite());
-        let drive = drive.map(|(drive, _)| format!("drive {}", drive.name));
-        drive.or_else(|| frame.map(|(frame, _)| format!("frame {}", frame.name)))
+        let part = |jet: &Jet| match (jet.value.is_finite(), jet.first.is_finite()) {
+            (false, _) => "motion",
+            (true, false) => "rate",
+            (true, true) => "acceleration",
+        };
+        let drive = drive.map(|(drive, jet)| format!("the {} of drive {}", part(jet), drive.name));
+        drive.or_else(|| frame.map(|(frame, _)| format!("the motion of frame {}", frame.name)))
     }
 
     /// Whether a spring or a material has damping.

@@ -1,6 +1,6 @@
 //! Joints, drives, actuators, gears and springs of the file as conditions, relative coordinates, actuators and springs of the system.
 
-use super::tune::{self, Tuned};
+use super::tune::{self, Strength, Tuned};
 use super::{Builder, signal, vector};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::constraint::cylindrical;
@@ -25,6 +25,7 @@ use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::gear::GearSpec;
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
+use crate::model::file::entries::spring::SpringLaw;
 use crate::model::file::reader::anchor::Anchor;
 
 impl Builder<'_> {
@@ -170,6 +171,14 @@ impl Builder<'_> {
         let value = |number| self.document.value(number);
         let (stiffness, damping, law) = tuned.numbers(self.document);
         let rest = tuned.rest.map_or(drawn, value);
+        if let Strength::Spring(SpringLaw::Function(force)) = tuned.strength
+            && !law.as_ref().is_some_and(|law| law.at(0.0, 0.0).elastic.is_finite())
+        {
+            let message = format!("the force of spring {name} is not a finite number at x = 0");
+            let label = "its energy is counted from there";
+            let help = "x is the elongation: choose `length` or `rest` such that the law has a value at x = 0";
+            self.mistakes.push(self.document.diagnostic(self.document.place(force), &message, label, help));
+        }
         let spring = spring::Spring { name: name.to_owned(), coordinate, stiffness, damping, rest, mobility: 0.0, law };
         self.system.add_spring(spring)
     }

@@ -114,6 +114,17 @@ impl Document {
         }
     }
 
+    /// The first stop whose lower limit is not below its upper one, in words: a host may have set them so.
+    pub fn crossed_limits(&self) -> Option<String> {
+        self.stops.iter().find_map(|stop| {
+            let [lower, upper] = [self.value(stop.lower?), self.value(stop.upper?)];
+            (lower >= upper).then(|| {
+                let name = &stop.name;
+                format!("the lower limit of stop {name}, {lower}, is not below its upper limit, {upper}: set `{name}.lower` or `{name}.upper`")
+            })
+        })
+    }
+
     /// Every parameter back to its start value.
     pub fn reset(&mut self) {
         for parameter in self.parameters.iter().filter(|parameter| !parameter.is_calculated()) {

@@ -362,6 +362,12 @@ impl Model for Simulation {
             self.inputs.end_step();
             return Ok(());
         }
+        // A host may move both limits of a stop, one after the other: only now they must fit.
+        if self.runner.stale
+            && let Some(objection) = self.document.crossed_limits()
+        {
+            return Err(wrong(objection));
+        }
         self.forget_step();
         self.warn_of_quaternions([self.runner.state.time, end]);
         let runner = &mut self.runner;

@@ -51,6 +51,12 @@ pub fn explain(message: &str, text: &str, range: Range<usize>) -> Mistake {
             return mistake("a key has no value", "a value was expected", range);
         }
     }
+    if message.contains("invalid")
+        && slice.contains(['*', '/', '^', '('])
+        && let Some(unquoted) = unquoted(slice, &range)
+    {
+        return unquoted;
+    }
     let after = text.get(start..).unwrap_or("");
     let digits = |text: &str| text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();
     let decimals = after.strip_prefix(',').map_or(0, digits);

@@ -40,20 +40,25 @@ impl Note {
 /// What the author of a model should know about it: file, line, what is odd and what to do. Copies of one line give one note.
 pub fn notes(document: &Document) -> Vec<String> {
     let lines = Lines::of(document);
-    let mut notes = loose::loose_parts(document);
-    notes.extend(materials::odd_materials(document));
-    notes.extend(slenderness::stubby_beams(document, &lines));
-    notes.extend(angles::odd_angles(document));
-    notes.extend(starts::jumps(document, &lines));
-    notes.extend(poles::poles(document));
-    notes.extend(long_step(document));
-    let mut told: Vec<Place> = Vec::new();
-    notes.retain(|note| {
-        let origin = document.origin_place(note.place);
-        let is_new = note.place.source > 0 || !told.contains(&origin);
-        told.push(origin);
-        is_new
-    });
+    let kinds = [
+        loose::loose_parts(document),
+        materials::odd_materials(document),
+        slenderness::stubby_beams(document, &lines),
+        angles::odd_angles(document),
+        starts::jumps(document, &lines),
+        poles::poles(document),
+        long_step(document).into_iter().collect(),
+    ];
+    let mut notes = Vec::new();
+    for kind in kinds {
+        let mut told: Vec<Place> = Vec::new();
+        notes.extend(kind.into_iter().filter(|note| {
+            let origin = document.origin_place(note.place);
+            let is_new = note.place.source > 0 || !told.contains(&origin);
+            told.push(origin);
+            is_new
+        }));
+    }
     notes.iter().map(|note| format!("{}: {}", document.origin(note.place), note.text)).collect()
 }
 

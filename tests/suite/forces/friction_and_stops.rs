@@ -3,7 +3,8 @@
 
 use crate::running::{run, start, value};
 use crate::support::machines::drift;
-use ancf14::fmi::Model;
+use ancf14::fmi::{Model, Value};
+use ancf14::model::simulation::Simulation;
 
 /// A block of 2 kg on a rail along x.
 fn block(start: &str, rest: &str, simulation: &str) -> String {
@@ -35,6 +36,24 @@ fn a_block_slides_as_far_as_its_energy_lasts() {
     let [drifted, changed] = drift(&block("velocity = [1, 0, 0]", &rub, "stop = 1\nstep = 1e-3"), 1.0, (1e-3, 2000));
     // Without the first step, all of 1 J is gone.
     assert!(drifted.abs() < 1e-9 && (changed + 1.0).abs() < 0.01, "{drifted:e} {changed}");
+}
+
+/// Viscous friction beside dry friction: `v = (v0 + F/c) exp(−c t/m) − F/c` while the block slides, with second order although dry friction alone would stop it within far less than a step.
+#[test]
+fn viscous_friction_keeps_the_order() {
+    let rub = "[friction.rub]\njoint = \"rail\"\ncoordinate = \"distance\"\ncoulomb = 10\nviscous = 5";
+    let exact = (15.0 + 2.0) * f64::exp(-5.0 / 2.0 * 0.3) - 2.0;
+    let errors = [0.02, 0.01, 0.005].map(|step| {
+        let mut simulation = start(&block("velocity = [15, 0, 0]", rub, &format!("stop = 0.3\nstep = {step}")));
+        simulation.advance(0.3).unwrap_or_else(|failure| panic!("{}", failure.message));
+        (value(&simulation, "way.distance_rate") - exact).abs()
+    });
+    // (c h/m)²/12 a step time constant: 2e-4 of 15 m/s with the coarsest.
+    assert!(errors[0] < 5e-3, "{errors:?}");
+    for pair in errors.windows(2) {
+        let order = (pair[0] / pair[1]).log2();
+        assert!((1.8..2.2).contains(&order), "order {order} of {errors:?}");
+    }
 }
 
 /// Where friction sets in within far less than a step, the block comes to rest all the same: its velocity does not alternate.
@@ -142,4 +161,21 @@ fn friction_brakes_a_wheel() {
     assert!((value(&simulation, "braking.angle_rate") - (20.0 - 0.2 / 0.05 * 2.0)).abs() < 1e-6);
     let effort = simulation.variables().iter().find(|variable| variable.name == "braking.effort").expect("an output");
     assert_eq!(effort.quantity.unit, "N.m");
+}
+
+/// A host may move both limits of a stop, in any order; a step with limits that cross is refused, and goes on when they fit.
+#[test]
+fn limits_may_not_cross_in_a_step() {
+    let stops = "[stop.ends]\njoint = \"rail\"\ncoordinate = \"distance\"\nlower = -0.1\nupper = 0.05\nstiffness = 2e4";
+    let mut simulation = start(&block("", stops, "stop = 1\nstep = 1e-2"));
+    let set = |simulation: &mut Simulation, name: &str, value: f64| {
+        let at = simulation.variables().iter().position(|variable| variable.name == name).expect("a parameter");
+        simulation.set(at, Value::Real(value)).unwrap_or_else(|failure| panic!("{}", failure.message));
+    };
+    simulation.advance(0.1).unwrap_or_else(|failure| panic!("{}", failure.message));
+    set(&mut simulation, "ends.lower", 0.1);
+    let failure = simulation.advance(0.2).expect_err("both ends push");
+    assert!(failure.message.contains("the lower limit of stop ends, 0.1, is not below"), "{}", failure.message);
+    set(&mut simulation, "ends.upper", 0.3);
+    simulation.advance(0.2).unwrap_or_else(|failure| panic!("{}", failure.message));
 }

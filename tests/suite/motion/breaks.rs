@@ -69,7 +69,7 @@ fn regression_a_rate_without_a_value_is_named() {
     );
     let failure = simulation.advance(0.1).expect_err("the slope jumps by 2 at 0.05 s");
     assert!(
-        failure.message.contains("the motion of drive m is not a finite number at t = 0.05 s"),
+        failure.message.contains("the rate of drive m is not a finite number at t = 0.05 s"),
         "{}",
         failure.message
     );

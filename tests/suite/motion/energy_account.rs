@@ -200,7 +200,8 @@ fn a_frame_works_through_a_damper() {
     let (given, kinetic) = (mass * speed * speed * (1.0 - fading), 0.5 * mass * speed * speed * (1.0 - fading).powi(2));
     println!("open {open:.1e}: {drives} for {given}, {dissipated} for {}, drift {drift:e}", given - kinetic);
     assert_eq!([loads, actuators], [0.0; 2]);
-    assert!((drives - dissipated - kinetic).abs() < 1e-4 * given, "{drives} - {dissipated} for {kinetic}");
+    // The midpoint rule is off by (c h/m)²/12.
+    assert!((drives - given).abs() < 1e-4 * given && (dissipated - (given - kinetic)).abs() < 1e-4 * given);
 }
 
 /// A drive whose rate jumps from 0 to 2 rad/s strikes: its work is the kinetic energy, and none of it is drift.
