@@ -51,9 +51,12 @@ pub fn explain(message: &str, text: &str, range: Range<usize>) -> Mistake {
             return mistake("a key has no value", "a value was expected", range);
         }
     }
+    // TOML reads the first factor of a product as a number and stops behind it.
+    let first = before.len() - before.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.').len();
+    let whole = start - first..range.end;
     if message.contains("invalid")
         && slice.contains(['*', '/', '^', '('])
-        && let Some(unquoted) = unquoted(slice, &range)
+        && let Some(unquoted) = unquoted(text.get(whole.clone()).unwrap_or(""), &whole)
     {
         return unquoted;
     }

@@ -170,7 +170,7 @@ fn limits_may_not_cross_in_a_step() {
     let mut simulation = start(&block("", stops, "stop = 1\nstep = 1e-2"));
     let set = |simulation: &mut Simulation, name: &str, value: f64| {
         let at = simulation.variables().iter().position(|variable| variable.name == name).expect("a parameter");
-        simulation.set(at, Value::Real(value)).unwrap_or_else(|failure| panic!("{}", failure.message));
+        simulation.set_value(at, Value::Real(value)).unwrap_or_else(|failure| panic!("{}", failure.message));
     };
     simulation.advance(0.1).unwrap_or_else(|failure| panic!("{}", failure.message));
     set(&mut simulation, "ends.lower", 0.1);
