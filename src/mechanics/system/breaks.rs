@@ -47,12 +47,17 @@ impl System {
         self.breaks.get(first).copied().filter(|time| *time < to - margin)
     }
 
+    /// The break within [`AT_BREAK`] of a step of `step` s from `time`, s.
+    fn break_at(&self, time: f64, step: f64) -> Option<f64> {
+        let margin = AT_BREAK * step;
+        let first = self.breaks.partition_point(|own| *own < time - margin);
+        self.breaks.get(first).copied().filter(|own| *own <= time + margin)
+    }
+
     /// Whether a load or an effort jumps within [`AT_BREAK`] of a step of `step` s from `time`, or the motion of a drive or a frame, its velocity or its acceleration: what is
     /// known of the motion before does not hold behind it. Pieces that meet smoothly change nothing.
     pub fn is_sudden(&self, time: f64, step: f64) -> bool {
-        let margin = AT_BREAK * step;
-        let first = self.breaks.partition_point(|own| *own < time - margin);
-        let Some(time) = self.breaks.get(first).copied().filter(|own| *own <= time + margin) else { return false };
+        let Some(time) = self.break_at(time, step) else { return false };
         let jumps =
             |signal: &Signal, derivatives: usize| signal.breaks_at(time) && jumps(signal, time, step, derivatives);
         self.loads.iter().flat_map(|load| load.signals()).any(|signal| jumps(signal, 0))
@@ -63,9 +68,7 @@ impl System {
 
     /// Whether the velocity of a drive or a frame jumps within [`AT_BREAK`] of a step of `step` s from `time`.
     pub fn is_struck(&self, time: f64, step: f64) -> bool {
-        let margin = AT_BREAK * step;
-        let first = self.breaks.partition_point(|own| *own < time - margin);
-        let Some(time) = self.breaks.get(first).copied().filter(|own| *own <= time + margin) else { return false };
+        let Some(time) = self.break_at(time, step) else { return false };
         let jumps =
             |signal: &Signal, derivatives: usize| signal.breaks_at(time) && jumps(signal, time, step, derivatives);
         // Of a rate the velocity is the value itself.
