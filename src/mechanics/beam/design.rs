@@ -1,12 +1,14 @@
 //! A beam as drawn: its line, section and material, and the formulation of its elements.
 
 use super::ancf14::energy::quadratic_twist::Twist;
+use super::ancf14::along::{Along, SectionAt};
 use super::ancf14::strain::{Stiffness, Strain};
 use super::ancf24::element::Properties;
 use super::ancf24::law::{Shear, law};
 use super::ancf24::station::Fibers;
 use super::centerline::Centerline;
 use super::material::Material;
+use super::profile::Profile;
 use super::section::Section;
 use crate::math::Vec3;
 
@@ -56,8 +58,10 @@ pub struct BeamDesign {
     pub pretwist: f64,
     /// Material.
     pub material: Material,
-    /// Cross-section.
+    /// Cross-section; where it varies that of the start.
     pub section: Section,
+    /// The section along the beam; none where it is the same everywhere.
+    pub profile: Option<Profile>,
     /// How its elements are formulated.
     pub elements: Elements,
     /// Initial velocity of the start, m/s.
@@ -67,35 +71,36 @@ pub struct BeamDesign {
 }
 
 impl BeamDesign {
+    /// The section at a fraction of the length, 0 to 1.
+    pub fn section_at(&self, fraction: f64) -> Section {
+        self.profile.as_ref().map_or(self.section, |profile| profile.at(fraction))
+    }
+
     /// `ρA`, kg/m, and `ρIp`, kg m.
     pub fn densities(&self) -> [f64; 2] {
-        [self.section.area, self.section.polar_moment].map(|integral| self.material.density * integral)
+        densities(&self.material, &self.section)
     }
 
     /// Stiffness of an ANCF14 section.
     pub fn stiffness(&self, strain: Strain, twist: Twist, torsion: Torsion) -> Stiffness {
-        let (material, section) = (&self.material, &self.section);
-        let torsion_factor = match torsion {
-            Torsion::Free => 1.0,
-            Torsion::Suppressed => SUPPRESSED_TORSION,
-        };
-        let couples = strain != Strain::Small && torsion == Torsion::Free;
-        Stiffness {
-            strain,
-            twist,
-            axial: material.young * section.area,
-            bending_y: material.young * section.second_moment_y,
-            bending_z: material.young * section.second_moment_z,
-            torsion: material.shear * section.torsion_constant * torsion_factor,
-            wagner: if couples { material.young * section.polar_moment } else { 0.0 },
-            fourth: match strain {
-                Strain::Large => section.fourth_moments.map(|moment| material.young * moment),
-                _ => [0.0; 3],
-            },
-            damping: material.damping,
-        }
+        stiffness(&self.material, &self.section, strain, twist, torsion)
     }
 
+    /// The sections of an ANCF14 element between two `fractions` of the length; none where they are those of [`Self::stiffness`] and [`Self::densities`].
+    pub fn along(&self, fractions: [f64; 2], strain: Strain, twist: Twist, torsion: Torsion) -> Option<Along> {
+        let (profile, material) = (self.profile.clone()?, self.material);
+        let turns = fractions.map(|fraction| profile.at(fraction).twist);
+        Some(Along::new(move |xi| {
+            let section = profile.inside(fractions, xi);
+            let (principal, _) = section.principal_axes();
+            SectionAt {
+                stiffness: stiffness(&material, &section, strain, twist, torsion),
+                densities: densities(&material, &section),
+                // Nodes turn as the section does; between them the turn of the element is a straight line.
+                principal: principal + section.twist - (turns[0] + (turns[1] - turns[0]) * xi),
+            }
+        }))
+    }
     /// What ANCF24 elements have in common.
     pub fn properties(&self, poisson: bool, shear: Shear) -> Properties {
         let (material, section) = (&self.material, &self.section);
@@ -132,5 +137,34 @@ impl BeamDesign {
         } else {
             f64::INFINITY
         }
+    }
+}
+
+/// `ρA`, kg/m, and `ρIp`, kg m.
+fn densities(material: &Material, section: &Section) -> [f64; 2] {
+    section.inertia.unwrap_or([section.area, section.polar_moment].map(|integral| material.density * integral))
+}
+
+/// Stiffness of an ANCF14 section, in its principal axes.
+fn stiffness(material: &Material, section: &Section, strain: Strain, twist: Twist, torsion: Torsion) -> Stiffness {
+    let (_, [about_y, about_z]) = section.principal_axes();
+    let torsion_factor = match torsion {
+        Torsion::Free => 1.0,
+        Torsion::Suppressed => SUPPRESSED_TORSION,
+    };
+    let couples = strain != Strain::Small && torsion == Torsion::Free;
+    Stiffness {
+        strain,
+        twist,
+        axial: material.young * section.area,
+        bending_y: material.young * about_y,
+        bending_z: material.young * about_z,
+        torsion: material.shear * section.torsion_constant * torsion_factor,
+        wagner: if couples { material.young * section.polar_moment } else { 0.0 },
+        fourth: match strain {
+            Strain::Large => section.fourth_moments.map(|moment| material.young * moment),
+            _ => [0.0; 3],
+        },
+        damping: material.damping,
     }
 }

@@ -147,8 +147,8 @@ pub trait BeamElement {
     /// Force and moments of the section at `xi`, which as drawn is `drawn`.
     fn section_forces(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionForces;
 
-    /// `G Jt` as the element has it, N m².
-    fn torsion_rigidity(&self) -> f64;
+    /// `G Jt` at `xi` as the element has it, N m².
+    fn torsion_rigidity(&self, xi: f64) -> f64;
 
     /// Material twist from its first node to `xi`, undeformed value taken off, rad.
     fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64;

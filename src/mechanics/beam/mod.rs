@@ -10,11 +10,14 @@ pub mod element;
 pub mod material;
 pub mod mesh;
 pub mod node;
+pub mod profile;
 pub mod resultants;
 pub mod section;
+pub mod walls;
 
 use self::division::Division;
-use self::section::Outline;
+use self::profile::Profile;
+use self::section::Section;
 use std::ops::Range;
 
 /// A beam: a run of nodes and elements.
@@ -30,17 +33,22 @@ pub struct Beam {
     pub division: Division,
     /// The ends of elements at which two nodes meet that are welded, ascending.
     pub corners: Vec<usize>,
-    /// Outline of its section: where stress is largest.
-    pub outline: Outline,
+    /// Its section; where it varies that of the start.
+    pub section: Section,
+    /// The section along it; none where it is the same everywhere.
+    pub profile: Option<Profile>,
     /// Young's modulus, Pa.
     pub young: f64,
-    /// Larger radius of gyration of its section, `√(I/A)`, m.
-    pub gyration: f64,
     /// Twist rate above which its energy has no lower bound, rad/m (MECHANICS, trap 9); infinite where there is none.
     pub twist_limit: f64,
 }
 
 impl Beam {
+    /// Its section at a fraction of its length, 0 to 1.
+    pub fn section_at(&self, fraction: f64) -> Section {
+        self.profile.as_ref().map_or(self.section, |profile| profile.at(fraction))
+    }
+
     /// Number of elements.
     pub fn elements(&self) -> usize {
         self.division.elements()

@@ -49,9 +49,7 @@ pub struct Fiber {
 impl Fiber {
     /// The one that bears most; arguments as of [`largest_stress`].
     pub fn worst(outline: &Outline, young: f64, torque: f64, strains: &SectionStrains) -> Option<Self> {
-        // Where it is compressed the largest stress is on the other side.
-        let side = if strains.axial < 0.0 { -1.0 } else { 1.0 };
-        let place = outline.farthest_point(&strains.curvature)?.map(|part| side * part);
+        let place = outline.farthest_point(strains.axial, &strains.curvature)?;
         // Without stress both slopes are 0.
         let stress = largest_stress(outline, young, torque, strains)?.max(f64::MIN_POSITIVE);
         let fiber = Self { place, slopes: [0.0; 2] };
@@ -78,7 +76,7 @@ impl Fiber {
 /// the Saint-Venant torque `torque`, N m, makes in the shape itself, also where its torsion constant is given differently. Circles and tubes have
 /// it all along the outline; for a rectangle, whose corners bear `σ` and the middles of whose long sides `τ`, it is taken everywhere: an upper bound.
 pub fn largest_stress(outline: &Outline, young: f64, torque: f64, strains: &SectionStrains) -> Option<f64> {
-    let normal = young * (strains.axial.abs() + outline.bending_strain(&strains.curvature)?);
+    let normal = young * outline.largest_strain(strains.axial, &strains.curvature)?;
     let shear = torque / outline.torsion_modulus()?;
     Some((normal * normal + 3.0 * shear * shear).sqrt())
 }

@@ -1,6 +1,6 @@
-//! Doubly symmetric cross-sections: integrals over the area, fourth moments included (MECHANICS 3.2b).
+//! Cross-sections: integrals over the area, fourth moments included (MECHANICS 3.2b).
 //!
-//! Local y and z are the symmetry axes, x the tangent, `z = x × y`.
+//! Local y and z go through the centroid, x is the tangent, `z = x × y`. Sections of thin walls are in walls.rs.
 
 use std::f64::consts::PI;
 
@@ -29,34 +29,72 @@ pub enum Outline {
         /// Radius outside.
         outer: f64,
     },
+    /// Solid ellipse with these semi-axes.
+    Ellipse {
+        /// Along y.
+        y: f64,
+        /// Along z.
+        z: f64,
+    },
+    /// Thin walls.
+    Walls {
+        /// The outermost points, y and z.
+        corners: [[f64; 2]; CORNERS],
+        /// Torque over the largest Saint-Venant shear stress, m³.
+        torsion_modulus: f64,
+    },
     /// Not known: the section is given by its integrals alone.
     General,
 }
 
+/// Outermost points of thin walls at most.
+pub const CORNERS: usize = 6;
+
 impl Outline {
-    /// Largest size of `z curvature_y − y curvature_z` over the outline, 1, with the curvatures about y and z in 1/m; none if it is not known.
-    pub fn bending_strain(&self, curvature: &[f64; 2]) -> Option<f64> {
+    /// Largest size of `axial + z curvature_y − y curvature_z` over the outline, 1, with the curvatures about y and z in 1/m; none if it is not known.
+    pub fn largest_strain(&self, axial: f64, curvature: &[f64; 2]) -> Option<f64> {
         let [about_y, about_z] = curvature;
-        match self {
-            Self::Rectangle { width, height } => Some(0.5 * (height * about_y.abs() + width * about_z.abs())),
-            Self::Circle { radius } | Self::Tube { outer: radius, .. } => Some(radius * about_y.hypot(*about_z)),
-            Self::General => None,
-        }
+        let bending = match self {
+            Self::Rectangle { width, height } => 0.5 * (height * about_y.abs() + width * about_z.abs()),
+            Self::Circle { radius } | Self::Tube { outer: radius, .. } => radius * about_y.hypot(*about_z),
+            Self::Ellipse { y, z } => (z * about_y).hypot(y * about_z),
+            Self::Walls { corners, .. } => {
+                let strains = corners.iter().map(|[y, z]| (axial + z * about_y - y * about_z).abs());
+                return Some(strains.fold(0.0, f64::max));
+            }
+            Self::General => return None,
+        };
+        Some(axial.abs() + bending)
     }
 
-    /// A point of the outline, y and z, m, where `z curvature_y − y curvature_z` is largest; none if the outline is not known. Where all points are
-    /// alike it is the middle of them.
-    pub fn farthest_point(&self, curvature: &[f64; 2]) -> Option<[f64; 2]> {
+    /// A point of the outline, y and z, m, where `axial + z curvature_y − y curvature_z` is largest in size; none if the outline is not known. Where all
+    /// points are alike it is the middle of them.
+    pub fn farthest_point(&self, axial: f64, curvature: &[f64; 2]) -> Option<[f64; 2]> {
         let [about_y, about_z] = *curvature;
+        if let Self::Walls { corners, .. } = self {
+            let strain = |[y, z]: &[f64; 2]| (axial + z * about_y - y * about_z).abs();
+            return corners.iter().copied().max_by(|a, b| strain(a).total_cmp(&strain(b)));
+        }
+        // Where it is compressed the largest stress is on the other side.
+        let side = if axial < 0.0 { -1.0 } else { 1.0 };
+        self.most_stretched(about_y, about_z).map(|place| place.map(|part| side * part))
+    }
+
+    /// A point of a doubly symmetric outline where `z about_y − y about_z` is largest.
+    fn most_stretched(&self, about_y: f64, about_z: f64) -> Option<[f64; 2]> {
         let sign = |number: f64| if number == 0.0 { 0.0 } else { number.signum() };
         match self {
             Self::Rectangle { width, height } => Some([-0.5 * width * sign(about_z), 0.5 * height * sign(about_y)]),
+            Self::Ellipse { y, z } => {
+                let amount = (z * about_y).hypot(y * about_z).max(f64::MIN_POSITIVE);
+                Some([-y * (y * about_z / amount), z * (z * about_y / amount)])
+            }
             Self::Circle { radius } | Self::Tube { outer: radius, .. } => {
                 // Never a division by 0, which hosts may trap.
                 let amount = about_y.hypot(about_z).max(f64::MIN_POSITIVE);
                 Some([-radius * (about_z / amount), radius * (about_y / amount)])
             }
-            Self::General => None,
+            Self::Walls { .. } | Self::General => None,
         }
     }
 
@@ -66,6 +104,8 @@ impl Outline {
             Self::Rectangle { width, height } => Some(rectangle_torsion_modulus(*width, *height)),
             Self::Circle { radius } => Some(Section::circle(*radius).torsion_constant / radius),
             Self::Tube { inner, outer } => Some(Section::tube(*inner, *outer).torsion_constant / outer),
+            Self::Ellipse { y, z } => Some(0.5 * PI * y * z * y.min(*z)),
+            Self::Walls { torsion_modulus, .. } => Some(*torsion_modulus),
             Self::General => None,
         }
     }
@@ -84,13 +124,48 @@ pub struct Section {
     pub torsion_constant: f64,
     /// Polar moment Ip, m⁴: spin inertia and Wagner term.
     pub polar_moment: f64,
-    /// `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]`, m⁶.
+    /// `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]` about the principal axes, m⁶.
     pub fourth_moments: [f64; 3],
+    /// Product of area `Iyz = ∫ y z dA`, m⁴; 0 where y and z are principal axes.
+    pub product_moment: f64,
+    /// Turn about the tangent from the beam's own section to this one, rad.
+    pub twist: f64,
+    /// Mass per length, kg/m, and its polar moment, kg m, where they do not follow from the density.
+    pub inertia: Option<[f64; 2]>,
     /// Its outline; the integrals may be given differently.
     pub outline: Outline,
 }
 
 impl Section {
+    /// No area at all, in principal axes: what others begin with.
+    pub const EMPTY: Self = Self {
+        area: 0.0,
+        second_moment_y: 0.0,
+        second_moment_z: 0.0,
+        torsion_constant: 0.0,
+        polar_moment: 0.0,
+        fourth_moments: [0.0; 3],
+        product_moment: 0.0,
+        twist: 0.0,
+        inertia: None,
+        outline: Outline::General,
+    };
+
+    /// Angle about the tangent from y to the principal axis nearest to it, rad, and the second moments about the principal y and z, m⁴.
+    pub fn principal_axes(&self) -> (f64, [f64; 2]) {
+        let Self { second_moment_y: about_y, second_moment_z: about_z, product_moment, .. } = *self;
+        if product_moment == 0.0 {
+            return (0.0, [about_y, about_z]);
+        }
+        let (mean, half) = (0.5 * (about_y + about_z), 0.5 * (about_z - about_y));
+        let radius = half.hypot(product_moment);
+        if half < 0.0 {
+            (0.5 * (-product_moment).atan2(-half), [mean + radius, mean - radius])
+        } else {
+            (0.5 * product_moment.atan2(half), [mean - radius, mean + radius])
+        }
+    }
+
     /// Rectangle `width` (along y) × `height` (along z), m.
     pub fn rectangle(width: f64, height: f64) -> Self {
         let second_moment_y = width * height.powi(3) / 12.0;
@@ -107,6 +182,7 @@ impl Section {
                 width * height.powi(5) / 80.0,
             ],
             outline: Outline::Rectangle { width, height },
+            ..Self::EMPTY
         }
     }
 
@@ -146,6 +222,27 @@ impl Section {
             polar_moment: 2.0 * second_moment,
             fourth_moments: [3.0 * fourth, fourth, 3.0 * fourth],
             outline: Outline::Circle { radius },
+            ..Self::EMPTY
+        }
+    }
+
+    /// Solid ellipse `width` (along y) × `height` (along z), m.
+    pub fn ellipse(width: f64, height: f64) -> Self {
+        let (y, z) = (0.5 * width, 0.5 * height);
+        let (second_moment_y, second_moment_z) = (PI * y * z.powi(3) / 4.0, PI * z * y.powi(3) / 4.0);
+        Self {
+            area: PI * y * z,
+            second_moment_y,
+            second_moment_z,
+            torsion_constant: PI * (y * z).powi(3) / (y * y + z * z),
+            polar_moment: second_moment_y + second_moment_z,
+            fourth_moments: [
+                PI * y.powi(5) * z / 8.0,
+                PI * (y * z).powi(3) / 24.0,
+                PI * y * z.powi(5) / 8.0,
+            ],
+            outline: Outline::Ellipse { y, z },
+            ..Self::EMPTY
         }
     }
 
@@ -160,12 +257,13 @@ impl Section {
             polar_moment: disk.polar_moment - hole.polar_moment,
             fourth_moments: std::array::from_fn(|i| disk.fourth_moments[i] - hole.fourth_moments[i]),
             outline: Outline::Tube { inner, outer },
+            ..Self::EMPTY
         }
     }
 }
 
 /// Saint-Venant's torsion constant of a rectangle, m⁴: `a b³/3 (1 − 192 b/(π⁵ a) Σ_{n odd} tanh(nπa/2b)/n⁵)`, a ≥ b (Timoshenko).
-fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
+pub(super) fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
     let (long, short) = (width.max(height), width.min(height));
     // The terms fall with n⁻⁵: 40 of them leave less than 1e-9 of the constant; summed from the smallest.
     let series: f64 =

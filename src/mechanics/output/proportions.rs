@@ -32,7 +32,7 @@ impl System {
     pub fn too_fine_meshes(&self) -> Vec<String> {
         let fine = self.beams.iter().filter_map(|beam| {
             let [_, (_, longest)] = self.extreme_elements(beam);
-            let share = longest / beam.gyration;
+            let share = longest / beam.section.gyration();
             (share < FINE).then(|| {
                 let enough = (beam.elements() as f64 * share / (5.0 * FINE)).ceil().max(1.0);
                 format!(

@@ -37,10 +37,10 @@ impl Sensor {
         c: &Configuration,
         read: impl FnOnce(&Outline, f64, f64, &SectionStrains) -> Option<T>,
     ) -> Option<T> {
-        let (Some((beam, _)), Some((element, _))) = (self.on_beam, self.places().next()) else { return None };
+        let (Some((beam, fraction)), Some((element, xi))) = (self.on_beam, self.places().next()) else { return None };
         let beam = &system.beams[beam];
         let strains = self.strains(c);
-        let torque = c.mesh.elements[element].torsion_rigidity() * strains.torsion;
-        read(&beam.outline, beam.young, torque, &strains)
+        let torque = c.mesh.elements[element].torsion_rigidity(xi) * strains.torsion;
+        read(&beam.section_at(fraction).outline, beam.young, torque, &strains)
     }
 }

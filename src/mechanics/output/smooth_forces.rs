@@ -4,7 +4,6 @@
 //! beam they are off by `q l²/12`, at all nodes alike, so that nothing jumps. The bend that neighbors show makes up for it (strain_fit.rs).
 
 use super::strain_fit::{Line, Neighborhood, StrainFit, bend, mean, rise};
-use crate::mechanics::beam::ancf14;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::System;
@@ -32,7 +31,7 @@ impl System {
             let x = (xi - 0.5) * neighborhood.own.length();
             let strains = [0, 1, 2].map(|k| smooth_strain(&neighborhood, k, x));
             let strains = neighborhood.own.section_strains(axial, strains);
-            let forces = ancf14::section::forces(&neighborhood.own.element.stiffness, &strains);
+            let forces = neighborhood.own.section_forces(x, &strains);
             sum.axial += share * smooth(&neighborhood, |fit| fit.force(), x);
             let StrainFit { strains: [about_z, about_y, _], rigidities: [for_z, for_y, _], .. } = neighborhood.own;
             sum.shear += share * (for_z * about_z.slope).hypot(for_y * about_y.slope);

@@ -11,7 +11,7 @@ use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::ancf14::strain::Strain;
 use crate::mechanics::beam::element::AnyElement;
-use crate::mechanics::beam::resultants::SectionStrains;
+use crate::mechanics::beam::resultants::{SectionForces, SectionStrains};
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
 
@@ -38,7 +38,7 @@ pub struct StrainFit<'a> {
     pub element: &'a ancf14::element::Element,
     /// Curvature about z, the negative one about y (1/m), and torsion (rad/m), undeformed values taken off.
     pub strains: [Line; 3],
-    /// `E Iz`, `E Iy` and `G Jt`, N m².
+    /// `E Iz`, `E Iy` and `G Jt`, where they vary those of the middle, N m².
     pub rigidities: [f64; 3],
     /// Axial force at both ends and in the middle, in their order, N.
     pub forces: [f64; 3],
@@ -57,11 +57,12 @@ impl<'a> StrainFit<'a> {
 
     fn new(element: &'a ancf14::element::Element, c: &Configuration<'a>) -> Self {
         let evaluation = element.evaluation(&c.beams);
-        let [first, _, last] = &evaluation.strains;
+        let all = evaluation.section_strains();
+        let [first, _, last] = &all;
         let apart = (GAUSS_POINTS[2] - GAUSS_POINTS[0]) * element.length;
         // Least squares over the Gauss points, with their weights.
         let strains = [0, 1, 2].map(|k| Line {
-            mean: evaluation.strains.iter().zip(GAUSS_WEIGHTS).map(|(strains, weight)| weight * strains[k]).sum(),
+            mean: all.iter().zip(GAUSS_WEIGHTS).map(|(strains, weight)| weight * strains[k]).sum(),
             slope: (last[k] - first[k]) / apart,
         });
         let stiffness = &element.stiffness;
@@ -75,8 +76,7 @@ impl<'a> StrainFit<'a> {
                 // Green's strain as an elongation.
                 Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * strains[m]).max(0.0).sqrt() - 1.0,
             };
-            ancf14::section::forces(stiffness, &fit.section_strains(axial, [0, 1, 2].map(|k| fit.strains[k].at(x))))
-                .axial
+            fit.section_forces(x, &fit.section_strains(axial, [0, 1, 2].map(|k| fit.strains[k].at(x)))).axial
         });
         fit
     }
@@ -84,6 +84,11 @@ impl<'a> StrainFit<'a> {
     /// Strains of a section with the axial strain `axial`, of strains in the order of [`Self::strains`].
     pub fn section_strains(&self, axial: f64, [about_z, minus_about_y, torsion]: [f64; 3]) -> SectionStrains {
         SectionStrains { axial, curvature: [-minus_about_y, about_z], torsion }
+    }
+
+    /// Force and moments of the section at `x` from the middle of the element, m, at the strains `strains`.
+    pub fn section_forces(&self, x: f64, strains: &SectionStrains) -> SectionForces {
+        ancf14::section::forces_at(self.element, x / self.length() + 0.5, strains)
     }
 
     /// Its length, m.

@@ -90,7 +90,8 @@ impl SystemBuilder {
         let first_element = self.system.mesh.elements.len();
         for span in &line.spans {
             let (node, frame) = (first_node + span.node, first_frame + span.node);
-            let element = self.element(design, node, frame, span.length);
+            let fractions = [span.node, span.node + 1].map(|node| line.nodes[node].fraction);
+            let element = self.element(design, node, frame, span.length, fractions);
             self.system.mesh.elements.push(element);
         }
         self.system.beams.push(Beam {
@@ -99,9 +100,9 @@ impl SystemBuilder {
             first_element,
             division: line.division.clone(),
             corners: line.corners(),
-            outline: design.section.outline,
+            section: design.section,
+            profile: design.profile.clone(),
             young: design.material.young,
-            gyration: design.section.gyration(),
             twist_limit: design.twist_limit(),
         });
         self.weld_corners(self.system.beams.len() - 1);
@@ -111,7 +112,8 @@ impl SystemBuilder {
     /// Adds a node; its section is turned from `triad` as `station` and the pretwist say.
     fn add_node(&mut self, design: &BeamDesign, station: &Station, triad: &Triad, velocity: &Vec3) {
         let (start, spin) = (self.q.len(), design.angular_velocity);
-        let theta = design.pretwist * station.fraction + station.turn;
+        let theta =
+            design.pretwist * station.fraction + station.turn + design.section_at(station.fraction).twist;
         let mut push = |place: &Vec3, velocity: &Vec3| {
             self.q.extend(place);
             self.velocity.extend(velocity);
@@ -137,8 +139,15 @@ impl SystemBuilder {
         });
     }
 
-    /// The element of length `length`, m, that begins at node `node`; where nodes have frames, with number `frame`.
-    fn element(&mut self, design: &BeamDesign, node: usize, frame: usize, length: f64) -> AnyElement {
+    /// The element of length `length`, m, between two `fractions` of the beam, that begins at node `node`; where nodes have frames, with number `frame`.
+    fn element(
+        &mut self,
+        design: &BeamDesign,
+        node: usize,
+        frame: usize,
+        length: f64,
+        fractions: [f64; 2],
+    ) -> AnyElement {
         let mesh = &mut self.system.mesh;
         let start = mesh.nodes[node].coordinates().start;
         let reference = &self.q[start..mesh.nodes[node + 1].coordinates().end];
@@ -154,7 +163,10 @@ impl SystemBuilder {
                 // The holonomy of the drawing is 0: triads go from node to node by one minimal rotation.
                 let element =
                     ancf14::element::Element::new(place, length, stiffness, densities, reference, frames, 0.0);
-                AnyElement::Ancf14(element)
+                AnyElement::Ancf14(match design.along(fractions, strain, twist, torsion) {
+                    Some(along) => element.with_sections(along, reference, frames, 0.0),
+                    None => element,
+                })
             }
             Elements::Ancf24 { poisson, shear } => {
                 let properties = design.properties(poisson, shear);

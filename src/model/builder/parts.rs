@@ -35,6 +35,7 @@ impl Builder<'_> {
             pretwist: document.value(beam.pretwist),
             material: Material { young, shear, density, damping },
             section: self.section(&document.sections[beam.section]),
+            profile: None,
             elements: beam.formulation,
             velocity: vector(document, beam.velocity),
             angular_velocity: vector(document, beam.angular_velocity),
@@ -64,6 +65,7 @@ impl Builder<'_> {
                 polar_moment: 0.0,
                 fourth_moments: [0.0; 3],
                 outline: Outline::General,
+                ..Section::EMPTY
             },
         };
         let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
@@ -81,7 +83,7 @@ impl Builder<'_> {
             torsion_constant: given(written.torsion_constant, shape.torsion_constant),
             polar_moment: given(written.polar_moment, second_moment_y + second_moment_z),
             fourth_moments,
-            outline: shape.outline,
+            ..shape
         }
     }
 

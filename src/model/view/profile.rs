@@ -1,9 +1,7 @@
 //! Outlines of sections and solids of bodies, from what the system knows of them.
 
-use crate::mechanics::beam::section::Outline;
+use crate::mechanics::beam::section::{Outline, Section};
 use crate::mechanics::body::rigid_body::RigidBody;
-use crate::model::file::document::Document;
-use crate::model::file::entries::section::SectionSpec;
 
 /// The outline of a section, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,19 +31,21 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// Of a beam whose outline the system knows as `outline`; `section` is the file's.
-    pub(super) fn new(document: &Document, section: &SectionSpec, outline: &Outline) -> Self {
-        match *outline {
+    /// Of a section; of thin walls the rectangle around them.
+    pub(super) fn new(section: &Section) -> Self {
+        match section.outline {
             Outline::Rectangle { width, height } => Self::Rectangle { width, height },
             Outline::Circle { radius } => Self::Ellipse { y: radius, z: radius },
+            Outline::Ellipse { y, z } => Self::Ellipse { y, z },
             Outline::Tube { inner, outer } => Self::Tube { inner, outer },
+            Outline::Walls { corners, .. } => {
+                let size = |axis: usize| 2.0 * corners.iter().map(|corner| corner[axis].abs()).fold(0.0, f64::max);
+                Self::Rectangle { width: size(0), height: size(1) }
+            }
             Outline::General => {
-                let value = |number: Option<_>| number.map_or(0.0, |number| document.value(number));
-                let area = value(section.area);
                 // A full ellipse with the semi-axis a has the radius of gyration a/2.
-                let semi_axis = |second_moment: f64| 2.0 * (second_moment / area).sqrt();
-                let (y, z) = (semi_axis(value(section.second_moment_z)), semi_axis(value(section.second_moment_y)));
-                Self::Ellipse { y, z }
+                let semi_axis = |second_moment: f64| 2.0 * (second_moment / section.area).sqrt();
+                Self::Ellipse { y: semi_axis(section.second_moment_z), z: semi_axis(section.second_moment_y) }
             }
         }
     }

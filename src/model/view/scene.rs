@@ -150,14 +150,14 @@ impl Watched {
 
 impl Scene {
     pub(super) fn new(document: &Document, system: &System, watched: &Watched) -> Self {
-        let beams = system.beams.iter().zip(&document.beams).zip(&watched.beams).zip(ranges(&watched.beams));
-        let beams = beams.map(|(((beam, written), own), stations)| {
-            let profile = Profile::new(document, &document.sections[written.section], &beam.outline);
+        let beams = system.beams.iter().zip(&watched.beams).zip(ranges(&watched.beams));
+        let beams = beams.map(|((beam, own), stations)| {
+            let profile = Profile::new(&beam.section);
             let (places, turns) = own.drawn().unzip();
             BeamLook {
                 name: beam.name.clone(),
                 profile,
-                has_stress: beam.outline.torsion_modulus().is_some(),
+                has_stress: beam.section.outline.torsion_modulus().is_some(),
                 stations,
                 fractions: own.fractions.clone(),
                 nodes: own.nodes.clone(),

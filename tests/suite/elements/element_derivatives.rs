@@ -139,7 +139,7 @@ fn strongly_twisted_states() {
 fn axial_work_over_a_step_is_the_energy_increment() {
     use ancf14::mechanics::beam::ancf14::energy::axial::{Slope, small};
     let mut random = Random(5);
-    let stiffness = stiffness(Strain::Small);
+    let stiffness = stiffness(Strain::Small).at_axial_point();
     for _ in 0..100 {
         let (start, end) = (random.vector() + Vec3::x() * 2.0, random.vector() + Vec3::x() * 2.0);
         let over = Slope {

@@ -60,6 +60,7 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
         pretwist: 0.0,
         material: Material { young: 2e11, shear: 8e10, density: 7800.0, damping: 0.0 },
         section: Section::rectangle(0.01, 0.02),
+        profile: None,
         elements: ancf14(Strain::Small, Twist::Linear),
         velocity: Vec3::zeros(),
         angular_velocity: Vec3::zeros(),

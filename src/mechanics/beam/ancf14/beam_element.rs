@@ -205,11 +205,11 @@ impl BeamElement for Element {
     }
 
     fn section_forces(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionForces {
-        section::forces(&self.stiffness, &section::strains(self, c, xi, drawn))
+        section::forces_at(self, xi, &section::strains(self, c, xi, drawn))
     }
 
-    fn torsion_rigidity(&self) -> f64 {
-        self.stiffness.torsion
+    fn torsion_rigidity(&self, xi: f64) -> f64 {
+        self.section_at(xi).stiffness.torsion
     }
 
     fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64 {

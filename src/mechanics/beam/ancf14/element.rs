@@ -3,6 +3,7 @@
 //! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
 //! coordinates in strain_derivatives.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
+use super::along::{Along, SectionAt};
 use super::coordinates::{
     ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slope as slope_at,
 };
@@ -20,7 +21,7 @@ use super::kinematics::points::{AxialPoint, BendingPoint};
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
 use super::over_step::{Added, Turn};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
-use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
+use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS, GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::BeamConfiguration;
 
@@ -42,7 +43,7 @@ pub struct Element {
     pub place: Place,
     /// Undeformed length l, m.
     pub length: f64,
-    /// Section stiffness.
+    /// Section stiffness; where it varies that of the middle.
     pub stiffness: Stiffness,
     /// The three Lobatto points.
     pub axial: [AxialPoint; 3],
@@ -54,8 +55,12 @@ pub struct Element {
     pub reference_twist: f64,
     /// Constant mass matrix.
     pub mass: Mass,
-    /// `ρA`, kg/m.
+    /// `ρA`, kg/m; where it varies its mean.
     pub line_density: f64,
+    /// `∫ ρA N_a dx`, kg and kg m: the weight is their product with gravity.
+    pub weights: [f64; 4],
+    /// The section along it; none where it is the same everywhere, in principal axes.
+    pub along: Option<Along>,
 }
 
 impl Element {
@@ -83,6 +88,7 @@ impl Element {
                 reference_square: slope.norm_squared(),
                 torsion_by_twist: 1.0 / (length * stretch),
                 reference_torsion: 0.0,
+                stiffness: stiffness.at_axial_point(),
             }
         });
         let bending = std::array::from_fn(|g| {
@@ -99,6 +105,8 @@ impl Element {
                 reference_stretch: stretch,
                 torsion_by_twist: 1.0 / (length * stretch),
                 reference: [0.0; 3],
+                stiffness: stiffness.at_bending_point(),
+                principal: 0.0,
             }
         });
         let mut element = Self {
@@ -111,18 +119,64 @@ impl Element {
             reference_twist: 0.0,
             mass: Mass::new(density[0], density[1], length),
             line_density: density[0],
+            weights: hermite::integrals(length).map(|integral| density[0] * integral),
+            along: None,
         };
+        element.set_reference(reference, frames, holonomy);
+        element
+    }
+
+    /// The same element with the sections `along`; arguments else as of [`Self::new`].
+    pub fn with_sections(mut self, along: Along, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) -> Self {
+        self.stiffness = along.at(0.5).stiffness;
+        for (point, xi) in self.axial.iter_mut().zip(LOBATTO_POINTS) {
+            point.stiffness = along.at(xi).stiffness.at_axial_point();
+        }
+        for point in &mut self.bending {
+            let here = along.at(point.xi);
+            (point.stiffness, point.principal) = (here.stiffness.at_bending_point(), here.principal);
+        }
+        // Five points are exact to order 10, where the shape functions' products have 6.
+        let stations = FIVE_POINTS.map(|xi| (xi, along.at(xi).densities));
+        let weighted = stations.iter().zip(FIVE_WEIGHTS).map(|((xi, densities), weight)| {
+            (*xi, densities.map(|density| density * weight * self.length))
+        });
+        self.mass = Mass::of_stations(weighted.clone(), self.length);
+        self.line_density = weighted.clone().map(|(_, [mass, _])| mass).sum::<f64>() / self.length;
+        self.weights = [0.0; 4];
+        for (xi, [mass, _]) in weighted {
+            let shape = hermite::shape(xi, self.length);
+            self.weights.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += mass * shape);
+        }
+        self.along = Some(along);
+        self.set_reference(reference, frames, holonomy);
+        self
+    }
+
+    /// The section at `xi`.
+    pub fn section_at(&self, xi: f64) -> SectionAt {
+        match &self.along {
+            Some(along) => {
+                let here = along.at(xi);
+                // Damping may have been set since.
+                SectionAt { stiffness: Stiffness { damping: self.stiffness.damping, ..here.stiffness }, ..here }
+            }
+            None => SectionAt { stiffness: self.stiffness, densities: [self.line_density, 0.0], principal: 0.0 },
+        }
+    }
+
+    /// Makes it stress free at `reference`; arguments as of [`Self::new`].
+    fn set_reference(&mut self, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) {
         // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
-        let at_rest = Evaluation::with_linear_twist(&element, reference, None, frames, holonomy);
+        let at_rest = Evaluation::with_linear_twist(self, reference, None, frames, holonomy);
         let (strains, twist) = (at_rest.strains, at_rest.kinematics.twist);
-        element.reference_twist = twist;
-        for (point, found) in element.bending.iter_mut().zip(strains) {
+        self.reference_twist = twist;
+        for (point, found) in self.bending.iter_mut().zip(strains) {
             point.reference = [found[0], found[1], found[2]];
         }
-        for point in &mut element.axial {
+        for point in &mut self.axial {
             point.reference_torsion = twist * point.torsion_by_twist;
         }
-        element
     }
 
     /// Its coordinates (14) among those `q` of the whole system.
@@ -160,7 +214,7 @@ impl Element {
 
     /// Generalized weight in the gravity field `gravity` (m/s²), 14×1.
     pub fn weight(&self, gravity: &Vec3) -> ElementVector {
-        inertia::weight(self.line_density, self.length, gravity)
+        inertia::weight(&self.weights, gravity)
     }
 }
 
@@ -261,7 +315,8 @@ impl<'a> Evaluation<'a> {
     pub(super) fn set_bubble(&mut self, bubble: f64) {
         self.bubble = bubble;
         for (g, point) in self.element.bending.iter().enumerate() {
-            let (sin, cos) = (self.kinematics.alpha[g] + bubble * quadratic_twist::shape(point.xi)).sin_cos();
+            let angle = self.kinematics.alpha[g] + point.principal + bubble * quadratic_twist::shape(point.xi);
+            let (sin, cos) = angle.sin_cos();
             self.turn[g] = [cos / point.reference_stretch, sin / point.reference_stretch];
         }
         self.set_strains();
@@ -296,11 +351,23 @@ impl<'a> Evaluation<'a> {
         }
     }
 
+    /// Strains of the bending points in the axes of their sections, which need not be the principal ones.
+    pub fn section_strains(&self) -> [Strains; 3] {
+        std::array::from_fn(|g| {
+            let (principal, mut strains) = (self.element.bending[g].principal, self.strains[g]);
+            if principal != 0.0 {
+                let ((sin, cos), [g1, g2]) = (principal.sin_cos(), [strains[0], strains[1]]);
+                (strains[0], strains[1]) = (cos * g1 - sin * g2, cos * g2 + sin * g1);
+            }
+            strains
+        })
+    }
+
     /// Strain energy, J.
     pub fn energy(&self) -> f64 {
-        let stiffness = &self.element.stiffness;
         let mut sum = 0.0;
         for (point, strains) in self.element.bending.iter().zip(&self.strains) {
+            let stiffness = &point.stiffness;
             sum += point.weight
                 * (bending::energy(stiffness, strains)
                     + torsion::energy(stiffness, strains)
@@ -308,9 +375,9 @@ impl<'a> Evaluation<'a> {
         }
         for (m, point) in self.element.axial.iter().enumerate() {
             sum += point.weight
-                * match stiffness.strain {
-                    Strain::Small => axial::small::energy(stiffness, &self.slopes[m]),
-                    _ => axial::large::energy(stiffness, self.green[m], self.mean_torsion[m]),
+                * match self.element.stiffness.strain {
+                    Strain::Small => axial::small::energy(&point.stiffness, &self.slopes[m]),
+                    _ => axial::large::energy(&point.stiffness, self.green[m], self.mean_torsion[m]),
                 };
         }
         sum
@@ -394,7 +461,7 @@ impl<'a> Evaluation<'a> {
     /// Derivatives of the energy by the strains of bending point `g`, quadrature weight included.
     #[inline]
     pub(super) fn resultants(&self, g: usize) -> Resultants {
-        let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
+        let (stiffness, strains) = (&self.element.bending[g].stiffness, &self.strains[g]);
         let mut density = bending::gradient(stiffness, strains) + torsion::gradient(stiffness, strains);
         if stiffness.strain == Strain::Large {
             density += fourth_moments::gradient(stiffness, strains);
@@ -405,7 +472,7 @@ impl<'a> Evaluation<'a> {
     /// Second derivatives of the energy by the strains of bending point `g`, quadrature weight included.
     #[inline]
     pub(super) fn rigidities(&self, g: usize) -> Rigidities {
-        let (stiffness, strains) = (&self.element.stiffness, &self.strains[g]);
+        let (stiffness, strains) = (&self.element.bending[g].stiffness, &self.strains[g]);
         let mut density = bending::hessian(stiffness, strains) + torsion::hessian(stiffness, strains);
         density.stiffen(stiffness, self.added.stiffening);
         if stiffness.strain == Strain::Large {
@@ -430,12 +497,12 @@ impl<'a> Evaluation<'a> {
     }
 
     fn first_order(&self) -> FirstOrder {
-        let (element, stiffness) = (self.element, &self.element.stiffness);
+        let element = self.element;
         let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
         let mut torques = [0.0; 3];
-        if stiffness.strain != Strain::Small {
+        if element.stiffness.strain != Strain::Small {
             for (m, point) in element.axial.iter().enumerate() {
-                torques[m] = point.weight * axial::large::gradient(stiffness, self.green[m], self.mean_torsion[m])[1];
+                torques[m] = point.weight * axial::large::gradient(&point.stiffness, self.green[m], self.mean_torsion[m])[1];
             }
         }
         FirstOrder { resultants, forces: Forces::new(self, &resultants, &torques) }
@@ -463,7 +530,7 @@ impl<'a> Evaluation<'a> {
     /// `F_m`, N m: derivative of the large-strain energy by the Green strain of axial point `m`.
     pub(super) fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
         let (element, point) = (self.element, &self.element.axial[m]);
-        let here = axial::large::gradient(&element.stiffness, self.green[m], self.mean_torsion[m])[0];
+        let here = axial::large::gradient(&point.stiffness, self.green[m], self.mean_torsion[m])[0];
         let bending: f64 = (0..3).map(|g| element.bending[g].from_axial[m] * resultants[g][3]).sum();
         point.weight * here + bending + self.added.axial[m]
     }
@@ -471,7 +538,7 @@ impl<'a> Evaluation<'a> {
     /// `EA eps W`, N m: derivative of the small-strain energy by the strain of axial point `m`.
     #[inline]
     pub(super) fn engineering_force(&self, m: usize) -> f64 {
-        let (stiffness, point) = (&self.element.stiffness, &self.element.axial[m]);
-        point.weight * axial::small::force(stiffness, self.slopes[m].engineering_strain()) + self.added.axial[m]
+        let point = &self.element.axial[m];
+        point.weight * axial::small::force(&point.stiffness, self.slopes[m].engineering_strain()) + self.added.axial[m]
     }
 }

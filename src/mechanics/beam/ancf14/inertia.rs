@@ -11,21 +11,37 @@ const ANGLES: [usize; 2] = [THETA, NODE + THETA];
 pub struct Mass {
     /// `ρA ∫ N_a N_b dx`, kg, kg m and kg m².
     line: [[f64; 4]; 4],
-    /// `ρIp l/6`, kg m².
-    spin: f64,
+    /// Of the angles of both nodes, `ρIp l/6 [2 1; 1 2]`, kg m².
+    spin: [[f64; 2]; 2],
 }
 
 impl Mass {
     /// `line_density` is ρA, kg/m; `spin_inertia` ρIp, kg m; `length` in m.
     pub fn new(line_density: f64, spin_inertia: f64, length: f64) -> Self {
         let line = hermite::products(length).map(|row| row.map(|product| line_density * product));
-        Self { line, spin: spin_inertia * length / 6.0 }
+        let spin = spin_inertia * length / 6.0;
+        Self { line, spin: [[spin * 2.0, spin], [spin, spin * 2.0]] }
+    }
+
+    /// Of `stations` (a place, 0 to 1, with the mass, kg, and the spin inertia, kg m², that it stands for) of an element of length `length`, m.
+    pub fn of_stations(stations: impl Iterator<Item = (f64, [f64; 2])>, length: f64) -> Self {
+        let mut all = Self { line: [[0.0; 4]; 4], spin: [[0.0; 2]; 2] };
+        for (xi, [mass, spin]) in stations {
+            let (shape, angles) = (hermite::shape(xi, length), [1.0 - xi, xi]);
+            for (row, a) in all.line.iter_mut().zip(shape) {
+                row.iter_mut().zip(shape).for_each(|(sum, b)| *sum += mass * a * b);
+            }
+            for (row, a) in all.spin.iter_mut().zip(angles) {
+                row.iter_mut().zip(angles).for_each(|(sum, b)| *sum += spin * a * b);
+            }
+        }
+        all
     }
 
     /// Entry of the angles of the nodes `row` and `column` (0 or 1), kg m².
     #[inline]
     pub fn spin(&self, row: usize, column: usize) -> f64 {
-        self.spin * if row == column { 2.0 } else { 1.0 }
+        self.spin[row][column]
     }
 
     /// Adds `factor` times the mass matrix to the column-major `block`, 14×14.
@@ -60,11 +76,11 @@ impl Mass {
     }
 }
 
-/// Generalized weight, 14×1: `ρA l/12 [6, l, 6, −l] ⊗ gravity`, gravity in m/s².
-pub fn weight(line_density: f64, length: f64, gravity: &Vec3) -> ElementVector {
+/// Generalized weight, 14×1: `weights ⊗ gravity`, with `∫ ρA N_a dx` (kg and kg m) and gravity in m/s².
+pub fn weight(weights: &[f64; 4], gravity: &Vec3) -> ElementVector {
     let mut sum = ElementVector::zeros();
-    for (place, integral) in SHAPE_PLACES.into_iter().zip(hermite::integrals(length)) {
-        sum.fixed_rows_mut::<3>(place).copy_from(&(gravity * (line_density * integral)));
+    for (place, weight) in SHAPE_PLACES.into_iter().zip(weights) {
+        sum.fixed_rows_mut::<3>(place).copy_from(&(gravity * *weight));
     }
     sum
 }

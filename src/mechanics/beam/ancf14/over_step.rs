@@ -143,14 +143,13 @@ impl Element {
     /// `W D` of each strain, N m or N m³: what multiplies its square in twice the energy of small strains.
     #[inline]
     pub fn rigidities(&self) -> [f64; STRAINS] {
-        let Self { stiffness, axial, bending, .. } = self;
-        let sections = [stiffness.bending_z, stiffness.bending_y, stiffness.torsion];
         let mut all = [0.0; STRAINS];
-        for point in 0..3 {
-            all[point] = axial[point].weight * stiffness.axial;
-            for i in 0..3 {
-                all[3 + 3 * point + i] = bending[point].weight * sections[i];
-            }
+        for (g, (axial, bending)) in self.axial.iter().zip(&self.bending).enumerate() {
+            let stiffness = &bending.stiffness;
+            all[g] = axial.weight * axial.stiffness.axial;
+            all[3 + 3 * g] = bending.weight * stiffness.bending_z;
+            all[4 + 3 * g] = bending.weight * stiffness.bending_y;
+            all[5 + 3 * g] = bending.weight * stiffness.torsion;
         }
         all
     }

@@ -51,16 +51,30 @@ pub fn strains(element: &Element, c: &BeamConfiguration, xi: f64, drawn: &Sectio
     }
 }
 
-/// Force and moments at the strains `strains`, couplings of large strain included.
+/// Force and moments of the section of `element` at `xi` with the strains `strains`.
+pub fn forces_at(element: &Element, xi: f64, strains: &SectionStrains) -> SectionForces {
+    let here = element.section_at(xi);
+    if here.principal == 0.0 {
+        return forces(&here.stiffness, strains);
+    }
+    let (sin, cos) = here.principal.sin_cos();
+    let ([about_y, about_z], mut turned) = (strains.curvature, *strains);
+    turned.curvature = [cos * about_y + sin * about_z, cos * about_z - sin * about_y];
+    let SectionForces { axial, moment: [torque, about_y, about_z] } = forces(&here.stiffness, &turned);
+    SectionForces { axial, moment: [torque, cos * about_y - sin * about_z, cos * about_z + sin * about_y] }
+}
+
+/// Force and moments at the strains `strains` in principal axes, couplings of large strain included.
 pub fn forces(stiffness: &Stiffness, strains: &SectionStrains) -> SectionForces {
     let of_energy = strains_of_energy(stiffness, strains);
-    let by_strain = bending::gradient(stiffness, &of_energy)
-        + torsion::gradient(stiffness, &of_energy)
-        + fourth_moments::gradient(stiffness, &of_energy);
+    let (stretching, bending) = (stiffness.at_axial_point(), stiffness.at_bending_point());
+    let by_strain = bending::gradient(&bending, &of_energy)
+        + torsion::gradient(&bending, &of_energy)
+        + fourth_moments::gradient(&bending, &of_energy);
     let [by_axial, by_torsion] = match stiffness.strain {
-        Strain::Small => [axial::small::force(stiffness, strains.axial), 0.0],
+        Strain::Small => [axial::small::force(&stretching, strains.axial), 0.0],
         Strain::Large | Strain::LargeTruncated => {
-            axial::large::gradient(stiffness, of_energy[3], strains.torsion).into()
+            axial::large::gradient(&stretching, of_energy[3], strains.torsion).into()
         }
     };
     // By the elongation: Green's strain grows by |r'| with it.

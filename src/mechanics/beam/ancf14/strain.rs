@@ -28,7 +28,7 @@ pub struct Rigidities {
 impl Rigidities {
     /// Adds `factor` times the rigidities of small strains.
     #[inline]
-    pub fn stiffen(&mut self, stiffness: &Stiffness, factor: f64) {
+    pub fn stiffen(&mut self, stiffness: &BendingStiffness, factor: f64) {
         self.bending[0] += factor * stiffness.bending_z;
         self.bending[1] += factor * stiffness.bending_y;
         self.torsion += factor * stiffness.torsion;
@@ -77,6 +77,30 @@ pub enum Strain {
     LargeTruncated,
 }
 
+/// Stiffness of a section against what the axial points see.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialStiffness {
+    /// `E A`, N.
+    pub axial: f64,
+    /// `E Ip`, N m²: the Wagner term; 0 for small strain.
+    pub wagner: f64,
+}
+
+/// Stiffness of a section against what the bending points see, in its principal axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BendingStiffness {
+    /// Which terms of the energy are kept.
+    pub strain: Strain,
+    /// `E Iy`, N m².
+    pub bending_y: f64,
+    /// `E Iz`, N m².
+    pub bending_z: f64,
+    /// `G Jt`, N m².
+    pub torsion: f64,
+    /// `E [∫y⁴, ∫y²z², ∫z⁴] dA`, N m⁴; 0 unless the strain is large.
+    pub fourth: [f64; 3],
+}
+
 /// Stiffness of a section, Young's and shear modulus included, and how its strains are found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffness {
@@ -98,4 +122,17 @@ pub struct Stiffness {
     pub fourth: [f64; 3],
     /// Kelvin-Voigt damping: what multiplies the strain rate, s; 0: none.
     pub damping: f64,
+}
+
+impl Stiffness {
+    /// The part that the axial points see.
+    pub fn at_axial_point(&self) -> AxialStiffness {
+        AxialStiffness { axial: self.axial, wagner: self.wagner }
+    }
+
+    /// The part that the bending points see.
+    pub fn at_bending_point(&self) -> BendingStiffness {
+        let Self { strain, bending_y, bending_z, torsion, fourth, .. } = *self;
+        BendingStiffness { strain, bending_y, bending_z, torsion, fourth }
+    }
 }

@@ -211,7 +211,7 @@ impl BeamElement for Element {
         section::forces(self, self.own(c.q), xi)
     }
 
-    fn torsion_rigidity(&self) -> f64 {
+    fn torsion_rigidity(&self, _xi: f64) -> f64 {
         let (law, fibers) = (&self.properties.law, &self.properties.fibers);
         // Moduli of the shears zx and xy.
         fibers.area * (law[(4, 4)] * fibers.y * fibers.y + law[(5, 5)] * fibers.z * fibers.z)

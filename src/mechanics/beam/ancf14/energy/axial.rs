@@ -5,7 +5,7 @@
 
 use crate::math::rotation::normal_projector;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::ancf14::strain::Stiffness;
+use crate::mechanics::beam::ancf14::strain::AxialStiffness;
 
 /// The slope at one axial point, and what it changes by over the step.
 #[derive(Clone, Copy, Debug)]
@@ -77,15 +77,15 @@ impl Slope {
 
 /// The small-strain energy `EA/2 eps²`, a function of the slope alone.
 pub mod small {
-    use super::{Mat3, Slope, Stiffness};
+    use super::{Mat3, Slope, AxialStiffness};
 
     /// Energy density, J/m.
-    pub fn energy(stiffness: &Stiffness, slope: &Slope) -> f64 {
+    pub fn energy(stiffness: &AxialStiffness, slope: &Slope) -> f64 {
         0.5 * stiffness.axial * slope.engineering_strain().powi(2)
     }
 
     /// Derivative of the energy density by the strain `strain`, N.
-    pub fn force(stiffness: &Stiffness, strain: f64) -> f64 {
+    pub fn force(stiffness: &AxialStiffness, strain: f64) -> f64 {
         stiffness.axial * strain
     }
 
@@ -104,23 +104,23 @@ pub mod small {
 
 /// The large-strain energy, a function of the Green strain `e` and of the mean torsion `taum`.
 pub mod large {
-    use super::Stiffness;
+    use super::AxialStiffness;
     use nalgebra::{Matrix2, Vector2};
 
     /// Energy density, J/m.
-    pub fn energy(stiffness: &Stiffness, e: f64, taum: f64) -> f64 {
+    pub fn energy(stiffness: &AxialStiffness, e: f64, taum: f64) -> f64 {
         0.5 * stiffness.axial * e * e + 0.5 * stiffness.wagner * taum * taum * e
     }
 
     /// Derivatives by `e` (N) and by `taum` (N m).
     #[inline]
-    pub fn gradient(stiffness: &Stiffness, e: f64, taum: f64) -> Vector2<f64> {
+    pub fn gradient(stiffness: &AxialStiffness, e: f64, taum: f64) -> Vector2<f64> {
         Vector2::new(stiffness.axial * e + 0.5 * stiffness.wagner * taum * taum, stiffness.wagner * taum * e)
     }
 
     /// Second derivatives by `e` and `taum`.
     #[inline]
-    pub fn hessian(stiffness: &Stiffness, e: f64, taum: f64) -> Matrix2<f64> {
+    pub fn hessian(stiffness: &AxialStiffness, e: f64, taum: f64) -> Matrix2<f64> {
         let mixed = stiffness.wagner * taum;
         Matrix2::new(stiffness.axial, mixed, mixed, stiffness.wagner * e)
     }

@@ -2,10 +2,10 @@
 //! `E/8 [tau⁴ (yyyy + 2 yyzz + zzzz) + 2 tau² (g1² (yyyy + yyzz) + g2² (zzzz + yyzz)) + g1⁴ yyyy + 6 g1² g2² yyzz + g2⁴ zzzz]`.
 //! It bounds the energy from below; all of it is 0 unless the strain is large.
 
-use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities, Stiffness, Strains};
+use crate::mechanics::beam::ancf14::strain::{BendingStiffness, Resultants, Rigidities, Strains};
 
 /// Energy density, J/m.
-pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {
+pub fn energy(stiffness: &BendingStiffness, strains: &Strains) -> f64 {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau] = [strains[0] * strains[0], strains[1] * strains[1], strains[2] * strains[2]];
     0.125
@@ -18,7 +18,7 @@ pub fn energy(stiffness: &Stiffness, strains: &Strains) -> f64 {
 
 /// Derivatives by the strains: moments and torque, N m.
 #[inline]
-pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
+pub fn gradient(stiffness: &BendingStiffness, strains: &Strains) -> Resultants {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau, _] = (*strains).into();
     Resultants::new(
@@ -31,7 +31,7 @@ pub fn gradient(stiffness: &Stiffness, strains: &Strains) -> Resultants {
 
 /// Second derivatives by the strains.
 #[inline]
-pub fn hessian(stiffness: &Stiffness, strains: &Strains) -> Rigidities {
+pub fn hessian(stiffness: &BendingStiffness, strains: &Strains) -> Rigidities {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau, _] = (*strains).into();
     Rigidities {

@@ -77,8 +77,10 @@ fn derivatives(evaluation: &Evaluation) -> (f64, f64) {
 
 /// What Saint-Venant torsion alone gives to `∂²U/∂b²`, J.
 fn torsion_stiffness(evaluation: &Evaluation) -> f64 {
-    let of_point = |point: &BendingPoint| point.weight * (shape_xi(point.xi) * point.torsion_by_twist).powi(2);
-    evaluation.element.stiffness.torsion * evaluation.element.bending.iter().map(of_point).sum::<f64>()
+    let of_point = |point: &BendingPoint| {
+        point.stiffness.torsion * point.weight * (shape_xi(point.xi) * point.torsion_by_twist).powi(2)
+    };
+    evaluation.element.bending.iter().map(of_point).sum()
 }
 
 /// Second derivatives of the energy by `b` and everything else: what is condensed.

@@ -13,11 +13,11 @@ use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities, Strain};
 /// `∂²U/∂T²` of the axial points, N m: what Wagner's term has.
 #[inline]
 pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
-    let (element, stiffness) = (evaluation.element, &evaluation.element.stiffness);
+    let element = evaluation.element;
     let mut sum = 0.0;
-    if stiffness.strain != Strain::Small {
+    if element.stiffness.strain != Strain::Small {
         for (m, point) in element.axial.iter().enumerate() {
-            let second = axial::large::hessian(stiffness, evaluation.green[m], evaluation.mean_torsion[m]);
+            let second = axial::large::hessian(&point.stiffness, evaluation.green[m], evaluation.mean_torsion[m]);
             sum += point.weight * second[(1, 1)] * point.torsion_by_twist.powi(2);
         }
     }
@@ -28,9 +28,9 @@ pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
 #[inline]
 pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementColumns) {
     let element = evaluation.element;
-    let stiffness = element.stiffness.axial * (1.0 + evaluation.added.stiffening);
     for (m, point) in element.axial.iter().enumerate() {
         let force = evaluation.engineering_force(m);
+        let stiffness = point.stiffness.axial * (1.0 + evaluation.added.stiffening);
         let hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness * point.weight);
         add_spread(&point.shape_x, &(hessian * scale), sum);
     }
@@ -51,11 +51,6 @@ pub struct Large<'a> {
     pub condensation: Option<&'a Condensation>,
 }
 
-/// What a step adds to the axial rigidity, N.
-fn added_rigidity(evaluation: &Evaluation) -> f64 {
-    evaluation.added.stiffening * evaluation.element.stiffness.axial
-}
-
 impl Large<'_> {
     /// Adds `scale` times all second derivatives by the Green strains of the axial points to `sum`, without the rows and columns of `r_0`.
     #[inline]
@@ -65,7 +60,7 @@ impl Large<'_> {
         for (m, point) in element.axial.iter().enumerate() {
             let slope = &self.evaluation.slopes[m];
             let density =
-                axial::large::hessian(&element.stiffness, self.evaluation.green[m], self.evaluation.mean_torsion[m])
+                axial::large::hessian(&point.stiffness, self.evaluation.green[m], self.evaluation.mean_torsion[m])
                     * point.weight;
             // By this Green strain, of the gradient by the corotated shape.
             let mut by_green = self.gradients.sum(&self.forces(m, density[(0, 1)] * point.torsion_by_twist));
@@ -81,7 +76,7 @@ impl Large<'_> {
             let by_middle = shape.gradient(&by_green) * scale;
             let turned = self.evaluation.turn_from_end.as_ref().map_or(by_middle, |turn| turn.of_end(&by_middle));
             add_between([&by_middle, &turned], &point.shape_x, [&green_p, &by_end], sum);
-            let stiffening = added_rigidity(self.evaluation) * point.weight;
+            let stiffening = self.evaluation.added.stiffening * point.stiffness.axial * point.weight;
             let block = green_p * by_end.transpose() * (density[(0, 0)] + stiffening)
                 + slope.green_strain_pp() * self.evaluation.green_force(m, self.resultants);
             add_spread(&point.shape_x, &(block * scale), sum);

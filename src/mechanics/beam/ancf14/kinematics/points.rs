@@ -1,4 +1,6 @@
-//! The quadrature points of an element: what each of them knows of the undeformed beam (MECHANICS 2.16).
+//! The quadrature points of an element: what each of them knows of the undeformed beam (MECHANICS 2.16) and of its section.
+
+use crate::mechanics::beam::ancf14::strain::{AxialStiffness, BendingStiffness};
 
 /// A Lobatto point: stretching is taken here.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +17,8 @@ pub struct AxialPoint {
     pub torsion_by_twist: f64,
     /// Mean torsion of the undeformed beam, rad/m.
     pub reference_torsion: f64,
+    /// Stiffness of the section here.
+    pub stiffness: AxialStiffness,
 }
 
 /// A Gauss point: bending and torsion are taken here.
@@ -38,4 +42,8 @@ pub struct BendingPoint {
     pub torsion_by_twist: f64,
     /// Curvatures `gamma_10`, `gamma_20` (1/m) and torsion (rad/m) of the undeformed beam.
     pub reference: [f64; 3],
+    /// Stiffness of the section here.
+    pub stiffness: BendingStiffness,
+    /// Angle about the tangent from the axes of the interpolated section to the principal axes of the section here, rad.
+    pub principal: f64,
 }

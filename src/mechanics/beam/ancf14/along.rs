@@ -1,0 +1,45 @@
+//! The section along an element, where it is not the same everywhere or its principal axes are not the axes of the element's sections.
+
+use super::strain::Stiffness;
+use std::fmt;
+use std::sync::Arc;
+
+/// The section of an element at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionAt {
+    /// Stiffness against bending in the principal axes, and against all else.
+    pub stiffness: Stiffness,
+    /// `ρA`, kg/m, and `ρIp`, kg m.
+    pub densities: [f64; 2],
+    /// Angle about the tangent from the axes of the interpolated section to the principal axes, rad.
+    pub principal: f64,
+}
+
+/// Sections by the place in an element, 0 to 1.
+#[derive(Clone)]
+pub struct Along(Arc<dyn Fn(f64) -> SectionAt + Send + Sync>);
+
+impl Along {
+    /// Of a function of the place.
+    pub fn new(section: impl Fn(f64) -> SectionAt + Send + Sync + 'static) -> Self {
+        Self(Arc::new(section))
+    }
+
+    /// The section at `xi`.
+    pub fn at(&self, xi: f64) -> SectionAt {
+        (self.0)(xi)
+    }
+}
+
+impl fmt::Debug for Along {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Along").field(&self.at(0.5)).finish()
+    }
+}
+
+/// Two of them are the same if they are one function.
+impl PartialEq for Along {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
