@@ -1,7 +1,7 @@
 //! A beam as drawn: its line, section and material, and the formulation of its elements.
 
-use super::ancf14::energy::quadratic_twist::Twist;
 use super::ancf14::along::{Along, SectionAt};
+use super::ancf14::energy::quadratic_twist::Twist;
 use super::ancf14::strain::{Stiffness, Strain};
 use super::ancf24::element::Properties;
 use super::ancf24::law::{Shear, law};
@@ -78,7 +78,7 @@ impl BeamDesign {
 
     /// `ρA`, kg/m, and `ρIp`, kg m.
     pub fn densities(&self) -> [f64; 2] {
-        densities(&self.material, &self.section)
+        self.section.densities(&self.material)
     }
 
     /// Stiffness of an ANCF14 section.
@@ -95,7 +95,7 @@ impl BeamDesign {
             let (principal, _) = section.principal_axes();
             SectionAt {
                 stiffness: stiffness(&material, &section, strain, twist, torsion),
-                densities: densities(&material, &section),
+                densities: section.densities(&material),
                 // Nodes turn as the section does; between them the turn of the element is a straight line.
                 principal: principal + section.twist - (turns[0] + (turns[1] - turns[0]) * xi),
             }
@@ -138,11 +138,6 @@ impl BeamDesign {
             f64::INFINITY
         }
     }
-}
-
-/// `ρA`, kg/m, and `ρIp`, kg m.
-fn densities(material: &Material, section: &Section) -> [f64; 2] {
-    section.inertia.unwrap_or([section.area, section.polar_moment].map(|integral| material.density * integral))
 }
 
 /// Stiffness of an ANCF14 section, in its principal axes.

@@ -2,6 +2,7 @@
 //!
 //! Local y and z go through the centroid, x is the tangent, `z = x × y`. Sections of thin walls are in walls.rs.
 
+use super::material::Material;
 use std::f64::consts::PI;
 
 /// Rounding of integrals that a user copies from a table, as a share.
@@ -51,6 +52,21 @@ pub enum Outline {
 pub const CORNERS: usize = 6;
 
 impl Outline {
+    /// Size along y and along z, m; none if it is not known.
+    pub fn size(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Rectangle { width, height } => Some([*width, *height]),
+            Self::Circle { radius } | Self::Tube { outer: radius, .. } => Some([2.0 * radius; 2]),
+            Self::Ellipse { y, z } => Some([2.0 * y, 2.0 * z]),
+            Self::Walls { corners, .. } => {
+                let most =
+                    |axis: usize, sign: f64| corners.iter().map(|corner| sign * corner[axis]).fold(0.0, f64::max);
+                Some([0, 1].map(|axis| most(axis, 1.0) + most(axis, -1.0)))
+            }
+            Self::General => None,
+        }
+    }
+
     /// Largest size of `axial + z curvature_y − y curvature_z` over the outline, 1, with the curvatures about y and z in 1/m; none if it is not known.
     pub fn largest_strain(&self, axial: f64, curvature: &[f64; 2]) -> Option<f64> {
         let [about_y, about_z] = curvature;
@@ -151,6 +167,11 @@ impl Section {
         outline: Outline::General,
     };
 
+    /// Mass per length, kg/m, and its polar moment, kg m, of a section of `material`.
+    pub fn densities(&self, material: &Material) -> [f64; 2] {
+        self.inertia.unwrap_or([self.area, self.polar_moment].map(|integral| material.density * integral))
+    }
+
     /// Angle about the tangent from y to the principal axis nearest to it, rad, and the second moments about the principal y and z, m⁴.
     pub fn principal_axes(&self) -> (f64, [f64; 2]) {
         let Self { second_moment_y: about_y, second_moment_z: about_z, product_moment, .. } = *self;
@@ -236,11 +257,7 @@ impl Section {
             second_moment_z,
             torsion_constant: PI * (y * z).powi(3) / (y * y + z * z),
             polar_moment: second_moment_y + second_moment_z,
-            fourth_moments: [
-                PI * y.powi(5) * z / 8.0,
-                PI * (y * z).powi(3) / 24.0,
-                PI * y * z.powi(5) / 8.0,
-            ],
+            fourth_moments: [PI * y.powi(5) * z / 8.0, PI * (y * z).powi(3) / 24.0, PI * y * z.powi(5) / 8.0],
             outline: Outline::Ellipse { y, z },
             ..Self::EMPTY
         }

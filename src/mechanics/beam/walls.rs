@@ -16,9 +16,8 @@ struct Wall {
 impl Wall {
     /// `∫ y^a z^b dA`.
     fn moment(&self, a: i32, b: i32) -> f64 {
-        let one = |[low, high]: [f64; 2], power: i32| {
-            (high.powi(power + 1) - low.powi(power + 1)) / f64::from(power + 1)
-        };
+        let one =
+            |[low, high]: [f64; 2], power: i32| (high.powi(power + 1) - low.powi(power + 1)) / f64::from(power + 1);
         one(self.y, a) * one(self.z, b)
     }
 
@@ -112,7 +111,10 @@ fn composed(walls: &[Wall], torsion_constant: f64, corners: [[f64; 2]; CORNERS],
         ..Section::EMPTY
     };
     let (angle, _) = section.principal_axes();
-    Section { fourth_moments: turned(angle, [(4, 0), (3, 1), (2, 2), (1, 3), (0, 4)].map(|(a, b)| moment(a, b))), ..section }
+    Section {
+        fourth_moments: turned(angle, [(4, 0), (3, 1), (2, 2), (1, 3), (0, 4)].map(|(a, b)| moment(a, b))),
+        ..section
+    }
 }
 
 /// `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]` in axes that are turned by `angle`, rad, from `[∫ y⁴, ∫ y³ z, ∫ y² z², ∫ y z³, ∫ z⁴]`.

@@ -112,8 +112,7 @@ impl SystemBuilder {
     /// Adds a node; its section is turned from `triad` as `station` and the pretwist say.
     fn add_node(&mut self, design: &BeamDesign, station: &Station, triad: &Triad, velocity: &Vec3) {
         let (start, spin) = (self.q.len(), design.angular_velocity);
-        let theta =
-            design.pretwist * station.fraction + station.turn + design.section_at(station.fraction).twist;
+        let theta = design.pretwist * station.fraction + station.turn + design.section_at(station.fraction).twist;
         let mut push = |place: &Vec3, velocity: &Vec3| {
             self.q.extend(place);
             self.velocity.extend(velocity);

@@ -4,8 +4,6 @@ use super::{Builder, nearest_axes, signal, signal_from, tune, vector};
 use crate::math::Mat3;
 use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::design::BeamDesign;
-use crate::mechanics::beam::material::Material;
-use crate::mechanics::beam::section::{Outline, Section};
 use crate::mechanics::body::rigid_body::BodyDesign;
 use crate::mechanics::force::load::{self, Direction, LoadGuide};
 use crate::mechanics::geometry::pose::Pose;
@@ -14,28 +12,22 @@ use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::body::{BodySpec, Inertia};
 use crate::model::file::entries::frame::{FrameSpec, Orientation};
 use crate::model::file::entries::load::{LoadSpec, Target};
-use crate::model::file::entries::material::Lateral;
-use crate::model::file::entries::section::{SectionSpec, Shape};
 use crate::model::file::number::Number;
+use crate::model::validate::sections;
 
 impl Builder<'_> {
     pub(super) fn add_beam(&mut self, beam: &BeamSpec, line: &Centerline) {
         let document = self.document;
-        let material = &document.materials[beam.material];
-        let young = document.value(material.young);
-        let shear = match material.lateral {
-            Lateral::Poisson(poisson) => Material::shear_from_poisson(young, document.value(poisson)),
-            Lateral::Shear(shear) => document.value(shear),
-        };
-        let (density, damping) = (document.value(material.density), document.value(material.damping));
+        let written = &document.sections[beam.section];
+        let length = line.spans.iter().map(|span| span.length).sum();
         let number = self.system.add_beam(&BeamDesign {
             name: beam.name.clone(),
             line: line.moved(&-self.origin),
             y_axis: vector(document, beam.y_axis),
             pretwist: document.value(beam.pretwist),
-            material: Material { young, shear, density, damping },
-            section: self.section(&document.sections[beam.section]),
-            profile: None,
+            material: sections::material(document, beam).expect("the reader asks for a material"),
+            section: sections::at_start(document, written),
+            profile: sections::along(document, written, length),
             elements: beam.formulation,
             velocity: vector(document, beam.velocity),
             angular_velocity: vector(document, beam.angular_velocity),
@@ -46,44 +38,6 @@ impl Builder<'_> {
             let help =
                 "element = \"ancf24\" has a solid section: take a slimmer one, more elements, or element = \"ancf14\"";
             self.mistakes.push(document.diagnostic(beam.place, &message, &label, help));
-        }
-    }
-
-    /// Integrals of the shape, those that are written instead of the shape's own.
-    fn section(&self, written: &SectionSpec) -> Section {
-        let value = |number| self.document.value(number);
-        let given = |number: Option<Number>, own: f64| number.map_or(own, value);
-        let shape = match written.shape {
-            Shape::Rectangle { width, height } => Section::rectangle(value(width), value(height)),
-            Shape::Circle { radius } => Section::circle(value(radius)),
-            Shape::Tube { inner, outer } => Section::tube(value(inner), value(outer)),
-            Shape::General => Section {
-                area: 0.0,
-                second_moment_y: 0.0,
-                second_moment_z: 0.0,
-                torsion_constant: 0.0,
-                polar_moment: 0.0,
-                fourth_moments: [0.0; 3],
-                outline: Outline::General,
-                ..Section::EMPTY
-            },
-        };
-        let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
-        let second_moment_z = given(written.second_moment_z, shape.second_moment_z);
-        let area = given(written.area, shape.area);
-        let fourth_moments = match (written.fourth_moments, written.shape) {
-            (Some(numbers), _) => self.document.vector(numbers),
-            (None, Shape::General) => Section::rectangular_fourth_moments(area, second_moment_y, second_moment_z),
-            (None, _) => shape.fourth_moments,
-        };
-        Section {
-            area,
-            second_moment_y,
-            second_moment_z,
-            torsion_constant: given(written.torsion_constant, shape.torsion_constant),
-            polar_moment: given(written.polar_moment, second_moment_y + second_moment_z),
-            fourth_moments,
-            ..shape
         }
     }
 

@@ -4,6 +4,7 @@ use super::{signal, vector};
 use crate::math::jet::Jet;
 use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
 use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam::material::Material;
 use crate::mechanics::force::actuator::EffortGuide;
 use crate::mechanics::force::law::Law;
 use crate::mechanics::force::load::LoadGuide;
@@ -19,6 +20,7 @@ use crate::model::file::entries::frame::{FrameSpec, Orientation};
 use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::spring::{Only, SpringLaw};
 use crate::model::file::number::Number;
+use crate::model::validate::sections;
 use nalgebra::Quaternion;
 use std::sync::Arc;
 
@@ -134,7 +136,7 @@ pub fn retune(document: &Document, system: &mut System) {
     }
     system.collect_breaks();
     for (beam, written) in system.beams.iter().zip(&document.beams) {
-        let damping = document.value(document.materials[written.material].damping);
+        let Some(Material { damping, .. }) = sections::material(document, written) else { continue };
         for element in &mut system.mesh.elements[beam.element_range()] {
             element.set_damping(damping);
         }

@@ -108,7 +108,7 @@ impl Document {
         let model = tree.single(&mut context, "model").map(ModelSpec::read);
         let materials = tree.named(&mut context, "material", MaterialSpec::read);
         let sections = tree.named(&mut context, "section", SectionSpec::read);
-        let beams = tree.named(&mut context, "beam", BeamSpec::read);
+        let beams = tree.named(&mut context, "beam", |name, reader| BeamSpec::read(name, reader, &sections));
         let bodies = tree.named(&mut context, "body", BodySpec::read);
         let frames = tree.named(&mut context, "frame", FrameSpec::read);
         let points = tree.named(&mut context, "point", PointSpec::read);
@@ -259,6 +259,11 @@ impl Document {
     /// Why the value of a number is not allowed; none: it is.
     pub fn objection(&self, number: Number) -> Option<String> {
         self.numbers.slots[number.0].meta.objection(self.value(number))
+    }
+
+    /// Why `value` is not allowed for a number; none: it is.
+    pub fn objection_to(&self, number: Number, value: f64) -> Option<String> {
+        self.numbers.slots[number.0].meta.objection(value)
     }
 
     /// The allowed values of a number.

@@ -21,7 +21,7 @@ pub(super) fn report_undefined(numbers: &Numbers, stop: f64, report: &mut Report
 
 /// Reports every number that is out of its range, but for those that are reported already.
 pub(super) fn report_objections(numbers: &Numbers, sections: &[SectionSpec], told: &[Number], report: &mut Report<'_>) {
-    let tubes = sections.iter().filter_map(|section| section.objection(numbers));
+    let tubes = sections.iter().filter_map(|section| section.objection(|number| numbers.values[number.0]));
     let objections = numbers.objections().into_iter().filter(|(number, _)| !told.contains(number));
     for (number, objection) in objections.chain(tubes) {
         let slot = &numbers.slots[number.0];

@@ -67,6 +67,11 @@ impl Rule {
         self
     }
 
+    const fn along_beam(mut self) -> Self {
+        self.variable = Variable::Curve;
+        self
+    }
+
     const fn along_curve(mut self) -> Self {
         self.variable = Variable::Curve;
         self
@@ -82,17 +87,35 @@ pub const DENSITY: Rule = rule("density", "density", "kg/m3").above(0.0);
 pub const MATERIAL_DAMPING: Rule =
     rule("damping", "viscous stress per strain rate, over the modulus", "s").from(0.0).tunable();
 
-pub const WIDTH: Rule = rule("width", "width of the section along its y", "m").above(0.0);
-pub const HEIGHT: Rule = rule("height", "height of the section along its z", "m").above(0.0);
-pub const RADIUS: Rule = rule("radius", "radius of the section", "m").above(0.0);
-pub const INNER: Rule = rule("inner", "inner radius of the section", "m").from(0.0);
-pub const OUTER: Rule = rule("outer", "outer radius of the section", "m").above(0.0);
-pub const AREA: Rule = rule("area", "area of the section", "m2").above(0.0);
-pub const SECOND_MOMENT_Y: Rule = rule("second_moment_y", "second moment of area, integral of z^2", "m4").above(0.0);
-pub const SECOND_MOMENT_Z: Rule = rule("second_moment_z", "second moment of area, integral of y^2", "m4").above(0.0);
-pub const TORSION_CONSTANT: Rule = rule("torsion_constant", "Saint-Venant torsion constant", "m4").above(0.0);
-pub const POLAR_MOMENT: Rule = rule("polar_moment", "polar second moment of area", "m4").above(0.0);
-pub const FOURTH_MOMENTS: Rule = rule("fourth_moments", "fourth moment of area (yyyy, yyzz, zzzz)", "m6").from(0.0);
+pub const WIDTH: Rule = rule("width", "width of the section along its y", "m").above(0.0).along_beam();
+pub const HEIGHT: Rule = rule("height", "height of the section along its z", "m").above(0.0).along_beam();
+pub const RADIUS: Rule = rule("radius", "radius of the section", "m").above(0.0).along_beam();
+pub const INNER: Rule = rule("inner", "inner radius of the section", "m").from(0.0).along_beam();
+pub const OUTER: Rule = rule("outer", "outer radius of the section", "m").above(0.0).along_beam();
+pub const WALL: Rule = rule("wall", "thickness of the walls of the section", "m").above(0.0).along_beam();
+pub const WEB: Rule = rule("web", "thickness of the web of the section", "m").above(0.0).along_beam();
+pub const FLANGE: Rule = rule("flange", "thickness of the flanges of the section", "m").above(0.0).along_beam();
+pub const AREA: Rule = rule("area", "area of the section", "m2").above(0.0).along_beam();
+pub const SECOND_MOMENT_Y: Rule =
+    rule("second_moment_y", "second moment of area, integral of z^2", "m4").above(0.0).along_beam();
+pub const SECOND_MOMENT_Z: Rule =
+    rule("second_moment_z", "second moment of area, integral of y^2", "m4").above(0.0).along_beam();
+pub const TORSION_CONSTANT: Rule =
+    rule("torsion_constant", "Saint-Venant torsion constant", "m4").above(0.0).along_beam();
+pub const PRODUCT_MOMENT: Rule = rule("product_moment", "product of area, integral of y z", "m4").along_beam();
+pub const POLAR_MOMENT: Rule = rule("polar_moment", "polar second moment of area", "m4").above(0.0).along_beam();
+pub const FOURTH_MOMENTS: Rule =
+    rule("fourth_moments", "fourth moment of area (yyyy, yyzz, zzzz)", "m6").from(0.0).along_beam();
+pub const SECTION_TWIST: Rule = rule("twist", "turn of the section about the tangent", "rad").along_beam();
+pub const AXIAL_RIGIDITY: Rule = rule("EA", "axial rigidity", "N").above(0.0).along_beam();
+pub const BENDING_RIGIDITY_Y: Rule = rule("EI_y", "bending rigidity about y", "N.m2").above(0.0).along_beam();
+pub const BENDING_RIGIDITY_Z: Rule = rule("EI_z", "bending rigidity about z", "N.m2").above(0.0).along_beam();
+pub const BENDING_COUPLING: Rule =
+    rule("EI_yz", "bending rigidity between y and z, integral of E y z", "N.m2").along_beam();
+pub const TORSION_RIGIDITY: Rule = rule("GJ", "torsion rigidity", "N.m2").above(0.0).along_beam();
+pub const LINE_DENSITY: Rule = rule("line_density", "mass per length", "kg/m").above(0.0).along_beam();
+pub const POLAR_INERTIA: Rule =
+    rule("polar_inertia", "polar moment of inertia per length", "kg.m").above(0.0).along_beam();
 
 pub const FROM: Rule = rule("from", "start of the beam, global", "m");
 pub const TO: Rule = rule("to", "end of the beam, global", "m");

@@ -105,7 +105,7 @@ impl Document {
     /// # Errors
     /// The first number that is not.
     pub fn check(&self) -> Result<(), String> {
-        let tubes = self.sections.iter().filter_map(|section| section.objection(&self.numbers));
+        let tubes = self.sections.iter().filter_map(|section| section.objection(|number| self.value(number)));
         match self.numbers.objections().into_iter().chain(tubes).next() {
             Some((number, objection)) => {
                 Err(format!("`{}` {objection}, this is {}", self.name(number), self.value(number)))

@@ -20,7 +20,7 @@ const SAME_PLACE: f64 = 1e-12;
 /// A difference of places on a curve that is none in a message, of its whole range.
 const NOTHING: f64 = 1e-6;
 /// The most pretwist of an element, rad: a right angle with the round-off of the fractions of nodes.
-const LARGEST_TWIST: f64 = LARGEST_BEND * (1.0 + 1e-9);
+pub const LARGEST_TWIST: f64 = LARGEST_BEND * (1.0 + 1e-9);
 /// More elements than this are not proposed.
 const MOST_PROPOSED: usize = 10_000;
 

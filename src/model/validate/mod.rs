@@ -6,6 +6,7 @@
 mod lines;
 pub mod notes;
 mod places;
+pub mod sections;
 
 pub use lines::{Lines, division};
 
@@ -170,13 +171,14 @@ impl Checker<'_> {
         self.check_law(beam);
         elements?;
         self.mistakes.extend(lines::overtwisted(document, beam, &line));
+        self.mistakes.extend(sections::mistake(document, beam, &line));
         Some(line)
     }
 
     /// Hooke's law in three dimensions needs a Poisson's ratio below 0.5, also where the moduli alone are given.
     fn check_law(&mut self, beam: &BeamSpec) {
         let document = self.document;
-        let Some(material) = document.materials.get(beam.material) else { return };
+        let Some(material) = beam.material.and_then(|material| document.materials.get(material)) else { return };
         let (Elements::Ancf24 { poisson: true, .. }, Lateral::Shear(shear)) = (beam.formulation, material.lateral)
         else {
             return;

@@ -38,9 +38,9 @@ impl Profile {
             Outline::Circle { radius } => Self::Ellipse { y: radius, z: radius },
             Outline::Ellipse { y, z } => Self::Ellipse { y, z },
             Outline::Tube { inner, outer } => Self::Tube { inner, outer },
-            Outline::Walls { corners, .. } => {
-                let size = |axis: usize| 2.0 * corners.iter().map(|corner| corner[axis].abs()).fold(0.0, f64::max);
-                Self::Rectangle { width: size(0), height: size(1) }
+            Outline::Walls { .. } => {
+                let [width, height] = section.outline.size().unwrap_or_default();
+                Self::Rectangle { width, height }
             }
             Outline::General => {
                 // A full ellipse with the semi-axis a has the radius of gyration a/2.

@@ -49,9 +49,12 @@ impl Case {
 
     /// Viscous resultant over rate of each strain, from the definition.
     fn viscosities(&self) -> [f64; 12] {
-        let (element, k) = (&self.element, &self.element.stiffness);
-        let [a, b, c] = element.axial.map(|point| k.axial * point.weight);
-        let bending = element.bending.map(|point| [k.bending_z, k.bending_y, k.torsion].map(|d| d * point.weight));
+        let element = &self.element;
+        let [a, b, c] = element.axial.map(|point| point.stiffness.axial * point.weight);
+        let bending = element.bending.map(|point| {
+            let k = point.stiffness;
+            [k.bending_z, k.bending_y, k.torsion].map(|d| d * point.weight)
+        });
         let [[d, e, f], [g, h, i], [j, k, l]] = bending;
         [a, b, c, d, e, f, g, h, i, j, k, l].map(|value| value * element.stiffness.damping)
     }

@@ -4,6 +4,7 @@
 use crate::random::Random;
 use crate::support::oracle;
 use ancf14::math::{Vec3, rotation};
+use ancf14::mechanics::beam::ancf14::along::{Along, SectionAt};
 use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation, Place};
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
@@ -67,11 +68,30 @@ pub fn straight(length: f64, stiffness: Stiffness) -> Element {
     Element::new(Place::default(), length, stiffness, [1.0, 0.1], &q, [&frames[0], &frames[1]], 0.0)
 }
 
-/// An element whose undeformed shape is bent and twisted at random.
+/// An element whose undeformed shape is bent and twisted at random, and whose section varies, principal axes included.
 pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element {
     let (q, triads, previous) = random_element_state(random, length, 0.3, 0.5);
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];
-    Element::new(Place::default(), length, stiffness, [1.0, 0.1], q.as_slice(), [&frames[0], &frames[1]], previous)
+    let frames = [&frames[0], &frames[1]];
+    let sections = Along::new(move |xi| {
+        let share = 1.0 - 0.6 * xi * xi;
+        let stiffness = Stiffness {
+            axial: share * stiffness.axial,
+            bending_y: share * share * stiffness.bending_y,
+            bending_z: (1.0 + xi) * stiffness.bending_z,
+            torsion: share * stiffness.torsion,
+            wagner: share * stiffness.wagner,
+            fourth: stiffness.fourth.map(|moment| share * moment),
+            ..stiffness
+        };
+        SectionAt { stiffness, densities: [1.0, 0.1], principal: 0.5 - 0.8 * xi }
+    });
+    Element::new(Place::default(), length, stiffness, [1.0, 0.1], q.as_slice(), frames, previous).with_sections(
+        sections,
+        q.as_slice(),
+        frames,
+        previous,
+    )
 }
 
 fn compare(element: &Element, q: &SVector<f64, 14>, triads: &[Triad; 2], previous: f64) {

@@ -16,3 +16,4 @@ pub mod quadratic_twist;
 pub mod section_forces;
 pub mod strain_outputs;
 pub mod stress_derivatives;
+mod varying_sections;

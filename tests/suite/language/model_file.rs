@@ -57,7 +57,7 @@ fn the_princeton_beam_arrives_as_written() {
     let arm = &document.beams[0];
     assert_eq!(document.model.identifier, "PrincetonBeam");
     assert_eq!(ends(&document), [[0.0; 3], [0.508, 0.0, 0.0]]);
-    assert_eq!((arm.material, arm.section), (0, 0));
+    assert_eq!((arm.material, arm.section), (Some(0), 0));
     assert_eq!(arm.formulation, crate::support::machines::ancf14(Strain::Small, Twist::Linear));
     assert_eq!(document.value(arm.elements), 8.0);
     assert!(matches!(document.sections[0].shape, Shape::Rectangle { width, .. } if document.value(width) == 3.2024e-3));

@@ -113,6 +113,12 @@ pub fn strains<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad
         let j0 = point.reference_stretch;
         let (t, y, twist) = inside(element, q, bubble, triads, previous, point.xi);
         let z = cross(&t, &y);
+        // Along the principal axes.
+        let (sin, cos) = point.principal.sin_cos();
+        let [y, z] = [
+            sum(&scale(&y, cos.into()), &scale(&z, sin.into())),
+            sum(&scale(&z, cos.into()), &scale(&y, (-sin).into())),
+        ];
         let p = interpolate(&point.shape_x, q);
         let w = interpolate(&point.shape_xx, q);
         let length = dot(&p, &p).sqrt();
@@ -126,17 +132,18 @@ pub fn strains<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad
 
 /// Strain energy, J (MECHANICS 3.1, 3.2, 3.2b).
 pub fn energy<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad; 2], previous: f64) -> D {
-    let k = &element.stiffness;
     let square = |x: D| x * x;
     let mut total = D::from(0.0);
     let strains = strains(element, q, bubble, triads, previous);
     let twist = inside(element, q, bubble, triads, previous, 0.5).2;
     for (m, point) in element.axial.iter().enumerate() {
+        let k = &point.stiffness;
         let torsion = twist / (element.length * point.reference_stretch) - point.reference_torsion;
         total +=
             (square(strains[m]) * (0.5 * k.axial) + square(torsion) * strains[m] * (0.5 * k.wagner)) * point.weight;
     }
     for (g, point) in element.bending.iter().enumerate() {
+        let k = &point.stiffness;
         let e = strains[0] * point.from_axial[0] + strains[1] * point.from_axial[1] + strains[2] * point.from_axial[2];
         let factor = match k.strain {
             Strain::Small => D::from(1.0),

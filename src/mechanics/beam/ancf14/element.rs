@@ -21,7 +21,9 @@ use super::kinematics::points::{AxialPoint, BendingPoint};
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
 use super::over_step::{Added, Turn};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
-use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS, GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
+use crate::math::quadrature::{
+    FIVE_POINTS, FIVE_WEIGHTS, GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange,
+};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::BeamConfiguration;
 
@@ -138,9 +140,10 @@ impl Element {
         }
         // Five points are exact to order 10, where the shape functions' products have 6.
         let stations = FIVE_POINTS.map(|xi| (xi, along.at(xi).densities));
-        let weighted = stations.iter().zip(FIVE_WEIGHTS).map(|((xi, densities), weight)| {
-            (*xi, densities.map(|density| density * weight * self.length))
-        });
+        let weighted = stations
+            .iter()
+            .zip(FIVE_WEIGHTS)
+            .map(|((xi, densities), weight)| (*xi, densities.map(|density| density * weight * self.length)));
         self.mass = Mass::of_stations(weighted.clone(), self.length);
         self.line_density = weighted.clone().map(|(_, [mass, _])| mass).sum::<f64>() / self.length;
         self.weights = [0.0; 4];
@@ -167,6 +170,7 @@ impl Element {
 
     /// Makes it stress free at `reference`; arguments as of [`Self::new`].
     fn set_reference(&mut self, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) {
+        self.bending.iter_mut().for_each(|point| point.reference = [0.0; 3]);
         // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
         let at_rest = Evaluation::with_linear_twist(self, reference, None, frames, holonomy);
         let (strains, twist) = (at_rest.strains, at_rest.kinematics.twist);
@@ -502,7 +506,8 @@ impl<'a> Evaluation<'a> {
         let mut torques = [0.0; 3];
         if element.stiffness.strain != Strain::Small {
             for (m, point) in element.axial.iter().enumerate() {
-                torques[m] = point.weight * axial::large::gradient(&point.stiffness, self.green[m], self.mean_torsion[m])[1];
+                torques[m] =
+                    point.weight * axial::large::gradient(&point.stiffness, self.green[m], self.mean_torsion[m])[1];
             }
         }
         FirstOrder { resultants, forces: Forces::new(self, &resultants, &torques) }

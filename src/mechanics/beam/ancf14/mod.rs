@@ -2,8 +2,8 @@
 //!
 //! `#[inline]` stands on what every evaluation of an element calls: its many numbers are then made where they are used, not copied there.
 
-mod beam_element;
 pub mod along;
+mod beam_element;
 pub mod coordinates;
 pub mod damping;
 pub mod element;

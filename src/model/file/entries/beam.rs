@@ -1,6 +1,7 @@
 //! `[beam.NAME]`: a beam and how it is divided and formulated; its line is in curve.rs.
 
 use super::curve::Line;
+use super::section::SectionSpec;
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::ancf14::strain::Strain;
 use crate::mechanics::beam::ancf24::law::Shear;
@@ -18,8 +19,8 @@ pub struct BeamSpec {
     pub name: String,
     /// Where the name stands.
     pub place: Place,
-    /// Place in the list of materials.
-    pub material: usize,
+    /// Place in the list of materials; none: the section has rigidities.
+    pub material: Option<usize>,
     /// Place in the list of sections.
     pub section: usize,
     /// The line it follows; none: it is wrong, and reported.
@@ -91,10 +92,17 @@ fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
 }
 
 impl BeamSpec {
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, sections: &[SectionSpec]) -> Option<Self> {
         // The first ones stand in for what is reported: the beam must keep its place in the list.
-        let material = reader.reference("material", Kind::Material).unwrap_or(0);
         let section = reader.reference("section", Kind::Section).unwrap_or(0);
+        let has_material = sections.get(section).is_some_and(SectionSpec::has_material);
+        let material = if has_material {
+            let label = "the section has rigidities, which a material is part of: remove it";
+            reader.refuse("material", "`material` does not belong to a beam with rigidities", label);
+            None
+        } else {
+            Some(reader.reference("material", Kind::Material).unwrap_or(0))
+        };
         let line = Line::read(&mut reader);
         let y_axis = reader.vector_or(&schema::Y_AXIS, [0.0, 1.0, 0.0]);
         let elements = reader.number(&schema::ELEMENTS);

@@ -379,9 +379,12 @@ impl<'a> Things<'a> {
         };
         let name = names.name(Kind::Section, beam.section)?;
         let section = self.sections.iter().find(|section| section.name == name)?;
-        (section.shape == Shape::General).then(|| Mistake {
+        (section.shape == Shape::General || section.has_material()).then(|| Mistake {
             message: format!("the stress of beam {} is not known", beam.name),
-            label: format!("section {name} is general: it has no outline"),
+            label: format!(
+                "section {name} is {}: it has no outline",
+                if section.has_material() { "given by rigidities" } else { "general" }
+            ),
             help: String::from("section_force and section_moment can be measured"),
         })
     }

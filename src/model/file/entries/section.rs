@@ -1,5 +1,6 @@
-//! `[section.NAME]`: a doubly symmetric cross-section, as a shape, as integrals, or as a shape with some integrals given.
+//! `[section.NAME]`: a cross-section, as a shape, as integrals, as a shape with some integrals given, or as rigidities; any number may vary along the beam.
 
+use crate::model::expression::function::Function;
 use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
 use crate::model::file::schema;
@@ -22,10 +23,14 @@ pub struct SectionSpec {
     pub second_moment_z: Option<Number>,
     /// Saint-Venant's torsion constant, m⁴.
     pub torsion_constant: Option<Number>,
+    /// `∫ y z dA`, m⁴; default: of the shape, 0 for a general section.
+    pub product_moment: Option<Number>,
     /// `∫ (y² + z²) dA` for spin inertia and Wagner term, m⁴; default: the sum of the second moments.
     pub polar_moment: Option<Number>,
     /// `∫ y⁴ dA`, `∫ y² z² dA`, `∫ z⁴ dA`, m⁶; default: of the shape; for a general section of a rectangle with the same area and second moments.
     pub fourth_moments: Option<[Number; 3]>,
+    /// Turn about the tangent, rad.
+    pub twist: Option<Number>,
 }
 
 /// An outline.
@@ -50,8 +55,80 @@ pub enum Shape {
         /// Outer radius, m.
         outer: Number,
     },
+    /// A full ellipse.
+    Ellipse {
+        /// Along y, m.
+        width: Number,
+        /// Along z, m.
+        height: Number,
+    },
+    /// Walls of one thickness: a box or an angle.
+    Walls {
+        /// Which of them.
+        kind: Walls,
+        /// Along y, m.
+        width: Number,
+        /// Along z, m.
+        height: Number,
+        /// Thickness, m.
+        wall: Number,
+    },
+    /// A web with flanges: I, channel, tee.
+    Flanged {
+        /// Which of them.
+        kind: Flanged,
+        /// Of the flanges, along y, m.
+        width: Number,
+        /// Of the whole, along z, m.
+        height: Number,
+        /// Thickness of the web, m.
+        web: Number,
+        /// Thickness of the flanges, m.
+        flange: Number,
+    },
     /// No outline: integrals only.
     General,
+    /// Neither outline nor material: what the two together make.
+    Rigidities(Rigidities),
+}
+
+/// Outlines with walls of one thickness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Walls {
+    /// A hollow rectangle.
+    Box,
+    /// An L.
+    Angle,
+}
+
+/// Outlines with a web.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flanged {
+    /// Two flanges, across both sides of the web.
+    I,
+    /// Two flanges, on one side of the web.
+    Channel,
+    /// One flange.
+    Tee,
+}
+
+/// A section without a material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rigidities {
+    /// N.
+    pub axial: Number,
+    /// About y and about z, N m².
+    pub bending: [Number; 2],
+    /// `∫ E y z dA`, N m².
+    pub coupling: Option<Number>,
+    /// N m².
+    pub torsion: Number,
+    /// Mass per length, kg/m.
+    pub line_density: Number,
+    /// Polar mass moment of inertia per length, kg m; default: as if mass and stiffness were spread alike.
+    pub polar_inertia: Option<Number>,
+    /// As of a material, s.
+    pub damping: Number,
 }
 
 #[derive(Clone, Copy)]
@@ -59,12 +136,27 @@ enum Word {
     Rectangle,
     Circle,
     Tube,
+    Ellipse,
+    Walls(Walls),
+    Flanged(Flanged),
     General,
+    Rigidities,
 }
 
 /// The words of `shape`.
-const SHAPES: [(&str, Word); 4] =
-    [("rectangle", Word::Rectangle), ("circle", Word::Circle), ("tube", Word::Tube), ("general", Word::General)];
+const SHAPES: [(&str, Word); 11] = [
+    ("rectangle", Word::Rectangle),
+    ("circle", Word::Circle),
+    ("tube", Word::Tube),
+    ("ellipse", Word::Ellipse),
+    ("box", Word::Walls(Walls::Box)),
+    ("angle", Word::Walls(Walls::Angle)),
+    ("i", Word::Flanged(Flanged::I)),
+    ("channel", Word::Flanged(Flanged::Channel)),
+    ("tee", Word::Flanged(Flanged::Tee)),
+    ("general", Word::General),
+    ("rigidities", Word::Rigidities),
+];
 
 impl SectionSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
@@ -74,24 +166,25 @@ impl SectionSpec {
             reader.abandon();
             return None;
         };
-        let shape = match word {
-            Word::Rectangle => {
-                Shape::Rectangle { width: reader.number(&schema::WIDTH), height: reader.number(&schema::HEIGHT) }
-            }
-            Word::Circle => Shape::Circle { radius: reader.number(&schema::RADIUS) },
-            Word::Tube => Shape::Tube { inner: reader.number(&schema::INNER), outer: reader.number(&schema::OUTER) },
-            Word::General => Shape::General,
-        };
+        let shape = shape(word, &mut reader);
         let mut integral = |rule| match word {
             Word::General => Some(reader.number(rule)),
+            Word::Rigidities => None,
             _ => reader.optional(rule),
         };
         let area = integral(&schema::AREA);
         let second_moment_y = integral(&schema::SECOND_MOMENT_Y);
         let second_moment_z = integral(&schema::SECOND_MOMENT_Z);
         let torsion_constant = integral(&schema::TORSION_CONSTANT);
-        let polar_moment = reader.optional(&schema::POLAR_MOMENT);
-        let fourth_moments = reader.optional_vector(&schema::FOURTH_MOMENTS);
+        let (product_moment, polar_moment, fourth_moments) = match word {
+            Word::Rigidities => (None, None, None),
+            _ => (
+                reader.optional(&schema::PRODUCT_MOMENT),
+                reader.optional(&schema::POLAR_MOMENT),
+                reader.optional_vector(&schema::FOURTH_MOMENTS),
+            ),
+        };
+        let twist = reader.optional(&schema::SECTION_TWIST);
         reader.finish();
         let name = name.to_owned();
         Some(Self {
@@ -102,15 +195,121 @@ impl SectionSpec {
             second_moment_y,
             second_moment_z,
             torsion_constant,
+            product_moment,
             polar_moment,
             fourth_moments,
+            twist,
         })
     }
 
-    /// What no single number can be wrong about: the wall of a tube has a thickness.
-    pub(in crate::model) fn objection(&self, numbers: &Numbers) -> Option<(Number, String)> {
-        let Shape::Tube { inner, outer } = self.shape else { return None };
-        let (inside, outside) = (numbers.values[inner.0], numbers.values[outer.0]);
-        (inside >= outside).then(|| (inner, format!("must be less than the outer radius, {outside}")))
+    /// Whether it has a material of its own.
+    pub fn has_material(&self) -> bool {
+        matches!(self.shape, Shape::Rigidities(_))
+    }
+
+    /// All numbers that are written.
+    pub fn numbers(&self) -> Vec<Number> {
+        let mut all = match self.shape {
+            Shape::Rectangle { width, height } | Shape::Ellipse { width, height } => vec![width, height],
+            Shape::Circle { radius } => vec![radius],
+            Shape::Tube { inner, outer } => vec![inner, outer],
+            Shape::Walls { width, height, wall, .. } => vec![width, height, wall],
+            Shape::Flanged { width, height, web, flange, .. } => vec![width, height, web, flange],
+            Shape::General => Vec::new(),
+            Shape::Rigidities(Rigidities {
+                axial,
+                bending: [y, z],
+                coupling,
+                torsion,
+                line_density,
+                polar_inertia,
+                ..
+            }) => {
+                let optional = coupling.into_iter().chain(polar_inertia);
+                [axial, y, z, torsion, line_density].into_iter().chain(optional).collect()
+            }
+        };
+        all.extend(self.area.into_iter().chain(self.second_moment_y).chain(self.second_moment_z));
+        all.extend(self.torsion_constant.into_iter().chain(self.product_moment).chain(self.polar_moment));
+        all.extend(self.fourth_moments.into_iter().flatten().chain(self.twist));
+        all
+    }
+
+    /// Those of its numbers that vary along the beam, as functions of the arc length from its start, m.
+    pub fn varying(&self, numbers: &Numbers) -> Vec<(Number, Function)> {
+        let functions = self.numbers().into_iter().map(|number| (number, numbers.function(number)));
+        functions.filter(|(_, function)| !function.is_constant()).collect()
+    }
+
+    /// What no single number can be wrong about, with the values that `value` gives: walls leave room for each other, stiffness is positive.
+    pub(in crate::model) fn objection(&self, value: impl Fn(Number) -> f64) -> Option<(Number, String)> {
+        let below = |small: Number, factor: f64, large: Number, what: &str| {
+            (factor * value(small) >= value(large))
+                .then(|| (small, format!("must be less than {what}, {}", value(large) / factor)))
+        };
+        let positive = |product: Option<Number>, [y, z]: [Option<Number>; 2], name: &str| {
+            let (product, limit) = (product?, (value(y?) * value(z?)).sqrt());
+            let text = || {
+                (
+                    product,
+                    format!("must be less than the square root of the product of both {name}, {limit:.4e}, in size"),
+                )
+            };
+            (value(product).abs() >= limit).then(text)
+        };
+        match self.shape {
+            Shape::Tube { inner, outer } => below(inner, 1.0, outer, "the outer radius"),
+            Shape::Walls { kind, width, height, wall } => {
+                let (factor, shares) = match kind {
+                    Walls::Box => (2.0, ["half the width", "half the height"]),
+                    Walls::Angle => (1.0, ["the width", "the height"]),
+                };
+                below(wall, factor, width, shares[0]).or_else(|| below(wall, factor, height, shares[1]))
+            }
+            Shape::Flanged { kind, width, height, web, flange } => {
+                let (factor, share) = if kind == Flanged::Tee { (1.0, "the height") } else { (2.0, "half the height") };
+                below(web, 1.0, width, "the width").or_else(|| below(flange, factor, height, share))
+            }
+            Shape::Rigidities(Rigidities { coupling, bending, .. }) => {
+                positive(coupling, bending.map(Some), "bending rigidities")
+            }
+            Shape::General => {
+                positive(self.product_moment, [self.second_moment_y, self.second_moment_z], "second moments")
+            }
+            Shape::Rectangle { .. } | Shape::Circle { .. } | Shape::Ellipse { .. } => None,
+        }
+    }
+}
+
+fn shape(word: Word, reader: &mut Reader<'_, '_>) -> Shape {
+    let mut number = |rule| reader.number(rule);
+    match word {
+        Word::Rectangle => Shape::Rectangle { width: number(&schema::WIDTH), height: number(&schema::HEIGHT) },
+        Word::Circle => Shape::Circle { radius: number(&schema::RADIUS) },
+        Word::Tube => Shape::Tube { inner: number(&schema::INNER), outer: number(&schema::OUTER) },
+        Word::Ellipse => Shape::Ellipse { width: number(&schema::WIDTH), height: number(&schema::HEIGHT) },
+        Word::Walls(kind) => Shape::Walls {
+            kind,
+            width: number(&schema::WIDTH),
+            height: number(&schema::HEIGHT),
+            wall: number(&schema::WALL),
+        },
+        Word::Flanged(kind) => Shape::Flanged {
+            kind,
+            width: number(&schema::WIDTH),
+            height: number(&schema::HEIGHT),
+            web: number(&schema::WEB),
+            flange: number(&schema::FLANGE),
+        },
+        Word::General => Shape::General,
+        Word::Rigidities => Shape::Rigidities(Rigidities {
+            axial: number(&schema::AXIAL_RIGIDITY),
+            bending: [number(&schema::BENDING_RIGIDITY_Y), number(&schema::BENDING_RIGIDITY_Z)],
+            torsion: number(&schema::TORSION_RIGIDITY),
+            line_density: number(&schema::LINE_DENSITY),
+            coupling: reader.optional(&schema::BENDING_COUPLING),
+            polar_inertia: reader.optional(&schema::POLAR_INERTIA),
+            damping: reader.number_or(&schema::MATERIAL_DAMPING, 0.0),
+        }),
     }
 }

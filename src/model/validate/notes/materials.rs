@@ -22,7 +22,7 @@ const HEAVIEST: f64 = 25e3;
 /// Names moduli and densities that are unusually small. In statics the density need not matter.
 pub fn odd_materials(document: &Document) -> Vec<Note> {
     let is_dynamic = document.simulation.analysis == Analysis::Dynamic;
-    let used = |index: &usize| document.beams.iter().any(|beam| beam.material == *index);
+    let used = |index: &usize| document.beams.iter().any(|beam| beam.material == Some(*index));
     let materials = (0..document.materials.len()).filter(used).map(|index| &document.materials[index]);
     let mut notes = Vec::new();
     for material in materials {

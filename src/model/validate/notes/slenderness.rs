@@ -3,12 +3,12 @@
 use super::groups::Groups;
 use super::{Note, listed};
 use crate::mechanics::beam::design::Elements;
+use crate::mechanics::beam::section::Section;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::joint::JointKind;
-use crate::model::file::entries::section::{SectionSpec, Shape};
 use crate::model::file::reader::anchor::Spot;
-use crate::model::validate::{Lines, shown};
+use crate::model::validate::{Lines, sections, shown};
 
 /// Length over section size below which shear matters: of a cantilever with a square section it is 3 % of the deflection.
 const STUBBY: f64 = 5.0;
@@ -37,10 +37,12 @@ pub fn stubby_beams(document: &Document, lines: &Lines) -> Vec<Note> {
         let spans = lines.line(beam).map(|line| line.spans.iter().map(|span| span.length).sum::<f64>());
         lengths[groups.first(beam)] += spans.unwrap_or(f64::INFINITY);
     }
-    let bendings = |beam: &BeamSpec| document.sections.get(beam.section).map(|section| bendings(document, section));
+    let section =
+        |beam: &BeamSpec| document.sections.get(beam.section).map(|section| sections::at_start(document, section));
+    let bendings = |beam: &BeamSpec| section(beam).map(|section| bendings(&section));
     let compliance = |beam: &BeamSpec, length: f64, bending: Bending| {
-        let young = document.materials.get(beam.material).map_or(f64::NAN, |material| document.value(material.young));
-        length.powi(3) / (young * bending.moment)
+        length.powi(3)
+            / (sections::material(document, beam).map_or(f64::NAN, |material| material.young) * bending.moment)
     };
     let beams = || document.beams.iter().enumerate().map(|(index, beam)| (beam, lengths[groups.first(index)]));
     let all = beams().flat_map(|(beam, length)| {
@@ -68,26 +70,14 @@ pub fn stubby_beams(document: &Document, lines: &Lines) -> Vec<Note> {
     vec![Note { place: *place, text }]
 }
 
-/// A section in both directions, the stiffer one first. A general one is the rectangle with its area and second moments.
-fn bendings(document: &Document, section: &SectionSpec) -> [Bending; 2] {
-    let value = |number| document.value(number);
-    let round = |outer: f64, inner: f64| {
-        let moment = 0.25 * std::f64::consts::PI * (outer.powi(4) - inner.powi(4));
-        [Bending { size: 2.0 * outer, moment }; 2]
-    };
-    let mut both = match section.shape {
-        Shape::Rectangle { width, height } => {
-            let [width, height] = [value(width), value(height)];
-            [(width, height), (height, width)]
-                .map(|(size, other)| Bending { size, moment: other * size.powi(3) / 12.0 })
-        }
-        Shape::Circle { radius } => round(value(radius), 0.0),
-        Shape::Tube { inner, outer } => round(value(outer), value(inner)),
-        Shape::General => [section.second_moment_y, section.second_moment_z].map(|moment| {
-            let [moment, area] = [moment, section.area].map(|number| number.map_or(f64::NAN, value));
-            Bending { size: (12.0 * moment / area).sqrt(), moment }
-        }),
-    };
+/// A section in both directions, the stiffer one first. A general one is the rectangle with its area and second moments; one that varies is looked at where it
+/// begins.
+fn bendings(section: &Section) -> [Bending; 2] {
+    let sizes = section.outline.size();
+    let mut both = [(1, section.second_moment_y), (0, section.second_moment_z)].map(|(axis, moment)| {
+        let size = sizes.map_or((12.0 * moment / section.area).sqrt(), |sizes| sizes[axis]);
+        Bending { size, moment }
+    });
     both.sort_by(|a, b| b.size.total_cmp(&a.size));
     both
 }

@@ -6,7 +6,7 @@ use crate::model::file::document::Document;
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::file::number::Number;
-use crate::model::validate::{Lines, shown};
+use crate::model::validate::{Lines, sections, shown};
 
 /// Strain of the wave that a jump of velocity sends through a beam, its velocity over that of sound, from which it matters: 60 MPa in steel.
 const NOTABLE: f64 = 3e-4;
@@ -20,8 +20,10 @@ pub fn jumps(document: &Document, lines: &Lines) -> Vec<Note> {
         return Vec::new();
     }
     let speeds = document.beams.iter().filter_map(|beam| {
-        let material = document.materials.get(beam.material)?;
-        Some((document.value(material.young) / document.value(material.density)).sqrt())
+        let (material, section) = (sections::material(document, beam)?, document.sections.get(beam.section)?);
+        let section = sections::at_start(document, section);
+        let [line_density, _] = section.densities(&material);
+        Some((material.young * section.area / line_density).sqrt())
     });
     // Without beams there is nothing that a blow could excite.
     let Some(sound) = speeds.reduce(f64::min) else { return Vec::new() };

@@ -77,7 +77,7 @@ impl Slope {
 
 /// The small-strain energy `EA/2 eps²`, a function of the slope alone.
 pub mod small {
-    use super::{Mat3, Slope, AxialStiffness};
+    use super::{AxialStiffness, Mat3, Slope};
 
     /// Energy density, J/m.
     pub fn energy(stiffness: &AxialStiffness, slope: &Slope) -> f64 {
