@@ -2,6 +2,7 @@
 
 use super::ancf14::frame::NodeFrame;
 use super::ancf14::over_step::StepStart;
+use crate::mechanics::input::heat::Heat;
 
 /// Beams at one instant: all that their elements and nodes compute from.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +13,8 @@ pub struct BeamConfiguration<'a> {
     pub frames: &'a [NodeFrame],
     /// Holonomy angles of all elements that have one at the last accepted state, rad.
     pub holonomy: &'a [f64],
+    /// Temperatures of beams.
+    pub heats: &'a [Heat],
 }
 
 /// How the system passes through the configuration in which its forces are taken, `C`: that of the beams for elements.

@@ -77,14 +77,14 @@ pub trait BeamElement {
     );
 
     /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole system, to the rates over it. Returns the elastic energy
-    /// at the end of the step, and what the material's damping has taken over it, J.
+    /// at the end of the step, what the material's damping has taken over it, and what heat has given, J.
     fn finish_step(
         &self,
         c: &BeamConfiguration,
         step: &TimeStep,
         forces: &mut [f64],
         strain_rates: &mut [f64],
-    ) -> [f64; 2];
+    ) -> [f64; 3];
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole system, the rates there.
     fn begin_step(

@@ -235,14 +235,22 @@ mod tests {
     fn move_through(ends: &[f64], wanted: impl Fn(f64) -> (f64, Pose), mut watch: impl FnMut(&Targets)) {
         let mut targets = Targets::default();
         let (value, pose) = wanted(0.0);
-        let mut now = Prescribed { drives: vec![Jet::constant(value)], frames: vec![MovingPose::at_rest(pose)] };
+        let mut now = Prescribed {
+            drives: vec![Jet::constant(value)],
+            frames: vec![MovingPose::at_rest(pose)],
+            heats: Vec::new(),
+        };
         let mut time = 0.0;
         for &end in ends {
             targets.depart(time, &now);
             let (value, pose) = wanted(end);
             (targets.end, targets.drives, targets.frames) = (end, vec![value], vec![pose]);
             watch(&targets);
-            now = Prescribed { drives: vec![targets.value(0, end)], frames: vec![targets.pose(0, end)] };
+            now = Prescribed {
+                drives: vec![targets.value(0, end)],
+                frames: vec![targets.pose(0, end)],
+                heats: Vec::new(),
+            };
             time = end;
         }
     }
@@ -334,7 +342,14 @@ mod tests {
         let turn = Vec3::new(0.5, 1.0, -2.0);
         let to = Pose { place: Vec3::new(1.0, 2.0, 3.0), axes: rotation_matrix(&turn) * axes };
         let mut targets = Targets { straight: true, ..Targets::default() };
-        targets.depart(0.0, &Prescribed { drives: vec![Jet::constant(1.0)], frames: vec![MovingPose::at_rest(pose)] });
+        targets.depart(
+            0.0,
+            &Prescribed {
+                drives: vec![Jet::constant(1.0)],
+                frames: vec![MovingPose::at_rest(pose)],
+                heats: Vec::new(),
+            },
+        );
         (targets.end, targets.drives, targets.frames) = (0.5, vec![3.0], vec![to]);
         assert!((targets.value(0, 0.125).value - 1.5).abs() < 1e-15);
         let found = targets.pose(0, 0.125).pose;
@@ -365,7 +380,7 @@ mod tests {
     fn rates_are_integrated() {
         let mut targets = Targets::default();
         let moving = Jet { value: 0.2, first: 1.0, second: 0.0 };
-        targets.depart(1.0, &Prescribed { drives: vec![moving], frames: Vec::new() });
+        targets.depart(1.0, &Prescribed { drives: vec![moving], ..Prescribed::default() });
         (targets.end, targets.drives) = (1.5, vec![4.0]);
         let (middle, end) = (targets.rate(0, 1.25), targets.rate(0, 1.5));
         assert_eq!((middle.first, middle.second, end.first), (2.5, 6.0, 4.0));

@@ -2,6 +2,7 @@
 
 pub mod excitation;
 pub mod guide;
+pub mod heat;
 pub mod host_motion;
 pub mod prescribed;
 pub mod signal;

@@ -1,5 +1,6 @@
-//! What is prescribed at an instant: the values of drives and the motion of frames.
+//! What is prescribed at an instant: the values of drives, the motion of frames, the temperatures of beams.
 
+use super::heat::Heat;
 use crate::math::jet::Jet;
 use crate::math::rotation::{rotation_matrix, rotation_vector_near};
 use crate::math::{Mat3, Vec3};
@@ -13,6 +14,8 @@ pub struct Prescribed {
     pub drives: Vec<Jet>,
     /// Motion of the frames.
     pub frames: Vec<MovingPose>,
+    /// Temperatures of beams.
+    pub heats: Vec<Heat>,
 }
 
 /// A pose with its first two derivatives by time.
@@ -31,6 +34,7 @@ impl Prescribed {
     pub fn copy_from(&mut self, other: &Self) {
         self.drives.clone_from(&other.drives);
         self.frames.clone_from(&other.frames);
+        self.heats.clone_from(&other.heats);
     }
 
     /// Takes all motion away: what is prescribed in an equilibrium.
@@ -55,6 +59,9 @@ impl Prescribed {
             // Whole: the very axes of the end, without the rounding of a rotation.
             let axes = if share == 1.0 { frame.pose.axes } else { rotation_matrix(&(turn * share)) * from.pose.axes };
             *frame = MovingPose::at_rest(Pose { place, axes });
+        }
+        for (heat, from) in self.heats.iter_mut().zip(&start.heats) {
+            *heat = Heat::between(from, heat, share);
         }
     }
 

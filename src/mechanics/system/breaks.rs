@@ -30,7 +30,8 @@ impl System {
         let actuators = self.actuators.iter().filter_map(|actuator| actuator.signal());
         let drives = self.drives.iter().filter_map(|drive| drive.signal());
         let frames = self.moving_frames.iter().flat_map(|frame| frame.signals());
-        loads.chain(actuators).chain(drives).chain(frames)
+        let heats = self.heats.iter().flat_map(|heat| heat.signals());
+        loads.chain(actuators).chain(drives).chain(frames).chain(heats)
     }
 
     /// Collects [`System::breaks`] from all functions of time.

@@ -8,6 +8,7 @@ use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
+use crate::mechanics::beam::ancf14::stress_free::Heating;
 use crate::mechanics::beam::ancf24;
 use crate::mechanics::beam::centerline::Station;
 use crate::mechanics::beam::configuration::BeamConfiguration;
@@ -27,6 +28,7 @@ use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::{Excitation, HostEffort, HostWrench};
 use crate::mechanics::input::guide::{Drive, FrameGuide, Guide, MovingFrame};
+use crate::mechanics::input::heat::HeatGuide;
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::Marker;
@@ -162,15 +164,28 @@ impl SystemBuilder {
                 // The holonomy of the drawing is 0: triads go from node to node by one minimal rotation.
                 let element =
                     ancf14::element::Element::new(place, length, stiffness, densities, reference, frames, 0.0);
-                AnyElement::Ancf14(match design.along(fractions, strain, twist, torsion) {
+                let element = match design.along(fractions, strain, twist, torsion) {
                     Some(along) => element.with_sections(along, reference, frames, 0.0),
                     None => element,
-                })
+                };
+                AnyElement::Ancf14(element.prestressed(&design.prestress))
             }
             Elements::Ancf24 { poisson, shear } => {
                 let properties = design.properties(poisson, shear);
                 let reference = std::array::from_fn(|index| reference[index]);
                 AnyElement::Ancf24(ancf24::element::Element::new(start, length, properties, &reference))
+            }
+        }
+    }
+
+    /// Lets `heat` act on beam `beam`, of ANCF14, whose material expands by `expansion`, 1/K.
+    pub fn heat(&mut self, beam: usize, heat: HeatGuide, expansion: f64) {
+        let number = self.system.heats.len();
+        self.prescribed.heats.push(heat.at(self.start));
+        self.system.heats.push(heat);
+        for element in &mut self.system.mesh.elements[self.system.beams[beam].element_range()] {
+            if let AnyElement::Ancf14(element) = element {
+                element.heating = Some(Heating { number, expansion });
             }
         }
     }
@@ -441,7 +456,7 @@ impl SystemBuilder {
 
     fn configuration<'a>(&'a self, frames: &'a [NodeFrame], holonomy: &'a [f64]) -> Configuration<'a> {
         Configuration {
-            beams: BeamConfiguration { q: &self.q, frames, holonomy },
+            beams: BeamConfiguration { q: &self.q, frames, holonomy, heats: &self.prescribed.heats },
             relative_values: &[],
             prescribed: &self.prescribed,
             mesh: &self.system.mesh,

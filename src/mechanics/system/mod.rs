@@ -36,6 +36,7 @@ use crate::mechanics::force::load::{Direction, Load};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::guide::{Drive, MovingFrame};
+use crate::mechanics::input::heat::HeatGuide;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::Marker;
@@ -59,6 +60,8 @@ pub struct System {
     pub bodies: Vec<RigidBody>,
     /// Moving frames in file order.
     pub moving_frames: Vec<MovingFrame>,
+    /// Temperatures of beams in file order.
+    pub heats: Vec<HeatGuide>,
     /// Everything that holds the system together: joints, the rigidity of bodies, drives, each in file order.
     pub joints: Vec<Joint>,
     /// What is measured between two markers: by springs, drives, outputs.
@@ -117,6 +120,7 @@ impl System {
         Prescribed {
             drives: drives.map(|(drive, target)| drive.start(time, *target)).collect(),
             frames: frames.map(|(frame, target)| frame.start(time, target)).collect(),
+            heats: self.heats.iter().map(|heat| heat.at(time)).collect(),
         }
     }
 
@@ -130,6 +134,8 @@ impl System {
         let frames = self.moving_frames.iter().enumerate();
         prescribed.frames.clear();
         prescribed.frames.extend(frames.map(|(k, frame)| frame.at(k, next, targets)));
+        prescribed.heats.clear();
+        prescribed.heats.extend(self.heats.iter().map(|heat| heat.at(next)));
     }
 
     /// The motion of a drive or a frame that is not finite at `time`, s, in words; of a drive the rate or the acceleration where that alone is not.
@@ -200,7 +206,7 @@ impl System {
     ) -> Configuration<'a> {
         let (holonomy, relative_values) = (&state.holonomy, &state.relative_values);
         Configuration {
-            beams: BeamConfiguration { q, frames: &frames.frames, holonomy },
+            beams: BeamConfiguration { q, frames: &frames.frames, holonomy, heats: &prescribed.heats },
             relative_values,
             prescribed,
             mesh: &self.mesh,

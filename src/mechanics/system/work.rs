@@ -20,6 +20,8 @@ pub struct StepEnergy {
     pub work: f64,
     /// The part of it that moving frames do through springs, J.
     pub by_frames: f64,
+    /// The part of it that heat does through beams, J.
+    pub by_heat: f64,
     /// The part of it that dampers take, J.
     pub dissipated: f64,
 }
@@ -64,9 +66,10 @@ impl System {
         let mut found = StepEnergy { work: -dot(forces, step.increment), ..StepEnergy::default() };
         let of_beams = step.of_beams();
         for element in &self.mesh.elements {
-            let [energy, taken] = element.finish_step(&c.beams, &of_beams, forces, strain_rates);
+            let [energy, taken, heat] = element.finish_step(&c.beams, &of_beams, forces, strain_rates);
             found.elastic += energy;
-            found.work -= taken;
+            found.work += heat - taken;
+            found.by_heat += heat;
             found.dissipated += taken;
         }
         let passage = Passage::Step(*step);

@@ -2,12 +2,15 @@
 
 use super::{Builder, nearest_axes, signal, signal_from, tune, vector};
 use crate::math::Mat3;
+use crate::mechanics::beam::ancf14::stress_free::Prestress;
 use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::design::BeamDesign;
 use crate::mechanics::body::rigid_body::BodyDesign;
 use crate::mechanics::force::load::{self, Direction, LoadGuide};
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::guide::FrameGuide;
+use crate::mechanics::input::heat::HeatGuide;
+use crate::mechanics::input::signal::Signal;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::body::{BodySpec, Inertia};
 use crate::model::file::entries::frame::{FrameSpec, Orientation};
@@ -28,10 +31,25 @@ impl Builder<'_> {
             material: sections::material(document, beam).expect("the reader asks for a material"),
             section: sections::at_start(document, written),
             profile: sections::along(document, written, length),
+            prestress: Prestress {
+                tension: beam.pretension.map_or(0.0, |number| document.value(number)),
+                curvature: beam.free_curvature.map(|numbers| numbers.map(|number| document.value(number))),
+                torsion: beam.free_torsion.map(|number| document.value(number)),
+            },
             elements: beam.formulation,
             velocity: vector(document, beam.velocity),
             angular_velocity: vector(document, beam.angular_velocity),
         });
+        let heat = HeatGuide {
+            temperature: beam.temperature.map_or(Signal::Constant(0.0), |number| signal(document, number)),
+            gradient: match beam.temperature_gradient {
+                Some(numbers) => numbers.map(|number| signal(document, number)),
+                None => [Signal::Constant(0.0), Signal::Constant(0.0)],
+            },
+        };
+        if beam.temperature.is_some() || beam.temperature_gradient.is_some() {
+            self.system.heat(number, heat, sections::expansion(document, beam).unwrap_or_default());
+        }
         if let Some(element) = self.system.impossible_element(number) {
             let message = format!("beam {} is bent or pretwisted too sharply for a solid section", beam.name);
             let label = format!("element {element}, counted from 0, has fibers without length");

@@ -83,6 +83,7 @@ pub const GRAVITY: Rule = rule("gravity", "acceleration of gravity in global axe
 pub const YOUNG: Rule = rule("young", "Young's modulus", "Pa").above(0.0);
 pub const POISSON: Rule = rule("poisson", "Poisson's ratio", "").above(-1.0).below(0.5);
 pub const SHEAR: Rule = rule("shear", "shear modulus", "Pa").above(0.0);
+pub const EXPANSION: Rule = rule("expansion", "thermal expansion", "1/K");
 pub const DENSITY: Rule = rule("density", "density", "kg/m3").above(0.0);
 pub const MATERIAL_DAMPING: Rule =
     rule("damping", "viscous stress per strain rate, over the modulus", "s").from(0.0).tunable();
@@ -129,6 +130,14 @@ pub const Y_AXIS: Rule = rule("y_axis", "direction of the section's y at the sta
 const MOST_ELEMENTS: f64 = 1e5;
 pub const ELEMENTS: Rule = rule("elements", "number of elements", "").from(1.0).to(MOST_ELEMENTS).count();
 pub const PRETWIST: Rule = rule("pretwist", "additional turn of the section from start to end", "rad");
+pub const PRETENSION: Rule = rule("pretension", "axial force of the beam as drawn, tension positive", "N");
+pub const FREE_CURVATURE: Rule =
+    rule("free_curvature", "curvature of the beam without stress, about the section's y and z", "1/m");
+pub const FREE_TORSION: Rule = rule("free_torsion", "torsion of the beam without stress", "rad/m");
+pub const TEMPERATURE: Rule =
+    rule("temperature", "temperature of the beam, above that at which it is as drawn", "K").in_time();
+pub const TEMPERATURE_GRADIENT: Rule =
+    rule("temperature_gradient", "gradient of the temperature along the section's y and z", "K/m").in_time();
 pub const VELOCITY: Rule = rule("velocity", "initial velocity of the start, global axes", "m/s");
 pub const ANGULAR_VELOCITY: Rule = rule("angular_velocity", "initial angular velocity, global axes", "rad/s");
 

@@ -32,6 +32,15 @@ pub fn material(document: &Document, beam: &BeamSpec) -> Option<Material> {
     Some(Material { young, shear, density: value(written.density), damping: value(written.damping) })
 }
 
+/// The thermal expansion of a beam, 1/K; none: it is not given.
+pub fn expansion(document: &Document, beam: &BeamSpec) -> Option<f64> {
+    let written = match document.sections.get(beam.section)?.shape {
+        Shape::Rigidities(Rigidities { expansion, .. }) => expansion,
+        _ => document.materials.get(beam.material?)?.expansion,
+    };
+    written.map(|number| document.value(number))
+}
+
 /// The section at the start of a beam.
 pub fn at_start(document: &Document, written: &SectionSpec) -> Section {
     integrals(written, |number| document.value(number))
@@ -138,6 +147,13 @@ pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Optio
         let message = format!("beam {} of ANCF24 elements cannot have section {}", beam.name, written.name);
         let help = "take element = \"ancf14\", or a section of a shape with constant dimensions";
         return Some(document.diagnostic(beam.place, &message, cause, help));
+    }
+    let heat = beam.temperature.or(beam.temperature_gradient.map(|gradient| gradient[0]));
+    if let (Some(heat), None) = (heat, expansion(document, beam)) {
+        let message = format!("beam {} has a temperature, and its material no thermal expansion", beam.name);
+        let label = "by this the beam would expand";
+        let help = "give the material `expansion`, in 1/K: 1.2e-5 for steel";
+        return Some(document.diagnostic(document.place(heat), &message, label, help));
     }
     if functions.is_empty() {
         return None;

@@ -9,6 +9,7 @@ use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation, Place};
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
+use ancf14::mechanics::beam::ancf14::stress_free::Natural;
 use ancf14::mechanics::geometry::triad::Triad;
 use nalgebra::SVector;
 use num_dual::Dual2SVec64;
@@ -100,7 +101,7 @@ fn compare(element: &Element, q: &SVector<f64, 14>, triads: &[Triad; 2], previou
         q,
     );
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];
-    let evaluation = Evaluation::new(element, q.as_slice(), [&frames[0], &frames[1]], previous);
+    let evaluation = Evaluation::new(element, q.as_slice(), [&frames[0], &frames[1]], previous, &Natural::default());
     let (closed_gradient, closed_hessian) = evaluation.gradient_and_hessian();
     assert!(
         (evaluation.energy() - energy).abs() <= ROUNDING * energy.abs().max(1e-6),
@@ -167,12 +168,14 @@ fn axial_work_over_a_step_is_the_energy_increment() {
             increment: end - start,
             reference_stretch: 1.1,
             reference_square: 1.21,
+            natural: 0.0,
         };
         let at = |slope: Vec3| Slope {
             middle: slope,
             increment: Vec3::zeros(),
             reference_stretch: 1.1,
             reference_square: 1.21,
+            natural: 0.0,
         };
         let force = over.engineering_strain_mean_p() * small::force(&stiffness, over.engineering_strain());
         let work = force.dot(&(end - start));

@@ -14,6 +14,7 @@ use ancf14::mechanics::beam::ancf14::energy::torsion;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::kinematics::Holonomy;
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain, Strains};
+use ancf14::mechanics::beam::ancf14::stress_free::Natural;
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::geometry::triad::Triad;
 
@@ -30,7 +31,7 @@ fn many_turns_do_not_strain() {
         let turn = rotation::rotation_matrix(&(axis * 0.3));
         let energy = |q: &[f64], triads: &[Triad; 2], holonomy: f64| {
             let frames = [NodeFrame::new(&q[..7], &triads[0]), NodeFrame::new(&q[7..], &triads[1])];
-            let energy = Evaluation::new(&element, q, [&frames[0], &frames[1]], holonomy).energy();
+            let energy = Evaluation::new(&element, q, [&frames[0], &frames[1]], holonomy, &Natural::default()).energy();
             let next = Holonomy::new(&frames[0], &frames[1], holonomy).angle;
             (energy, [frames[0].carried(), frames[1].carried()], next)
         };

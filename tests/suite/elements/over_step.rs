@@ -35,8 +35,8 @@ struct Case {
 struct Answer {
     force: Coordinates,
     tangent: Matrix,
-    /// Elastic energy at the end, J, and what damping has taken.
-    end: [f64; 2],
+    /// Elastic energy at the end, J, and what damping has taken and heat has given.
+    end: [f64; 3],
     rates: [f64; STRAINS],
 }
 
@@ -61,7 +61,12 @@ impl Case {
         let states = [&self.start, &middle, end];
         let frames = states.map(|q| self.frames(q));
         let holonomy = [self.previous];
-        let at = |i: usize| BeamConfiguration { q: states[i].as_slice(), frames: &frames[i], holonomy: &holonomy };
+        let at = |i: usize| BeamConfiguration {
+            q: states[i].as_slice(),
+            frames: &frames[i],
+            holonomy: &holonomy,
+            heats: &[],
+        };
         let (start, middle, end) = (at(0), at(1), at(2));
         let still = [0.0; STRAINS];
         let (begin, _) = self.element.step_start(&start, self.start.as_slice());
@@ -141,7 +146,7 @@ fn force_by_definition() {
         let rigidities = SVector::<f64, STRAINS>::from(case.element.rigidities());
         let stresses = (first + last) * 0.5 + (last - first) * (0.05 / STEP + dissipation.sum());
         let expected = middle_q.transpose() * rigidities.component_mul(&stresses);
-        let Answer { force, rates, end: [_, taken], .. } = case.over(&end, dissipation);
+        let Answer { force, rates, end: [_, taken, _], .. } = case.over(&end, dissipation);
         let error = (force - expected).amax() / expected.amax();
         assert!(error < 1e-12, "force: {error:e}");
         let expected_rates = (last - first) / STEP;
@@ -220,7 +225,7 @@ fn rates_of_an_instant_are_those_of_a_short_step() {
             [1e-4, -1e-4].map(|time| case.over(&(case.start + velocity * time), Dissipation::default()).rates);
         let holonomy = [case.previous];
         let frames = case.frames(&case.start);
-        let c = BeamConfiguration { q: case.start.as_slice(), frames: &frames, holonomy: &holonomy };
+        let c = BeamConfiguration { q: case.start.as_slice(), frames: &frames, holonomy: &holonomy, heats: &[] };
         let (_, found) = case.element.step_start(&c, velocity.as_slice());
         // Central differences over the time of both steps.
         let expected: Vec<f64> = there.iter().zip(&back).map(|(a, b)| 0.5 * (a - b) * STEP / 1e-4).collect();

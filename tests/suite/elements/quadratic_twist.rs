@@ -12,6 +12,7 @@ use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation};
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
+use ancf14::mechanics::beam::ancf14::stress_free::Natural;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::material::Material;
 use ancf14::mechanics::geometry::triad::Triad;
@@ -51,7 +52,7 @@ impl Case {
     fn at<T>(&self, q: &Coordinates, use_it: impl FnOnce(&Evaluation) -> T) -> T {
         let q = q.as_slice();
         let frames = [NodeFrame::new(&q[..7], &self.triads[0]), NodeFrame::new(&q[7..], &self.triads[1])];
-        use_it(&Evaluation::new(&self.element, q, [&frames[0], &frames[1]], self.previous))
+        use_it(&Evaluation::new(&self.element, q, [&frames[0], &frames[1]], self.previous, &Natural::default()))
     }
 }
 

@@ -12,3 +12,4 @@ pub mod princeton;
 pub mod released_cantilever;
 pub mod rotating_shaft;
 pub mod shaken_cantilever;
+mod stress_as_drawn;

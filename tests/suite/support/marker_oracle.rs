@@ -81,14 +81,19 @@ impl Machine {
         let pose = Pose { place: random.vector(), axes: random.rotation() };
         let frame = MovingPose { pose, velocity, acceleration };
         let drive = Jet { value: random.signed(), first: random.signed(), second: random.signed() };
-        let prescribed = Prescribed { drives: vec![drive], frames: vec![frame] };
+        let prescribed = Prescribed { drives: vec![drive], frames: vec![frame], heats: Vec::new() };
         let velocity = SVector::from_fn(|_, _| random.signed());
         Self { mesh, q, velocity, triads, holonomy, frames, prescribed }
     }
 
     pub fn configuration(&self) -> Configuration<'_> {
         Configuration {
-            beams: BeamConfiguration { q: self.q.as_slice(), frames: &self.frames, holonomy: &self.holonomy },
+            beams: BeamConfiguration {
+                q: self.q.as_slice(),
+                frames: &self.frames,
+                holonomy: &self.holonomy,
+                heats: &[],
+            },
             relative_values: &[0.0],
             prescribed: &self.prescribed,
             mesh: &self.mesh,

@@ -117,12 +117,13 @@ impl BeamElement for Element {
         step: &TimeStep,
         forces: &mut [f64],
         strain_rates: &mut [f64],
-    ) -> [f64; 2] {
+    ) -> [f64; 3] {
         let end = self.evaluation(step.end);
         let middle = self.with_end(&end, c, step);
         self.add(&middle.gradient(), forces);
         *self.own_rates_mut(strain_rates) = middle.added.rates;
-        [end.energy(), middle.added.taken]
+        let heat = if self.heating.is_some() { self.work_of_heat(&middle, step) } else { 0.0 };
+        [end.energy(), middle.added.taken, heat]
     }
 
     fn begin_step(&self, c: &BeamConfiguration, velocity: &[f64], starts: &mut [StepStart], strain_rates: &mut [f64]) {

@@ -21,6 +21,7 @@ use super::kinematics::points::{AxialPoint, BendingPoint};
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
 use super::over_step::{Added, Turn};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
+use super::stress_free::{Heating, Natural, Prestress};
 use crate::math::quadrature::{
     FIVE_POINTS, FIVE_WEIGHTS, GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange,
 };
@@ -63,6 +64,10 @@ pub struct Element {
     pub weights: [f64; 4],
     /// The section along it; none where it is the same everywhere, in principal axes.
     pub along: Option<Along>,
+    /// How it is under stress where it is drawn; none: not at all.
+    pub prestress: Option<Box<Prestress>>,
+    /// How it expands with heat.
+    pub heating: Option<Heating>,
 }
 
 impl Element {
@@ -90,6 +95,7 @@ impl Element {
                 reference_square: slope.norm_squared(),
                 torsion_by_twist: 1.0 / (length * stretch),
                 reference_torsion: 0.0,
+                natural: 0.0,
                 stiffness: stiffness.at_axial_point(),
             }
         });
@@ -123,6 +129,8 @@ impl Element {
             line_density: density[0],
             weights: hermite::integrals(length).map(|integral| density[0] * integral),
             along: None,
+            prestress: None,
+            heating: None,
         };
         element.set_reference(reference, frames, holonomy);
         element
@@ -172,7 +180,7 @@ impl Element {
     fn set_reference(&mut self, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) {
         self.bending.iter_mut().for_each(|point| point.reference = [0.0; 3]);
         // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
-        let at_rest = Evaluation::with_linear_twist(self, reference, None, frames, holonomy);
+        let at_rest = Evaluation::with_linear_twist(self, reference, None, frames, holonomy, &Natural::default());
         let (strains, twist) = (at_rest.strains, at_rest.kinematics.twist);
         self.reference_twist = twist;
         for (point, found) in self.bending.iter_mut().zip(strains) {
@@ -201,19 +209,25 @@ impl Element {
     /// Strains at `c`.
     #[inline]
     pub fn evaluation<'a>(&'a self, c: &BeamConfiguration<'a>) -> Evaluation<'a> {
-        Evaluation::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
+        Evaluation::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch], &self.natural(c))
     }
 
     /// Strains with linear twist, whatever the element's is: those that material damping sees at an instant.
     pub fn linear_evaluation<'a>(&'a self, c: &BeamConfiguration<'a>) -> Evaluation<'a> {
-        Evaluation::with_linear_twist(self, self.own(c.q), None, self.frames(c), c.holonomy[self.place.branch])
+        let previous = c.holonomy[self.place.branch];
+        Evaluation::with_linear_twist(self, self.own(c.q), None, self.frames(c), previous, &self.natural(c))
     }
 
-    /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the `increment` of all coordinates.
+    /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the `increment` of all coordinates and the `natural` strains of the step.
     #[inline]
-    pub(super) fn with_increment<'a>(&'a self, c: &BeamConfiguration<'a>, increment: &[f64]) -> Evaluation<'a> {
+    pub(super) fn with_increment<'a>(
+        &'a self,
+        c: &BeamConfiguration<'a>,
+        increment: &[f64],
+        natural: &Natural,
+    ) -> Evaluation<'a> {
         let own = Some(self.own(increment));
-        Evaluation::with_linear_twist(self, self.own(c.q), own, self.frames(c), c.holonomy[self.place.branch])
+        Evaluation::with_linear_twist(self, self.own(c.q), own, self.frames(c), c.holonomy[self.place.branch], natural)
     }
 
     /// Generalized weight in the gravity field `gravity` (m/s²), 14×1.
@@ -240,6 +254,8 @@ pub struct Evaluation<'a> {
     pub(super) gammahat: [[f64; 2]; 3],
     /// Strains at the bending points, undeformed values taken off.
     pub strains: [Strains; 3],
+    /// Strains by heat.
+    natural: Natural,
     /// What a step adds to the resultants of these strains.
     pub(super) added: Added,
     /// From the end of a step to its middle; none at an instant.
@@ -256,14 +272,14 @@ struct FirstOrder {
 
 impl<'a> Evaluation<'a> {
     /// Of `element` at the coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last
-    /// accepted state, rad.
+    /// accepted state, rad, and `natural` strains.
     #[inline]
-    pub fn new(element: &'a Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
+    pub fn new(element: &'a Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64, natural: &Natural) -> Self {
         // As two ways out: what one of them returns is not copied.
         match element.stiffness.twist {
-            Twist::Linear => Self::with_linear_twist(element, q, None, frames, previous),
+            Twist::Linear => Self::with_linear_twist(element, q, None, frames, previous, natural),
             Twist::Quadratic => {
-                let mut evaluation = Self::with_linear_twist(element, q, None, frames, previous);
+                let mut evaluation = Self::with_linear_twist(element, q, None, frames, previous, natural);
                 quadratic_twist::relax(&mut evaluation);
                 evaluation
             }
@@ -279,6 +295,7 @@ impl<'a> Evaluation<'a> {
         increment: Option<&[f64]>,
         frames: [&'a NodeFrame; 2],
         previous: f64,
+        natural: &Natural,
     ) -> Self {
         let kinematics = Kinematics::new(element, q, frames, previous);
         let slope = |point: &AxialPoint| axial::Slope {
@@ -286,6 +303,7 @@ impl<'a> Evaluation<'a> {
             increment: increment.map_or_else(Vec3::zeros, |increment| slope_at(&point.shape_x, increment)),
             reference_stretch: point.reference_stretch,
             reference_square: point.reference_square,
+            natural: point.natural + natural.axial,
         };
         let torsion = |point: &AxialPoint| kinematics.twist * point.torsion_by_twist - point.reference_torsion;
         let [first, middle, last] = &element.axial;
@@ -307,6 +325,7 @@ impl<'a> Evaluation<'a> {
             turn,
             gammahat,
             strains,
+            natural: *natural,
             added: Added::default(),
             turn_from_end: None,
         };
@@ -345,10 +364,11 @@ impl<'a> Evaluation<'a> {
             let [kappa1, kappa2] = self.kinematics.points[g].curvatures;
             let gammahat = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
             let twist_xi = twist + self.bubble * quadratic_twist::shape_xi(point.xi);
+            let natural = self.natural.curvature_about(point.principal);
             self.gammahat[g] = gammahat;
             self.strains[g] = Strains::new(
-                gammahat[0] - point.reference[0],
-                gammahat[1] - point.reference[1],
+                gammahat[0] - point.reference[0] - natural[0],
+                gammahat[1] - point.reference[1] - natural[1],
                 twist_xi * point.torsion_by_twist - point.reference[2],
                 point.from_axial.iter().zip(&self.green).map(|(weight, e)| weight * e).sum(),
             );

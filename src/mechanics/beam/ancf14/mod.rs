@@ -14,3 +14,4 @@ pub mod kinematics;
 pub mod over_step;
 pub mod section;
 pub mod strain;
+pub mod stress_free;

@@ -216,7 +216,8 @@ impl Element {
     #[inline]
     pub fn with_end<'a>(&'a self, end: &Evaluation, c: &BeamConfiguration<'a>, step: &TimeStep) -> Evaluation<'a> {
         let start = &step.starts[self.place.branch];
-        let mut middle = self.with_increment(c, step.increment);
+        let natural = self.natural(step.start).mean(&self.natural(step.end));
+        let mut middle = self.with_increment(c, step.increment, &natural);
         if self.stiffness.twist == Twist::Quadratic {
             middle.set_bubble(0.5 * (start.bubble + end.bubble));
         }
@@ -238,5 +239,21 @@ impl Element {
         middle.turn_from_end = Some(Turn::new(self.frames(c), self.frames(step.end)));
         middle.added = Added::new(self, rates, step);
         middle
+    }
+
+    /// Work of heat over the step that `middle` is of, J: what the strains without stress change by, against the resultants.
+    pub fn work_of_heat(&self, middle: &Evaluation, step: &TimeStep) -> f64 {
+        let [before, after] = [step.start, step.end].map(|c| self.natural(c));
+        let resultants = [0, 1, 2].map(|g| middle.resultants(g));
+        let mut work = 0.0;
+        for (g, point) in self.bending.iter().enumerate() {
+            let axial = match self.stiffness.strain {
+                Strain::Small => middle.engineering_force(g),
+                Strain::Large | Strain::LargeTruncated => middle.green_force(g, &resultants),
+            };
+            let [[a1, a2], [b1, b2]] = [&after, &before].map(|natural| natural.curvature_about(point.principal));
+            work -= axial * (after.axial - before.axial) + resultants[g][0] * (a1 - b1) + resultants[g][1] * (a2 - b2);
+        }
+        work
     }
 }

@@ -40,14 +40,15 @@ pub fn strains(element: &Element, c: &BeamConfiguration, xi: f64, drawn: &Sectio
         Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * of_energy).max(0.0).sqrt() - 1.0,
     };
     let now = shape(element, c, &evaluation.kinematics, xi, evaluation.bubble);
-    let j0 = drawn.stretch;
+    let (j0, (curvature, torsion)) = (drawn.stretch, element.unstressed_beyond(c, drawn));
     SectionStrains {
         axial,
-        // What the same interpolation finds as drawn is divided alike: without loads all strains are 0 exactly.
-        curvature: [0, 1].map(|i| now.curvature[i] / j0 - drawn.curvature[i] / j0),
+        // The curvature as drawn, by the same interpolation, is divided alike: without loads all strains are 0 exactly.
+        curvature: [0, 1].map(|i| now.curvature[i] / j0 - drawn.curvature[i] / j0 - curvature[i]),
         torsion: (evaluation.kinematics.twist - element.reference_twist
             + evaluation.bubble * quadratic_twist::shape_xi(xi))
-            / (element.length * j0),
+            / (element.length * j0)
+            - torsion,
     }
 }
 

@@ -141,14 +141,14 @@ impl BeamElement for Element {
         step: &TimeStep,
         forces: &mut [f64],
         _strain_rates: &mut [f64],
-    ) -> [f64; 2] {
+    ) -> [f64; 3] {
         self.add_force_over_step(c, step, forces);
         let mut viscous = [0.0; ELEMENT];
         if self.properties.damping != 0.0 {
             self.add_damping_over_step(c, step, &mut viscous);
         }
         let taken = viscous.iter().zip(self.own(step.increment)).map(|(force, change)| force * change).sum();
-        [self.energy(self.own(step.end.q)), taken]
+        [self.energy(self.own(step.end.q)), taken, 0.0]
     }
 
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], _strain_rates: Option<&[f64]>, forces: &mut [f64]) {

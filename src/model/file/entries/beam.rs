@@ -33,6 +33,16 @@ pub struct BeamSpec {
     pub formulation: Elements,
     /// Additional turn of the section from start to end, rad.
     pub pretwist: Number,
+    /// Axial force as drawn, N.
+    pub pretension: Option<Number>,
+    /// Curvatures about y and z without stress, 1/m.
+    pub free_curvature: Option<[Number; 2]>,
+    /// Torsion without stress, rad/m.
+    pub free_torsion: Option<Number>,
+    /// Temperature above that as drawn, K.
+    pub temperature: Option<Number>,
+    /// Its gradient along y and z of the section, K/m.
+    pub temperature_gradient: Option<[Number; 2]>,
     /// Initial velocity of the start, m/s.
     pub velocity: [Number; 3],
     /// Initial angular velocity, rad/s.
@@ -71,7 +81,17 @@ fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
             reader.refuse(key, &message, &format!("element = \"{other}\" has none: remove it"));
         }
     };
-    let (own14, own24) = (["strain", "twist", "torsion"], ["ancf24_poisson", "ancf24_shear"]);
+    let own14 = [
+        "strain",
+        "twist",
+        "torsion",
+        "pretension",
+        "free_curvature",
+        "free_torsion",
+        "temperature",
+        "temperature_gradient",
+    ];
+    let own24 = ["ancf24_poisson", "ancf24_shear"];
     match reader.word("element", &ELEMENTS, Some(Word::Ancf14)).unwrap_or(Word::Ancf14) {
         Word::Ancf14 => {
             foreign(reader, &own24, "ancf24", "ancf14");
@@ -108,6 +128,11 @@ impl BeamSpec {
         let elements = reader.number(&schema::ELEMENTS);
         let formulation = formulation(&mut reader);
         let pretwist = reader.number_or(&schema::PRETWIST, 0.0);
+        let pretension = reader.optional(&schema::PRETENSION);
+        let free_curvature = reader.optional_pair(&schema::FREE_CURVATURE);
+        let free_torsion = reader.optional(&schema::FREE_TORSION);
+        let temperature = reader.optional(&schema::TEMPERATURE);
+        let temperature_gradient = reader.optional_pair(&schema::TEMPERATURE_GRADIENT);
         let velocity = reader.vector_or(&schema::VELOCITY, [0.0; 3]);
         let angular_velocity = reader.vector_or(&schema::ANGULAR_VELOCITY, [0.0; 3]);
         let place = reader.place;
@@ -122,6 +147,11 @@ impl BeamSpec {
             elements,
             formulation,
             pretwist,
+            pretension,
+            free_curvature,
+            free_torsion,
+            temperature,
+            temperature_gradient,
             velocity,
             angular_velocity,
         })

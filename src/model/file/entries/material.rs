@@ -16,6 +16,8 @@ pub struct MaterialSpec {
     pub young: Number,
     /// What gives the shear modulus.
     pub lateral: Lateral,
+    /// Thermal expansion, 1/K.
+    pub expansion: Option<Number>,
     /// Density, kg/m³.
     pub density: Number,
     /// Kelvin-Voigt damping, s: stress = E (strain + damping * strain rate).
@@ -47,10 +49,11 @@ impl MaterialSpec {
                 }
             },
         };
+        let expansion = reader.optional(&schema::EXPANSION);
         let density = reader.number(&schema::DENSITY);
         let damping = reader.number_or(&schema::MATERIAL_DAMPING, 0.0);
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, young, lateral, density, damping })
+        Some(Self { name: name.to_owned(), place, young, lateral, expansion, density, damping })
     }
 }

@@ -127,6 +127,8 @@ pub struct Rigidities {
     pub line_density: Number,
     /// Polar mass moment of inertia per length, kg m; default: as if mass and stiffness were spread alike.
     pub polar_inertia: Option<Number>,
+    /// Thermal expansion, 1/K.
+    pub expansion: Option<Number>,
     /// As of a material, s.
     pub damping: Number,
 }
@@ -309,6 +311,7 @@ fn shape(word: Word, reader: &mut Reader<'_, '_>) -> Shape {
             line_density: number(&schema::LINE_DENSITY),
             coupling: reader.optional(&schema::BENDING_COUPLING),
             polar_inertia: reader.optional(&schema::POLAR_INERTIA),
+            expansion: reader.optional(&schema::EXPANSION),
             damping: reader.number_or(&schema::MATERIAL_DAMPING, 0.0),
         }),
     }

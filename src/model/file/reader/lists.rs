@@ -29,6 +29,12 @@ impl Reader<'_, '_> {
         Some(self.components(rule, &entry, VECTOR, None))
     }
 
+    /// Two numbers that may be left out.
+    pub fn optional_pair(&mut self, rule: &Rule) -> Option<[Number; 2]> {
+        let entry = self.take(rule.key)?;
+        Some(self.components(rule, &entry, "a list of 2", None))
+    }
+
     /// Numbers that must be there; `expected` says how many: `a list of 3 or 6`.
     pub fn list<const N: usize>(&mut self, rule: &Rule, expected: &str) -> [Number; N] {
         match self.take(rule.key) {

@@ -146,7 +146,7 @@ impl Scratch {
         system.constraint_gradients(&middle, &mut gradients);
         let driven = system.driven_work(&gradients, &next.multipliers, &self.increment);
         let [loads, actuators] = system.loads_and_actuators(&middle, &self.excitation, &self.increment);
-        Work { loads, actuators, drives: driven + found.by_frames, dissipated: found.dissipated }
+        Work { loads: loads + found.by_heat, actuators, drives: driven + found.by_frames, dissipated: found.dissipated }
     }
 
     /// Kinetic, elastic and gravity energy at the start of the step from `state`, J.

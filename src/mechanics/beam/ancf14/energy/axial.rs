@@ -18,6 +18,8 @@ pub struct Slope {
     pub reference_stretch: f64,
     /// `|r0'|²`, 1, as the slope's own square is found: the undeformed beam has no strain, not even of round-off.
     pub reference_square: f64,
+    /// Strain without stress, 1.
+    pub natural: f64,
 }
 
 impl Slope {
@@ -27,18 +29,19 @@ impl Slope {
         ((self.middle - self.increment * 0.5).norm(), (self.middle + self.increment * 0.5).norm())
     }
 
-    /// Mean Green strain of the two ends of the step, 1: `((|r'|/J0)² − 1)/2 + |Δr'|²/(8 J0²)`.
+    /// Mean Green strain of the two ends of the step, 1: `((|r'|/J0)² − 1)/2 + |Δr'|²/(8 J0²)`, natural strain taken off.
     #[inline]
     pub fn green_strain(&self) -> f64 {
         let square = self.reference_square;
         0.5 * (self.middle.norm_squared() / square - 1.0) + 0.125 * self.increment.norm_squared() / square
+            - self.natural
     }
 
-    /// Mean engineering strain of the two ends of the step, 1: `(|r'_a| + |r'_b|)/(2 J0) − 1`.
+    /// Mean engineering strain of the two ends of the step, 1: `(|r'_a| + |r'_b|)/(2 J0) − 1`, natural strain taken off.
     #[inline]
     pub fn engineering_strain(&self) -> f64 {
         let (start, end) = self.stretches();
-        0.5 * (start + end) / self.reference_stretch - 1.0
+        0.5 * (start + end) / self.reference_stretch - 1.0 - self.natural
     }
 
     /// Derivative of the Green strain by the slope at the middle of the step, 1.

@@ -17,6 +17,8 @@ pub struct AxialPoint {
     pub torsion_by_twist: f64,
     /// Mean torsion of the undeformed beam, rad/m.
     pub reference_torsion: f64,
+    /// Strain without stress, by tension as drawn, 1.
+    pub natural: f64,
     /// Stiffness of the section here.
     pub stiffness: AxialStiffness,
 }
