@@ -2,8 +2,8 @@
 
 use super::ancf14::along::{Along, SectionAt};
 use super::ancf14::energy::quadratic_twist::Twist;
+use super::ancf14::natural::Prestress;
 use super::ancf14::strain::{Stiffness, Strain};
-use super::ancf14::stress_free::Prestress;
 use super::ancf24::element::Properties;
 use super::ancf24::law::{Shear, law};
 use super::ancf24::station::Fibers;
@@ -63,6 +63,8 @@ pub struct BeamDesign {
     pub section: Section,
     /// The section along the beam; none where it is the same everywhere.
     pub profile: Option<Profile>,
+    /// Damping in proportion to mass: force over mass and velocity, 1/s.
+    pub mass_damping: f64,
     /// How it is under stress as drawn.
     pub prestress: Prestress,
     /// How its elements are formulated.

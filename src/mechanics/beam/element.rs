@@ -56,8 +56,8 @@ pub trait BeamElement {
     /// Work of the weight in the field `gravity` (m/s²) at `q` against that at the origin, J.
     fn weight_form(&self, gravity: &Vec3, q: &[f64]) -> f64;
 
-    /// Adds the product of the mass matrix with `vector`.
-    fn add_mass_times(&self, vector: &[f64], product: &mut [f64]);
+    /// Adds `factor` times the product of the mass matrix with `vector`.
+    fn add_mass_times(&self, factor: f64, vector: &[f64], product: &mut [f64]);
 
     /// Strain energy, J.
     fn energy(&self, c: &BeamConfiguration) -> f64;

@@ -37,6 +37,8 @@ pub struct Beam {
     pub section: Section,
     /// The section along it; none where it is the same everywhere.
     pub profile: Option<Profile>,
+    /// Damping in proportion to mass: force over mass and velocity, 1/s.
+    pub mass_damping: f64,
     /// Young's modulus, Pa.
     pub young: f64,
     /// Twist rate above which its energy has no lower bound, rad/m (MECHANICS, trap 9); infinite where there is none.

@@ -8,7 +8,7 @@ use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::ancf14::stress_free::Heating;
+use crate::mechanics::beam::ancf14::natural::Heating;
 use crate::mechanics::beam::ancf24;
 use crate::mechanics::beam::centerline::Station;
 use crate::mechanics::beam::configuration::BeamConfiguration;
@@ -104,6 +104,7 @@ impl SystemBuilder {
             corners: line.corners(),
             section: design.section,
             profile: design.profile.clone(),
+            mass_damping: design.mass_damping,
             young: design.material.young,
             twist_limit: design.twist_limit(),
         });

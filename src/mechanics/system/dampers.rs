@@ -3,7 +3,7 @@
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
 use crate::mechanics::beam::element::AnyElement;
-use crate::mechanics::marker::configuration::Configuration;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::system::System;
 use crate::mechanics::system::tangent_layout::TangentLayout;
 
@@ -11,6 +11,49 @@ impl System {
     /// The elements whose material is damped, with their numbers.
     fn damped_elements(&self) -> impl Iterator<Item = (usize, &AnyElement)> + '_ {
         self.mesh.elements.iter().enumerate().filter(|(_, element)| element.damping() != 0.0)
+    }
+
+    /// The elements that are damped in proportion to their mass, with their numbers and the rates, 1/s.
+    fn dragged_elements(&self) -> impl Iterator<Item = (usize, &AnyElement, f64)> + '_ {
+        let beams = self.beams.iter().filter(|beam| beam.mass_damping != 0.0);
+        beams.flat_map(|beam| {
+            beam.element_range().map(|number| (number, &self.mesh.elements[number], beam.mass_damping))
+        })
+    }
+
+    /// Adds the forces of damping in proportion to mass, `a M v`; over a step the velocity is the change of the coordinates over its length.
+    pub(super) fn add_mass_damping(&self, passage: &Passage, forces: &mut [f64]) {
+        for (_, element, rate) in self.dragged_elements() {
+            match passage {
+                Passage::Rest => {}
+                Passage::Instant { velocity, .. } => element.add_mass_times(rate, velocity, forces),
+                Passage::Step(step) => element.add_mass_times(rate / step.duration, step.increment, forces),
+            }
+        }
+    }
+
+    /// Adds `scale` times the derivative of [`Self::add_mass_damping`], over a step twice that with respect to the coordinates at its end.
+    pub(super) fn add_mass_damping_tangent(&self, passage: &Passage, scale: f64, tangent: &mut Blocks) {
+        let Passage::Step(step) = passage else { return };
+        let layout = TangentLayout::of(self);
+        for (number, element, rate) in self.dragged_elements() {
+            element.add_mass(2.0 * scale * rate / step.duration, tangent.block_mut(layout.element(number)));
+        }
+    }
+
+    /// Energy that damping in proportion to mass takes over a step that changes the coordinates by `increment` in `duration` s, J.
+    pub(super) fn taken_by_mass_damping(&self, increment: &[f64], duration: f64) -> f64 {
+        self.dragged_elements().map(|(_, element, rate)| rate / duration * element.mass_form(increment)).sum()
+    }
+
+    /// Power that damping in proportion to mass takes, W.
+    pub(super) fn power_of_mass_damping(&self, velocity: &[f64]) -> f64 {
+        self.dragged_elements().map(|(_, element, rate)| rate * element.mass_form(velocity)).sum()
+    }
+
+    /// Whether a beam is damped in proportion to its mass.
+    pub fn has_mass_damping(&self) -> bool {
+        self.dragged_elements().next().is_some()
     }
 
     /// Whether the material of a beam has damping.
@@ -57,6 +100,9 @@ impl System {
         let layout = TangentLayout::of(self);
         for (number, element) in self.damped_elements() {
             element.add_damping_matrix(&c.beams, factor, tangent.block_mut(layout.element(number)));
+        }
+        for (number, element, rate) in self.dragged_elements() {
+            element.add_mass(factor * rate, tangent.block_mut(layout.element(number)));
         }
         for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.is_damped()) {
             let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());

@@ -49,6 +49,7 @@ impl System {
         for element in &self.mesh.elements {
             element.add_gradient(&c.beams, &of_beams, forces);
         }
+        self.add_mass_damping(passage, forces);
         if let Passage::Instant { velocity, strain_rates } = passage {
             self.add_material_damping(c, velocity, *strain_rates, forces);
         }
@@ -72,6 +73,8 @@ impl System {
             let block = tangent.block_mut(layout.element(number));
             element.add_gradient_and_set_hessian(&c.beams, &of_beams, scale, forces, block);
         }
+        self.add_mass_damping(passage, forces);
+        self.add_mass_damping_tangent(passage, scale, tangent);
         if let Passage::Instant { velocity, .. } = passage {
             self.add_material_damping_and_tangent(c, velocity, scale, forces, tangent);
         }
@@ -162,7 +165,7 @@ impl System {
     pub fn mass_times(&self, vector: &[f64], product: &mut [f64]) {
         product.fill(0.0);
         for element in &self.mesh.elements {
-            element.add_mass_times(vector, product);
+            element.add_mass_times(1.0, vector, product);
         }
         for body in &self.bodies {
             for local in 0..BODY {

@@ -160,7 +160,7 @@ impl System {
 
     /// Whether a spring or a material has damping.
     pub fn is_damped(&self) -> bool {
-        self.springs.iter().any(Spring::is_damped) || self.has_material_damping()
+        self.springs.iter().any(Spring::is_damped) || self.has_material_damping() || self.has_mass_damping()
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

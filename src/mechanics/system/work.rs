@@ -73,6 +73,10 @@ impl System {
             found.dissipated += taken;
         }
         let passage = Passage::Step(*step);
+        self.add_mass_damping(&passage, forces);
+        let taken = self.taken_by_mass_damping(step.increment, step.duration);
+        found.work -= taken;
+        found.dissipated += taken;
         self.add_springs(c, &passage, forces);
         for spring in &self.springs {
             let coordinate = &self.relative_coordinates[spring.coordinate];
@@ -137,7 +141,9 @@ impl System {
         };
         let springs =
             self.springs.iter().map(|spring| spring.power(&self.relative_coordinates[spring.coordinate], c, velocity));
-        springs.fold([external, viscous], |[given, taken], own| [given + own[0], taken + own[1]])
+        springs.fold([external, viscous + self.power_of_mass_damping(velocity)], |[given, taken], own| {
+            [given + own[0], taken + own[1]]
+        })
     }
 
     /// Work of drives and of joints to moving frames while the coordinates change by `change`, J; their power for velocities, W. All other

@@ -2,7 +2,7 @@
 
 use super::{Builder, nearest_axes, signal, signal_from, tune, vector};
 use crate::math::Mat3;
-use crate::mechanics::beam::ancf14::stress_free::Prestress;
+use crate::mechanics::beam::ancf14::natural::Prestress;
 use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::design::BeamDesign;
 use crate::mechanics::body::rigid_body::BodyDesign;
@@ -31,6 +31,7 @@ impl Builder<'_> {
             material: sections::material(document, beam).expect("the reader asks for a material"),
             section: sections::at_start(document, written),
             profile: sections::along(document, written, length),
+            mass_damping: sections::damping(document, beam).map_or(0.0, |[_, mass]| mass),
             prestress: Prestress {
                 tension: beam.pretension.map_or(0.0, |number| document.value(number)),
                 curvature: beam.free_curvature.map(|numbers| numbers.map(|number| document.value(number))),

@@ -4,7 +4,6 @@ use super::{signal, vector};
 use crate::math::jet::Jet;
 use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::material::Material;
 use crate::mechanics::force::actuator::EffortGuide;
 use crate::mechanics::force::law::Law;
 use crate::mechanics::force::load::LoadGuide;
@@ -135,8 +134,9 @@ pub fn retune(document: &Document, system: &mut System) {
         }
     }
     system.collect_breaks();
-    for (beam, written) in system.beams.iter().zip(&document.beams) {
-        let Some(Material { damping, .. }) = sections::material(document, written) else { continue };
+    for (beam, written) in system.beams.iter_mut().zip(&document.beams) {
+        let Some([damping, mass_damping]) = sections::damping(document, written) else { continue };
+        beam.mass_damping = mass_damping;
         for element in &mut system.mesh.elements[beam.element_range()] {
             element.set_damping(damping);
         }

@@ -88,6 +88,13 @@ pub const DENSITY: Rule = rule("density", "density", "kg/m3").above(0.0);
 pub const MATERIAL_DAMPING: Rule =
     rule("damping", "viscous stress per strain rate, over the modulus", "s").from(0.0).tunable();
 
+pub const MASS_DAMPING: Rule =
+    rule("mass_damping", "damping in proportion to mass: force over mass and velocity", "1/s").from(0.0).tunable();
+pub const DAMPING_RATIOS: Rule =
+    rule("damping_ratios", "ratio of critical damping at each of two frequencies", "").from(0.0).tunable();
+pub const DAMPING_FREQUENCIES: Rule =
+    rule("damping_frequencies", "frequency at which a ratio of critical damping is given", "Hz").above(0.0).tunable();
+
 pub const WIDTH: Rule = rule("width", "width of the section along its y", "m").above(0.0).along_beam();
 pub const HEIGHT: Rule = rule("height", "height of the section along its z", "m").above(0.0).along_beam();
 pub const RADIUS: Rule = rule("radius", "radius of the section", "m").above(0.0).along_beam();

@@ -12,6 +12,7 @@ use crate::mechanics::beam::section::Section;
 use crate::model::expression::function::Function;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::damping::Damping;
 use crate::model::file::entries::material::Lateral;
 use crate::model::file::entries::section::{Flanged, Rigidities, SectionSpec, Shape, Walls};
 use crate::model::file::number::Number;
@@ -20,8 +21,9 @@ use crate::model::text::diagnostic::Diagnostic;
 /// The material of a beam; where its section has rigidities, one whose moduli are 1. None: a mistake, which is reported.
 pub fn material(document: &Document, beam: &BeamSpec) -> Option<Material> {
     let value = |number| document.value(number);
-    if let Shape::Rigidities(Rigidities { damping, .. }) = document.sections.get(beam.section)?.shape {
-        return Some(Material { young: 1.0, shear: 1.0, density: 1.0, damping: value(damping) });
+    let [damping, _] = damping(document, beam)?;
+    if document.sections.get(beam.section)?.has_material() {
+        return Some(Material { young: 1.0, shear: 1.0, density: 1.0, damping });
     }
     let written = document.materials.get(beam.material?)?;
     let young = value(written.young);
@@ -29,7 +31,19 @@ pub fn material(document: &Document, beam: &BeamSpec) -> Option<Material> {
         Lateral::Poisson(poisson) => Material::shear_from_poisson(young, value(poisson)),
         Lateral::Shear(shear) => value(shear),
     };
-    Some(Material { young, shear, density: value(written.density), damping: value(written.damping) })
+    Some(Material { young, shear, density: value(written.density), damping })
+}
+
+fn written_damping(document: &Document, beam: &BeamSpec) -> Option<Damping> {
+    match document.sections.get(beam.section)?.shape {
+        Shape::Rigidities(Rigidities { damping, .. }) => Some(damping),
+        _ => Some(document.materials.get(beam.material?)?.damping),
+    }
+}
+
+/// The damping of a beam in proportion to stiffness, s, and to mass, 1/s.
+pub fn damping(document: &Document, beam: &BeamSpec) -> Option<[f64; 2]> {
+    written_damping(document, beam).map(|damping| damping.coefficients(|number| document.value(number)))
 }
 
 /// The thermal expansion of a beam, 1/K; none: it is not given.
@@ -147,6 +161,15 @@ pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Optio
         let message = format!("beam {} of ANCF24 elements cannot have section {}", beam.name, written.name);
         let help = "take element = \"ancf14\", or a section of a shape with constant dimensions";
         return Some(document.diagnostic(beam.place, &message, cause, help));
+    }
+    let damping = written_damping(document, beam)?;
+    let is_first = |other: &&BeamSpec| written_damping(document, other) == Some(damping);
+    if document.beams.iter().find(is_first).is_some_and(|first| first.name == beam.name)
+        && let Some((number, objection)) = damping.objection(|number| document.value(number))
+    {
+        let message = format!("`{}` {objection}", document.name(number));
+        let label = format!("this is {}", shown(document.value(number)));
+        return Some(document.diagnostic(document.place(number), &message, &label, ""));
     }
     let heat = beam.temperature.or(beam.temperature_gradient.map(|gradient| gradient[0]));
     if let (Some(heat), None) = (heat, expansion(document, beam)) {

@@ -13,8 +13,8 @@ use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::energy::torsion;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::kinematics::Holonomy;
+use ancf14::mechanics::beam::ancf14::natural::Natural;
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain, Strains};
-use ancf14::mechanics::beam::ancf14::stress_free::Natural;
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::geometry::triad::Triad;
 

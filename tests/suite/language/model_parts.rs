@@ -188,7 +188,7 @@ fn springs_materials_and_the_simulation_arrive_as_written() {
     // A point stands for what it is on, and says which one it is.
     assert_eq!(ends(line).map(|end| (end.spot, end.point)), [(Spot::Ground, Some(0)), (Spot::Body(1), Some(1))]);
     assert_eq!(row(&document, "tie.length").variability, Variability::Tunable);
-    assert_eq!(document.value(document.materials[0].damping), 1e-4);
+    assert_eq!(document.materials[0].damping.coefficients(|number| document.value(number)), [1e-4, 0.0]);
     assert_eq!(document.simulation.initial, Initial::Equilibrium);
     assert!(document.simulation.verify);
     let IntegratorSpec::GeneralizedAlpha { spectral_radius } = document.simulation.integrator else { panic!("alpha") };

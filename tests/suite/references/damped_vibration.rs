@@ -1,10 +1,12 @@
-//! Kelvin-Voigt damping gives every small vibration the damping ratio `c omega / 2` (MECHANICS 3.8): the logarithmic decrement of a
+//! Kelvin-Voigt damping gives every small vibration the damping ratio `c omega / 2` (MECHANICS 3.8), damping in proportion to mass `a / (2 omega)`: the logarithmic decrement of a
 //! cantilever's first bending, torsional and axial vibration must be that of theory, with numerical dissipation and without. What moves rigidly must
 //! not be damped: a damping of coordinates instead of strains would bring a spinning beam to rest.
 
+use crate::running::{start, vector};
 use crate::support::machines::ancf14;
 use crate::support::machines::{clamp, design, energies, integrate};
 use crate::support::oscillation::{period_and_decrement, theory};
+use ancf14::fmi::Model;
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::ancf14::coordinates::{NODE, P, R, THETA};
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
@@ -70,12 +72,14 @@ const BENDING: f64 = 1.875_104_068_711_961;
 
 #[test]
 fn vibrations_decay_as_theory_says() {
-    for (radius, strain) in KINDS {
+    for ((radius, strain), by_mass) in KINDS.into_iter().zip([false; 2]).chain(KINDS.into_iter().zip([true; 2])) {
         let still = BeamDesign { elements: ancf14(strain, Twist::Linear), ..design("beam", ELEMENTS) };
         for mode in modes(&still) {
-            let material = Material { damping: 2.0 * RATIO / mode.omega, ..still.material };
+            let by_stiffness = if by_mass { 0.0 } else { 2.0 * RATIO / mode.omega };
+            let mass_damping = if by_mass { 2.0 * RATIO * mode.omega } else { 0.0 };
+            let material = Material { damping: by_stiffness, ..still.material };
             let mut builder = SystemBuilder::default();
-            let beam = builder.add_beam(&BeamDesign { material, ..still.clone() });
+            let beam = builder.add_beam(&BeamDesign { material, mass_damping, ..still.clone() });
             clamp(&mut builder, beam);
             let (system, mut state) = builder.finish(Vec3::zeros());
             // An amplitude of 1e-4: squares, which theory leaves out, count 1e-8.
@@ -141,5 +145,62 @@ fn a_spinning_beam_is_not_damped() {
         assert!(lost < 1e-5, "{radius}: {lost:e}");
         // Round-off of 4000 steps, and of the axial strain.
         assert!(drift < 1e-9, "{radius}: {drift:e}");
+    }
+}
+
+/// Coefficients from ratios at two frequencies: `ζ = c ω/2 + a/(2 ω)` at both, so that both files give the same motion; with `generalized_alpha` too.
+#[test]
+fn ratios_at_two_frequencies_are_coefficients() {
+    let file = |keys: &str, integrator: &str| {
+        format!(
+            "format = 1
+            [model]
+            name = \"arm\"
+            gravity = [0, 0, -9.81]
+            [material.steel]
+            young = 2.1e11
+            poisson = 0.3
+            density = 7850
+            {keys}
+            [section.flat]
+            shape = \"rectangle\"
+            width = 0.02
+            height = 0.01
+            [beam.arm]
+            material = \"steel\"
+            section = \"flat\"
+            from = [0, 0, 0]
+            to = [2, 0, 0]
+            elements = 4
+            [joint.root]
+            type = \"weld\"
+            a = \"ground\"
+            b = \"arm.start\"
+            [output.tip]
+            at = \"arm.end\"
+            quantities = [\"displacement\"]
+            [simulation]
+            stop = 1
+            step = 0.005
+            integrator = \"{integrator}\""
+        )
+    };
+    let ([z1, z2], [w1, w2]) = ([0.05, 0.03], [2.0 * PI * 2.0, 2.0 * PI * 13.0]);
+    // From the two equations, by Cramer's rule.
+    let determinant = 0.25 * (w1 / w2 - w2 / w1);
+    let stiffness = (z1 * 0.5 / w2 - z2 * 0.5 / w1) / determinant;
+    let mass = (0.5 * w1 * z2 - 0.5 * w2 * z1) / determinant;
+    for (by, w) in [(z1, w1), (z2, w2)] {
+        assert!((0.5 * stiffness * w + 0.5 * mass / w - by).abs() < 1e-12);
+    }
+    let ratios = "damping_ratios = [0.05, 0.03]\ndamping_frequencies = [2, 13]";
+    let coefficients = format!("damping = {stiffness}\nmass_damping = {mass}");
+    for integrator in ["conserving", "generalized_alpha"] {
+        let [one, other] = [ratios, &coefficients].map(|keys| {
+            let mut simulation = start(&file(keys, integrator));
+            simulation.advance(1.0).unwrap_or_else(|failure| panic!("{}", failure.message));
+            vector(&simulation, "tip.displacement")
+        });
+        assert!((one - other).norm() < 1e-9 && one.norm() > 0.01, "{one} {other}");
     }
 }

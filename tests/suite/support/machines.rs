@@ -5,8 +5,8 @@ use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::beam::ancf14::element;
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
+use ancf14::mechanics::beam::ancf14::natural::Prestress;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
-use ancf14::mechanics::beam::ancf14::stress_free::Prestress;
 use ancf14::mechanics::beam::ancf24;
 use ancf14::mechanics::beam::centerline::Centerline;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements, Torsion};
@@ -62,6 +62,7 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
         material: Material { young: 2e11, shear: 8e10, density: 7800.0, damping: 0.0 },
         section: Section::rectangle(0.01, 0.02),
         profile: None,
+        mass_damping: 0.0,
         prestress: Prestress::default(),
         elements: ancf14(Strain::Small, Twist::Linear),
         velocity: Vec3::zeros(),

@@ -77,8 +77,8 @@ impl BeamElement for Element {
         self.mass.add(factor, block);
     }
 
-    fn add_mass_times(&self, vector: &[f64], product: &mut [f64]) {
-        self.add(&self.mass.times(self.own(vector)), product);
+    fn add_mass_times(&self, factor: f64, vector: &[f64], product: &mut [f64]) {
+        self.add(&(self.mass.times(self.own(vector)) * factor), product);
     }
 
     fn mass_form(&self, vector: &[f64]) -> f64 {

@@ -3,7 +3,7 @@
 //! The densities live in axial.rs, bending.rs, torsion.rs, fourth_moments.rs, the derivatives of the strains by the
 //! coordinates in strain_derivatives.rs; here they meet. Where the paper and this differ, MECHANICS 1 and 3 say why.
 
-use super::along::{Along, SectionAt};
+use super::along::Along;
 use super::coordinates::{
     ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slope as slope_at,
 };
@@ -19,12 +19,10 @@ use super::kinematics::Kinematics;
 use super::kinematics::corotated::{COROTATED, CorotatedVector};
 use super::kinematics::points::{AxialPoint, BendingPoint};
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
+use super::natural::{Heating, Natural, Prestress};
 use super::over_step::{Added, Turn};
 use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
-use super::stress_free::{Heating, Natural, Prestress};
-use crate::math::quadrature::{
-    FIVE_POINTS, FIVE_WEIGHTS, GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange,
-};
+use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::BeamConfiguration;
 
@@ -136,48 +134,8 @@ impl Element {
         element
     }
 
-    /// The same element with the sections `along`; arguments else as of [`Self::new`].
-    pub fn with_sections(mut self, along: Along, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) -> Self {
-        self.stiffness = along.at(0.5).stiffness;
-        for (point, xi) in self.axial.iter_mut().zip(LOBATTO_POINTS) {
-            point.stiffness = along.at(xi).stiffness.at_axial_point();
-        }
-        for point in &mut self.bending {
-            let here = along.at(point.xi);
-            (point.stiffness, point.principal) = (here.stiffness.at_bending_point(), here.principal);
-        }
-        // Five points are exact to order 10, where the shape functions' products have 6.
-        let stations = FIVE_POINTS.map(|xi| (xi, along.at(xi).densities));
-        let weighted = stations
-            .iter()
-            .zip(FIVE_WEIGHTS)
-            .map(|((xi, densities), weight)| (*xi, densities.map(|density| density * weight * self.length)));
-        self.mass = Mass::of_stations(weighted.clone(), self.length);
-        self.line_density = weighted.clone().map(|(_, [mass, _])| mass).sum::<f64>() / self.length;
-        self.weights = [0.0; 4];
-        for (xi, [mass, _]) in weighted {
-            let shape = hermite::shape(xi, self.length);
-            self.weights.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += mass * shape);
-        }
-        self.along = Some(along);
-        self.set_reference(reference, frames, holonomy);
-        self
-    }
-
-    /// The section at `xi`.
-    pub fn section_at(&self, xi: f64) -> SectionAt {
-        match &self.along {
-            Some(along) => {
-                let here = along.at(xi);
-                // Damping may have been set since.
-                SectionAt { stiffness: Stiffness { damping: self.stiffness.damping, ..here.stiffness }, ..here }
-            }
-            None => SectionAt { stiffness: self.stiffness, densities: [self.line_density, 0.0], principal: 0.0 },
-        }
-    }
-
     /// Makes it stress free at `reference`; arguments as of [`Self::new`].
-    fn set_reference(&mut self, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) {
+    pub(super) fn set_reference(&mut self, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) {
         self.bending.iter_mut().for_each(|point| point.reference = [0.0; 3]);
         // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
         let at_rest = Evaluation::with_linear_twist(self, reference, None, frames, holonomy, &Natural::default());
@@ -375,18 +333,6 @@ impl<'a> Evaluation<'a> {
         }
     }
 
-    /// Strains of the bending points in the axes of their sections, which need not be the principal ones.
-    pub fn section_strains(&self) -> [Strains; 3] {
-        std::array::from_fn(|g| {
-            let (principal, mut strains) = (self.element.bending[g].principal, self.strains[g]);
-            if principal != 0.0 {
-                let ((sin, cos), [g1, g2]) = (principal.sin_cos(), [strains[0], strains[1]]);
-                (strains[0], strains[1]) = (cos * g1 - sin * g2, cos * g2 + sin * g1);
-            }
-            strains
-        })
-    }
-
     /// Strain energy, J.
     pub fn energy(&self) -> f64 {
         let mut sum = 0.0;
@@ -503,21 +449,6 @@ impl<'a> Evaluation<'a> {
             density = density + fourth_moments::hessian(stiffness, strains);
         }
         density * self.element.bending[g].weight
-    }
-
-    /// `∂b/∂q` of the internal coordinate of the quadratic twist, 14×1; 0 for linear twist.
-    pub fn bubble_q(&self) -> ElementVector {
-        match self.element.stiffness.twist {
-            Twist::Linear => ElementVector::zeros(),
-            Twist::Quadratic => {
-                let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
-                let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
-                let gradients = Gradients::new(self.element, &self.kinematics);
-                // Torques of the axial points do not change with `b`.
-                let couplings = Couplings::new(self, &resultants, &rigidities, 0.0);
-                Condensation::new(self, &gradients, &couplings, &rigidities).bubble_q(self)
-            }
-        }
     }
 
     fn first_order(&self) -> FirstOrder {

@@ -88,8 +88,10 @@ impl BeamElement for Element {
         self.mass.add(factor, block);
     }
 
-    fn add_mass_times(&self, vector: &[f64], product: &mut [f64]) {
-        self.mass.add_times(self.own(vector), self.own_mut(product));
+    fn add_mass_times(&self, factor: f64, vector: &[f64], product: &mut [f64]) {
+        let own = self.own(vector);
+        let scaled: [f64; ELEMENT] = std::array::from_fn(|index| factor * own[index]);
+        self.mass.add_times(&scaled, self.own_mut(product));
     }
 
     fn mass_form(&self, vector: &[f64]) -> f64 {

@@ -1,5 +1,6 @@
 //! `[material.NAME]`: a linear elastic, isotropic material.
 
+use super::damping::Damping;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::schema;
@@ -20,8 +21,8 @@ pub struct MaterialSpec {
     pub expansion: Option<Number>,
     /// Density, kg/m³.
     pub density: Number,
-    /// Kelvin-Voigt damping, s: stress = E (strain + damping * strain rate).
-    pub damping: Number,
+    /// Its damping.
+    pub damping: Damping,
 }
 
 /// The second elastic constant.
@@ -51,7 +52,7 @@ impl MaterialSpec {
         };
         let expansion = reader.optional(&schema::EXPANSION);
         let density = reader.number(&schema::DENSITY);
-        let damping = reader.number_or(&schema::MATERIAL_DAMPING, 0.0);
+        let damping = Damping::read(&mut reader);
         let place = reader.place;
         reader.finish();
         Some(Self { name: name.to_owned(), place, young, lateral, expansion, density, damping })

@@ -4,6 +4,7 @@ pub mod actuator;
 pub mod beam;
 pub mod body;
 pub mod curve;
+pub mod damping;
 pub mod drive;
 pub mod frame;
 pub mod friction;

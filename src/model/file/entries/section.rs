@@ -1,5 +1,6 @@
 //! `[section.NAME]`: a cross-section, as a shape, as integrals, as a shape with some integrals given, or as rigidities; any number may vary along the beam.
 
+use super::damping::Damping;
 use crate::model::expression::function::Function;
 use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
@@ -129,8 +130,8 @@ pub struct Rigidities {
     pub polar_inertia: Option<Number>,
     /// Thermal expansion, 1/K.
     pub expansion: Option<Number>,
-    /// As of a material, s.
-    pub damping: Number,
+    /// As of a material.
+    pub damping: Damping,
 }
 
 #[derive(Clone, Copy)]
@@ -312,7 +313,7 @@ fn shape(word: Word, reader: &mut Reader<'_, '_>) -> Shape {
             coupling: reader.optional(&schema::BENDING_COUPLING),
             polar_inertia: reader.optional(&schema::POLAR_INERTIA),
             expansion: reader.optional(&schema::EXPANSION),
-            damping: reader.number_or(&schema::MATERIAL_DAMPING, 0.0),
+            damping: Damping::read(reader),
         }),
     }
 }

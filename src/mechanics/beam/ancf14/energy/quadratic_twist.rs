@@ -75,6 +75,23 @@ fn derivatives(evaluation: &Evaluation) -> (f64, f64) {
     (force, stiffness)
 }
 
+impl Evaluation<'_> {
+    /// `∂b/∂q` of the internal coordinate of the quadratic twist, 14×1; 0 for linear twist.
+    pub fn bubble_q(&self) -> ElementVector {
+        match self.element.stiffness.twist {
+            Twist::Linear => ElementVector::zeros(),
+            Twist::Quadratic => {
+                let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
+                let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
+                let gradients = Gradients::new(self.element, &self.kinematics);
+                // Torques of the axial points do not change with `b`.
+                let couplings = Couplings::new(self, &resultants, &rigidities, 0.0);
+                Condensation::new(self, &gradients, &couplings, &rigidities).bubble_q(self)
+            }
+        }
+    }
+}
+
 /// What Saint-Venant torsion alone gives to `∂²U/∂b²`, J.
 fn torsion_stiffness(evaluation: &Evaluation) -> f64 {
     let of_point = |point: &BendingPoint| {

@@ -1,0 +1,65 @@
+//! Elements whose section is not the same everywhere.
+
+use super::along::{Along, SectionAt};
+use super::element::{Element, Evaluation};
+use super::frame::NodeFrame;
+use super::inertia::Mass;
+use super::strain::{Stiffness, Strains};
+use crate::math::hermite;
+use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS, LOBATTO_POINTS};
+
+impl Element {
+    /// The same element with the sections `along`; arguments else as of [`Self::new`].
+    pub fn with_sections(mut self, along: Along, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) -> Self {
+        self.stiffness = along.at(0.5).stiffness;
+        for (point, xi) in self.axial.iter_mut().zip(LOBATTO_POINTS) {
+            point.stiffness = along.at(xi).stiffness.at_axial_point();
+        }
+        for point in &mut self.bending {
+            let here = along.at(point.xi);
+            (point.stiffness, point.principal) = (here.stiffness.at_bending_point(), here.principal);
+        }
+        // Five points are exact to order 10, where the shape functions' products have 6.
+        let stations = FIVE_POINTS.map(|xi| (xi, along.at(xi).densities));
+        let weighted = stations
+            .iter()
+            .zip(FIVE_WEIGHTS)
+            .map(|((xi, densities), weight)| (*xi, densities.map(|density| density * weight * self.length)));
+        self.mass = Mass::of_stations(weighted.clone(), self.length);
+        self.line_density = weighted.clone().map(|(_, [mass, _])| mass).sum::<f64>() / self.length;
+        self.weights = [0.0; 4];
+        for (xi, [mass, _]) in weighted {
+            let shape = hermite::shape(xi, self.length);
+            self.weights.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += mass * shape);
+        }
+        self.along = Some(along);
+        self.set_reference(reference, frames, holonomy);
+        self
+    }
+
+    /// The section at `xi`.
+    pub fn section_at(&self, xi: f64) -> SectionAt {
+        match &self.along {
+            Some(along) => {
+                let here = along.at(xi);
+                // Damping may have been set since.
+                SectionAt { stiffness: Stiffness { damping: self.stiffness.damping, ..here.stiffness }, ..here }
+            }
+            None => SectionAt { stiffness: self.stiffness, densities: [self.line_density, 0.0], principal: 0.0 },
+        }
+    }
+}
+
+impl Evaluation<'_> {
+    /// Strains of the bending points in the axes of their sections, which need not be the principal ones.
+    pub fn section_strains(&self) -> [Strains; 3] {
+        std::array::from_fn(|g| {
+            let (principal, mut strains) = (self.element.bending[g].principal, self.strains[g]);
+            if principal != 0.0 {
+                let ((sin, cos), [g1, g2]) = (principal.sin_cos(), [strains[0], strains[1]]);
+                (strains[0], strains[1]) = (cos * g1 - sin * g2, cos * g2 + sin * g1);
+            }
+            strains
+        })
+    }
+}
