@@ -13,6 +13,7 @@ interface Skin {
   axis: Axis;
   ghost: THREE.Mesh;
   shape: Outline;
+  sizes?: [number, number][];
   stations: [number, number];
 }
 
@@ -79,7 +80,7 @@ export class Beams {
       for (const part of [mesh, axis.line, ghost]) part.frustumCulled = false;
       this.group.add(mesh, axis.line);
       this.ghosts.add(ghost);
-      return { mesh, axis, ghost, shape, stations: beam.stations };
+      return { mesh, axis, ghost, shape, sizes: beam.sizes, stations: beam.stations };
     });
     this.ghosts.visible = false;
     this.setScale(scale);
@@ -111,7 +112,7 @@ export class Beams {
 
   private place(skin: Skin, mesh: THREE.Mesh, places: Float32Array, turns: Float32Array): void {
     const { position, normal } = mesh.geometry.attributes as Record<string, THREE.BufferAttribute>;
-    sweep(skin.shape, this.scale, places, turns, ...skin.stations, position.array as Float32Array, normal.array as Float32Array);
+    sweep(skin.shape, this.scale, places, turns, ...skin.stations, position.array as Float32Array, normal.array as Float32Array, skin.sizes);
     position.needsUpdate = normal.needsUpdate = true;
     // Rays look at it first.
     mesh.geometry.boundingSphere = null;

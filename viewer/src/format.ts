@@ -22,6 +22,8 @@ export type Solid =
 export interface BeamInfo {
   name: string;
   profile: Profile;
+  /** How many times as large as the profile sections are, along y and z, at each station; without where all are alike. */
+  sizes?: [number, number][];
   stress: boolean;
   stations: [number, number];
   fractions: number[];

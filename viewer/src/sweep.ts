@@ -74,17 +74,19 @@ export function vertices(stations: number, shape: Outline): number {
 }
 
 /**
- * Writes the vertices of a beam with the stations from `begin` to before `end` into `positions` and `normals`; its section is `scale` times as thick as it is.
+ * Writes the vertices of a beam with the stations from `begin` to before `end` into `positions` and `normals`; its section is `scale` times as thick as it is, and
+ * at each station `sizes` times (along y and z) as large as `shape`.
  */
 export function sweep(
   shape: Outline, scale: number, places: ArrayLike<number>, turns: ArrayLike<number>, begin: number, end: number,
-  positions: Float32Array, normals: Float32Array,
+  positions: Float32Array, normals: Float32Array, sizes?: [number, number][],
 ): void {
   let at = 0;
   const ring = (station: number, normal?: [number, number, number]) => {
     const [y, z] = [axisOf(turns, 4 * station, 1), axisOf(turns, 4 * station, 2)];
     for (let point = 0; point < shape.points.length; point++, at += 3) {
-      const [u, v] = shape.points[point];
+      const [growY, growZ] = sizes?.[station - begin] ?? [1, 1];
+      const [u, v] = [growY * shape.points[point][0], growZ * shape.points[point][1]];
       const [nu, nv] = shape.normals[point];
       for (let axis = 0; axis < 3; axis++) {
         positions[at + axis] = places[3 * station + axis] + scale * (u * y[axis] + v * z[axis]);

@@ -195,13 +195,17 @@ pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>)
 }
 
 /// Words of other programs and languages: where they stand, and what they are called here.
-const SYNONYMS: [(&str, &[&str], &str); 29] = [
+const SYNONYMS: [(&str, &[&str], &str); 33] = [
     ("type", &["fixed", "rigid", "fix", "clamp", "clamped"], "weld"),
     ("type", &["hinge", "pin", "pivot", "hinged", "pinned"], "revolute"),
     ("type", &["ball", "ball_joint", "sphere"], "spherical"),
     ("type", &["slider", "translational", "slide"], "prismatic"),
     ("type", &["cardan", "hooke"], "universal"),
-    ("shape", &["i", "h", "ibeam", "i_beam", "box"], "general"),
+    ("shape", &["h", "ibeam", "i_beam", "i-beam", "i_section"], "i"),
+    ("shape", &["l", "l_section"], "angle"),
+    ("shape", &["c", "u", "c_section"], "channel"),
+    ("shape", &["t", "t_section"], "tee"),
+    ("shape", &["hollow_rectangle", "rhs", "shs"], "box"),
     ("shape", &["round", "rod", "disk", "solid"], "circle"),
     ("shape", &["pipe", "hollow", "ring"], "tube"),
     ("shape", &["square", "rect", "strip"], "rectangle"),
@@ -233,19 +237,11 @@ pub const FUNCTION: &str = "function";
 pub const KEY: &str = "key";
 
 /// Words that ask for what there is not, each with the place where they stand and what to do instead.
-const NOT_AVAILABLE: [(&str, &[&str], &str); 2] = [
-    (
-        "shape",
-        &["i", "h", "ibeam", "i_beam", "box"],
-        "this outline is not available; shape = \"general\" takes its area, second_moment_y, second_moment_z and torsion_constant",
-    ),
-    (
-        "shape",
-        &["l", "c", "t", "u", "z", "angle", "channel"],
-        "this outline is not available, because sections are doubly symmetric; where twist does not matter, shape = \"general\" takes its area, \
-         second_moment_y, second_moment_z and torsion_constant, about the principal axes",
-    ),
-];
+const NOT_AVAILABLE: [(&str, &[&str], &str); 1] = [(
+    "shape",
+    &["z", "omega", "hat", "profile", "polygon"],
+    "this outline is not available; shape = \"general\" takes its area, second_moment_y, second_moment_z, product_moment and torsion_constant",
+)];
 
 /// What to do where a word asks for what there is not; none: it does not.
 pub fn instead(key: &str, word: &str) -> Option<&'static str> {

@@ -51,6 +51,17 @@ impl Profile {
     }
 }
 
+impl Profile {
+    /// Extent along y and along z, m.
+    pub(super) fn size(&self) -> [f64; 2] {
+        match self {
+            Self::Rectangle { width, height } => [*width, *height],
+            Self::Ellipse { y, z } => [2.0 * y, 2.0 * z],
+            Self::Tube { outer, .. } => [2.0 * outer; 2],
+        }
+    }
+}
+
 /// A homogeneous solid with the mass and the principal moments of inertia of a body, in its principal axes, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Solid {

@@ -3,6 +3,7 @@
 use super::profile::{Profile, Solid};
 use super::stations::{Stations, ranges};
 use crate::math::Vec3;
+use crate::mechanics::beam::Beam;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::system::System;
 use crate::model::file::document::Document;
@@ -51,6 +52,8 @@ pub struct BeamLook {
     pub name: String,
     /// Its section.
     pub profile: Profile,
+    /// How many times as large as `profile` sections are, along y and z, at each station; empty where all are alike.
+    pub sizes: Vec<[f64; 2]>,
     /// Whether its stress is known: not of a section that is given by its integrals alone.
     pub has_stress: bool,
     /// Its stations among those of all beams.
@@ -148,6 +151,16 @@ impl Watched {
     }
 }
 
+/// Sizes of the sections at `fractions` of a beam, over those at its start; none where all are alike.
+fn sizes(beam: &Beam, fractions: &[f64]) -> Vec<[f64; 2]> {
+    if beam.profile.is_none() {
+        return Vec::new();
+    }
+    let start = Profile::new(&beam.section).size();
+    let size = |fraction: &f64| Profile::new(&beam.section_at(*fraction)).size();
+    fractions.iter().map(size).map(|size| [0, 1].map(|axis| size[axis] / start[axis])).collect()
+}
+
 impl Scene {
     pub(super) fn new(document: &Document, system: &System, watched: &Watched) -> Self {
         let beams = system.beams.iter().zip(&watched.beams).zip(ranges(&watched.beams));
@@ -157,6 +170,7 @@ impl Scene {
             BeamLook {
                 name: beam.name.clone(),
                 profile,
+                sizes: sizes(beam, &own.fractions),
                 has_stress: beam.section.outline.torsion_modulus().is_some(),
                 stations,
                 fractions: own.fractions.clone(),

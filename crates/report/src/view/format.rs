@@ -78,7 +78,7 @@ fn beam(beam: &BeamLook) -> Value {
     };
     let places = Track { name: "place", components: 3, things: beam.places.len(), values: beam.places.concat() };
     let turns = Track { name: "turn", components: 4, things: beam.turns.len(), values: beam.turns.concat() };
-    json!({
+    let mut all = json!({
         "name": beam.name,
         "profile": profile,
         "stress": beam.has_stress,
@@ -86,7 +86,11 @@ fn beam(beam: &BeamLook) -> Value {
         "fractions": beam.fractions,
         "nodes": beam.nodes,
         "drawn": { "place": quantized(&places), "turn": quantized(&turns) },
-    })
+    });
+    if !beam.sizes.is_empty() {
+        all["sizes"] = json!(beam.sizes);
+    }
+    all
 }
 
 /// A natural mode.
