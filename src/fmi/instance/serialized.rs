@@ -9,7 +9,7 @@ use crate::fmi::{Model, error::Error, lifecycle::Call};
 /// First bytes of every serialized state.
 const MAGIC: [u8; 8] = *b"ancf14st";
 /// Version of the layout: of the header and of all that models write.
-const VERSION: u32 = 8;
+const VERSION: u32 = 9;
 /// Bytes of the header: magic, version, length, checksum.
 const HEADER: usize = 8 + 4 + 8 + 4;
 

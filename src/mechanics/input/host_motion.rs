@@ -37,6 +37,8 @@ pub struct Targets {
     pub loads: Vec<HostWrench>,
     /// Efforts of the actuators; those of functions are not used.
     pub efforts: Vec<HostEffort>,
+    /// Values of the switches; those of functions are not used.
+    pub switches: Vec<f64>,
     /// From where, and how fast.
     pub departure: Departure,
 }
@@ -87,6 +89,7 @@ impl Targets {
         self.frames.clone_from(&other.frames);
         self.loads.clone_from(&other.loads);
         self.efforts.clone_from(&other.efforts);
+        self.switches.clone_from(&other.switches);
         (self.departure.time, self.departure.step) = (other.departure.time, other.departure.step);
         self.departure.drives.clone_from(&other.departure.drives);
         self.departure.frames.clone_from(&other.departure.frames);
@@ -235,14 +238,22 @@ mod tests {
     fn move_through(ends: &[f64], wanted: impl Fn(f64) -> (f64, Pose), mut watch: impl FnMut(&Targets)) {
         let mut targets = Targets::default();
         let (value, pose) = wanted(0.0);
-        let mut now = Prescribed { drives: vec![Jet::constant(value)], frames: vec![MovingPose::at_rest(pose)] };
+        let mut now = Prescribed {
+            drives: vec![Jet::constant(value)],
+            frames: vec![MovingPose::at_rest(pose)],
+            ..Prescribed::default()
+        };
         let mut time = 0.0;
         for &end in ends {
             targets.depart(time, &now);
             let (value, pose) = wanted(end);
             (targets.end, targets.drives, targets.frames) = (end, vec![value], vec![pose]);
             watch(&targets);
-            now = Prescribed { drives: vec![targets.value(0, end)], frames: vec![targets.pose(0, end)] };
+            now = Prescribed {
+                drives: vec![targets.value(0, end)],
+                frames: vec![targets.pose(0, end)],
+                ..Prescribed::default()
+            };
             time = end;
         }
     }
@@ -334,7 +345,14 @@ mod tests {
         let turn = Vec3::new(0.5, 1.0, -2.0);
         let to = Pose { place: Vec3::new(1.0, 2.0, 3.0), axes: rotation_matrix(&turn) * axes };
         let mut targets = Targets { straight: true, ..Targets::default() };
-        targets.depart(0.0, &Prescribed { drives: vec![Jet::constant(1.0)], frames: vec![MovingPose::at_rest(pose)] });
+        targets.depart(
+            0.0,
+            &Prescribed {
+                drives: vec![Jet::constant(1.0)],
+                frames: vec![MovingPose::at_rest(pose)],
+                ..Prescribed::default()
+            },
+        );
         (targets.end, targets.drives, targets.frames) = (0.5, vec![3.0], vec![to]);
         assert!((targets.value(0, 0.125).value - 1.5).abs() < 1e-15);
         let found = targets.pose(0, 0.125).pose;
@@ -365,7 +383,7 @@ mod tests {
     fn rates_are_integrated() {
         let mut targets = Targets::default();
         let moving = Jet { value: 0.2, first: 1.0, second: 0.0 };
-        targets.depart(1.0, &Prescribed { drives: vec![moving], frames: Vec::new() });
+        targets.depart(1.0, &Prescribed { drives: vec![moving], ..Prescribed::default() });
         (targets.end, targets.drives) = (1.5, vec![4.0]);
         let (middle, end) = (targets.rate(0, 1.25), targets.rate(0, 1.5));
         assert_eq!((middle.first, middle.second, end.first), (2.5, 6.0, 4.0));

@@ -1,7 +1,8 @@
-//! What is given from outside: functions of time, loads at an instant, drives and moving frames, and the motion that a host asks for.
+//! What is given from outside: functions of time, loads at an instant, drives and moving frames, switches, and the motion that a host asks for.
 
 pub mod excitation;
 pub mod guide;
 pub mod host_motion;
 pub mod prescribed;
 pub mod signal;
+pub mod switch;

@@ -1,5 +1,6 @@
-//! What is prescribed at an instant: the values of drives and the motion of frames.
+//! What is prescribed at an instant: the values of drives, the motion of frames, and what holds.
 
+use super::switch::Hold;
 use crate::math::jet::Jet;
 use crate::math::rotation::{rotation_matrix, rotation_vector_near};
 use crate::math::{Mat3, Vec3};
@@ -13,6 +14,8 @@ pub struct Prescribed {
     pub drives: Vec<Jet>,
     /// Motion of the frames.
     pub frames: Vec<MovingPose>,
+    /// What the switches do.
+    pub holds: Vec<Hold>,
 }
 
 /// A pose with its first two derivatives by time.
@@ -31,6 +34,7 @@ impl Prescribed {
     pub fn copy_from(&mut self, other: &Self) {
         self.drives.clone_from(&other.drives);
         self.frames.clone_from(&other.frames);
+        self.holds.clone_from(&other.holds);
     }
 
     /// Takes all motion away: what is prescribed in an equilibrium.

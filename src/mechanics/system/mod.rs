@@ -11,12 +11,14 @@ pub mod joint_parts;
 mod labels;
 mod limits;
 pub mod step_starts;
+mod switching;
 mod tangent_layout;
 pub mod variation;
 pub mod work;
 
 pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};
+pub use switching::Lock;
 
 use self::frame_cache::FrameCache;
 use self::joint_parts::JointParts;
@@ -38,6 +40,7 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::guide::{Drive, MovingFrame};
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::input::switch::{Hold, Switch};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
@@ -65,6 +68,10 @@ pub struct System {
     pub relative_coordinates: Vec<RelativeCoordinate>,
     /// Drives in file order.
     pub drives: Vec<Drive>,
+    /// What engages and releases joints, locks and drives.
+    pub switches: Vec<Switch>,
+    /// Locks in file order.
+    pub locks: Vec<Lock>,
     /// Springs in file order, then those of joints.
     pub springs: Vec<Spring>,
     /// What the joints of the model file consist of, in file order.
@@ -117,6 +124,7 @@ impl System {
         Prescribed {
             drives: drives.map(|(drive, target)| drive.start(time, *target)).collect(),
             frames: frames.map(|(frame, target)| frame.start(time, target)).collect(),
+            holds: self.holds_at(time, targets).map(Hold::drawn).collect(),
         }
     }
 
@@ -124,12 +132,18 @@ impl System {
     pub fn prescribe(&self, state: &State, next: f64, prescribed: &mut Prescribed) {
         let State { time, targets, prescribed: from, .. } = state;
         let drives = self.drives.iter().zip(&from.drives).enumerate();
-        let advanced = drives.map(|(k, (drive, from))| drive.advanced(k, from.value, (*time, next), targets));
+        let advanced = drives.map(|(k, (drive, from))| match drive.switch {
+            Some(switch) if self.releases(switch, state, next) => {
+                drive.advanced_before(k, from.value, (*time, next), targets)
+            }
+            _ => drive.advanced(k, from.value, (*time, next), targets),
+        });
         prescribed.drives.clear();
         prescribed.drives.extend(advanced);
         let frames = self.moving_frames.iter().enumerate();
         prescribed.frames.clear();
         prescribed.frames.extend(frames.map(|(k, frame)| frame.at(k, next, targets)));
+        prescribed.holds.clone_from(&from.holds);
     }
 
     /// The motion of a drive or a frame that is not finite at `time`, s, in words; of a drive the rate or the acceleration where that alone is not.

@@ -14,10 +14,11 @@ use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::System;
 use crate::model::file::document::Document;
 use crate::model::file::entries::actuator::Action;
-use crate::model::file::entries::drive::Motion;
+use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::frame::{FrameSpec, Orientation};
 use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::spring::{Only, SpringLaw};
+use crate::model::file::entries::switch::SwitchSpec;
 use crate::model::file::number::Number;
 use nalgebra::Quaternion;
 use std::sync::Arc;
@@ -219,6 +220,20 @@ pub fn aim(
         let (value, rate) = line(actuator.effort);
         *target = HostEffort { value, rate, since: begin };
     }
+    // In the order of their building.
+    for (target, switch) in targets.switches.iter_mut().zip(switches(document)) {
+        if let Some(SwitchSpec { active, input: true }) = switch {
+            *target = line(active).0;
+        }
+    }
+}
+
+/// All switches of the system in the order of their building: those of joints, of drives, of locks. None: a drive that only its joint releases.
+pub fn switches(document: &Document) -> impl Iterator<Item = Option<SwitchSpec>> + '_ {
+    let joints = document.joints.iter().map(|joint| joint.switch).filter(Option::is_some);
+    let has_one = |drive: &&DriveSpec| drive.switch.is_some() || document.joints[drive.joint].switch.is_some();
+    let drives = document.drives.iter().filter(has_one).map(|drive| drive.switch);
+    joints.chain(drives).chain(document.locks.iter().map(|lock| Some(lock.switch)))
 }
 
 /// Shortest quaternion that has a direction.

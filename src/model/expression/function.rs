@@ -1,6 +1,6 @@
 //! A number that may depend on time (or on the curve parameter): one expression, or pieces with ascending limits.
 
-use super::breaks::breaks;
+use super::breaks::{breaks, crossings};
 use super::program::Undefined;
 use super::{Jet, Program};
 
@@ -134,6 +134,11 @@ impl Function {
             all.dedup();
         }
         all
+    }
+
+    /// Where its pieces compare straight lines that cross, in any order: where a comparison may change.
+    pub fn crossings(&self) -> impl Iterator<Item = f64> + '_ {
+        self.pieces.iter().flat_map(crossings).filter(|at| at.is_finite())
     }
 
     /// Where piece `k` is valid between `from` and `to`.

@@ -142,6 +142,9 @@ pub const ROTATIONAL_STIFFNESS: Rule =
 pub const ROTATIONAL_DAMPING: Rule =
     rule("rotational_damping", "damping of the turning", "N.m.s/rad").from(0.0).tunable();
 
+pub const ACTIVE: Rule =
+    rule("active", "engaged where it is at least 0.5, else released", "").from(0.0).to(1.0).in_time();
+
 pub const ANGLE: Rule = rule("value", "angle that the drive prescribes", "rad").in_time();
 pub const DISTANCE: Rule = rule("value", "distance that the drive prescribes", "m").in_time();
 pub const ANGLE_RATE: Rule = rule("rate", "rate of the angle that the drive prescribes", "rad/s").in_time();

@@ -11,3 +11,4 @@ pub mod joints_do_no_work;
 pub mod joints_in_motion;
 pub mod moving_frames;
 pub mod reactions;
+mod switches;

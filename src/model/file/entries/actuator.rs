@@ -52,6 +52,14 @@ impl Action {
             Self::Between { .. } => Coordinate::Distance,
         }
     }
+
+    /// The joint whose coordinate it is.
+    pub fn joint(self) -> Option<usize> {
+        match self {
+            Self::Joint { joint, .. } => Some(joint),
+            Self::Between { .. } => None,
+        }
+    }
 }
 
 impl ActuatorSpec {
@@ -62,10 +70,7 @@ impl ActuatorSpec {
 
     /// The joint that it acts on.
     pub fn joint(&self) -> Option<usize> {
-        match self.action {
-            Action::Joint { joint, .. } => Some(joint),
-            Action::Between { .. } => None,
-        }
+        self.action.joint()
     }
 
     /// Reads a section; `joints` are those of the file that could be read.
@@ -91,7 +96,7 @@ impl ActuatorSpec {
             number
         } else {
             reader.missing("effort", "a number, an expression in t, or input = true: the host gives it");
-            reader.abandon();
+            reader.finish();
             return None;
         };
         let place = reader.place;

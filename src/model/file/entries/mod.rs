@@ -11,6 +11,7 @@ pub mod function;
 pub mod gear;
 pub mod joint;
 pub mod load;
+pub mod lock;
 pub mod material;
 pub mod output;
 pub mod overview;
@@ -20,5 +21,6 @@ pub mod section;
 pub mod simulation;
 pub mod spring;
 pub mod stop;
+pub mod switch;
 
 pub use super::reader::anchor;

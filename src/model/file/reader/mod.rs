@@ -336,6 +336,11 @@ impl<'c, 'a> Reader<'c, 'a> {
         let mut sound = !items.is_empty();
         if items.is_empty() {
             self.context.wrong_type(name, item, "a number, an expression, or a list of pieces");
+        } else if items.iter().all(|item| matches!(item.node, Node::Integer(_) | Node::Float(_))) {
+            let message = format!("`{name}` is a list of {} numbers", items.len());
+            let help = "it is one number, along the coordinate; pieces are written [{ until = 1, is = 2 }, { is = 3 }]";
+            self.context.report.error(item.place, &message, "one number, or an expression, was expected", help);
+            return None;
         }
         for (k, item) in items.iter().enumerate() {
             let Node::Table(entries) = &item.node else {
