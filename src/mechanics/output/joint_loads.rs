@@ -65,17 +65,23 @@ impl JointLoads<'_> {
 
     /// Torque (N m) or force (N) of drive `drive` on b, along its coordinate.
     pub fn effort(&self, drive: usize) -> f64 {
-        -self.multipliers[self.rows(self.drive(drive)).start]
+        let number = self.drive(drive);
+        let multiplier = self.multipliers[self.rows(number).start];
+        // 0 where it is released, not -0.
+        if self.system.joints[number].holding.is_some() { 0.0 - multiplier } else { -multiplier }
     }
 
     /// Torque (N m) or force (N) of lock `lock` on b, along its coordinate; 0 while it is released.
     pub fn lock_effort(&self, lock: usize) -> f64 {
-        -self.multipliers[self.rows(self.lock(lock)).start]
+        // 0 where it is 0, not -0.
+        0.0 - self.multipliers[self.rows(self.lock(lock)).start]
     }
 
     /// Torque (N m) or force (N) of actuator `actuator` on b, along its coordinate.
     pub fn actuator_effort(&self, actuator: usize) -> f64 {
-        self.system.actuators[actuator].at(self.state.time, &self.state.targets.efforts[actuator])
+        let own = &self.system.actuators[actuator];
+        let (time, target) = (self.state.time, &self.state.targets.efforts[actuator]);
+        self.system.effort(own, self.c, self.passage, own.at(time, target), time)
     }
 
     /// Torque (N m) or force (N) of gear `gear` on side b of its first joint, along the coordinate of that.

@@ -3,6 +3,7 @@
 mod breaks;
 pub mod builder;
 mod dampers;
+mod efforts;
 mod energy;
 mod equations;
 pub mod frame_cache;
@@ -100,7 +101,7 @@ pub struct System {
 impl System {
     /// Sets `excitation` to what acts at `time`, s; `targets` has what a host gives.
     pub fn excite(&self, time: f64, targets: &Targets, excitation: &mut Excitation) {
-        excitation.gravity = self.gravity;
+        (excitation.time, excitation.gravity) = (time, self.gravity);
         excitation.wrenches.clear();
         excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
         excitation.efforts.clear();
@@ -114,7 +115,10 @@ impl System {
         self.loads.iter().zip(&excitation.wrenches).any(|(load, wrench)| {
             let follows = load.direction == Direction::Follower && wrench.force != Vec3::zeros();
             follows || wrench.moment != Vec3::zeros()
-        })
+        }) || self
+            .actuators
+            .iter()
+            .any(|actuator| actuator.readings().iter().any(|own| own.coordinate != actuator.coordinate))
     }
 
     /// What drives and frames prescribe at the start, `time` s.

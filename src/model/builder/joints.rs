@@ -15,6 +15,7 @@ use crate::mechanics::constraint::spherical;
 use crate::mechanics::constraint::universal;
 use crate::mechanics::constraint::weld;
 use crate::mechanics::force::actuator::{Actuator, EffortGuide};
+use crate::mechanics::force::effort_law::{self, EffortLaw};
 use crate::mechanics::force::spring;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::guide::Guide;
@@ -27,7 +28,9 @@ use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::gear::GearSpec;
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
+use crate::model::file::entries::reading::Reading;
 use crate::model::file::entries::spring::SpringLaw;
+use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::Anchor;
 
 impl Builder<'_> {
@@ -112,7 +115,7 @@ impl Builder<'_> {
         };
         let guide = match written.input {
             true => EffortGuide::Host,
-            false => EffortGuide::Signal(signal(self.document, written.effort)),
+            false => self.effort(written.effort),
         };
         let actuator = self.system.add_actuator(Actuator { name: written.name.clone(), coordinate, guide });
         if let Some(joint) = written.joint() {
@@ -123,6 +126,21 @@ impl Builder<'_> {
     /// The switch of a joint.
     pub(super) fn joint_switch(&self, joint: usize) -> Option<usize> {
         self.joint_switches.get(joint).copied().flatten()
+    }
+
+    /// The effort of an actuator, a function of time and of coordinates.
+    fn effort(&self, number: Number) -> EffortGuide {
+        let (own, function) = (signal(self.document, number), tune::effort(self.document, number));
+        let reading = |number: usize| {
+            let Reading { joint, coordinate, is_rate } = Reading::of(number);
+            effort_law::Reading { coordinate: self.coordinate(joint, coordinate), is_rate }
+        };
+        let readings: Vec<_> = self.document.function(number).readings().into_iter().map(reading).collect();
+        if readings.is_empty() {
+            EffortGuide::Signal(own)
+        } else {
+            EffortGuide::Law(EffortLaw { signal: own, function, readings })
+        }
     }
 
     /// The relative coordinate that is a coordinate of a joint.

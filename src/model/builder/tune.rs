@@ -5,6 +5,7 @@ use crate::math::jet::Jet;
 use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::force::actuator::EffortGuide;
+use crate::mechanics::force::effort_law::EffortFunction;
 use crate::mechanics::force::law::Law;
 use crate::mechanics::force::load::LoadGuide;
 use crate::mechanics::geometry::pose::{Pose, angular_velocity};
@@ -119,6 +120,19 @@ pub(super) fn springs_of(joint: &JointSpec) -> Vec<(Measure, Tuned)> {
     springs
 }
 
+/// An effort as a function of time and of what it reads, with its derivative with respect to one of these.
+pub(super) fn effort(document: &Document, number: Number) -> Arc<EffortFunction> {
+    let function = document.function(number);
+    let numbers = function.readings();
+    Arc::new(move |time: f64, values: &[f64], by: usize| {
+        let jet = function.with_readings(time, &|number: usize| {
+            let place = numbers.partition_point(|own| *own < number);
+            if place == by { Jet::variable(values[place]) } else { Jet::constant(values[place]) }
+        });
+        [jet.value, jet.first]
+    })
+}
+
 /// Brings a built system to the tunable parameters of now.
 pub fn retune(document: &Document, system: &mut System) {
     system.gravity = vector(document, document.model.gravity);
@@ -129,8 +143,13 @@ pub fn retune(document: &Document, system: &mut System) {
         }
     }
     for (actuator, written) in system.actuators.iter_mut().zip(&document.actuators) {
-        if let EffortGuide::Signal(effort) = &mut actuator.guide {
-            *effort = signal(document, written.effort);
+        match &mut actuator.guide {
+            EffortGuide::Signal(effort) => *effort = signal(document, written.effort),
+            EffortGuide::Law(law) => {
+                law.signal = signal(document, written.effort);
+                law.function = effort(document, written.effort);
+            }
+            EffortGuide::Host => {}
         }
     }
     system.collect_breaks();

@@ -41,7 +41,7 @@ pub(super) fn crossings(program: &Program) -> Vec<f64> {
         let line = match *operation {
             Operation::Constant(value) => Some(Line::constant(value)),
             Operation::Variable => Some(Line { rate: 1.0, start: 0.0 }),
-            Operation::Parameter(_) | Operation::Rate => None,
+            Operation::Parameter(_) | Operation::Rate | Operation::Reading(_) => None,
             Operation::Unary(function) => stack.pop().flatten().and_then(|line| one(function, line)),
             Operation::Binary(function) => {
                 let pair = stack.pop().flatten().zip(stack.pop().flatten());
@@ -76,7 +76,7 @@ fn walk(program: &Program, variable: Line, range: [f64; 2], found: &mut Vec<f64>
                 stack[height] = Some(Line::constant(value));
                 height += 1;
             }
-            Operation::Parameter(_) | Operation::Rate => {
+            Operation::Parameter(_) | Operation::Rate | Operation::Reading(_) => {
                 stack[height] = None;
                 height += 1;
             }

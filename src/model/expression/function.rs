@@ -41,6 +41,14 @@ impl Formula {
         self.pieces.iter().any(|piece| piece.is.may_be_undefined())
     }
 
+    /// The numbers of the readings that occur, ascending.
+    pub fn readings(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.pieces.iter().flat_map(|piece| piece.is.readings()).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
     /// The parameters that occur, repeats included.
     pub fn parameters(&self) -> impl Iterator<Item = usize> + '_ {
         let programs = self.pieces.iter().flat_map(|piece| piece.until.iter().chain([&piece.is]));
@@ -109,6 +117,19 @@ impl Function {
         }
         let by_v = piece.evaluated(Jet::constant(x), Jet::variable(v));
         [by_x.value, by_x.first, by_v.first]
+    }
+
+    /// `f` at t with the readings as they are.
+    pub fn with_readings(&self, t: f64, readings: &dyn Fn(usize) -> Jet) -> Jet {
+        self.pieces[self.piece(t)].with_readings(t, readings)
+    }
+
+    /// The numbers of the readings that occur, ascending.
+    pub fn readings(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.pieces.iter().flat_map(Program::readings).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
     }
 
     /// Whether the rate of the variable occurs.

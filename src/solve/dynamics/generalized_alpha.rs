@@ -332,7 +332,7 @@ fn shares(
     excitation: &Excitation,
     [driving, damping]: [f64; 2],
 ) -> Work {
-    let [loads, actuators] = system.loads_and_actuators(c, excitation, velocity);
+    let [loads, actuators] = system.loads_and_actuators(c, &Passage::with_velocity(velocity), excitation, velocity);
     Work { loads, actuators, drives: driving + system.power_of_frames(c, velocity), dissipated: damping }
 }
 
@@ -399,7 +399,8 @@ impl Problem for Step<'_> {
         let passage = Passage::with_velocity(&scratch.velocity);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
-        system.add_damping_matrix(&configuration, &scratch.velocity, scale * by_q[0], tangent);
+        let given = (&scratch.velocity[..], &scratch.excitation);
+        system.add_damping_matrix(&configuration, given, scale * by_q[0], tangent);
         system.add_mass(1.0, tangent);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
         gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);

@@ -17,6 +17,7 @@ pub mod output;
 pub mod overview;
 pub mod parameters;
 pub mod point;
+pub mod reading;
 pub mod section;
 pub mod simulation;
 pub mod spring;
