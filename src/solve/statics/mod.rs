@@ -127,6 +127,7 @@ impl Statics {
                 let relaxed = self.relax(system, next, time).and_then(|()| self.kkt.check_unique(system, time));
                 next.time = time;
                 let outcome = after_relaxation(ramped, relaxed);
+                self.remark_fall(system, drawn, next);
                 unstable = outcome.is_ok() && self.is_unstable(system, next);
                 outcome
             }
