@@ -4,6 +4,7 @@
 mod angles;
 mod forces;
 mod groups;
+mod hidden_jumps;
 mod loose;
 mod materials;
 mod poles;
@@ -48,6 +49,7 @@ pub fn notes(document: &Document) -> Vec<String> {
         angles::odd_angles(document),
         starts::jumps(document, &lines),
         poles::poles(document),
+        hidden_jumps::hidden_jumps(document),
         forces::turned_laws(document),
         forces::resting_friction(document),
         forces::violated_stops(document),

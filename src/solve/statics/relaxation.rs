@@ -22,7 +22,8 @@ const RISE: f64 = 4.0;
 /// would only make multipliers grow that pass for stiffness.
 const MOST_DAMPING: f64 = 1e6;
 /// An equilibrium so far from the drawing is another one than was drawn: places over the system's size, slopes, angles and directors as they are.
-const FAR: f64 = 0.5;
+/// The axes of a body that turns by 60 degrees change by 1.
+const FAR: f64 = 1.0;
 /// Shares of the way of drives and frames that are taken in one step.
 const LARGEST_SHARE: f64 = 0.05;
 const SMALLEST_SHARE: f64 = 1e-4;
@@ -84,7 +85,10 @@ impl Statics {
     pub(super) fn remark_fall(&mut self, system: &System, drawn: &State, found: &State) {
         let change: Vec<f64> = found.q.iter().zip(&drawn.q).map(|(found, drawn)| found - drawn).collect();
         let (size, index) = system.correction_size(&change);
-        if size > FAR {
+        // Drives that are not where they are drawn move the mechanism on purpose.
+        let mut drives = found.prescribed.drives.iter().zip(&drawn.prescribed.drives);
+        let is_driven = drives.any(|(found, drawn)| found.value != drawn.value);
+        if size > FAR && !is_driven {
             self.stability.add_remark(format!(
                 "the equilibrium of t = {} s is found far from where the mechanism is drawn, by letting it fall to where it hangs; {} has moved most. If it should stay, hold it by a \
                  joint, a [lock.NAME] or a spring; if it should hang, draw it near its equilibrium",

@@ -332,7 +332,9 @@ totals = ["energy", "work"]
         assert!((effort[3] - 2.0).abs() < 1e-5 && effort[7] == 0.0, "{integrator}: {effort:?}");
         // The motor gives 1 J, and at 1 s takes what slows the wheel: at its rate, the impulse of 0.5 N m s; the rest is lost in the impact.
         let [drives, dissipated] = ["work.drives", "work.dissipated"].map(|name| curves.last(name));
-        assert!((dissipated - 0.25).abs() < 1e-9, "{integrator}: {dissipated}");
+        // Of generalized-alpha with the error of its rates.
+        let tolerance = if integrator == "conserving" { 1e-9 } else { 1e-5 };
+        assert!((dissipated - 0.25).abs() < tolerance, "{integrator}: {dissipated}");
         // The same error of the rule, of the energy of a wheel at 2 rad/s.
         assert!((drives - (1.0 - 0.5)).abs() < 1e-5, "{integrator}: {drives}");
     }

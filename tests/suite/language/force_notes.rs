@@ -88,6 +88,24 @@ fn copies_in_one_place_are_told() {
     );
 }
 
+/// A motion that jumps inside an expression, where no step ends. Jumps between pieces are told by the run itself; corners are none.
+#[test]
+fn jumps_inside_expressions_are_told() {
+    let drive =
+        |value: &str| arm(&format!("[drive.m]\njoint = \"hinge\"\ncoordinate = \"angle\"\nvalue = {value}\n"), "");
+    let told = "m.value jumps by 0.2000 at t = 0.512300 s";
+    check(&drive("\"0.2*step(0.5123, t)\""), Some(told));
+    check(&drive("\"if(t < 0.5123, 0, 0.2)\""), Some(told));
+    for smooth in [
+        "\"0.2*smoothstep(0.5, 0.6, t)\"",
+        "\"max(0, t - 0.5)\"",
+        "\"0.01*sin(3000*t)\"",
+        "[{ until = 0.5, is = 0 }, { is = 0.3 }]",
+    ] {
+        check(&drive(smooth), None);
+    }
+}
+
 /// A stop that gives way is told once, while the run goes on; a stiff one is not.
 #[test]
 fn a_stop_that_gives_way_is_told() {
