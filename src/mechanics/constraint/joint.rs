@@ -98,14 +98,19 @@ impl Joint {
         self.hold(c).is_some_and(|hold| !hold.is_engaged)
     }
 
-    /// Both sides as they hold each other: of a joint that has engaged anew, side a at the pose that side b had then.
-    pub fn sides(&self, c: &Configuration) -> [Marker; 2] {
+    /// Side a where the joint has engaged anew: at the pose that side b had then; none: as drawn.
+    pub fn carried(&self, c: &Configuration) -> Option<Marker> {
         match (self.holding, self.hold(c)) {
             (Some(Holding { held: Held::Pose, .. }), Some(hold)) if hold.pose != Pose::default() => {
-                [self.a.carried(&hold.pose.place, &hold.pose.axes), self.b]
+                Some(self.a.carried(&hold.pose.place, &hold.pose.axes))
             }
-            _ => [self.a, self.b],
+            _ => None,
         }
+    }
+
+    /// Both sides as they hold each other, with what [`Self::carried`] gives.
+    pub fn sides<'j>(&'j self, carried: &'j Option<Marker>) -> [&'j Marker; 2] {
+        [carried.as_ref().unwrap_or(&self.a), &self.b]
     }
 
     /// Whether its part is added to the condition of the joint before it: it is the second side of a gear.
@@ -128,7 +133,8 @@ impl Joint {
             phi.fill(0.0);
             return;
         }
-        let [a, b] = self.sides(c).map(|side| side.pose(c));
+        let carried = self.carried(c);
+        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
         if let (Some(side), [Primitive::Measured(measure)]) = (&self.gear, self.primitives) {
             phi[0] = side.factor * measure.value(&a, &b, side.previous(c));
             return;
@@ -164,7 +170,8 @@ impl Joint {
             return;
         }
         gradient.is_released = false;
-        let [a, b] = self.sides(c);
+        let carried = self.carried(c);
+        let [a, b] = self.sides(&carried);
         let (rows_x, rows) = self.rows_x(&a.pose(c), &b.pose(c));
         gradient.set(&[a.pose_q(c), b.pose_q(c)], &rows_x[..rows]);
     }
@@ -200,13 +207,14 @@ impl Joint {
             return;
         }
         gradient.is_released = false;
-        let own = self.sides(c);
+        let carried = self.carried(c);
+        let own = self.sides(&carried);
         let [a, b] = own.map(|side| side.pose(c));
         let (rows_x, rows) = self.rows_x(&a, &b);
         let sides = own.map(|side| side.pose_q(c));
         gradient.set(&sides, &rows_x[..rows]);
         let (force, stiffness) = (weighted(&rows_x[..rows], lambda), self.stiffness_x(&a, &b, lambda));
-        pull_back(c, own.each_ref(), &sides, &force, &stiffness, blocks);
+        pull_back(c, own, &sides, &force, &stiffness, blocks);
     }
 
     /// `phi''` at an instant without the part of the accelerations, `v·phi_qq·v + 2 phi_qt·v + phi_tt`, row after row.
@@ -215,10 +223,11 @@ impl Joint {
             phi_tt.fill(0.0);
             return;
         }
-        let sides = self.sides(c);
+        let carried = self.carried(c);
+        let sides = self.sides(&carried);
         let [a, b] = sides.map(|side| side.pose(c));
         let (mut rate, mut acceleration) = (PairVector::zeros(), PairVector::zeros());
-        for (side, marker) in sides.iter().enumerate() {
+        for (side, marker) in sides.into_iter().enumerate() {
             let (own, pose_q) = (own_velocity(c, marker, velocity), marker.pose_q(c));
             let [first, second] = marker.pose_t(c).map(|pose| pose.vectors());
             let start = VECTORS * side;
@@ -245,7 +254,8 @@ impl Joint {
             phi_t.fill(0.0 - self.prescribed(c).first);
             return;
         }
-        let sides = self.sides(c);
+        let carried = self.carried(c);
+        let sides = self.sides(&carried);
         let moving = sides.map(|marker| marker.pose_t(c)[0].vectors());
         let [a, b] = sides.map(|side| side.pose(c));
         let (gradients, rows) = self.rows_x(&a, &b);
@@ -260,14 +270,16 @@ impl Joint {
         if self.is_released(c) {
             return PairVector::zeros();
         }
-        let [a, b] = self.sides(c).map(|side| side.pose(c));
+        let carried = self.carried(c);
+        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
         let (rows_x, rows) = self.rows_x(&a, &b);
         weighted(&rows_x[..rows], lambda)
     }
 
     /// Whether the sides are as meant, not half-turn relatives of it (MECHANICS 6).
     pub fn is_upright(&self, c: &Configuration) -> bool {
-        let [a, b] = self.sides(c).map(|side| side.pose(c));
+        let carried = self.carried(c);
+        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
         self.is_released(c) || self.primitives.iter().all(|primitive| primitive.is_upright(&a, &b))
     }
 }

@@ -155,7 +155,8 @@ impl JointLoads<'_> {
     fn of_joint(&self, number: usize, side: Side) -> Acting {
         let joint = &self.system.joints[number];
         let lambda = &self.multipliers[self.rows(number)];
-        self.acting(joint.sides(self.c).each_ref(), side, &-joint.phi_x(self.c, lambda))
+        let carried = joint.carried(self.c);
+        self.acting(joint.sides(&carried), side, &-joint.phi_x(self.c, lambda))
     }
 
     fn of_spring(&self, number: usize, side: Side) -> Acting {
