@@ -138,15 +138,16 @@ joint = "rail"
 coordinate = "distance"
 effort = "-2000*(rail.distance - 0.2*shoulder.angle) - 30*rail.distance_rate - 10*elbow.angle*shoulder.angle_rate"
 "#;
-    for steps in
-        ["step = 2e-3\ntolerance = 1e-12", "integrator = \"generalized_alpha\"\nstep = 2e-3\ntolerance = 1e-12"]
-    {
+    for (steps, most) in [
+        ("step = 2e-3\ntolerance = 1e-12", 1.6),
+        ("integrator = \"generalized_alpha\"\nstep = 2e-3\ntolerance = 1e-12", 3.05),
+    ] {
         let curves = Curves::run(&machine(coupled, steps), &[]);
         let [steps_taken, iterations, rejected] =
             ["statistics.steps", "statistics.iterations", "statistics.rejected"].map(|name| curves.last(name));
-        // A tangent without a coupling converges linearly, with 5 iterations and more.
+        // Measured: 1.49 and 3.00 iterations a step. A tangent without a coupling converges linearly, with more.
         assert!(
-            rejected == 0.0 && iterations < 3.3 * steps_taken,
+            rejected == 0.0 && iterations < most * steps_taken,
             "{steps}: {iterations} iterations, {rejected} rejected"
         );
     }
