@@ -19,6 +19,8 @@ pub struct Blocks {
     layout: Vec<Block>,
     offsets: Vec<usize>,
     values: Vec<f64>,
+    /// Blocks off the diagonal that the next one is the place of the transpose of, and not the transpose itself.
+    mirrored: Vec<usize>,
 }
 
 impl Blocks {
@@ -28,6 +30,14 @@ impl Blocks {
         self.offsets.push(self.values.len());
         self.values.resize(self.values.len() + block.rows * block.columns, 0.0);
         self.layout.len() - 1
+    }
+
+    /// Adds a block of zeros, and behind it the place of its transpose, whose values are others: [`Self::symmetric_part`] takes the mean of both.
+    pub fn push_mirrored(&mut self, block: Block) {
+        let Block { row, column, rows, columns } = block;
+        let number = self.push(block);
+        self.push(Block { row: column, column: row, rows: columns, columns: rows });
+        self.mirrored.push(number);
     }
 
     /// Gives back the memory that further blocks would take.
@@ -80,7 +90,7 @@ impl Blocks {
         }
     }
 
-    /// The symmetric part, where blocks off the diagonal come in pairs that are each other's transposes.
+    /// The symmetric part, where blocks off the diagonal come in pairs that are each other's transposes, but for mirrored ones.
     #[must_use]
     pub fn symmetric_part(&self) -> Self {
         let mut sum = self.clone();
@@ -91,6 +101,17 @@ impl Blocks {
                         let (own, other) = (start + column * block.rows + row, start + row * block.rows + column);
                         sum.values[own] = 0.5 * (self.values[own] + self.values[other]);
                     }
+                }
+            }
+        }
+        for number in &self.mirrored {
+            let Block { rows, columns, .. } = self.layout[*number];
+            let [first, second] = [self.offsets[*number], self.offsets[number + 1]];
+            for column in 0..columns {
+                for row in 0..rows {
+                    let (own, other) = (first + column * rows + row, second + row * columns + column);
+                    let mean = 0.5 * (self.values[own] + self.values[other]);
+                    (sum.values[own], sum.values[other]) = (mean, mean);
                 }
             }
         }

@@ -57,7 +57,7 @@ const BEHAVIOR: [&str; 12] = [
 ];
 
 /// Kinds of inputs: what they are, what becomes of the value, what becomes of its derivative.
-const INPUTS: [[&str; 3]; 4] = [
+const INPUTS: [[&str; 3]; 5] = [
     ["forces and moments", "held during the step", "added, linearly in time"],
     [
         "positions, angles, distances",
@@ -71,6 +71,11 @@ const INPUTS: [[&str; 3]; 4] = [
         "the same",
     ],
     ["rates", "integrated exactly, the rate being reached at the end of the step in the same way", "the same"],
+    [
+        "<code>active</code> of joints, locks and drives",
+        "engaged from 0.5 on, released below, at the <em>start</em> of the step",
+        "not used",
+    ],
 ];
 
 /// What every number means.

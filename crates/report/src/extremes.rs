@@ -29,6 +29,8 @@ pub struct Extremes {
 
 /// A component that stays below this share of the largest one of its quantity is zero but for round-off.
 const ZERO: f64 = 1e-9;
+/// The same of a quantity, as a share of the largest one of its unit.
+const ROUND_OFF: f64 = 1e-13;
 
 impl Extremes {
     /// How far it ranges.
@@ -71,7 +73,11 @@ pub fn chosen(columns: &[Extremes], most: usize) -> Vec<usize> {
         let is_before =
             |other: &usize| columns[*other].is_livelier(own) || (!own.is_livelier(&columns[*other]) && other < place);
         let before = siblings().filter(|(_, other)| is_before(other)).count();
-        (before == 0 || own.size() > ZERO * largest).then_some((before, *place))
+        let of_unit = lines.iter().map(|(_, other)| &columns[*other]).filter(|other| other.unit == own.unit);
+        let largest_of_unit = of_unit.map(Extremes::size).fold(0.0, f64::max);
+        // Zero itself is a result.
+        let is_round_off = own.size() > 0.0 && own.size() < ROUND_OFF * largest_of_unit;
+        (!is_round_off && (before == 0 || own.size() > ZERO * largest)).then_some((before, *place))
     };
     let mut ranked: Vec<(usize, usize)> = lines.iter().filter_map(rank).collect();
     ranked.sort_unstable();
@@ -107,14 +113,15 @@ mod tests {
             column("blade.velocity[1,3]", 0.0, 0.0),
             column("blade.velocity[2,3]", -1.0, 1.0),
             column("motor.effort", 2.0, 2.0),
+            column("hinge.distance", -1e-16, 2e-16),
             column("foot.position[1]", 0.0, 0.0),
             column("foot.position[2]", 0.0, 0.0),
             column("energy.total", 0.0, 100.0),
             column("statistics.steps", 0.0, 1000.0),
         ];
         assert_eq!(chosen(&columns, 4), [2, 4, 6, 7]);
-        assert_eq!(chosen(&columns, 100), [0, 2, 4, 6, 7, 8]);
+        assert_eq!(chosen(&columns, 100), [0, 2, 4, 6, 7, 9]);
         assert_eq!(chosen(&columns, 2), [2, 4]);
-        assert_eq!(chosen(&columns[10..], 10), [0; 0]);
+        assert_eq!(chosen(&columns[11..], 10), [0; 0]);
     }
 }

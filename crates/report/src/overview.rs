@@ -23,6 +23,8 @@ pub struct Overview<'a> {
     pub files: &'a [&'a str],
 }
 
+/// A time-step error below this share of the range is told as that.
+const LEAST_TOLD: f64 = 1e-6;
 const STYLE: &str = include_str!("overview.css");
 /// Lines of the first table, and of the table of all columns.
 const LINES: usize = 40;
@@ -97,7 +99,13 @@ impl Overview<'_> {
         ];
         facts.extend(time_step_errors.first().map(|worst| {
             let remark = format!("of the range of {}, the least accurate result", worst.quantity);
-            ("time-step error", format!("{} %", significant(100.0 * worst.of_range, 2)), remark)
+            // Of a model at rest it is round-off.
+            let size = if worst.of_range < LEAST_TOLD {
+                format!("less than {} %", significant(100.0 * LEAST_TOLD, 2))
+            } else {
+                format!("{} %", significant(100.0 * worst.of_range, 2))
+            };
+            ("time-step error", size, remark)
         }));
         facts.extend(settings.iter().map(|(key, value)| ("--set", format!("{key} = {value}"), String::new())));
         writeln!(page, "<dl class=\"facts\">")?;

@@ -8,6 +8,7 @@ use crate::math::jet::Jet;
 use crate::mechanics::geometry::marker_jacobian::{MARKER, MarkerMatrix};
 use crate::mechanics::geometry::pose::{Pose, VECTORS};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
+use crate::mechanics::input::switch::Hold;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::own_velocity;
@@ -32,11 +33,33 @@ pub struct Joint {
     pub drive: Option<usize>,
     /// How its only primitive enters the condition of a gear, if it does.
     pub gear: Option<GearSide>,
+    /// What engages and releases it; none: it always holds.
+    pub holding: Option<Holding>,
+}
+
+/// How a switch works on a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Holding {
+    /// The switch, by its number.
+    pub switch: usize,
+    /// What it holds.
+    pub held: Held,
+}
+
+/// What holds where it stands when a switch engages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// The pose of side b relative to side a.
+    Pose,
+    /// The measure of the only primitive: this relative coordinate.
+    Coordinate(usize),
 }
 
 /// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×24 each, of which only the rows of conditions and the columns of coordinates are set.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JointGradient {
+    /// Whether the joint is released: its conditions are none, and its gradient is 0.
+    pub is_released: bool,
     /// By the coordinates of side a.
     pub a: SMatrix<f64, MOST_CONDITIONS, MARKER>,
     /// By the coordinates of side b.
@@ -65,19 +88,53 @@ impl Joint {
         self.primitives.iter().map(|primitive| primitive.rows()).sum()
     }
 
+    /// What its switch does; none: it has no switch.
+    fn hold<'c>(&self, c: &'c Configuration) -> Option<&'c Hold> {
+        self.holding.map(|holding| &c.prescribed.holds[holding.switch])
+    }
+
+    /// Whether it is released.
+    pub fn is_released(&self, c: &Configuration) -> bool {
+        self.hold(c).is_some_and(|hold| !hold.is_engaged)
+    }
+
+    /// Side a where the joint has engaged anew: at the pose that side b had then; none: as drawn.
+    pub fn carried(&self, c: &Configuration) -> Option<Marker> {
+        match (self.holding, self.hold(c)) {
+            (Some(Holding { held: Held::Pose, .. }), Some(hold)) if hold.pose != Pose::default() => {
+                Some(self.a.carried(&hold.pose.place, &hold.pose.axes))
+            }
+            _ => None,
+        }
+    }
+
+    /// Both sides as they hold each other, with what [`Self::carried`] gives.
+    pub fn sides<'j>(&'j self, carried: &'j Option<Marker>) -> [&'j Marker; 2] {
+        [carried.as_ref().unwrap_or(&self.a), &self.b]
+    }
+
     /// Whether its part is added to the condition of the joint before it: it is the second side of a gear.
     pub fn shares_condition(&self) -> bool {
         self.gear.is_some_and(|side| side.is_second)
     }
 
-    /// What its drive prescribes, with its rate and acceleration; nothing: 0.
-    fn prescribed(&self, c: &Configuration) -> Jet {
-        self.drive.map_or(Jet::constant(0.0), |drive| c.prescribed.drives[drive])
+    /// What its drive prescribes, with its rate and acceleration, from where it engaged; of a lock where it engaged; else 0.
+    pub fn prescribed(&self, c: &Configuration) -> Jet {
+        let mut jet = self.drive.map_or(Jet::constant(0.0), |drive| c.prescribed.drives[drive]);
+        if let Some(Holding { held: Held::Coordinate(_), .. }) = self.holding {
+            jet.value += self.hold(c).map_or(0.0, |hold| hold.value);
+        }
+        jet
     }
 
     /// The conditions, zero when they hold; m or 1.
     pub fn phi(&self, c: &Configuration, phi: &mut [f64]) {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        if self.is_released(c) {
+            phi.fill(0.0);
+            return;
+        }
+        let carried = self.carried(c);
+        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
         if let (Some(side), [Primitive::Measured(measure)]) = (&self.gear, self.primitives) {
             phi[0] = side.factor * measure.value(&a, &b, side.previous(c));
             return;
@@ -108,8 +165,15 @@ impl Joint {
 
     /// Sets `gradient` to `∂phi/∂q` of both sides.
     pub fn phi_q(&self, c: &Configuration, gradient: &mut JointGradient) {
-        let (rows_x, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
-        gradient.set(&[self.a.pose_q(c), self.b.pose_q(c)], &rows_x[..rows]);
+        if self.is_released(c) {
+            *gradient = JointGradient { is_released: true, ..JointGradient::default() };
+            return;
+        }
+        gradient.is_released = false;
+        let carried = self.carried(c);
+        let [a, b] = self.sides(&carried);
+        let (rows_x, rows) = self.rows_x(&a.pose(c), &b.pose(c));
+        gradient.set(&[a.pose_q(c), b.pose_q(c)], &rows_x[..rows]);
     }
 
     /// Second derivative of `lambda·phi` by the vectors of both poses.
@@ -137,19 +201,33 @@ impl Joint {
         gradient: &mut JointGradient,
         blocks: &mut [MarkerMatrix; 4],
     ) {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        if self.is_released(c) {
+            self.phi_q(c, gradient);
+            blocks.iter_mut().for_each(|block| block.fill(0.0));
+            return;
+        }
+        gradient.is_released = false;
+        let carried = self.carried(c);
+        let own = self.sides(&carried);
+        let [a, b] = own.map(|side| side.pose(c));
         let (rows_x, rows) = self.rows_x(&a, &b);
-        let sides = [self.a.pose_q(c), self.b.pose_q(c)];
+        let sides = own.map(|side| side.pose_q(c));
         gradient.set(&sides, &rows_x[..rows]);
         let (force, stiffness) = (weighted(&rows_x[..rows], lambda), self.stiffness_x(&a, &b, lambda));
-        pull_back(c, [&self.a, &self.b], &sides, &force, &stiffness, blocks);
+        pull_back(c, own, &sides, &force, &stiffness, blocks);
     }
 
     /// `phi''` at an instant without the part of the accelerations, `v·phi_qq·v + 2 phi_qt·v + phi_tt`, row after row.
     pub fn phi_tt(&self, c: &Configuration, velocity: &[f64], phi_tt: &mut [f64]) {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        if self.is_released(c) {
+            phi_tt.fill(0.0);
+            return;
+        }
+        let carried = self.carried(c);
+        let sides = self.sides(&carried);
+        let [a, b] = sides.map(|side| side.pose(c));
         let (mut rate, mut acceleration) = (PairVector::zeros(), PairVector::zeros());
-        for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
+        for (side, marker) in sides.into_iter().enumerate() {
             let (own, pose_q) = (own_velocity(c, marker, velocity), marker.pose_q(c));
             let [first, second] = marker.pose_t(c).map(|pose| pose.vectors());
             let start = VECTORS * side;
@@ -168,12 +246,19 @@ impl Joint {
 
     /// `∂phi/∂t` at fixed coordinates, row after row.
     pub fn phi_t(&self, c: &Configuration, phi_t: &mut [f64]) {
+        if self.is_released(c) {
+            phi_t.fill(0.0);
+            return;
+        }
         if ![self.a, self.b].iter().any(|side| matches!(side, Marker::Frame { .. })) {
             phi_t.fill(0.0 - self.prescribed(c).first);
             return;
         }
-        let moving = [&self.a, &self.b].map(|marker| marker.pose_t(c)[0].vectors());
-        let (gradients, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
+        let carried = self.carried(c);
+        let sides = self.sides(&carried);
+        let moving = sides.map(|marker| marker.pose_t(c)[0].vectors());
+        let [a, b] = sides.map(|side| side.pose(c));
+        let (gradients, rows) = self.rows_x(&a, &b);
         for (phi_t, gradient) in phi_t.iter_mut().zip(&gradients[..rows]) {
             let by_frames: f64 = (0..2).map(|side| of_side(gradient, side).dot(&moving[side])).sum();
             *phi_t = by_frames - self.prescribed(c).first;
@@ -182,13 +267,19 @@ impl Joint {
 
     /// `∂(lambda·phi)/∂X` by the vectors of both poses: minus the forces of the joint on them.
     pub fn phi_x(&self, c: &Configuration, lambda: &[f64]) -> PairVector {
-        let (rows_x, rows) = self.rows_x(&self.a.pose(c), &self.b.pose(c));
+        if self.is_released(c) {
+            return PairVector::zeros();
+        }
+        let carried = self.carried(c);
+        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
+        let (rows_x, rows) = self.rows_x(&a, &b);
         weighted(&rows_x[..rows], lambda)
     }
 
     /// Whether the sides are as meant, not half-turn relatives of it (MECHANICS 6).
     pub fn is_upright(&self, c: &Configuration) -> bool {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
-        self.primitives.iter().all(|primitive| primitive.is_upright(&a, &b))
+        let carried = self.carried(c);
+        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
+        self.is_released(c) || self.primitives.iter().all(|primitive| primitive.is_upright(&a, &b))
     }
 }

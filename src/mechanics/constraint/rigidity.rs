@@ -31,6 +31,7 @@ impl RigidBody {
             primitives: PRIMITIVES,
             drive: None,
             gear: None,
+            holding: None,
         }
     }
 }
@@ -39,5 +40,13 @@ impl RigidBody {
 /// nowhere, of the gradients as the directors of a body, which has the same coordinates.
 pub fn section_rigidity(name: String, start: usize) -> Joint {
     let gradients = Marker::Body { start, offset: Vec3::zeros(), axes: Mat3::identity() };
-    Joint { name, a: Marker::Ground(Pose::default()), b: gradients, primitives: RIGID, drive: None, gear: None }
+    Joint {
+        name,
+        a: Marker::Ground(Pose::default()),
+        b: gradients,
+        primitives: RIGID,
+        drive: None,
+        gear: None,
+        holding: None,
+    }
 }

@@ -2,6 +2,7 @@
 //!
 //! The effort `e` does the work `e dx` on the coordinate `x`: it acts on side b along the growing of the coordinate, and on side a against it.
 
+use crate::mechanics::force::effort_law::{EffortLaw, Reading};
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose_pair::PairVector;
 use crate::mechanics::input::excitation::HostEffort;
@@ -14,6 +15,8 @@ use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 pub enum EffortGuide {
     /// It is a function of time, N m or N.
     Signal(Signal),
+    /// It follows coordinates of the mechanism.
+    Law(EffortLaw),
     /// A host gives it.
     Host,
 }
@@ -30,10 +33,11 @@ pub struct Actuator {
 }
 
 impl Actuator {
-    /// Its effort at `time`, s, in N m or N; `target` is what a host gives.
+    /// Its effort at `time`, s, in N m or N, where `target` is what a host gives; of one that follows coordinates the share that acts, 1.
     pub fn at(&self, time: f64, target: &HostEffort) -> f64 {
         match &self.guide {
             EffortGuide::Signal(signal) => signal.at(time),
+            EffortGuide::Law(_) => 1.0,
             EffortGuide::Host => target.at(time),
         }
     }
@@ -41,8 +45,16 @@ impl Actuator {
     /// The function of time that its effort is; none where a host gives it.
     pub fn signal(&self) -> Option<&Signal> {
         match &self.guide {
-            EffortGuide::Signal(signal) => Some(signal),
+            EffortGuide::Signal(signal) | EffortGuide::Law(EffortLaw { signal, .. }) => Some(signal),
             EffortGuide::Host => None,
+        }
+    }
+
+    /// What its effort reads.
+    pub fn readings(&self) -> &[Reading] {
+        match &self.guide {
+            EffortGuide::Law(law) => &law.readings,
+            EffortGuide::Signal(_) | EffortGuide::Host => &[],
         }
     }
 }

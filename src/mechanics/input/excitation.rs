@@ -62,18 +62,20 @@ impl HostEffort {
 /// What acts on a system from outside at one instant.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Excitation {
+    /// The instant, s.
+    pub time: f64,
     /// Gravity, m/s².
     pub gravity: Vec3,
     /// Components of the loads, in their order.
     pub wrenches: Vec<Wrench>,
-    /// Efforts of the actuators, in their order, N m or N.
+    /// Efforts of the actuators, in their order, N m or N; of those that follow coordinates the share that acts.
     pub efforts: Vec<f64>,
 }
 
 impl Excitation {
     /// Takes the values of another one, keeping its own memory.
     pub fn copy_from(&mut self, other: &Self) {
-        self.gravity = other.gravity;
+        (self.time, self.gravity) = (other.time, other.gravity);
         self.wrenches.clone_from(&other.wrenches);
         self.efforts.clone_from(&other.efforts);
     }

@@ -32,6 +32,8 @@ pub struct Drive {
     pub coordinate: usize,
     /// Where its motion comes from.
     pub guide: Guide,
+    /// What engages and releases it; none: it always drives.
+    pub switch: Option<usize>,
 }
 
 /// Where a frame has its motion from.
@@ -84,6 +86,12 @@ impl Drive {
             Guide::HostValue => targets.value(number, next),
             Guide::HostRate => targets.rate(number, next),
         }
+    }
+
+    /// [`Self::advanced`], with the rate and the acceleration that it has just before `next`: from then on it drives no more.
+    pub fn advanced_before(&self, number: usize, from: f64, (time, next): (f64, f64), targets: &Targets) -> Jet {
+        let before = self.advanced(number, from, (time, next.next_down()), targets);
+        Jet { value: self.advanced(number, from, (time, next), targets).value, ..before }
     }
 }
 

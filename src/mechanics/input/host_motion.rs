@@ -37,6 +37,8 @@ pub struct Targets {
     pub loads: Vec<HostWrench>,
     /// Efforts of the actuators; those of functions are not used.
     pub efforts: Vec<HostEffort>,
+    /// Values of the switches; those of functions are not used.
+    pub switches: Vec<f64>,
     /// From where, and how fast.
     pub departure: Departure,
 }
@@ -87,6 +89,7 @@ impl Targets {
         self.frames.clone_from(&other.frames);
         self.loads.clone_from(&other.loads);
         self.efforts.clone_from(&other.efforts);
+        self.switches.clone_from(&other.switches);
         (self.departure.time, self.departure.step) = (other.departure.time, other.departure.step);
         self.departure.drives.clone_from(&other.departure.drives);
         self.departure.frames.clone_from(&other.departure.frames);
@@ -238,7 +241,7 @@ mod tests {
         let mut now = Prescribed {
             drives: vec![Jet::constant(value)],
             frames: vec![MovingPose::at_rest(pose)],
-            heats: Vec::new(),
+            ..Prescribed::default()
         };
         let mut time = 0.0;
         for &end in ends {
@@ -249,7 +252,7 @@ mod tests {
             now = Prescribed {
                 drives: vec![targets.value(0, end)],
                 frames: vec![targets.pose(0, end)],
-                heats: Vec::new(),
+                ..Prescribed::default()
             };
             time = end;
         }
@@ -347,7 +350,7 @@ mod tests {
             &Prescribed {
                 drives: vec![Jet::constant(1.0)],
                 frames: vec![MovingPose::at_rest(pose)],
-                heats: Vec::new(),
+                ..Prescribed::default()
             },
         );
         (targets.end, targets.drives, targets.frames) = (0.5, vec![3.0], vec![to]);

@@ -1,4 +1,4 @@
-//! What is given from outside: functions of time, loads at an instant, drives and moving frames, and the motion that a host asks for.
+//! What is given from outside: functions of time, loads at an instant, drives and moving frames, switches, and the motion that a host asks for.
 
 pub mod excitation;
 pub mod guide;
@@ -6,3 +6,4 @@ pub mod heat;
 pub mod host_motion;
 pub mod prescribed;
 pub mod signal;
+pub mod switch;

@@ -1,6 +1,7 @@
-//! What is prescribed at an instant: the values of drives, the motion of frames, the temperatures of beams.
+//! What is prescribed at an instant: the values of drives, the motion of frames, the temperatures of beams, and what holds.
 
 use super::heat::Heat;
+use super::switch::Hold;
 use crate::math::jet::Jet;
 use crate::math::rotation::{rotation_matrix, rotation_vector_near};
 use crate::math::{Mat3, Vec3};
@@ -16,6 +17,8 @@ pub struct Prescribed {
     pub frames: Vec<MovingPose>,
     /// Temperatures of beams.
     pub heats: Vec<Heat>,
+    /// What the switches do.
+    pub holds: Vec<Hold>,
 }
 
 /// A pose with its first two derivatives by time.
@@ -35,6 +38,7 @@ impl Prescribed {
         self.drives.clone_from(&other.drives);
         self.frames.clone_from(&other.frames);
         self.heats.clone_from(&other.heats);
+        self.holds.clone_from(&other.holds);
     }
 
     /// Takes all motion away: what is prescribed in an equilibrium.

@@ -3,7 +3,7 @@
 //! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the system (MECHANICS 6).
 
 use crate::math::Vec3;
-use crate::mechanics::constraint::joint::Joint;
+use crate::mechanics::constraint::joint::{Held, Holding, Joint};
 use crate::mechanics::force::actuator;
 use crate::mechanics::geometry::pose::{PLACE, moment};
 use crate::mechanics::geometry::pose_pair::PairVector;
@@ -50,6 +50,7 @@ impl JointLoads<'_> {
     /// Force (N) and moment (N m) that b receives through the joint of these `parts`, at b's place, in global axes.
     pub fn reaction(&self, parts: &JointParts) -> (Vec3, Vec3) {
         let joints = parts.joint.into_iter().chain(parts.drives.iter().map(|drive| self.drive(*drive)));
+        let joints = joints.chain(parts.locks.iter().map(|lock| self.lock(*lock)));
         let joints = joints.chain(parts.gears.iter().map(|(gear, is_second)| self.gear(*gear, *is_second)));
         let by_joints = joints.map(|joint| self.of_joint(joint, Side::B));
         let by_springs = parts.springs.iter().map(|spring| self.of_spring(*spring, Side::B));
@@ -64,12 +65,23 @@ impl JointLoads<'_> {
 
     /// Torque (N m) or force (N) of drive `drive` on b, along its coordinate.
     pub fn effort(&self, drive: usize) -> f64 {
-        -self.multipliers[self.rows(self.drive(drive)).start]
+        let number = self.drive(drive);
+        let multiplier = self.multipliers[self.rows(number).start];
+        // 0 where it is released, not -0.
+        if self.system.joints[number].holding.is_some() { 0.0 - multiplier } else { -multiplier }
+    }
+
+    /// Torque (N m) or force (N) of lock `lock` on b, along its coordinate; 0 while it is released.
+    pub fn lock_effort(&self, lock: usize) -> f64 {
+        // 0 where it is 0, not -0.
+        0.0 - self.multipliers[self.rows(self.lock(lock)).start]
     }
 
     /// Torque (N m) or force (N) of actuator `actuator` on b, along its coordinate.
     pub fn actuator_effort(&self, actuator: usize) -> f64 {
-        self.system.actuators[actuator].at(self.state.time, &self.state.targets.efforts[actuator])
+        let own = &self.system.actuators[actuator];
+        let (time, target) = (self.state.time, &self.state.targets.efforts[actuator]);
+        self.system.effort(own, self.c, self.passage, own.at(time, target), time)
     }
 
     /// Torque (N m) or force (N) of gear `gear` on side b of its first joint, along the coordinate of that.
@@ -118,6 +130,16 @@ impl JointLoads<'_> {
         self.system.joints.iter().position(is_own).expect("every drive has its condition")
     }
 
+    /// The number among the joints of the condition of a lock.
+    fn lock(&self, lock: usize) -> usize {
+        let switch = self.system.locks[lock].switch;
+        let is_own = |joint: &Joint| {
+            let holds = |holding: Holding| holding.switch == switch && matches!(holding.held, Held::Coordinate(_));
+            joint.drive.is_none() && joint.holding.is_some_and(holds)
+        };
+        self.system.joints.iter().position(is_own).expect("every lock has its condition")
+    }
+
     /// The number among the joints of a side of a gear.
     fn gear(&self, gear: usize, is_second: bool) -> usize {
         let is_own = |joint: &Joint| joint.gear.is_some_and(|side| side.gear == gear && side.is_second == is_second);
@@ -133,7 +155,8 @@ impl JointLoads<'_> {
     fn of_joint(&self, number: usize, side: Side) -> Acting {
         let joint = &self.system.joints[number];
         let lambda = &self.multipliers[self.rows(number)];
-        self.acting([&joint.a, &joint.b], side, &-joint.phi_x(self.c, lambda))
+        let carried = joint.carried(self.c);
+        self.acting(joint.sides(&carried), side, &-joint.phi_x(self.c, lambda))
     }
 
     fn of_spring(&self, number: usize, side: Side) -> Acting {

@@ -91,8 +91,10 @@ impl State {
                     .map(Vec::len);
             let motions =
                 [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
+            let switches = [prescribed.holds.len(), targets.switches.len()];
             let departure = [targets.departure.drives.len(), targets.departure.frames.len()];
-            (lists, triads.len(), rotations.len(), motions, [targets.loads.len(), targets.efforts.len()], departure)
+            let given = [targets.loads.len(), targets.efforts.len()];
+            (lists, triads.len(), rotations.len(), motions, switches, given, departure)
         };
         // Nothing yet, or all of them.
         let optional = |list: usize, whole: usize| list == 0 || list == whole;

@@ -24,14 +24,15 @@ fn jumps(signal: &Signal, time: f64, step: f64, derivatives: usize) -> bool {
 }
 
 impl System {
-    /// All functions of time: those of loads, actuators, drives and frames.
+    /// All functions of time: those of loads, actuators, drives, frames and switches.
     pub fn signals(&self) -> impl Iterator<Item = &Signal> {
         let loads = self.loads.iter().flat_map(|load| load.signals());
         let actuators = self.actuators.iter().filter_map(|actuator| actuator.signal());
         let drives = self.drives.iter().filter_map(|drive| drive.signal());
         let frames = self.moving_frames.iter().flat_map(|frame| frame.signals());
         let heats = self.heats.iter().flat_map(|heat| heat.signals());
-        loads.chain(actuators).chain(drives).chain(frames).chain(heats)
+        let switches = self.switches.iter().filter_map(|switch| switch.signal());
+        loads.chain(actuators).chain(drives).chain(frames).chain(heats).chain(switches)
     }
 
     /// Collects [`System::breaks`] from all functions of time.

@@ -1,5 +1,7 @@
 //! Puts a system together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
+mod driving;
+
 use super::System;
 use super::joint_parts::JointParts;
 use crate::math::jet::Jet;
@@ -16,8 +18,6 @@ use crate::mechanics::beam::design::{BeamDesign, Elements};
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::rigid_body::{BodyDesign, RigidBody};
-use crate::mechanics::constraint::driven::Driven;
-use crate::mechanics::constraint::gear::GearSide;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::rigidity;
 use crate::mechanics::constraint::weld;
@@ -27,15 +27,15 @@ use crate::mechanics::force::spring::Spring;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::{Excitation, HostEffort, HostWrench};
-use crate::mechanics::input::guide::{Drive, FrameGuide, Guide, MovingFrame};
+use crate::mechanics::input::guide::{FrameGuide, MovingFrame};
 use crate::mechanics::input::heat::HeatGuide;
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::input::switch::Hold;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::observer::Observer;
-use crate::mechanics::marker::relative_coordinate::Measure;
-use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
+use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate};
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::energy_balance::EnergyBalance;
 use crate::mechanics::state::pace::Pace;
@@ -59,6 +59,7 @@ pub struct SystemBuilder {
     /// Whether the section of a node has been made rigid, by its number; beyond the end: not.
     stiff_nodes: Vec<bool>,
     drive_joints: Vec<Joint>,
+    lock_joints: Vec<Joint>,
     /// Both sides of each gear.
     gear_joints: Vec<Joint>,
     prescribed: Prescribed,
@@ -217,7 +218,15 @@ impl SystemBuilder {
                 let axes = self.drawn(&section).axes.transpose();
                 Marker::Node { node, offset: Vec3::zeros(), axes }
             });
-            self.inner_joints.push(Joint { name, a, b, primitives: weld::PRIMITIVES, drive: None, gear: None });
+            self.inner_joints.push(Joint {
+                name,
+                a,
+                b,
+                primitives: weld::PRIMITIVES,
+                drive: None,
+                gear: None,
+                holding: None,
+            });
         }
     }
 
@@ -319,49 +328,6 @@ impl SystemBuilder {
         self.system.relative_coordinates.len() - 1
     }
 
-    /// Adds a drive of b against a along or about their first axis and returns its number; `target` is its value or rate at the
-    /// start, where a host gives it.
-    pub fn add_drive(&mut self, name: &str, [a, b]: [Marker; 2], driven: Driven, guide: Guide, target: f64) -> usize {
-        let number = self.system.drives.len();
-        let coordinate = self.add_relative_coordinate(a, b, driven.measure());
-        let primitives = driven.primitives();
-        self.drive_joints.push(Joint {
-            name: format!("drive {name}"),
-            a,
-            b,
-            primitives,
-            drive: Some(number),
-            gear: None,
-        });
-        self.system.drives.push(Drive { name: name.into(), coordinate, guide });
-        self.targets.drives.push(target);
-        number
-    }
-
-    /// Adds a gear between relative coordinates, `x_first − ratio·x_second = 0`, and returns its number.
-    pub fn add_gear(&mut self, name: &str, coordinates: [usize; 2], ratio: f64) -> usize {
-        let gear = self.gear_joints.len() / 2;
-        for (coordinate, factor, is_second) in [(coordinates[0], 1.0, false), (coordinates[1], -ratio, true)] {
-            let RelativeCoordinate { a, b, measure } = self.system.relative_coordinates[coordinate].clone();
-            let primitives = GearSide::primitives(measure);
-            let side = GearSide { gear, coordinate, factor, is_second };
-            self.gear_joints.push(Joint {
-                name: format!("gear {name}"),
-                a,
-                b,
-                primitives,
-                drive: None,
-                gear: Some(side),
-            });
-        }
-        gear
-    }
-
-    /// Adds a side of gear `gear` to what joint `joint` of the model file consists of.
-    pub fn add_gear_of(&mut self, joint: usize, gear: usize, is_second: bool) {
-        self.system.joint_parts[joint].gears.push((gear, is_second));
-    }
-
     /// Adds a spring and returns its number.
     pub fn add_spring(&mut self, spring: Spring) -> usize {
         self.system.springs.push(spring);
@@ -376,11 +342,6 @@ impl SystemBuilder {
     /// What the joints of the model file consist of so far, in file order.
     pub fn joint_parts(&self) -> &[JointParts] {
         &self.system.joint_parts
-    }
-
-    /// Adds drive `drive` to what joint `joint` of the model file consists of.
-    pub fn add_drive_of(&mut self, joint: usize, drive: usize) {
-        self.system.joint_parts[joint].drives.push(drive);
     }
 
     /// Adds spring `spring` to what joint `joint` of the model file consists of.
@@ -475,6 +436,7 @@ impl SystemBuilder {
             triads,
             inner_joints,
             drive_joints,
+            lock_joints,
             gear_joints,
             mut prescribed,
             mut targets,
@@ -488,12 +450,14 @@ impl SystemBuilder {
         system.joints.extend(inner_joints);
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));
         system.joints.extend(drive_joints);
+        system.joints.extend(lock_joints);
         system.joints.extend(gear_joints);
         system.collect_breaks();
         system.find_held_nodes();
         system.mass = system.whole_mass();
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
+        prescribed.holds = system.holds_at(start, &targets).map(Hold::drawn).collect();
         targets.depart(start, &prescribed);
         let state = State {
             time: start,

@@ -3,6 +3,7 @@
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
 use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::system::System;
 use crate::mechanics::system::tangent_layout::TangentLayout;
@@ -95,8 +96,15 @@ impl System {
         }
     }
 
-    /// Adds `factor` times the derivative of the forces with respect to the velocities, at an instant with the velocities `velocity`, to the first blocks of `tangent`.
-    pub fn add_damping_matrix(&self, c: &Configuration, velocity: &[f64], factor: f64, tangent: &mut Blocks) {
+    /// Adds `factor` times the derivative of the forces with respect to the velocities, at an instant with the velocities `velocity` under `excitation`, to the first blocks of `tangent`.
+    pub fn add_damping_matrix(
+        &self,
+        c: &Configuration,
+        (velocity, excitation): (&[f64], &Excitation),
+        factor: f64,
+        tangent: &mut Blocks,
+    ) {
+        self.add_effort_damping(c, velocity, excitation, factor, tangent);
         let layout = TangentLayout::of(self);
         for (number, element) in self.damped_elements() {
             element.add_damping_matrix(&c.beams, factor, tangent.block_mut(layout.element(number)));

@@ -3,7 +3,6 @@
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
-use crate::mechanics::force::actuator;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
@@ -35,6 +34,7 @@ impl System {
                 push(sides[number / 2].coordinates(&self.mesh), sides[number % 2].coordinates(&self.mesh));
             }
         }
+        self.push_reading_blocks(blocks);
     }
 
     /// The two sides of a relative coordinate.
@@ -44,7 +44,7 @@ impl System {
 
     /// `∂U/∂q − F`: internal minus external forces, as `passage` says.
     pub fn forces(&self, c: &Configuration, passage: &Passage, excitation: &Excitation, forces: &mut [f64]) {
-        self.add_external(c, excitation, forces);
+        self.add_external(c, passage, excitation, forces);
         let of_beams = passage.of_beams();
         for element in &self.mesh.elements {
             element.add_gradient(&c.beams, &of_beams, forces);
@@ -67,7 +67,7 @@ impl System {
         forces: &mut [f64],
         tangent: &mut Blocks,
     ) {
-        self.add_external(c, excitation, forces);
+        self.add_external(c, passage, excitation, forces);
         let (layout, of_beams) = (TangentLayout::of(self), passage.of_beams());
         for (number, element) in self.mesh.elements.iter().enumerate() {
             let block = tangent.block_mut(layout.element(number));
@@ -103,13 +103,7 @@ impl System {
                 copy_corner(tangent.block_mut(block), counts[pair / 2], part, scale);
             }
         }
-        for (number, (actuator, effort)) in self.actuators.iter().zip(&excitation.efforts).enumerate() {
-            let counts = self.sides(actuator.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
-            let parts = actuator::force_q(&self.relative_coordinates[actuator.coordinate], c, *effort);
-            for (pair, (block, part)) in layout.actuator(number).zip(&parts).enumerate() {
-                copy_corner(tangent.block_mut(block), counts[pair / 2], part, -scale);
-            }
-        }
+        self.set_effort_tangent(c, passage, excitation, scale, tangent);
     }
 
     pub(super) fn add_springs(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
@@ -123,7 +117,13 @@ impl System {
     }
 
     /// Sets `forces` to minus the external forces.
-    pub(super) fn add_external(&self, c: &Configuration, excitation: &Excitation, forces: &mut [f64]) {
+    pub(super) fn add_external(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        excitation: &Excitation,
+        forces: &mut [f64],
+    ) {
         forces.fill(0.0);
         for element in &self.mesh.elements {
             element.add_weight(&excitation.gravity, -1.0, forces);
@@ -138,13 +138,7 @@ impl System {
                 add(forces, range.start, &force.as_slice()[..range.len()]);
             }
         }
-        for (actuator, effort) in self.actuators.iter().zip(&excitation.efforts) {
-            let parts = actuator::force(&self.relative_coordinates[actuator.coordinate], c, -effort);
-            for (marker, part) in self.sides(actuator.coordinate).into_iter().zip(&parts) {
-                let range = marker.coordinates(&self.mesh);
-                add(forces, range.start, &part.as_slice()[..range.len()]);
-            }
-        }
+        self.subtract_efforts(c, passage, excitation, forces);
     }
 
     /// Adds `factor` times the mass matrix to the blocks of elements and bodies in `tangent`.

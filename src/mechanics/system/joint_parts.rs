@@ -13,6 +13,8 @@ pub struct JointParts {
     pub springs: Vec<usize>,
     /// Drives.
     pub drives: Vec<usize>,
+    /// Locks.
+    pub locks: Vec<usize>,
     /// Actuators.
     pub actuators: Vec<usize>,
     /// Gears, and whether this joint is the second side of each.

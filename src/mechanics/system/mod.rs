@@ -3,6 +3,7 @@
 mod breaks;
 pub mod builder;
 mod dampers;
+mod efforts;
 mod energy;
 mod equations;
 pub mod frame_cache;
@@ -11,12 +12,14 @@ pub mod joint_parts;
 mod labels;
 mod limits;
 pub mod step_starts;
+mod switching;
 mod tangent_layout;
 pub mod variation;
 pub mod work;
 
 pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};
+pub use switching::Lock;
 
 use self::frame_cache::FrameCache;
 use self::joint_parts::JointParts;
@@ -39,6 +42,7 @@ use crate::mechanics::input::guide::{Drive, MovingFrame};
 use crate::mechanics::input::heat::HeatGuide;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::input::switch::{Hold, Switch};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
@@ -68,6 +72,10 @@ pub struct System {
     pub relative_coordinates: Vec<RelativeCoordinate>,
     /// Drives in file order.
     pub drives: Vec<Drive>,
+    /// What engages and releases joints, locks and drives.
+    pub switches: Vec<Switch>,
+    /// Locks in file order.
+    pub locks: Vec<Lock>,
     /// Springs in file order, then those of joints.
     pub springs: Vec<Spring>,
     /// What the joints of the model file consist of, in file order.
@@ -96,7 +104,7 @@ pub struct System {
 impl System {
     /// Sets `excitation` to what acts at `time`, s; `targets` has what a host gives.
     pub fn excite(&self, time: f64, targets: &Targets, excitation: &mut Excitation) {
-        excitation.gravity = self.gravity;
+        (excitation.time, excitation.gravity) = (time, self.gravity);
         excitation.wrenches.clear();
         excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
         excitation.efforts.clear();
@@ -110,7 +118,10 @@ impl System {
         self.loads.iter().zip(&excitation.wrenches).any(|(load, wrench)| {
             let follows = load.direction == Direction::Follower && wrench.force != Vec3::zeros();
             follows || wrench.moment != Vec3::zeros()
-        })
+        }) || self
+            .actuators
+            .iter()
+            .any(|actuator| actuator.readings().iter().any(|own| own.coordinate != actuator.coordinate))
     }
 
     /// What drives and frames prescribe at the start, `time` s.
@@ -121,6 +132,7 @@ impl System {
             drives: drives.map(|(drive, target)| drive.start(time, *target)).collect(),
             frames: frames.map(|(frame, target)| frame.start(time, target)).collect(),
             heats: self.heats.iter().map(|heat| heat.at(time)).collect(),
+            holds: self.holds_at(time, targets).map(Hold::drawn).collect(),
         }
     }
 
@@ -128,7 +140,12 @@ impl System {
     pub fn prescribe(&self, state: &State, next: f64, prescribed: &mut Prescribed) {
         let State { time, targets, prescribed: from, .. } = state;
         let drives = self.drives.iter().zip(&from.drives).enumerate();
-        let advanced = drives.map(|(k, (drive, from))| drive.advanced(k, from.value, (*time, next), targets));
+        let advanced = drives.map(|(k, (drive, from))| match drive.switch {
+            Some(switch) if self.releases(switch, state, next) => {
+                drive.advanced_before(k, from.value, (*time, next), targets)
+            }
+            _ => drive.advanced(k, from.value, (*time, next), targets),
+        });
         prescribed.drives.clear();
         prescribed.drives.extend(advanced);
         let frames = self.moving_frames.iter().enumerate();
@@ -136,6 +153,7 @@ impl System {
         prescribed.frames.extend(frames.map(|(k, frame)| frame.at(k, next, targets)));
         prescribed.heats.clear();
         prescribed.heats.extend(self.heats.iter().map(|heat| heat.at(next)));
+        prescribed.holds.clone_from(&from.holds);
     }
 
     /// The motion of a drive or a frame that is not finite at `time`, s, in words; of a drive the rate or the acceleration where that alone is not.

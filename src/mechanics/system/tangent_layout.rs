@@ -1,4 +1,4 @@
-//! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs and actuators.
+//! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs, actuators and what these read.
 
 use super::System;
 use std::ops::Range;
@@ -13,6 +13,7 @@ pub(super) struct TangentLayout {
     first_load_point: usize,
     first_spring: usize,
     first_actuator: usize,
+    first_reading: usize,
 }
 
 impl TangentLayout {
@@ -22,7 +23,16 @@ impl TangentLayout {
         let load_points: usize = system.loads.iter().map(|load| load.points.len()).sum();
         let first_spring = first_load_point + load_points;
         let first_actuator = first_spring + OF_PAIR * system.springs.len();
-        Self { first_body, first_load_point, first_spring, first_actuator }
+        let first_reading = first_actuator + OF_PAIR * system.actuators.len();
+        Self { first_body, first_load_point, first_spring, first_actuator, first_reading }
+    }
+
+    /// Blocks of a reading of an actuator: two for each pair of a side of the actuator and one of the reading.
+    pub const OF_READING: usize = 2 * OF_PAIR;
+
+    /// The first block of the readings of actuators, which are in the order of the actuators.
+    pub fn first_reading(self) -> usize {
+        self.first_reading
     }
 
     pub fn element(self, number: usize) -> usize {

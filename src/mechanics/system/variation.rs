@@ -6,6 +6,7 @@
 use super::System;
 use super::frame_cache::FrameCache;
 use crate::mechanics::beam::ancf14::coordinates::THETA;
+use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::state::State;
 
@@ -29,6 +30,15 @@ pub struct Variation {
     pub viscous: Vec<f64>,
     /// Of the accelerations: of the coordinates, and algorithmic; empty where the state has none.
     pub accelerations: [Vec<f64>; 2],
+    /// Of what holds: values, and the numbers of poses.
+    pub holds: Vec<HoldChange>,
+}
+
+/// A small change of what a switch holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HoldChange {
+    value: f64,
+    pose: Pose,
 }
 
 /// The lists of a state in the order of a variation's.
@@ -66,15 +76,17 @@ fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 9] {
 
 impl Variation {
     fn lists(&self) -> [&Vec<f64>; 9] {
-        let Self { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations } =
-            self;
+        let Self {
+            q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, ..
+        } = self;
         let [first, second] = accelerations;
         [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, first, second]
     }
 
     fn lists_mut(&mut self) -> [&mut Vec<f64>; 9] {
-        let Self { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations } =
-            self;
+        let Self {
+            q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, ..
+        } = self;
         let [first, second] = accelerations;
         [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, first, second]
     }
@@ -85,6 +97,8 @@ impl Variation {
             own.clear();
             own.resize(list.len(), 0.0);
         }
+        self.holds.clear();
+        self.holds.resize(state.prescribed.holds.len(), HoldChange { value: 0.0, pose: Pose::zero() });
     }
 
     /// Changes `state` by `factor` times this; its triads belong to its tangents. What is prescribed, and what hosts want, is the caller's.
@@ -94,6 +108,11 @@ impl Variation {
             for (value, change) in list.iter_mut().zip(own) {
                 *value += factor * change;
             }
+        }
+        for (hold, change) in state.prescribed.holds.iter_mut().zip(&self.holds) {
+            hold.value += factor * change.value;
+            hold.pose.place += change.pose.place * factor;
+            hold.pose.axes += change.pose.axes * factor;
         }
         frames.set(system, &state.q, &state.triads);
         for (triad, frame) in state.triads.iter_mut().zip(&frames.frames) {
@@ -109,6 +128,12 @@ impl Variation {
             for ((own, from), to) in own.iter_mut().zip(from).zip(to) {
                 *own += weight * (to - from);
             }
+        }
+        let holds = from.prescribed.holds.iter().zip(&to.prescribed.holds);
+        for (own, (from, to)) in self.holds.iter_mut().zip(holds) {
+            own.value += weight * (to.value - from.value);
+            own.pose.place += (to.pose.place - from.pose.place) * weight;
+            own.pose.axes += (to.pose.axes - from.pose.axes) * weight;
         }
         for (node, (from, to)) in system.mesh.framed.iter().zip(from.triads.iter().zip(&to.triads)) {
             self.q[node + THETA] += weight * turn_between(from, to);

@@ -62,7 +62,8 @@ impl System {
         forces: &mut [f64],
         strain_rates: &mut [f64],
     ) -> StepEnergy {
-        self.add_external(c, excitation, forces);
+        let passage = Passage::Step(*step);
+        self.add_external(c, &passage, excitation, forces);
         let mut found = StepEnergy { work: -dot(forces, step.increment), ..StepEnergy::default() };
         let of_beams = step.of_beams();
         for element in &self.mesh.elements {
@@ -72,7 +73,6 @@ impl System {
             found.by_heat += heat;
             found.dissipated += taken;
         }
-        let passage = Passage::Step(*step);
         self.add_mass_damping(&passage, forces);
         let taken = self.taken_by_mass_damping(step.increment, step.duration);
         found.work -= taken;
@@ -90,16 +90,22 @@ impl System {
         found
     }
 
-    /// Work of loads and of actuators at `c` while the coordinates change by `change`, J; their power for velocities, W.
-    pub fn loads_and_actuators(&self, c: &Configuration, excitation: &Excitation, change: &[f64]) -> [f64; 2] {
+    /// Work of loads and of actuators as the system passes through `c` while the coordinates change by `change`, J; their power for velocities, W.
+    pub fn loads_and_actuators(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        excitation: &Excitation,
+        change: &[f64],
+    ) -> [f64; 2] {
         let (mut of_loads, mut of_actuators) = (0.0, 0.0);
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for (number, (marker, _)) in load.points.iter().enumerate() {
                 of_loads += dot(load.force(c, number, wrench).as_slice(), &change[marker.coordinates(&self.mesh)]);
             }
         }
-        for (actuator, effort) in self.actuators.iter().zip(&excitation.efforts) {
-            let parts = actuator::force(&self.relative_coordinates[actuator.coordinate], c, *effort);
+        for (actuator, effort) in self.efforts(c, passage, excitation) {
+            let parts = actuator::force(&self.relative_coordinates[actuator.coordinate], c, effort);
             for (marker, part) in self.sides(actuator.coordinate).into_iter().zip(&parts) {
                 of_actuators += dot(part.as_slice(), &change[marker.coordinates(&self.mesh)]);
             }
@@ -130,7 +136,7 @@ impl System {
     /// Power at the instant `c` with the velocities `velocity`, W: of what acts from outside but for constraints and dampers, and of dampers, which take it;
     /// `forces` is scratch memory.
     pub fn power(&self, c: &Configuration, velocity: &[f64], excitation: &Excitation, forces: &mut [f64]) -> [f64; 2] {
-        self.add_external(c, excitation, forces);
+        self.add_external(c, &Passage::with_velocity(velocity), excitation, forces);
         let external = -dot(forces, velocity);
         let viscous = if self.has_material_damping() {
             forces.fill(0.0);

@@ -7,7 +7,7 @@ use crate::mechanics::constraint::cylindrical;
 use crate::mechanics::constraint::driven::Driven;
 use crate::mechanics::constraint::inline;
 use crate::mechanics::constraint::inplane;
-use crate::mechanics::constraint::joint;
+use crate::mechanics::constraint::joint::{self, Held, Holding};
 use crate::mechanics::constraint::primitive::Primitive;
 use crate::mechanics::constraint::prismatic;
 use crate::mechanics::constraint::revolute;
@@ -15,9 +15,12 @@ use crate::mechanics::constraint::spherical;
 use crate::mechanics::constraint::universal;
 use crate::mechanics::constraint::weld;
 use crate::mechanics::force::actuator::{Actuator, EffortGuide};
+use crate::mechanics::force::effort_law::{self, EffortLaw};
 use crate::mechanics::force::spring;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::guide::Guide;
+use crate::mechanics::input::signal::Signal;
+use crate::mechanics::input::switch::{Switch, SwitchGuide};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::joint_parts::JointParts;
@@ -25,16 +28,21 @@ use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::gear::GearSpec;
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
+use crate::model::file::entries::reading::Reading;
 use crate::model::file::entries::spring::SpringLaw;
+use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::Anchor;
 
 impl Builder<'_> {
     pub(super) fn add_joint(&mut self, written: &JointSpec) {
         let sides = self.sides(written);
+        let switch = written.switch.map(|own| self.add_switch(format!("joint {}", written.name), own, None));
+        self.joint_switches.push(switch);
+        let holding = switch.map(|switch| Holding { switch, held: Held::Pose });
         let joint = conditions(written.kind).map(|primitives| {
             let [a, b] = sides;
             let name = format!("joint {}", written.name);
-            self.system.add_joint(joint::Joint { name, a, b, primitives, drive: None, gear: None })
+            self.system.add_joint(joint::Joint { name, a, b, primitives, drive: None, gear: None, holding })
         });
         let mut coordinate = |present: bool, measure| {
             let [a, b] = sides;
@@ -58,7 +66,7 @@ impl Builder<'_> {
     }
 
     /// The two sides of a joint: at its place, with its axes.
-    fn sides(&mut self, written: &JointSpec) -> [Marker; 2] {
+    pub(super) fn sides(&mut self, written: &JointSpec) -> [Marker; 2] {
         let document = self.document;
         let own = if written.b.is_ground() { &written.a } else { &written.b };
         let place = written.at.map_or_else(|| self.system.drawn(&self.anchored(own)).place, |at| self.position(at));
@@ -87,7 +95,16 @@ impl Builder<'_> {
             (Motion::Value(number), true) => (Guide::HostValue, document.value(number)),
             (Motion::Rate(number), true) => (Guide::HostRate, document.value(number)),
         };
-        let drive = self.system.add_drive(&written.name, sides, driven, guide, target);
+        let within = self.joint_switch(written.joint);
+        let switch = match (written.switch, within) {
+            (Some(own), _) => Some(self.add_switch(format!("drive {}", written.name), own, within)),
+            (None, Some(_)) => {
+                let guide = SwitchGuide::Signal(Signal::Constant(1.0));
+                Some(self.system.add_switch(Switch { name: format!("drive {}", written.name), guide, within }, 0.0))
+            }
+            (None, None) => None,
+        };
+        let drive = self.system.add_drive(&written.name, sides, driven, (guide, target), switch);
         self.system.add_drive_of(written.joint, drive);
     }
 
@@ -98,11 +115,31 @@ impl Builder<'_> {
         };
         let guide = match written.input {
             true => EffortGuide::Host,
-            false => EffortGuide::Signal(signal(self.document, written.effort)),
+            false => self.effort(written.effort),
         };
         let actuator = self.system.add_actuator(Actuator { name: written.name.clone(), coordinate, guide });
         if let Some(joint) = written.joint() {
             self.system.add_actuator_of(joint, actuator);
+        }
+    }
+
+    /// The switch of a joint.
+    pub(super) fn joint_switch(&self, joint: usize) -> Option<usize> {
+        self.joint_switches.get(joint).copied().flatten()
+    }
+
+    /// The effort of an actuator, a function of time and of coordinates.
+    fn effort(&self, number: Number) -> EffortGuide {
+        let (own, function) = (signal(self.document, number), tune::effort(self.document, number));
+        let reading = |number: usize| {
+            let Reading { joint, coordinate, is_rate } = Reading::of(number);
+            effort_law::Reading { coordinate: self.coordinate(joint, coordinate), is_rate }
+        };
+        let readings: Vec<_> = self.document.function(number).readings().into_iter().map(reading).collect();
+        if readings.is_empty() {
+            EffortGuide::Signal(own)
+        } else {
+            EffortGuide::Law(EffortLaw { signal: own, function, readings })
         }
     }
 

@@ -5,10 +5,12 @@
 mod joints;
 mod origin;
 mod parts;
+mod switches;
 mod tune;
 
-pub use tune::{aim, retune, undirected};
+pub use tune::{aim, retune, switches, undirected};
 
+use super::expression::function::Function;
 use super::file::document::Document;
 use super::file::entries::output::{self, OutputSpec};
 use super::file::entries::simulation::Total;
@@ -57,8 +59,9 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
         return Err(Diagnostics(mistakes));
     }
     let origin = origin::of(document, &lines);
+    let system = SystemBuilder::new(start);
     let mut builder =
-        Builder { document, lines: &lines, origin, system: SystemBuilder::new(start), mistakes: Vec::new() };
+        Builder { document, lines: &lines, origin, system, mistakes: Vec::new(), joint_switches: Vec::new() };
     for (number, beam) in document.beams.iter().enumerate() {
         builder.add_beam(beam, lines.line(number).expect("without mistakes every beam is drawn"));
     }
@@ -69,6 +72,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     builder.join_springs();
     document.drives.iter().for_each(|drive| builder.add_drive(drive));
     document.actuators.iter().for_each(|actuator| builder.add_actuator(actuator));
+    document.locks.iter().for_each(|lock| builder.add_lock(lock));
     document.gears.iter().for_each(|gear| builder.add_gear(gear));
     document.loads.iter().for_each(|load| builder.add_load(load));
     document.outputs.iter().for_each(|output| builder.add_sensors(output));
@@ -103,6 +107,16 @@ fn signal_from(document: &Document, number: Number, origin: f64) -> Signal {
         return Signal::Constant(function.value(0.0) - origin);
     }
     let breaks = function.breaks([0.0, document.value(document.simulation.stop)]);
+    with_breaks(function, origin, breaks)
+}
+
+/// The function of time that a number of the file is, with `breaks` of its own.
+fn signal_with(document: &Document, number: Number, breaks: Vec<f64>) -> Signal {
+    let function = document.function(number);
+    if function.is_constant() { Signal::Constant(function.value(0.0)) } else { with_breaks(function, 0.0, breaks) }
+}
+
+fn with_breaks(function: Function, origin: f64, breaks: Vec<f64>) -> Signal {
     let is_plain = breaks.is_empty() && !function.may_be_undefined();
     let function = Arc::new(function);
     let own = function.clone();
@@ -127,6 +141,8 @@ struct Builder<'a> {
     system: SystemBuilder,
     /// What only the start time shows to be wrong.
     mistakes: Vec<Diagnostic>,
+    /// The switches of joints, by their places in the file; none: the joint always holds.
+    joint_switches: Vec<Option<usize>>,
 }
 
 impl Builder<'_> {
@@ -194,7 +210,8 @@ impl Builder<'_> {
             | output::Target::Gear(_)
             | output::Target::Spring(_)
             | output::Target::Friction(_)
-            | output::Target::Stop(_) => {}
+            | output::Target::Stop(_)
+            | output::Target::Lock(_) => {}
         }
         if let Some(marker) = observer {
             (first..self.system.sensors()).for_each(|sensor| self.system.observe(sensor, marker));

@@ -5,6 +5,7 @@ use crate::math::jet::Jet;
 use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::force::actuator::EffortGuide;
+use crate::mechanics::force::effort_law::EffortFunction;
 use crate::mechanics::force::law::Law;
 use crate::mechanics::force::load::LoadGuide;
 use crate::mechanics::geometry::pose::{Pose, angular_velocity};
@@ -14,10 +15,11 @@ use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::System;
 use crate::model::file::document::Document;
 use crate::model::file::entries::actuator::Action;
-use crate::model::file::entries::drive::Motion;
+use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::frame::{FrameSpec, Orientation};
 use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::spring::{Only, SpringLaw};
+use crate::model::file::entries::switch::SwitchSpec;
 use crate::model::file::number::Number;
 use crate::model::validate::sections;
 use nalgebra::Quaternion;
@@ -119,6 +121,19 @@ pub(super) fn springs_of(joint: &JointSpec) -> Vec<(Measure, Tuned)> {
     springs
 }
 
+/// An effort as a function of time and of what it reads, with its derivative with respect to one of these.
+pub(super) fn effort(document: &Document, number: Number) -> Arc<EffortFunction> {
+    let function = document.function(number);
+    let numbers = function.readings();
+    Arc::new(move |time: f64, values: &[f64], by: usize| {
+        let jet = function.with_readings(time, &|number: usize| {
+            let place = numbers.partition_point(|own| *own < number);
+            if place == by { Jet::variable(values[place]) } else { Jet::constant(values[place]) }
+        });
+        [jet.value, jet.first]
+    })
+}
+
 /// Brings a built system to the tunable parameters of now.
 pub fn retune(document: &Document, system: &mut System) {
     system.gravity = vector(document, document.model.gravity);
@@ -129,8 +144,13 @@ pub fn retune(document: &Document, system: &mut System) {
         }
     }
     for (actuator, written) in system.actuators.iter_mut().zip(&document.actuators) {
-        if let EffortGuide::Signal(effort) = &mut actuator.guide {
-            *effort = signal(document, written.effort);
+        match &mut actuator.guide {
+            EffortGuide::Signal(effort) => *effort = signal(document, written.effort),
+            EffortGuide::Law(law) => {
+                law.signal = signal(document, written.effort);
+                law.function = effort(document, written.effort);
+            }
+            EffortGuide::Host => {}
         }
     }
     system.collect_breaks();
@@ -221,6 +241,20 @@ pub fn aim(
         let (value, rate) = line(actuator.effort);
         *target = HostEffort { value, rate, since: begin };
     }
+    // In the order of their building.
+    for (target, switch) in targets.switches.iter_mut().zip(switches(document)) {
+        if let Some(SwitchSpec { active, input: true }) = switch {
+            *target = line(active).0;
+        }
+    }
+}
+
+/// All switches of the system in the order of their building: those of joints, of drives, of locks. None: a drive that only its joint releases.
+pub fn switches(document: &Document) -> impl Iterator<Item = Option<SwitchSpec>> + '_ {
+    let joints = document.joints.iter().map(|joint| joint.switch).filter(Option::is_some);
+    let has_one = |drive: &&DriveSpec| drive.switch.is_some() || document.joints[drive.joint].switch.is_some();
+    let drives = document.drives.iter().filter(has_one).map(|drive| drive.switch);
+    joints.chain(drives).chain(document.locks.iter().map(|lock| Some(lock.switch)))
 }
 
 /// Shortest quaternion that has a direction.

@@ -33,6 +33,39 @@ pub(super) fn breaks(program: &Program, range: [f64; 2]) -> Vec<f64> {
     found
 }
 
+/// Where a program with bound parameters compares straight lines that cross, in any order.
+pub(super) fn crossings(program: &Program) -> Vec<f64> {
+    let mut stack: Vec<Option<Line>> = Vec::new();
+    let mut found = Vec::new();
+    for operation in program.operations() {
+        let line = match *operation {
+            Operation::Constant(value) => Some(Line::constant(value)),
+            Operation::Variable => Some(Line { rate: 1.0, start: 0.0 }),
+            Operation::Parameter(_) | Operation::Rate | Operation::Reading(_) => None,
+            Operation::Unary(function) => stack.pop().flatten().and_then(|line| one(function, line)),
+            Operation::Binary(function) => {
+                let pair = stack.pop().flatten().zip(stack.pop().flatten());
+                pair.and_then(|(b, a)| {
+                    if a.rate != b.rate {
+                        found.push((b.start - a.start) / (a.rate - b.rate));
+                    }
+                    two(function, a, b)
+                })
+            }
+            Operation::Ternary(_) => {
+                stack.truncate(stack.len().saturating_sub(3));
+                None
+            }
+            Operation::Call(_) => {
+                stack.pop();
+                None
+            }
+        };
+        stack.push(line);
+    }
+    found
+}
+
 /// What a program is of `variable`; none: it is no straight line.
 fn walk(program: &Program, variable: Line, range: [f64; 2], found: &mut Vec<f64>) -> Option<Line> {
     let mut stack = [None; STACK];
@@ -43,7 +76,7 @@ fn walk(program: &Program, variable: Line, range: [f64; 2], found: &mut Vec<f64>
                 stack[height] = Some(Line::constant(value));
                 height += 1;
             }
-            Operation::Parameter(_) | Operation::Rate => {
+            Operation::Parameter(_) | Operation::Rate | Operation::Reading(_) => {
                 stack[height] = None;
                 height += 1;
             }

@@ -1,6 +1,6 @@
 //! A number that may depend on time (or on the curve parameter): one expression, or pieces with ascending limits.
 
-use super::breaks::breaks;
+use super::breaks::{breaks, crossings};
 use super::program::Undefined;
 use super::{Jet, Program};
 
@@ -39,6 +39,14 @@ impl Formula {
     /// Whether a table in it has no value outside of its rows.
     pub fn may_be_undefined(&self) -> bool {
         self.pieces.iter().any(|piece| piece.is.may_be_undefined())
+    }
+
+    /// The numbers of the readings that occur, ascending.
+    pub fn readings(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.pieces.iter().flat_map(|piece| piece.is.readings()).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
     }
 
     /// The parameters that occur, repeats included.
@@ -111,6 +119,19 @@ impl Function {
         [by_x.value, by_x.first, by_v.first]
     }
 
+    /// `f` at t with the readings as they are.
+    pub fn with_readings(&self, t: f64, readings: &dyn Fn(usize) -> Jet) -> Jet {
+        self.pieces[self.piece(t)].with_readings(t, readings)
+    }
+
+    /// The numbers of the readings that occur, ascending.
+    pub fn readings(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.pieces.iter().flat_map(Program::readings).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
     /// Whether the rate of the variable occurs.
     pub fn has_rate(&self) -> bool {
         self.pieces.iter().any(Program::has_rate)
@@ -134,6 +155,11 @@ impl Function {
             all.dedup();
         }
         all
+    }
+
+    /// Where its pieces compare straight lines that cross, in any order: where a comparison may change.
+    pub fn crossings(&self) -> impl Iterator<Item = f64> + '_ {
+        self.pieces.iter().flat_map(crossings).filter(|at| at.is_finite())
     }
 
     /// Where piece `k` is valid between `from` and `to`.

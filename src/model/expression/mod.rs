@@ -14,7 +14,7 @@ pub mod table;
 mod tests;
 
 pub use crate::math::jet::Jet;
-pub use parser::{Callee, ExpressionError, LENGTH, Scope, compile, compile_in};
+pub use parser::{Callee, ExpressionError, LENGTH, ReadingLookup, Scope, compile, compile_in};
 pub use program::Program;
 
 /// What a name in an expression may stand for.
@@ -26,6 +26,8 @@ pub enum Variable {
     Time,
     /// `s`, the curve parameter.
     Curve,
+    /// `t`, time, and coordinates of joints with their rates.
+    Control,
     /// `x`, the elongation of a spring, with its rate `v` as a second variable.
     Elongation,
 }
@@ -35,7 +37,7 @@ impl Variable {
     pub fn word(self) -> &'static str {
         match self {
             Self::None => "",
-            Self::Time => "t",
+            Self::Time | Self::Control => "t",
             Self::Curve => "s",
             Self::Elongation => "x",
         }

@@ -58,7 +58,12 @@ pub struct Scope<'a> {
     pub function: &'a dyn Fn(&str) -> Option<Callee>,
     /// The function of the file whose value the expression is; none: it stands elsewhere.
     pub inside: Option<&'a str>,
+    /// The number of a coordinate of a part, `hinge.angle`, or why there is none, in two parts; none: coordinates are not known here.
+    pub reading: Option<&'a ReadingLookup<'a>>,
 }
+
+/// See [`Scope::reading`].
+pub type ReadingLookup<'a> = dyn Fn(&str, &str) -> Result<usize, [String; 2]> + 'a;
 
 /// A function of the file, as a call finds it.
 #[derive(Clone, Debug)]
@@ -86,6 +91,7 @@ pub fn compile(
             parameter: lookup,
             function: &|_| None,
             inside: None,
+            reading: None,
         },
     )
 }
@@ -335,6 +341,11 @@ impl Parser<'_> {
         let name = &rest[..length];
         let range = start..start + length;
         self.at = range.end;
+        if let Some(key) =
+            rest[length..].strip_prefix('.').filter(|key| key.starts_with(|c: char| c.is_ascii_alphabetic()))
+        {
+            return self.reading(name, key, start);
+        }
         self.skip_space();
         if let Some((_, callable)) = FUNCTIONS.iter().find(|(function, _)| *function == name) {
             return self.call(name, *callable, range);
@@ -391,6 +402,21 @@ impl Parser<'_> {
             return Err(unknown);
         }
         self.operations.push(operation);
+        Ok(())
+    }
+
+    /// A coordinate of a part, whose name begins at `start`, or its rate; `key` begins the text behind the point.
+    fn reading(&mut self, name: &str, key: &str, start: usize) -> Result<(), ExpressionError> {
+        let key = &key[..key.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(key.len())];
+        self.at += 1 + key.len();
+        let range = start..self.at;
+        self.skip_space();
+        let Some(lookup) = self.scope.reading else {
+            let label = "coordinates of joints are known in the effort of an actuator only; a [gear] ties two of them";
+            return Err(error(format!("`{name}.{key}` is not known here"), label, range));
+        };
+        let number = lookup(name, key).map_err(|[message, label]| error(message, label, range))?;
+        self.operations.push(Operation::Reading(number));
         Ok(())
     }
 

@@ -22,6 +22,8 @@ pub enum Operation {
     Variable,
     /// The rate v of the variable x.
     Rate,
+    /// A coordinate of the mechanism or its rate, by its number.
+    Reading(usize),
     /// A function of one argument.
     Unary(Unary),
     /// A function of two arguments.
@@ -187,6 +189,9 @@ impl Called {
     }
 }
 
+/// Coordinates and rates of a mechanism as drawn.
+const AS_DRAWN: fn(usize) -> Jet = |_| Jet::constant(0.0);
+
 /// A compiled expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
@@ -210,7 +215,11 @@ impl Program {
         let mut cost = 0_usize;
         for operation in &operations {
             height = match operation {
-                Operation::Constant(_) | Operation::Parameter(_) | Operation::Variable | Operation::Rate => height + 1,
+                Operation::Constant(_)
+                | Operation::Parameter(_)
+                | Operation::Variable
+                | Operation::Rate
+                | Operation::Reading(_) => height + 1,
                 Operation::Unary(_) | Operation::Call(_) => height,
                 Operation::Binary(_) => height - 1,
                 Operation::Ternary(_) => height - 2,
@@ -232,9 +241,17 @@ impl Program {
         self.calls.iter().map(|called| called.depth()).max().unwrap_or(0)
     }
 
-    /// Whether neither the variable nor its rate occurs.
+    /// Whether neither the variable nor its rate occurs, nor a reading.
     pub fn is_constant(&self) -> bool {
-        !self.operations.contains(&Operation::Variable) && !self.has_rate()
+        !self.operations.contains(&Operation::Variable) && !self.has_rate() && self.readings().next().is_none()
+    }
+
+    /// The readings that occur, repeats included.
+    pub fn readings(&self) -> impl Iterator<Item = usize> + '_ {
+        self.operations.iter().filter_map(|operation| match operation {
+            Operation::Reading(number) => Some(*number),
+            _ => None,
+        })
     }
 
     /// Whether the rate of the variable occurs.
@@ -287,14 +304,19 @@ impl Program {
         self.jet(variable, parameters).value
     }
 
-    /// `(f, f', f'')` by the variable, at the rate 0.
+    /// `(f, f', f'')` by the variable, at the rate 0; all readings are 0.
     pub fn jet(&self, variable: f64, parameters: impl Fn(usize) -> f64) -> Jet {
-        self.run([Jet::variable(variable), Jet::constant(0.0)], &parameters, &mut |_, _| {})
+        self.run([Jet::variable(variable), Jet::constant(0.0)], &AS_DRAWN, &parameters, &mut |_, _| {})
     }
 
     /// With the variable and its rate as they are. The parameters are bound.
     pub fn evaluated(&self, variable: Jet, rate: Jet) -> Jet {
-        self.run([variable, rate], &|_| f64::NAN, &mut |_, _| {})
+        self.run([variable, rate], &AS_DRAWN, &|_| f64::NAN, &mut |_, _| {})
+    }
+
+    /// At the variable and the readings as they are. The parameters are bound.
+    pub fn with_readings(&self, variable: f64, readings: &dyn Fn(usize) -> Jet) -> Jet {
+        self.run([Jet::constant(variable), Jet::constant(0.0)], &readings, &|_| f64::NAN, &mut |_, _| {})
     }
 
     /// Whether a table that it calls has no values outside of its rows.
@@ -308,7 +330,7 @@ impl Program {
     /// The first call of a table without a value at its argument: its function and the argument. The parameters are bound.
     pub fn undefined(&self, variable: f64) -> Option<Undefined> {
         let mut found = None;
-        self.run([Jet::variable(variable), Jet::constant(0.0)], &|_| f64::NAN, &mut |called, argument| {
+        self.run([Jet::variable(variable), Jet::constant(0.0)], &AS_DRAWN, &|_| f64::NAN, &mut |called, argument| {
             if let Body::Table(table) = &called.body
                 && found.is_none()
                 && table.is_undefined(argument)
@@ -322,6 +344,7 @@ impl Program {
     fn run(
         &self,
         [variable, rate]: [Jet; 2],
+        readings: &impl Fn(usize) -> Jet,
         parameters: &impl Fn(usize) -> f64,
         watch: &mut impl FnMut(&Called, f64),
     ) -> Jet {
@@ -345,6 +368,10 @@ impl Program {
                     stack[height] = rate;
                     height += 1;
                 }
+                Operation::Reading(number) => {
+                    stack[height] = readings(number);
+                    height += 1;
+                }
                 Operation::Unary(function) => stack[height - 1] = unary(function, stack[height - 1]),
                 Operation::Binary(function) => {
                     height -= 1;
@@ -360,7 +387,8 @@ impl Program {
                     watch(called, argument.value);
                     let result = match &called.body {
                         Body::Expression(program) => {
-                            program.run([Jet::variable(argument.value), Jet::constant(0.0)], parameters, watch)
+                            let inner = [Jet::variable(argument.value), Jet::constant(0.0)];
+                            program.run(inner, readings, parameters, watch)
                         }
                         Body::Table(table) => table.jet(argument.value),
                     };

@@ -1,7 +1,7 @@
 //! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
 
 use super::collisions;
-use super::entries::actuator::ActuatorSpec;
+use super::entries::actuator::{Action, ActuatorSpec};
 use super::entries::beam::BeamSpec;
 use super::entries::body::BodySpec;
 use super::entries::drive::DriveSpec;
@@ -11,6 +11,7 @@ use super::entries::function;
 use super::entries::gear::GearSpec;
 use super::entries::joint::JointSpec;
 use super::entries::load::LoadSpec;
+use super::entries::lock::LockSpec;
 use super::entries::material::MaterialSpec;
 use super::entries::output::{OutputSpec, Things};
 use super::entries::overview::ModelSpec;
@@ -25,6 +26,7 @@ use super::objections;
 use super::parameter::Parameter;
 use super::range::Range;
 use super::reader::{Context, Reader};
+use super::released;
 use crate::model::expression::function::Function;
 use crate::model::text::diagnostic::{Diagnostic, Place, Report, Source};
 use crate::model::text::names::{Kind, Named, Names, SECTIONS, is_legal, is_reserved, suggestion};
@@ -70,6 +72,8 @@ pub struct Document {
     pub frictions: Vec<FrictionSpec>,
     /// Stops, in file order.
     pub stops: Vec<StopSpec>,
+    /// Locks, in file order.
+    pub locks: Vec<LockSpec>,
     /// Loads, in file order.
     pub loads: Vec<LoadSpec>,
     /// Outputs, in file order.
@@ -120,7 +124,19 @@ impl Document {
         let springs = tree.named(&mut context, "spring", |name, reader| SpringSpec::read(name, reader, &joints));
         let frictions = tree.named(&mut context, "friction", |name, reader| FrictionSpec::read(name, reader, &joints));
         let stops = tree.named(&mut context, "stop", |name, reader| StopSpec::read(name, reader, &joints));
+        let locks = tree.named(&mut context, "lock", |name, reader| LockSpec::read(name, reader, &joints));
         let loads = tree.named(&mut context, "load", LoadSpec::read);
+        if joints.len() == context.names.of(Kind::Joint).count() {
+            let springs = springs.iter().map(|own| ("spring", own.name.as_str(), own.place, own.action));
+            let frictions = frictions.iter().map(|own| ("friction", own.name.as_str(), own.place, own.action));
+            let stops = stops.iter().map(|own| ("stop", own.name.as_str(), own.place, own.action));
+            let actuators = actuators.iter().map(|own| ("actuator", own.name.as_str(), own.place, own.action));
+            let on_joint = |(kind, name, place, action): (_, _, _, Action)| Some((kind, name, place, action.joint()?));
+            let gears =
+                gears.iter().flat_map(|own| own.sides.map(|(joint, _)| ("gear", own.name.as_str(), own.place, joint)));
+            let acting = springs.chain(frictions).chain(stops).chain(actuators).filter_map(on_joint).chain(gears);
+            released::report(&joints, acting, &context.numbers, &mut context.report);
+        }
         let things = Things {
             beams: &beams,
             sections: &sections,
@@ -131,6 +147,7 @@ impl Document {
             springs: &springs,
             frictions: &frictions,
             stops: &stops,
+            locks: &locks,
         };
         let outputs = tree.named(&mut context, "output", |name, reader| OutputSpec::read(name, reader, things));
         let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
@@ -163,6 +180,7 @@ impl Document {
             springs,
             frictions,
             stops,
+            locks,
             loads,
             outputs,
             simulation,
@@ -182,6 +200,7 @@ impl Document {
             springs: &self.springs,
             frictions: &self.frictions,
             stops: &self.stops,
+            locks: &self.locks,
         }
     }
 
@@ -300,46 +319,6 @@ impl Document {
         self.source.told(place).place
     }
 
-    /// A message of the solver at the line of the first part of the model that it names; none if it names none.
-    pub fn locate(&self, message: &str) -> Option<Diagnostic> {
-        let words: Vec<&str> =
-            message.split_whitespace().map(|word| word.trim_matches([',', ';', ':', '\''])).collect();
-        let place = words.iter().enumerate().find_map(|(k, word)| {
-            let name = word.split(['.', '@']).next().unwrap_or(word);
-            let before = k.checked_sub(1).map_or("", |k| words[k]);
-            let is_point = name.len() < word.len() || words.get(k + 1).is_some_and(|next| next.starts_with('('));
-            let mut parts = self.parts().filter(|(_, known, _)| *known == name);
-            parts.find(|(kind, ..)| is_point || before == *kind || before == "bushing").map(|(.., place)| place)
-        });
-        place.map(|place| self.diagnostic(place, message, "", ""))
-    }
-
-    /// What the solver's messages name: kind, name and place.
-    fn parts(&self) -> impl Iterator<Item = (&'static str, &str, Place)> {
-        let beams = self.beams.iter().map(|part| ("beam", part.name.as_str(), part.place));
-        let bodies = self.bodies.iter().map(|part| ("body", part.name.as_str(), part.place));
-        let frames = self.frames.iter().map(|part| ("frame", part.name.as_str(), part.place));
-        let points = self.points.iter().map(|part| ("point", part.name.as_str(), part.place));
-        let joints = self.joints.iter().map(|part| ("joint", part.name.as_str(), part.place));
-        let drives = self.drives.iter().map(|part| ("drive", part.name.as_str(), part.place));
-        let actuators = self.actuators.iter().map(|part| ("actuator", part.name.as_str(), part.place));
-        let gears = self.gears.iter().map(|part| ("gear", part.name.as_str(), part.place));
-        let springs = self.springs.iter().map(|part| ("spring", part.name.as_str(), part.place));
-        let frictions = self.frictions.iter().map(|part| ("friction", part.name.as_str(), part.place));
-        let stops = self.stops.iter().map(|part| ("stop", part.name.as_str(), part.place));
-        let loads = self.loads.iter().map(|part| ("load", part.name.as_str(), part.place));
-        let motions = joints.chain(drives).chain(actuators).chain(gears);
-        beams
-            .chain(bodies)
-            .chain(frames)
-            .chain(points)
-            .chain(motions)
-            .chain(springs)
-            .chain(frictions)
-            .chain(stops)
-            .chain(loads)
-    }
-
     /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help` below it.
     pub fn diagnostic(&self, place: Place, message: &str, label: &str, help: &str) -> Diagnostic {
         Diagnostic::new(&self.source, place, message, label, help)
@@ -434,8 +413,7 @@ impl Top {
 }
 
 /// Why two things cannot have the same name.
-const SHARED: &str =
-    "beams, bodies, frames, points, joints, drives, actuators, gears, springs, friction and stops share their names";
+const SHARED: &str = "beams, bodies, frames, points, joints, drives, actuators, gears, springs, friction, stops and locks share their names";
 
 /// Every name with what it stands for; illegal, reserved and double ones are reported.
 fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {

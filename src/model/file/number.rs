@@ -238,7 +238,7 @@ impl Numbers {
                 return None;
             }
             let end = match self.slots[place].meta.variable {
-                Variable::Time => stop,
+                Variable::Time | Variable::Control => stop,
                 Variable::None => 0.0,
                 // The curve is looked at where it is drawn, the law of a spring where it goes.
                 Variable::Curve | Variable::Elongation => return None,

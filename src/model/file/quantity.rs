@@ -86,6 +86,8 @@ pub enum Site {
     Friction,
     /// A stop.
     Stop,
+    /// A lock.
+    Lock,
 }
 
 impl Site {
@@ -103,6 +105,7 @@ impl Site {
             Self::Spring => "a spring",
             Self::Friction => "a [friction]",
             Self::Stop => "a stop",
+            Self::Lock => "a lock",
         }
     }
 }
@@ -143,8 +146,8 @@ impl At {
 const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame, Site::Point]);
 const BEAM: At = At(&[Site::Beam]);
 const HOLD: At = At(&[Site::Joint, Site::Frame]);
-const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Spring, Site::Friction, Site::Stop]);
-const EFFORT: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Gear, Site::Friction, Site::Stop]);
+const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Spring, Site::Friction, Site::Stop, Site::Lock]);
+const EFFORT: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Gear, Site::Friction, Site::Stop, Site::Lock]);
 const POWER: At = At(&[Site::Drive, Site::Actuator, Site::Gear, Site::Spring, Site::Friction, Site::Stop]);
 const SPRING: At = At(&[Site::Spring]);
 const STORE: At = At(&[Site::Spring, Site::Stop]);

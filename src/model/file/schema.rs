@@ -62,6 +62,11 @@ impl Rule {
         self
     }
 
+    const fn in_control(mut self) -> Self {
+        self.variable = Variable::Control;
+        self
+    }
+
     const fn over_elongation(mut self) -> Self {
         self.variable = Variable::Elongation;
         self
@@ -181,13 +186,18 @@ pub const ROTATIONAL_STIFFNESS: Rule =
 pub const ROTATIONAL_DAMPING: Rule =
     rule("rotational_damping", "damping of the turning", "N.m.s/rad").from(0.0).tunable();
 
+pub const ACTIVE: Rule =
+    rule("active", "engaged where it is at least 0.5, else released", "").from(0.0).to(1.0).in_time();
+
 pub const ANGLE: Rule = rule("value", "angle that the drive prescribes", "rad").in_time();
 pub const DISTANCE: Rule = rule("value", "distance that the drive prescribes", "m").in_time();
 pub const ANGLE_RATE: Rule = rule("rate", "rate of the angle that the drive prescribes", "rad/s").in_time();
 pub const DISTANCE_RATE: Rule = rule("rate", "rate of the distance that the drive prescribes", "m/s").in_time();
 
-pub const TORQUE: Rule = rule("effort", "torque of the actuator on side b about the axis", "N.m").tunable().in_time();
-pub const THRUST: Rule = rule("effort", "force of the actuator on side b, away from side a", "N").tunable().in_time();
+pub const TORQUE: Rule =
+    rule("effort", "torque of the actuator on side b about the axis", "N.m").tunable().in_control();
+pub const THRUST: Rule =
+    rule("effort", "force of the actuator on side b, away from side a", "N").tunable().in_control();
 
 pub const SPRING_STIFFNESS: Rule = rule("stiffness", "stiffness of the spring", "N/m").from(0.0).tunable();
 pub const SPRING_DAMPING: Rule = rule("damping", "damping along the spring", "N.s/m").from(0.0).tunable();

@@ -336,6 +336,7 @@ impl<'a> Flattener<'a> {
         let result = replaced(text, &mut |name| {
             let name = match name {
                 Name::Called(name) => return Ok(scope.function(name)),
+                Name::Part(name) => return Ok(scope.part(name)),
                 Name::Number(name) if name == argument => return Ok(None),
                 Name::Number(name) => name,
             };

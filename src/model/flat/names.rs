@@ -10,6 +10,8 @@ pub(super) enum Name<'t> {
     Number(&'t str),
     /// That of a function: a parenthesis follows.
     Called(&'t str),
+    /// That of a part, of which a coordinate follows: `hinge.angle`.
+    Part(&'t str),
 }
 
 impl<'t> Name<'t> {
@@ -17,7 +19,7 @@ impl<'t> Name<'t> {
     pub fn number(self) -> Option<&'t str> {
         match self {
             Self::Number(name) => Some(name),
-            Self::Called(_) => None,
+            Self::Called(_) | Self::Part(_) => None,
         }
     }
 }
@@ -55,12 +57,23 @@ pub(super) fn replaced(
         };
         let (token, behind) = rest.split_at(length);
         let is_called = behind.trim_start().starts_with('(');
-        let name = c.is_ascii_alphabetic().then_some(if is_called { Name::Called(token) } else { Name::Number(token) });
+        let key = behind.strip_prefix('.').filter(|key| key.starts_with(|c: char| c.is_ascii_alphabetic()));
+        let name = c.is_ascii_alphabetic().then_some(match (is_called, key) {
+            (true, _) => Name::Called(token),
+            (false, Some(_)) => Name::Part(token),
+            (false, None) => Name::Number(token),
+        });
         match name.map_or(Ok(None), &mut *stand_in)? {
             Some(text) => result.push_str(&text),
             None => result.push_str(token),
         }
         rest = behind;
+        if let (Some(Name::Part(_)), Some(key)) = (name, key) {
+            // Not a number without digits, and what is behind it.
+            let length = 1 + key.find(|c| !is_inside(c)).unwrap_or(key.len());
+            result.push_str(&rest[..length]);
+            rest = &rest[length..];
+        }
     }
     Ok(result)
 }

@@ -26,7 +26,7 @@ pub(super) enum Role {
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 81] = [
+const ROLES: [(&str, &str, Role); 82] = [
     ("function", "argument", Role::Word),
     ("function", "table", Role::Number),
     ("function", "file", Role::Word),
@@ -73,6 +73,7 @@ const ROLES: [(&str, &str, Role); 81] = [
     ("beam", "ancf24_poisson", Role::Word),
     ("beam", "ancf24_shear", Role::Word),
     ("frame", "rotation", Role::Direction),
+    ("", "active", Role::Number),
     ("", "input", Role::Word),
     ("joint", "type", Role::Word),
     ("", "a", Role::Part),

@@ -120,6 +120,14 @@ impl<'p> Scope<'p> {
         }
     }
 
+    /// The flat name of a part whose coordinate stands in an expression; none: the file has no such part here.
+    pub fn part(&'p self, name: &str) -> Option<String> {
+        match self.find(None, name, &[]) {
+            Found::Name(flat) => Some(flat),
+            Found::Unknown | Found::Copies | Found::TooMany(_) => None,
+        }
+    }
+
     /// What the name of a thing means: of a part, or of a thing of `section`; `indices` say which copy.
     pub fn find(&'p self, section: Option<&str>, name: &str, indices: &[String]) -> Found {
         let mut is_in_copies = false;

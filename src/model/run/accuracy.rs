@@ -27,6 +27,8 @@ const EXPECTED: f64 = 0.005;
 const ROUGH_SHARE: f64 = 0.05;
 /// A force or moment is compared with this share of the largest one of the system at least.
 const SMALL_FORCE: f64 = 0.1;
+/// An error below this share is told as that: of a model at rest it is round-off.
+const LEAST_TOLD: f64 = 1e-6;
 /// The share that a proposed step is chosen for.
 const PROPOSED: f64 = 0.002;
 
@@ -271,7 +273,11 @@ impl Inexact {
 
     /// Its error in words: `about 0.17 %`; one beyond the whole range says no more than that.
     pub fn size(&self) -> String {
-        if self.error > 1.0 { String::from("more than 100 %") } else { format!("about {}", percent(self.error)) }
+        match self.error {
+            error if error > 1.0 => String::from("more than 100 %"),
+            error if error < LEAST_TOLD => format!("less than {}", percent(LEAST_TOLD)),
+            error => format!("about {}", percent(error)),
+        }
     }
 }
 

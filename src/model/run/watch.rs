@@ -3,10 +3,12 @@
 mod alternation;
 mod ends;
 mod mesh;
+mod stops;
 
 use self::alternation::AlternationWatch;
 use self::ends::EndWatch;
 use self::mesh::MeshWatch;
+use self::stops::StopWatch;
 use crate::error::decimal;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::Alarm;
@@ -32,6 +34,7 @@ pub struct Watch {
     mesh: MeshWatch,
     ends: EndWatch,
     alternation: AlternationWatch,
+    stops: StopWatch,
 }
 
 impl Watch {
@@ -62,7 +65,9 @@ impl Watch {
         let mesh = self.mesh.look(system, state, table, frames);
         let ends = self.ends.look(system, state, frames);
         let alternation = self.alternation.look(system, state, table, results);
-        twist.into_iter().chain(axial).chain(mesh).chain(ends).chain(alternation).chain(self.energy(state)).collect()
+        let stops = self.stops.look(system, state);
+        let all = twist.into_iter().chain(axial).chain(mesh).chain(ends).chain(alternation).chain(stops);
+        all.chain(self.energy(state)).collect()
     }
 
     /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.

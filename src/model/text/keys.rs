@@ -1,7 +1,7 @@
 //! The keys of the sections with a name: where several sections have one name, the key says which of them is meant.
 
 /// Every section with the keys that it may have.
-const KEYS: [(&str, &[&str]); 16] = [
+const KEYS: [(&str, &[&str]); 17] = [
     ("function", &["value", "argument", "table", "file", "column", "interpolation", "outside"]),
     (
         "material",
@@ -94,14 +94,17 @@ const KEYS: [(&str, &[&str]); 16] = [
             "damping",
             "rotational_stiffness",
             "rotational_damping",
+            "active",
+            "input",
         ],
     ),
-    ("drive", &["joint", "coordinate", "value", "rate", "input"]),
+    ("drive", &["joint", "coordinate", "value", "rate", "active", "input"]),
     ("actuator", &["joint", "coordinate", "a", "b", "effort", "input"]),
     ("gear", &["a", "a_coordinate", "b", "b_coordinate", "ratio"]),
     ("spring", &["a", "b", "joint", "coordinate", "stiffness", "damping", "length", "rest", "only", "force"]),
     ("friction", &["joint", "coordinate", "coulomb", "viscous", "speed"]),
     ("stop", &["joint", "coordinate", "lower", "upper", "stiffness", "damping"]),
+    ("lock", &["joint", "coordinate", "active", "input"]),
     ("load", &["at", "on", "force", "moment", "follower", "input"]),
     ("output", &["at", "on", "stations", "in", "quantities"]),
 ];

@@ -23,12 +23,13 @@ pub enum Kind {
     Spring,
     Friction,
     Stop,
+    Lock,
     Load,
     Output,
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 16] = [
+pub const SECTIONS: [(&str, Kind); 17] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -43,6 +44,7 @@ pub const SECTIONS: [(&str, Kind); 16] = [
     ("spring", Kind::Spring),
     ("friction", Kind::Friction),
     ("stop", Kind::Stop),
+    ("lock", Kind::Lock),
     ("load", Kind::Load),
     ("output", Kind::Output),
 ];
@@ -51,7 +53,7 @@ impl Kind {
     /// Whether it is a part of the mechanism, which an `a`, a `b` or an `at` can refer to.
     fn is_part(self) -> bool {
         use Kind::*;
-        matches!(self, Body | Beam | Frame | Point | Joint | Drive | Actuator | Gear | Spring | Friction | Stop)
+        matches!(self, Body | Beam | Frame | Point | Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock)
     }
 
     /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.
@@ -195,7 +197,7 @@ pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>)
 }
 
 /// Words of other programs and languages: where they stand, and what they are called here.
-const SYNONYMS: [(&str, &[&str], &str); 33] = [
+const SYNONYMS: [(&str, &[&str], &str); 35] = [
     ("type", &["fixed", "rigid", "fix", "clamp", "clamped"], "weld"),
     ("type", &["hinge", "pin", "pivot", "hinged", "pinned"], "revolute"),
     ("type", &["ball", "ball_joint", "sphere"], "spherical"),
@@ -218,6 +220,8 @@ const SYNONYMS: [(&str, &[&str], &str); 33] = [
     (KEY, &["c", "d"], "damping"),
     (KEY, &["m"], "mass"),
     (KEY, &["r"], "radius"),
+    (KEY, &["torque", "thrust", "force", "moment"], "effort"),
+    (KEY, &["locked", "engaged", "enabled", "released"], "active"),
     (FUNCTION, &["log"], "ln` or `log10"),
     (FUNCTION, &["loge"], "ln"),
     (FUNCTION, &["modulo", "fmod", "rem"], "mod"),

@@ -111,6 +111,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         | output::Target::Spring(_)
         | output::Target::Friction(_)
         | output::Target::Stop(_)
+        | output::Target::Lock(_)
         | output::Target::On { .. } => None,
     });
     let observers = document.outputs.iter().filter_map(|output| Some(&output.observer.as_ref()?.anchor));

@@ -1,8 +1,10 @@
 //! Legal models that are hardly ever meant: parts that nothing holds, materials in other units than SI, stubby beams, angles in degrees, motions that
-//! begin with a blow, loads with a pole, steps almost as long as the motion.
+//! begin with a blow, loads with a pole, steps almost as long as the motion, forces that do not do what they should, copies in one place.
 
 mod angles;
+mod forces;
 mod groups;
+mod hidden_jumps;
 mod loose;
 mod materials;
 mod poles;
@@ -47,6 +49,11 @@ pub fn notes(document: &Document) -> Vec<String> {
         angles::odd_angles(document),
         starts::jumps(document, &lines),
         poles::poles(document),
+        hidden_jumps::hidden_jumps(document),
+        forces::turned_laws(document),
+        forces::resting_friction(document),
+        forces::violated_stops(document),
+        forces::stacked_copies(document),
         long_step(document).into_iter().collect(),
     ];
     let mut notes = Vec::new();

@@ -3,6 +3,7 @@
 //! A master that sees how little that is finds no loop between two units that start from their drawings. What is said here is never less than
 //! the truth, and may be more: an equilibrium is found from everything.
 
+use crate::model::builder;
 use crate::model::file::document::Document;
 use crate::model::file::entries::frame::Orientation;
 use crate::model::file::entries::output::Target;
@@ -31,6 +32,7 @@ pub struct Givens {
     parameters: Vec<usize>,
     /// Components of loads and efforts of actuators.
     loads: Vec<usize>,
+    /// Values and rates of drives, and switches.
     drives: Vec<usize>,
     /// Of each frame.
     frames: Vec<Vec<usize>>,
@@ -53,7 +55,13 @@ impl Givens {
                 .chain(document.actuators.iter().map(|actuator| actuator.effort))
                 .filter_map(input)
                 .collect(),
-            drives: document.drives.iter().filter_map(|drive| input(drive.motion.number())).collect(),
+            drives: document
+                .drives
+                .iter()
+                .map(|drive| drive.motion.number())
+                .chain(builder::switches(document).flatten().map(|switch| switch.active))
+                .filter_map(input)
+                .collect(),
             frames: document
                 .frames
                 .iter()

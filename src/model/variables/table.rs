@@ -46,6 +46,8 @@ pub enum Measure {
     Actuator(usize, Quantity),
     /// A quantity of a gear, by its place in the file.
     Gear(usize, Quantity),
+    /// A quantity of a lock, by its place in the file.
+    Lock(usize, Quantity),
     /// A quantity of a spring, friction or a stop, by its place in the system: they are built in the order of the file, one kind after the other.
     Spring(usize, Quantity),
     /// Kinetic, elastic, gravity and total energy.
@@ -63,7 +65,10 @@ const ACCOUNT: [(&str, &str); 5] = [
     ("work.loads", "Work of loads since the start"),
     ("work.actuators", "Work of actuators since the start"),
     ("work.drives", "Work of drives and moving frames since the start"),
-    ("work.dissipated", "Energy that dampers, friction, stops and material damping have taken since the start"),
+    (
+        "work.dissipated",
+        "Energy that dampers, friction, stops, engaging locks and material damping have taken since the start",
+    ),
     ("work.drift", "Energy that the integrator has added since the start; it has taken what is negative"),
 ];
 
@@ -82,6 +87,7 @@ impl Measure {
             | Self::Drive(_, quantity)
             | Self::Actuator(_, quantity)
             | Self::Gear(_, quantity)
+            | Self::Lock(_, quantity)
             | Self::Spring(_, quantity) => quantity.row().components,
             Self::Energy => 4,
             Self::Account => ACCOUNT.len(),
@@ -200,6 +206,7 @@ impl Table {
             Target::Drive(drive) => Measure::Drive(drive, quantity),
             Target::Actuator(actuator) => Measure::Actuator(actuator, quantity),
             Target::Gear(gear) => Measure::Gear(gear, quantity),
+            Target::Lock(lock) => Measure::Lock(lock, quantity),
             // In the order of their building.
             Target::Spring(number) => Measure::Spring(number, quantity),
             Target::Friction(number) => Measure::Spring(document.springs.len() + number, quantity),
@@ -238,7 +245,7 @@ impl Table {
         self.measures.iter().any(|measure| match measure {
             Measure::Sensors(_, quantity) => quantity.is_acceleration(),
             Measure::Frame(..) | Measure::Gear(..) => true,
-            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) => {
+            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) | Measure::Lock(_, quantity) => {
                 quantity.is_transmitted()
                     || quantity.is_acceleration()
                     || matches!(quantity, Quantity::Effort | Quantity::Power)
@@ -253,9 +260,10 @@ impl Table {
     pub fn follows_from_motion(&self, result: usize) -> bool {
         self.measure_of(result).is_some_and(|measure| match measure {
             Measure::Sensors(_, quantity) | Measure::Spring(_, quantity) => !quantity.is_acceleration(),
-            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) | Measure::Actuator(_, quantity) => {
-                quantity.is_coordinate()
-            }
+            Measure::Joint(_, quantity)
+            | Measure::Drive(_, quantity)
+            | Measure::Actuator(_, quantity)
+            | Measure::Lock(_, quantity) => quantity.is_coordinate(),
             Measure::Energy => true,
             Measure::Frame(..) | Measure::Gear(..) | Measure::Account | Measure::Momentum | Measure::Statistics => {
                 false
@@ -271,6 +279,7 @@ impl Table {
             | Measure::Drive(_, quantity)
             | Measure::Actuator(_, quantity)
             | Measure::Gear(_, quantity)
+            | Measure::Lock(_, quantity)
             | Measure::Spring(_, quantity)
             | Measure::Frame(_, quantity) => Some(*quantity),
             Measure::Energy | Measure::Account | Measure::Momentum | Measure::Statistics => None,
@@ -389,6 +398,11 @@ impl Table {
                 Measure::Drive(number, quantity) => {
                     let coordinate = system.drives[*number].coordinate;
                     let effort = || loads.effort(*number);
+                    values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
+                }
+                Measure::Lock(number, quantity) => {
+                    let coordinate = system.locks[*number].coordinate;
+                    let effort = || loads.lock_effort(*number);
                     values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
                 }
                 Measure::Actuator(number, quantity) => {

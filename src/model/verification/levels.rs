@@ -166,6 +166,7 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
         | output::Target::Spring(_)
         | output::Target::Friction(_)
         | output::Target::Stop(_)
+        | output::Target::Lock(_)
         | output::Target::On { .. } => None,
     });
     let observers = document.outputs.iter().filter_map(|output| {

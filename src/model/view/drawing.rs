@@ -170,6 +170,10 @@ impl Drawing {
                 None => drawing.marks.push(Mark { name, kind: MarkKind::Drive, at }),
             }
         }
+        for lock in &document.locks {
+            let at = document.joints.get(lock.joint).and_then(|joint| place(document, &lines, joint));
+            drawing.marks.extend(at.map(|at| Mark { name: lock.name.clone(), kind: MarkKind::Joint, at }));
+        }
         for actuator in &document.actuators {
             let name = actuator.name.clone();
             match &actuator.action {
@@ -218,6 +222,7 @@ impl Drawing {
                 output::Target::Spring(number) => document.springs.get(number).and_then(|own| acting(own.action)),
                 output::Target::Friction(number) => document.frictions.get(number).and_then(|own| acting(own.action)),
                 output::Target::Stop(number) => document.stops.get(number).and_then(|own| acting(own.action)),
+                output::Target::Lock(number) => document.locks.get(number).and_then(|own| joint(own.joint)),
                 // The whole beam: its name stands at the middle.
                 output::Target::On { beam, .. } => lines.line(beam).map(|line| line.place(0.5).into()),
             };

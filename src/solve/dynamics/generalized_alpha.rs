@@ -28,6 +28,7 @@ use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::response::{Responder, Response};
+use crate::solve::step::switching;
 
 /// Largest spectral radius for systems with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
 const LARGEST_RADIUS: f64 = 0.99;
@@ -126,10 +127,15 @@ impl GeneralizedAlpha {
     /// are left to the next step to refuse.
     fn restart_at_break(&mut self, system: &System, state: &mut State, step: f64) {
         if system.is_sudden(state.time, step) {
-            let responder = self.responder.get_or_insert_with(|| Box::new(Responder::new(system)));
-            let _ = set_accelerations(responder, system, state);
-            state.balance.forget_last();
+            self.restart(system, state);
         }
+    }
+
+    /// Starts anew from `state`.
+    fn restart(&mut self, system: &System, state: &mut State) {
+        let responder = self.responder.get_or_insert_with(|| Box::new(Responder::new(system)));
+        let _ = set_accelerations(responder, system, state);
+        state.balance.forget_last();
     }
 }
 
@@ -186,6 +192,14 @@ impl Integrator for GeneralizedAlpha {
         state.balance = balance;
         self.restart_at_break(system, state, step);
         Ok(())
+    }
+
+    fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error> {
+        let switched = switching::switch(system, &mut self.kkt, state, time)?;
+        if switched {
+            self.restart(system, state);
+        }
+        Ok(switched)
     }
 }
 
@@ -318,7 +332,7 @@ fn shares(
     excitation: &Excitation,
     [driving, damping]: [f64; 2],
 ) -> Work {
-    let [loads, actuators] = system.loads_and_actuators(c, excitation, velocity);
+    let [loads, actuators] = system.loads_and_actuators(c, &Passage::with_velocity(velocity), excitation, velocity);
     Work { loads, actuators, drives: driving + system.power_of_frames(c, velocity), dissipated: damping }
 }
 
@@ -385,7 +399,8 @@ impl Problem for Step<'_> {
         let passage = Passage::with_velocity(&scratch.velocity);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
-        system.add_damping_matrix(&configuration, &scratch.velocity, scale * by_q[0], tangent);
+        let given = (&scratch.velocity[..], &scratch.excitation);
+        system.add_damping_matrix(&configuration, given, scale * by_q[0], tangent);
         system.add_mass(1.0, tangent);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
         gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);

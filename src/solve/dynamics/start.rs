@@ -1,7 +1,8 @@
 //! The state at the start: joints hold as drawn, velocities are what the joints allow.
 
-use crate::error::Error;
+use crate::error::{Error, decimal};
 use crate::mechanics::force::spring::Spring;
+use crate::mechanics::input::switch::{Hold, Switch};
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
@@ -19,6 +20,9 @@ const CHANGED: f64 = 1e-12;
 const UNRESOLVED: f64 = 0.5;
 /// A damper that begins to move by less than this share of the mechanism's size in a step, or by less than this angle in rad, is at rest.
 const MOVED: f64 = 1e-6;
+
+/// Most combinations of engaged switches that are looked at.
+const MOST_COMBINATIONS: usize = 100;
 
 /// An integrator of motion, as the start sees it.
 pub trait Dynamics {
@@ -113,6 +117,29 @@ pub fn unresolved_dampers(system: &System, state: &State, step: f64) -> Vec<Stri
         )
     });
     told.collect()
+}
+
+/// The first combination of what switches engage later, at their breaks, in which constraints are redundant where the system is drawn: as a sentence. Where a host
+/// switches, nothing is known.
+pub fn redundant_later(system: &System, integrator: &mut impl Dynamics, state: &State) -> Option<String> {
+    let mut seen: Vec<Vec<bool>> = vec![system.holds_at(state.time, &state.targets).collect()];
+    let later = system.breaks.iter().copied().filter(|time| *time > state.time);
+    for time in later.filter(|time| system.switches.iter().filter_map(Switch::signal).any(|own| own.breaks_at(*time))) {
+        let engaged: Vec<bool> = system.holds_at(time, &state.targets).collect();
+        if seen.len() == MOST_COMBINATIONS || seen.contains(&engaged) {
+            continue;
+        }
+        let mut then = state.clone();
+        then.prescribed.holds = engaged.iter().copied().map(Hold::drawn).collect();
+        let projected = Projection::once(system)
+            .set_velocity(system, integrator.kkt(), &mut FrameCache::default(), &mut then)
+            .and_then(|()| integrator.kkt().check_unique(system, time));
+        if let Err(Error::Singular { what, .. }) = projected {
+            return Some(format!("from t = {} s on, {what}", decimal(time)));
+        }
+        seen.push(engaged);
+    }
+    None
 }
 
 /// Sets momenta and velocities at the start: the velocities nearest to the given ones, in the metric of the kinetic energy, that

@@ -61,7 +61,7 @@ impl Multifrontal {
         Some(Self {
             coordinates,
             diagonal: select(&|block| !diagonal(block).is_empty()),
-            conditions: select(&|block| block.row >= coordinates),
+            conditions: select(&|block| block.row >= coordinates && block.column < coordinates),
             factors: vec![0.0; fronts.storage],
             right: vec![0.0; fronts.right],
             rests: vec![0.0; fronts.rests],

@@ -99,7 +99,8 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     let stiffness = linearize(system, &rest, &response.multipliers, &mut kkt);
     let symmetric = stiffness.symmetric_part();
 
-    let freedoms = system.coordinates().saturating_sub(system.constraints());
+    let constraints = system.constraints() - system.released_constraints(&state.prescribed);
+    let freedoms = system.coordinates().saturating_sub(constraints);
     let wanted = count.min(freedoms);
     let mut block = Subspace::new(system, wanted + GUARDS.max(wanted).min(freedoms - wanted));
     let [stiff, forced] = scales(system, &symmetric, &response);

@@ -24,7 +24,7 @@ const YIELDING: f64 = 1e-5;
 pub struct Kkt {
     /// The matrix; the system's tangent blocks come first.
     pub blocks: Blocks,
-    /// First of each joint's four constraint blocks: columns of a and b, rows of a and b.
+    /// First of each joint's constraint blocks: columns of a and b, rows of a and b, and of a joint with a switch the diagonal of its multipliers.
     joints: Vec<usize>,
     /// First of each joint's four stiffness blocks, where the system has them.
     curvatures: Vec<usize>,
@@ -127,6 +127,12 @@ impl Kkt {
             copy_transposed(self.blocks.block_mut(start + 1), count_b, &right.b, scale);
             copy_corner(self.blocks.block_mut(start + 2), conditions, &below.a, 1.0);
             copy_corner(self.blocks.block_mut(start + 3), conditions, &below.b, 1.0);
+            if joint.holding.is_some() {
+                // The multipliers of what is released are 0, by an equation of their own.
+                let own = if right.is_released { 1.0 } else { 0.0 };
+                let diagonal = self.blocks.block_mut(start + 4);
+                (0..conditions).for_each(|row| diagonal[row * conditions + row] = own);
+            }
         }
     }
 
@@ -331,6 +337,9 @@ fn constraint_layout(system: &System) -> (Blocks, Vec<usize>) {
         blocks.push(Block { row: b.start, column: row, rows: b.len(), columns: conditions });
         blocks.push(Block { row, column: a.start, rows: conditions, columns: a.len() });
         blocks.push(Block { row, column: b.start, rows: conditions, columns: b.len() });
+        if joint.holding.is_some() {
+            blocks.push(Block { row, column: row, rows: conditions, columns: conditions });
+        }
     }
     (blocks, joints)
 }

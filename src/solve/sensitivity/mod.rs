@@ -143,6 +143,30 @@ impl Sensitivity {
         Ok(())
     }
 
+    /// Takes the derivatives from the state before switches have changed, which is kept, to `after`.
+    fn pass_switch(
+        &mut self,
+        integrator: &mut impl Linearized,
+        system: &System,
+        step: &Step<'_, impl Inputs>,
+        after: &State,
+        time: f64,
+    ) -> Result<(), Error> {
+        let Self { columns, scratch, before, .. } = self;
+        let Scratch { mover, variation, arrived, .. } = scratch;
+        for (number, column) in columns.iter_mut().enumerate() {
+            let unit = step.reach(system, number, &column.variation, &[], 0.0);
+            variation.set_zero(after);
+            for (offset, weight) in STENCIL {
+                arrived.clone_from(mover.move_from(system, step, number, before, &column.variation, offset * unit));
+                integrator.switch(system, arrived, time)?;
+                variation.add_between(system, weight / unit, after, arrived);
+            }
+            std::mem::swap(&mut column.variation, variation);
+        }
+        Ok(())
+    }
+
     /// Takes the derivatives of the response of the state `after` the communication step, which is `response`.
     ///
     /// # Errors
@@ -223,5 +247,15 @@ impl<I: Linearized, N: Inputs> Integrator for Differentiated<'_, I, N> {
             self.failure = passed.err();
         }
         Ok(())
+    }
+
+    fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error> {
+        self.sensitivity.before.clone_from(state);
+        let switched = self.integrator.switch(system, state, time)?;
+        if switched && self.failure.is_none() {
+            let passed = self.sensitivity.pass_switch(self.integrator, system, &self.step, state, time);
+            self.failure = passed.err();
+        }
+        Ok(switched)
     }
 }

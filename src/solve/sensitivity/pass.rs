@@ -33,8 +33,8 @@ pub(super) struct Scratch {
     constraint_momenta: Vec<f64>,
     gradients: Vec<JointGradient>,
     gradients_after: Vec<JointGradient>,
-    arrived: State,
-    variation: Variation,
+    pub arrived: State,
+    pub variation: Variation,
 }
 
 impl Scratch {

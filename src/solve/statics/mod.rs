@@ -7,6 +7,7 @@
 mod jump;
 mod relaxation;
 pub mod stability;
+mod switching;
 
 use self::stability::{Stability, StabilityRecord};
 use crate::error::Error;
@@ -126,6 +127,7 @@ impl Statics {
                 let relaxed = self.relax(system, next, time).and_then(|()| self.kkt.check_unique(system, time));
                 next.time = time;
                 let outcome = after_relaxation(ramped, relaxed);
+                self.remark_fall(system, drawn, next);
                 unstable = outcome.is_ok() && self.is_unstable(system, next);
                 outcome
             }
@@ -169,7 +171,7 @@ impl Statics {
     /// Remarks that the equilibrium `state` is unstable and follows from none that is known.
     fn remark_start(&mut self, system: &System, state: &State) {
         if self.linearize(system, state).is_ok()
-            && let Some(softest) = stability::softest(system, &mut self.kkt, state.time)
+            && let Some(softest) = stability::softest(system, &mut self.kkt, state)
         {
             self.stability.remark_start(system, state, &softest);
         }
@@ -185,7 +187,7 @@ impl Statics {
         if self.linearize(system, unstable).is_err() {
             return;
         }
-        let Some(softest) = stability::softest(system, &mut self.kkt, next.time) else { return };
+        let Some(softest) = stability::softest(system, &mut self.kkt, unstable) else { return };
         if softest.is_stable() {
             self.stability.mark_stable(unstable.time);
             return;
@@ -212,8 +214,7 @@ impl Statics {
     /// Whether the equilibrium `state` is unstable, beyond doubt as far as its softest motion tells.
     fn is_unstable(&mut self, system: &System, state: &State) -> bool {
         let unstable = self.judge(system, state);
-        if unstable && stability::softest(system, &mut self.kkt, state.time).is_some_and(|softest| softest.is_stable())
-        {
+        if unstable && stability::softest(system, &mut self.kkt, state).is_some_and(|softest| softest.is_stable()) {
             self.stability.mark_stable(state.time);
             return false;
         }
@@ -341,9 +342,14 @@ impl Integrator for Statics {
     /// An equilibrium knows its own instant only.
     const RESOLVES_TIME: bool = false;
 
-    /// The equilibrium of `end`.
-    fn step(&mut self, system: &System, state: &mut State, _step: f64, end: f64) -> Result<(), Error> {
-        self.find(system, state, end)
+    /// The equilibrium of `end`, with what is engaged then.
+    fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
+        self.step_switching(system, state, step, end)
+    }
+
+    /// An increment switches at its end.
+    fn switch(&mut self, _system: &System, _state: &mut State, _time: f64) -> Result<bool, Error> {
+        Ok(false)
     }
 }
 

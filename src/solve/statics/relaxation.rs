@@ -4,7 +4,7 @@
 //! where it does not. It ends where Newton without `μ` takes over. A motion that stays free is found by that.
 
 use super::{Equilibrium, LARGEST_TURN, Statics};
-use crate::error::Error;
+use crate::error::{Error, decimal};
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::solve::newton::Problem;
@@ -21,6 +21,9 @@ const RISE: f64 = 4.0;
 /// Largest `μ`, in that of the first step: where that is not enough it is drives and frames that move too far, and ever larger ones
 /// would only make multipliers grow that pass for stiffness.
 const MOST_DAMPING: f64 = 1e6;
+/// An equilibrium so far from the drawing is another one than was drawn: places over the system's size, slopes, angles and directors as they are.
+/// The axes of a body that turns by 60 degrees change by 1.
+const FAR: f64 = 1.0;
 /// Shares of the way of drives and frames that are taken in one step.
 const LARGEST_SHARE: f64 = 0.05;
 const SMALLEST_SHARE: f64 = 1e-4;
@@ -76,6 +79,23 @@ impl Statics {
         outcome.and_then(|()| self.solve(system, state, time))?;
         self.arrive(state);
         Ok(())
+    }
+
+    /// Remarks that the equilibrium `found`, to which the system has fallen from `drawn`, is far from there.
+    pub(super) fn remark_fall(&mut self, system: &System, drawn: &State, found: &State) {
+        let change: Vec<f64> = found.q.iter().zip(&drawn.q).map(|(found, drawn)| found - drawn).collect();
+        let (size, index) = system.correction_size(&change);
+        // Drives that are not where they are drawn move the mechanism on purpose.
+        let mut drives = found.prescribed.drives.iter().zip(&drawn.prescribed.drives);
+        let is_driven = drives.any(|(found, drawn)| found.value != drawn.value);
+        if size > FAR && !is_driven {
+            self.stability.add_remark(format!(
+                "the equilibrium of t = {} s is found far from where the mechanism is drawn, by letting it fall to where it hangs; {} has moved most. If it should stay, hold it by a \
+                 joint, a [lock.NAME] or a spring; if it should hang, draw it near its equilibrium",
+                decimal(found.time),
+                system.describe_unknown(index)
+            ));
+        }
     }
 
     /// Takes the correction in `right` into `state`, if the system bears it.

@@ -139,11 +139,12 @@ fn moved(system: &System, state: &State, softest: &Softest) -> String {
     system.most_moved(&snapshot.of(system, state), &softest.shape).what
 }
 
-/// The softest motion of the system whose matrix `kkt` has and has factorized; it then has another one. None where it is not found.
-pub fn softest(system: &System, kkt: &mut Kkt, time: f64) -> Option<Softest> {
+/// The softest motion about `state` of the system whose matrix `kkt` has and has factorized; it then has another one. None where it is not found.
+pub fn softest(system: &System, kkt: &mut Kkt, state: &State) -> Option<Softest> {
     let stiffness = kkt.blocks.symmetric_part();
-    modes::positive_shift(system, kkt, &stiffness, modes::first_shift(system, &stiffness), time).ok()?;
-    let freedoms = system.coordinates().saturating_sub(system.constraints());
+    modes::positive_shift(system, kkt, &stiffness, modes::first_shift(system, &stiffness), state.time).ok()?;
+    let constraints = system.constraints() - system.released_constraints(&state.prescribed);
+    let freedoms = system.coordinates().saturating_sub(constraints);
     let mut block = Subspace::new(system, BLOCK.min(freedoms));
     let (mut sweep, mut is_found) = (0, false);
     while sweep < MOST_SWEEPS && !is_found {

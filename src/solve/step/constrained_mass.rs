@@ -232,6 +232,10 @@ impl ConstrainedMass {
                     target.copy_from_slice(&values[skipped..grip.rows.len()]);
                 }
             }
+            if gradient.is_released {
+                // Their multipliers are 0, by an equation of their own.
+                grip.rows.clone().for_each(|row| schur.column_mut(row)[0] = 1.0);
+            }
         }
     }
 

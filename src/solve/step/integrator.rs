@@ -19,6 +19,12 @@ pub trait Integrator {
     /// # Errors
     /// The step failed: `state` is as it was, but for the counts of iterations.
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error>;
+
+    /// Engages and releases what is to be so at `time`, s, the instant of `state` but for rounding. Returns whether anything changed.
+    ///
+    /// # Errors
+    /// What engages is redundant; callers must discard `state`.
+    fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error>;
 }
 
 /// Takes `state` over one step of the grid, from its time to `end`, `step` s later, in as many parts as it needs.

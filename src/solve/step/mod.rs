@@ -8,3 +8,4 @@ pub mod mobility;
 pub mod pacing;
 pub mod projection;
 pub mod response;
+pub mod switching;

@@ -135,8 +135,9 @@ impl Pacing {
             state.pace.since = state.time;
         }
         while state.time < end {
-            let wanted = state.pace.wanted.min(LONGEST * self.duration);
-            let margin = AT_BREAK * wanted.min(end - state.time);
+            let margin = AT_BREAK * self.next_step(state).min(end - state.time);
+            integrator.switch(system, state, state.time + margin)?;
+            let wanted = self.next_step(state);
             let boundary = system.break_between(state.time, end, margin).unwrap_or(end);
             let remaining = boundary - state.time;
             let count = (remaining / (STRETCH * wanted)).ceil().max(1.0);
@@ -154,6 +155,13 @@ impl Pacing {
                 }
             }
         }
+        // Results show what holds from this instant on.
+        integrator.switch(system, state, state.time + AT_BREAK * shortest)?;
         Ok(())
+    }
+
+    /// Length of the next step unless it ends earlier, s.
+    fn next_step(self, state: &State) -> f64 {
+        state.pace.wanted.min(LONGEST * self.duration)
     }
 }

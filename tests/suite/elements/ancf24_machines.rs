@@ -36,7 +36,15 @@ fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) 
     let pose = Pose { place: Vec3::x() * 0.5, axes: Mat3::identity() };
     let [a, b] =
         [builder.section_at(first, 1.0), builder.section_at(second, 0.0)].map(|side| builder.tied(&side, &pose));
-    builder.add_joint(Joint { name: "seam".into(), a, b, primitives: weld::PRIMITIVES, drive: None, gear: None });
+    builder.add_joint(Joint {
+        name: "seam".into(),
+        a,
+        b,
+        primitives: weld::PRIMITIVES,
+        drive: None,
+        gear: None,
+        holding: None,
+    });
     // What is tied is rigid: on a section that is not, a torque works on r_y alone and turns it against r_z (MECHANICS 10.7).
     builder.tied(&builder.section_at(second, 1.0), &pose);
     machines::load(&mut builder, second, 1.0, force, moment);

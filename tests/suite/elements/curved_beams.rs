@@ -108,6 +108,7 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
         primitives: weld::PRIMITIVES,
         drive: None,
         gear: None,
+        holding: None,
     });
     let growing = |v: [f64; 3]| {
         v.map(|size| Signal::Function(Arc::new(move |time| Jet { value: size * time, first: size, second: 0.0 })))

@@ -18,6 +18,7 @@ mod mischief;
 mod sequences;
 mod serialized;
 mod short_steps;
+mod switches;
 mod unit;
 
 use ancf14_testing::{library_path, toy};

@@ -2,6 +2,7 @@
 
 pub mod actuators;
 pub mod bodies_on_springs;
+mod controllers;
 pub mod friction_and_stops;
 pub mod law_derivatives;
 pub mod laws;

@@ -117,7 +117,7 @@ fn check_joint_derivatives() {
         for sides in SIDES {
             let machine = Machine::new(&mut random);
             let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
-            let joint = Joint { name: "joint".into(), a, b, primitives, drive: None, gear: None };
+            let joint = Joint { name: "joint".into(), a, b, primitives, drive: None, gear: None, holding: None };
             assert_eq!(joint.rows(), rows);
             check_joint(&machine, &joint, &mut random);
         }
@@ -136,8 +136,15 @@ fn check_drive_derivatives() {
         for sides in SIDES {
             let machine = Machine::new(&mut random);
             let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
-            let joint =
-                Joint { name: "drive".into(), a, b, primitives: driven.primitives(), drive: Some(0), gear: None };
+            let joint = Joint {
+                name: "drive".into(),
+                a,
+                b,
+                primitives: driven.primitives(),
+                drive: Some(0),
+                gear: None,
+                holding: None,
+            };
             check_joint(&machine, &joint, &mut random);
         }
     }
@@ -157,7 +164,11 @@ fn check_gear_derivatives() {
             let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
             let gear = Some(GearSide { gear: 0, coordinate: 0, factor: -2.5, is_second: true });
             let primitives = GearSide::primitives(measure);
-            check_joint(&machine, &Joint { name: "gear".into(), a, b, primitives, drive: None, gear }, &mut random);
+            check_joint(
+                &machine,
+                &Joint { name: "gear".into(), a, b, primitives, drive: None, gear, holding: None },
+                &mut random,
+            );
         }
     }
 }

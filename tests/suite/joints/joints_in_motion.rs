@@ -50,6 +50,7 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
             primitives: spherical::PRIMITIVES,
             drive: None,
             gear: None,
+            holding: None,
         },
         {
             // A rigid arm on both sides: the joint sits somewhere between the beams.
@@ -61,6 +62,7 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
                 primitives,
                 drive: None,
                 gear: None,
+                holding: None,
             }
         },
     ];

@@ -2,7 +2,8 @@
 
 pub mod copies;
 pub mod descriptions;
-pub mod functions;
+pub mod force_notes;
+mod functions;
 pub mod includes;
 pub mod model_file;
 pub mod model_mistakes;

@@ -297,7 +297,15 @@ pub fn joint(
     primitives: &'static [Primitive],
 ) -> [Marker; 2] {
     let [a, b] = parts.map(|part| builder.tied(part, pose));
-    builder.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None, gear: None });
+    builder.add_joint(Joint {
+        name: format!("joint {name}"),
+        a,
+        b,
+        primitives,
+        drive: None,
+        gear: None,
+        holding: None,
+    });
     [a, b]
 }
 
@@ -386,7 +394,7 @@ fn driven_hinge_follows_exactly() {
     hold(&mut builder, "hub", number, 0.0, &axes, revolute::PRIMITIVES);
     let ground = Marker::Ground(Pose { place: Vec3::zeros(), axes });
     let arm = builder.tied(&builder.node(0), &Pose { place: Vec3::zeros(), axes });
-    let drive = builder.add_drive("hub", [ground, arm], Driven::Angle, Guide::Value(turning(1.0)), 0.0);
+    let drive = builder.add_drive("hub", [ground, arm], Driven::Angle, (Guide::Value(turning(1.0)), 0.0), None);
     let (system, mut state) = builder.finish(Vec3::zeros());
     let (mut gap, mut rate_gap) = (0.0_f64, 0.0_f64);
     march(&system, &mut state, &mut method(&system, 0.8), (1e-3, 700), |state| {

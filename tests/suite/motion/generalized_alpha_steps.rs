@@ -59,7 +59,7 @@ fn everything() -> (System, State) {
     joint(&mut builder, "root", [&frame, &root], &pose, spherical::PRIMITIVES);
     let hinge = Pose { place: Vec3::new(1.0, 0.35, -0.2), axes: Mat3::identity() };
     let sides = joint(&mut builder, "hinge", [&tip, &body], &hinge, revolute::PRIMITIVES);
-    builder.add_drive("hinge", sides, Driven::Angle, Guide::Value(turning(0.2)), 0.0);
+    builder.add_drive("hinge", sides, Driven::Angle, (Guide::Value(turning(0.2)), 0.0), None);
     let coordinate =
         builder.add_relative_coordinate(Marker::Ground(Pose { place: Vec3::z(), ..pose }), body, Measure::Length);
     builder.add_spring(Spring {

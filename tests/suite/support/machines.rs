@@ -88,6 +88,7 @@ pub fn hold(
         primitives,
         drive: None,
         gear: None,
+        holding: None,
     };
     builder.add_joint(joint);
 }

@@ -81,7 +81,7 @@ impl Machine {
         let pose = Pose { place: random.vector(), axes: random.rotation() };
         let frame = MovingPose { pose, velocity, acceleration };
         let drive = Jet { value: random.signed(), first: random.signed(), second: random.signed() };
-        let prescribed = Prescribed { drives: vec![drive], frames: vec![frame], heats: Vec::new() };
+        let prescribed = Prescribed { drives: vec![drive], frames: vec![frame], ..Prescribed::default() };
         let velocity = SVector::from_fn(|_, _| random.signed());
         Self { mesh, q, velocity, triads, holonomy, frames, prescribed }
     }

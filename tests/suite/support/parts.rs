@@ -196,7 +196,15 @@ pub fn connect(
     primitives: &'static [Primitive],
 ) {
     let [a, b] = sides.map(|side| builder.tied(&side, pose));
-    builder.add_joint(Joint { name: format!("joint {name}"), a, b, primitives, drive: None, gear: None });
+    builder.add_joint(Joint {
+        name: format!("joint {name}"),
+        a,
+        b,
+        primitives,
+        drive: None,
+        gear: None,
+        holding: None,
+    });
 }
 
 /// Adds the six springs and dampers of a bushing between two markers: against displacement and turning.

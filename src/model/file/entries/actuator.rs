@@ -2,7 +2,8 @@
 
 use super::drive::check_coordinate;
 use super::joint::{Coordinate, JointSpec};
-use crate::model::file::number::Number;
+use super::reading::Reading;
+use crate::model::file::number::{Number, Written};
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, SIDES};
 use crate::model::file::reader::input::{HELD, make_input};
@@ -52,6 +53,14 @@ impl Action {
             Self::Between { .. } => Coordinate::Distance,
         }
     }
+
+    /// The joint whose coordinate it is.
+    pub fn joint(self) -> Option<usize> {
+        match self {
+            Self::Joint { joint, .. } => Some(joint),
+            Self::Between { .. } => None,
+        }
+    }
 }
 
 impl ActuatorSpec {
@@ -62,10 +71,7 @@ impl ActuatorSpec {
 
     /// The joint that it acts on.
     pub fn joint(&self) -> Option<usize> {
-        match self.action {
-            Action::Joint { joint, .. } => Some(joint),
-            Action::Between { .. } => None,
-        }
+        self.action.joint()
     }
 
     /// Reads a section; `joints` are those of the file that could be read.
@@ -90,13 +96,34 @@ impl ActuatorSpec {
         } else if let Some(number) = reader.optional(rule) {
             number
         } else {
-            reader.missing("effort", "a number, an expression in t, or input = true: the host gives it");
-            reader.abandon();
+            reader.missing(
+                "effort",
+                "a number, an expression in t and coordinates of joints, or input = true: the host gives it",
+            );
+            reader.finish();
             return None;
         };
+        report_readings(&mut reader, effort, joints);
         let place = reader.place;
         reader.finish();
         Some(Self { name: name.to_owned(), place, action: action?, effort, input })
+    }
+}
+
+/// Reports coordinates in an effort that their joints do not have, or that mean nothing once these are released.
+fn report_readings(reader: &mut Reader<'_, '_>, effort: Number, joints: &[JointSpec]) {
+    let slot = &reader.context.numbers.slots[effort.0];
+    let Written::Formula(formula) = &slot.written else { return };
+    let place = slot.place;
+    for reading in formula.readings().into_iter().map(Reading::of) {
+        let known = reader.context.names.name(Kind::Joint, reading.joint);
+        let Some(joint) = joints.iter().find(|joint| Some(joint.name.as_str()) == known) else { continue };
+        check_coordinate(reader, reading.coordinate, place, joint);
+        if joint.switch.is_some() {
+            let message = format!("{} reads a coordinate of joint {}, which may be released", reader.title, joint.name);
+            let label = "the coordinate means nothing once the joint is released";
+            reader.context.report.error(place, &message, label, "");
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! `[drive.NAME]`: prescribes a free coordinate of a joint.
 
 use super::joint::{self, Coordinate, JointSpec};
+use super::switch::SwitchSpec;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::input::{REACHED, make_input};
@@ -23,6 +24,8 @@ pub struct DriveSpec {
     pub motion: Motion,
     /// true: the host gives it; the number is the start value.
     pub input: bool,
+    /// What engages and releases it; none: it always drives.
+    pub switch: Option<SwitchSpec>,
 }
 
 /// What a drive prescribes.
@@ -47,9 +50,10 @@ impl Motion {
 enum Word {
     Value,
     Rate,
+    Active,
 }
 
-const INPUTS: [(&str, Word); 2] = [("value", Word::Value), ("rate", Word::Rate)];
+const INPUTS: [(&str, Word); 3] = [("value", Word::Value), ("rate", Word::Rate), ("active", Word::Active)];
 
 impl Word {
     /// The rule of the key of this word.
@@ -59,6 +63,7 @@ impl Word {
             (Self::Value, Coordinate::Distance) => &schema::DISTANCE,
             (Self::Rate, Coordinate::Angle) => &schema::ANGLE_RATE,
             (Self::Rate, Coordinate::Distance) => &schema::DISTANCE_RATE,
+            (Self::Active, _) => &schema::ACTIVE,
         }
     }
 }
@@ -83,17 +88,28 @@ impl DriveSpec {
         if let Some(driven) = joints.iter().find(|joint| Some(joint.name.as_str()) == driven) {
             check_coordinate(&mut reader, coordinate, place, driven);
         }
-        let input = reader.has("input");
-        let motion = if input { given(&mut reader, coordinate) } else { written(&mut reader, coordinate) };
+        let has_input = reader.has("input");
+        let word = if has_input { reader.word("input", &INPUTS, None) } else { None };
+        let switch = SwitchSpec::read(&mut reader, word == Some(Word::Active));
+        let motion = match word {
+            None if has_input => unclear(&mut reader, coordinate),
+            None | Some(Word::Active) => written(&mut reader, coordinate),
+            Some(word) => Some(given(&mut reader, coordinate, word)),
+        };
+        let input = matches!(word, Some(Word::Value | Word::Rate));
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, joint: joint?, coordinate, motion: motion?, input })
+        Some(Self { name: name.to_owned(), place, joint: joint?, coordinate, motion: motion?, input, switch })
     }
 
     /// Reports every drive of a coordinate that another one before it drives already.
     pub(in crate::model) fn report_doubles(drives: &[Self], report: &mut Report<'_>) {
         for (k, drive) in drives.iter().enumerate() {
-            let same = |other: &&Self| (other.joint, other.coordinate) == (drive.joint, drive.coordinate);
+            // Of two that let go one may follow the other.
+            let same = |other: &&Self| {
+                let may_alternate = drive.switch.is_some() && other.switch.is_some();
+                (other.joint, other.coordinate) == (drive.joint, drive.coordinate) && !may_alternate
+            };
             let Some(first) = drives[..k].iter().find(same) else { continue };
             let message = format!("two drives prescribe the {} of the same joint", drive.coordinate.word());
             let label = format!("line {} has the drive {}", report.source.line(first.place), first.name);
@@ -125,17 +141,19 @@ fn written(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion
     rate
 }
 
+/// Which of `value` and `rate` belongs here is unknown: neither is reported.
+fn unclear(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion> {
+    for word in [Word::Value, Word::Rate] {
+        reader.optional(word.rule(coordinate));
+    }
+    None
+}
+
 /// `value` or `rate`, as the host gives it: the file has its start value, default 0.
-fn given(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion> {
-    let Some(word) = reader.word("input", &INPUTS, None) else {
-        // Which of the two belongs here is unknown: neither is reported.
-        for (_, word) in INPUTS {
-            reader.optional(word.rule(coordinate));
-        }
-        return None;
-    };
+fn given(reader: &mut Reader<'_, '_>, coordinate: Coordinate, word: Word) -> Motion {
     let number = reader.number_or(word.rule(coordinate), 0.0);
-    for (other, _) in INPUTS.iter().filter(|(_, other)| *other != word) {
+    for other in [Word::Value, Word::Rate].into_iter().filter(|other| *other != word) {
+        let other = other.rule(coordinate).key;
         let own = word.rule(coordinate).key;
         let message = format!("{} has an input and a {other}", reader.title);
         reader.refuse(
@@ -146,8 +164,8 @@ fn given(reader: &mut Reader<'_, '_>, coordinate: Coordinate) -> Option<Motion> 
     }
     make_input(reader.context, number);
     reader.context.numbers.slots[number.0].meta.description.push_str(&format!(", {REACHED}"));
-    Some(match word {
-        Word::Value => Motion::Value(number),
+    match word {
         Word::Rate => Motion::Rate(number),
-    })
+        Word::Value | Word::Active => Motion::Value(number),
+    }
 }

@@ -1,5 +1,6 @@
 //! `[joint.NAME]`: holds two points together, all but some relative motions.
 
+use super::switch::SwitchSpec;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, SIDES};
@@ -31,6 +32,8 @@ pub struct JointSpec {
     pub distance: Option<SpringDamper>,
     /// What holds the sides of a bushing together; there exactly for a bushing.
     pub bushing: Option<Bushing>,
+    /// What engages and releases it; none: it always holds.
+    pub switch: Option<SwitchSpec>,
 }
 
 /// A spring and a damper on a free coordinate, at rest as drawn.
@@ -167,10 +170,18 @@ impl JointSpec {
         let axis2 = kind.has_second_axis().then(|| reader.vector(&schema::AXIS2));
         let [angle, distance] = free_coordinates(&mut reader, kind);
         let bushing = (kind == JointKind::Bushing).then(|| Bushing::read(&mut reader));
+        let switch = if kind == JointKind::Bushing {
+            refuse_switch(&mut reader);
+            None
+        } else {
+            let input = reader.boolean("input", false);
+            SwitchSpec::read(&mut reader, input)
+        };
         refuse_rest(&mut reader, kind);
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, kind, a: a?, b: b?, at, axis, axis2, angle, distance, bushing })
+        let [a, b] = [a?, b?];
+        Some(Self { name: name.to_owned(), place, kind, a, b, at, axis, axis2, angle, distance, bushing, switch })
     }
 }
 
@@ -200,6 +211,14 @@ impl Bushing {
             rotational_stiffness: reader.vector_or(&schema::ROTATIONAL_STIFFNESS, [0.0; 3]),
             rotational_damping: reader.vector_or(&schema::ROTATIONAL_DAMPING, [0.0; 3]),
         }
+    }
+}
+
+/// A bushing holds by springs, which nothing releases.
+fn refuse_switch(reader: &mut Reader<'_, '_>) {
+    for key in ["active", "input"] {
+        let message = format!("{} is a bushing, which has no `{key}`", reader.title);
+        reader.refuse(key, &message, "joints with constraints have it: take a weld, or another type");
     }
 }
 

@@ -12,14 +12,17 @@ pub mod function;
 pub mod gear;
 pub mod joint;
 pub mod load;
+pub mod lock;
 pub mod material;
 pub mod output;
 pub mod overview;
 pub mod parameters;
 pub mod point;
+pub mod reading;
 pub mod section;
 pub mod simulation;
 pub mod spring;
 pub mod stop;
+pub mod switch;
 
 pub use super::reader::anchor;

@@ -1,4 +1,4 @@
-//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive, an actuator, a gear, a spring, friction, a stop or a frame, or along a beam.
+//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive, an actuator, a gear, a spring, friction, a stop, a lock or a frame, or along a beam.
 
 use super::actuator::ActuatorSpec;
 use super::beam::BeamSpec;
@@ -6,6 +6,7 @@ use super::drive::DriveSpec;
 use super::friction::FrictionSpec;
 use super::gear::GearSpec;
 use super::joint::{self, Coordinate, JointSpec};
+use super::lock::LockSpec;
 use super::section::{SectionSpec, Shape};
 use super::spring::SpringSpec;
 use super::stop::StopSpec;
@@ -60,6 +61,8 @@ pub enum Target {
     Friction(usize),
     /// A stop, by its place in the list.
     Stop(usize),
+    /// A lock, by its place in the list.
+    Lock(usize),
     /// A whole beam.
     On {
         /// Place in the list of beams.
@@ -70,7 +73,7 @@ pub enum Target {
 }
 
 impl Target {
-    /// The number of its sensors, which read what is not of a joint, a drive, an actuator, a gear, a spring, friction or a stop.
+    /// The number of its sensors, which read what is not of a joint, a drive, an actuator, a gear, a spring, friction, a stop or a lock.
     pub fn sensors(&self) -> usize {
         match self {
             Self::At(_) => 1,
@@ -81,7 +84,8 @@ impl Target {
             | Self::Gear(_)
             | Self::Spring(_)
             | Self::Friction(_)
-            | Self::Stop(_) => 0,
+            | Self::Stop(_)
+            | Self::Lock(_) => 0,
         }
     }
 }
@@ -107,6 +111,8 @@ pub struct Things<'a> {
     pub frictions: &'a [FrictionSpec],
     /// Stops.
     pub stops: &'a [StopSpec],
+    /// Locks.
+    pub locks: &'a [LockSpec],
 }
 
 /// Default of `stations`.
@@ -147,6 +153,7 @@ impl OutputSpec {
             (Quantity::Power, Target::Stop(_)) => "power that the damping of the stop takes",
             (Quantity::Effort, Target::Friction(_)) => "torque or force of the friction on side b",
             (Quantity::Effort, Target::Stop(_)) => "torque or force of the stop on side b",
+            (Quantity::Effort, Target::Lock(_)) => "torque or force of the lock on side b",
             (Quantity::Distance, Target::Spring(_)) => "distance of b from a; on a joint along the axis, 0 as drawn",
             _ => quantity.row().meaning,
         };
@@ -222,6 +229,10 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
             reader.take("at");
             Some(Target::Stop(index))
         }
+        Some((Kind::Lock, index)) => {
+            reader.take("at");
+            Some(Target::Lock(index))
+        }
         _ => Anchor::read(reader, "at", &WATCHED).map(Target::At),
     }
 }
@@ -294,6 +305,7 @@ impl Target {
             Self::Spring(index) => Some((Kind::Spring, index, "spring")),
             Self::Friction(index) => Some((Kind::Friction, index, "friction")),
             Self::Stop(index) => Some((Kind::Stop, index, "stop")),
+            Self::Lock(index) => Some((Kind::Lock, index, "lock")),
             Self::At(_) | Self::Joint(_) | Self::On { .. } => None,
         }
     }
@@ -312,6 +324,7 @@ impl Target {
             Self::Spring(_) => Site::Spring,
             Self::Friction(_) => Site::Friction,
             Self::Stop(_) => Site::Stop,
+            Self::Lock(_) => Site::Lock,
         }
     }
 }
@@ -389,7 +402,7 @@ impl<'a> Things<'a> {
         })
     }
 
-    /// Drives, actuators, gears (by their first joint), springs, friction and stops with their names and what they act on, by their places in the lists.
+    /// Drives, actuators, gears (by their first joint), springs, friction, stops and locks with their names and what they act on, by their places in the lists.
     fn coordinates(self) -> impl Iterator<Item = (Target, &'a str, Coordinate)> {
         let drives = self.drives.iter().map(|own| (own.name.as_str(), own.coordinate)).enumerate();
         let actuators = self.actuators.iter().map(|own| (own.name.as_str(), own.coordinate())).enumerate();
@@ -403,7 +416,9 @@ impl<'a> Things<'a> {
         let springs = springs.map(|(number, (name, coordinate))| (Target::Spring(number), name, coordinate));
         let frictions = frictions.map(|(number, (name, coordinate))| (Target::Friction(number), name, coordinate));
         let stops = stops.map(|(number, (name, coordinate))| (Target::Stop(number), name, coordinate));
-        drives.chain(actuators).chain(gears).chain(springs).chain(frictions).chain(stops)
+        let locks = self.locks.iter().enumerate();
+        let locks = locks.map(|(number, own)| (Target::Lock(number), own.name.as_str(), own.coordinate));
+        drives.chain(actuators).chain(gears).chain(springs).chain(frictions).chain(stops).chain(locks)
     }
 
     fn without_coordinate(&self, coordinate: Coordinate, target: Target, names: &Names) -> Option<Mistake> {

@@ -92,10 +92,11 @@ pub const WATCHED: Allowed = Allowed {
         Kind::Spring,
         Kind::Friction,
         Kind::Stop,
+        Kind::Lock,
         Kind::Beam,
     ],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION or STOP",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION, STOP or LOCK",
 };
 
 /// What an observer can move with.

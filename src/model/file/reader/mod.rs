@@ -3,13 +3,14 @@
 pub mod anchor;
 pub mod input;
 mod lists;
+pub mod readings;
 
 use self::anchor::Anchor;
 use super::number::{Meta, Number, Numbers, Slot, Written};
 use super::schema::Rule;
 use crate::model::expression::function::{Formula, Piece};
 use crate::model::expression::program::{Body, Called, FUNCTIONS, MORE_FUNCTIONS};
-use crate::model::expression::{Callee, ExpressionError, Program, Scope, Variable, compile_in};
+use crate::model::expression::{Callee, ExpressionError, Program, ReadingLookup, Scope, Variable, compile_in};
 use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::{FUNCTION, KEY, Kind, Names, instead, meant, suggestion, suggestion_for};
 use crate::model::text::syntax;
@@ -38,13 +39,15 @@ impl Context<'_> {
     /// Compiles an expression that stands at `place`.
     pub fn program(&mut self, text: &str, place: Place, variable: Variable) -> Option<Program> {
         let variables = [variable.word(), variable.rate()];
-        let result = self.compiled(text, variables, None);
+        let lookup = |name: &str, key: &str| readings::lookup(&self.names, name, key);
+        let reading: Option<&ReadingLookup<'_>> = (variable == Variable::Control).then_some(&lookup);
+        let result = self.compiled(text, variables, None, reading);
         self.told(text, place, variables, result)
     }
 
     /// Compiles the expression of a function of the file.
     pub fn function_program(&mut self, text: &str, place: Place, function: &str, argument: &str) -> Option<Program> {
-        let result = self.compiled(text, [argument, ""], Some(function));
+        let result = self.compiled(text, [argument, ""], Some(function), None);
         self.told(text, place, [argument, ""], result)
     }
 
@@ -56,7 +59,14 @@ impl Context<'_> {
             Some(Callee::Sound(Arc::new(Called { name: name.to_owned(), body })))
         };
         let parameter = |name: &str| self.numbers.parameter(name);
-        let scope = Scope { variable: argument, rate: "", parameter: &parameter, function: &function, inside: None };
+        let scope = Scope {
+            variable: argument,
+            rate: "",
+            parameter: &parameter,
+            function: &function,
+            inside: None,
+            reading: None,
+        };
         // What is wrong is said when the expression is compiled.
         drop(compile_in(text, scope));
     }
@@ -66,11 +76,12 @@ impl Context<'_> {
         text: &str,
         [variable, rate]: [&str; 2],
         inside: Option<&str>,
+        reading: Option<&ReadingLookup<'_>>,
     ) -> Result<Program, ExpressionError> {
         let known = |name: &str| self.functions.iter().find(|(known, _)| known == name);
         let function = |name: &str| known(name).map(|(_, callee)| callee.clone());
         let parameter = |name: &str| self.numbers.parameter(name);
-        compile_in(text, Scope { variable, rate, parameter: &parameter, function: &function, inside })
+        compile_in(text, Scope { variable, rate, parameter: &parameter, function: &function, inside, reading })
     }
 
     /// The program; a mistake is reported.
@@ -336,6 +347,11 @@ impl<'c, 'a> Reader<'c, 'a> {
         let mut sound = !items.is_empty();
         if items.is_empty() {
             self.context.wrong_type(name, item, "a number, an expression, or a list of pieces");
+        } else if items.iter().all(|item| matches!(item.node, Node::Integer(_) | Node::Float(_))) {
+            let message = format!("`{name}` is a list of {} numbers", items.len());
+            let help = "it is one number; pieces are written [{ until = 1, is = 2 }, { is = 3 }]";
+            self.context.report.error(item.place, &message, "one number, or an expression, was expected", help);
+            return None;
         }
         for (k, item) in items.iter().enumerate() {
             let Node::Table(entries) = &item.node else {

@@ -68,7 +68,7 @@ struct Given<'a> {
     span: [f64; 2],
     /// See [`sensitivity::Inputs::unit`].
     units: Vec<f64>,
-    /// The parts of quaternions of length 0, which say nothing, and so do those around them.
+    /// The parts of quaternions of length 0, which say nothing, and so do those around them; switches.
     silent: Vec<Number>,
 }
 
@@ -102,7 +102,9 @@ impl<'a> Given<'a> {
             }
         }
         let undirected = builder::undirected(document, |number| inputs.line(number), span);
-        let silent: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
+        let mut silent: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
+        // A switch is engaged or not: a small change changes nothing.
+        silent.extend(builder::switches(document).flatten().filter(|switch| switch.input).map(|switch| switch.active));
         silent.iter().for_each(|number| set(*number, 1.0));
         Self { document, inputs, origin: system.origin, span, units, silent }
     }

@@ -1,6 +1,7 @@
 //! The system of a model that runs: built, brought to its initial state, advanced on the grid of internal steps.
 
 use crate::error::Error;
+use crate::mechanics::input::switch::Hold;
 use crate::mechanics::state::State;
 use crate::mechanics::system::{AT_BREAK, System};
 use crate::model::builder::{self, Built};
@@ -96,6 +97,8 @@ impl Runner {
 
     /// Sets up the solver and finds the state at the start; returns what the user should know of it.
     pub(super) fn find_initial_state(&mut self, document: &Document, responds: bool) -> Result<Vec<String>, Error> {
+        self.state.prescribed.holds =
+            self.system.holds_at(self.state.time, &self.state.targets).map(Hold::drawn).collect();
         start::check_assembled(&self.system, &self.state)?;
         self.solver = Solver::new(document, &self.system, self.pacing)?;
         if responds {
@@ -126,10 +129,16 @@ impl Runner {
             }
         }
         let changed = match solver {
-            Solver::Midpoint(midpoint) => start::set_motion(system, midpoint, state)?,
+            Solver::Midpoint(midpoint) => {
+                let changed = start::set_motion(system, midpoint, state)?;
+                warnings.extend(start::redundant_later(system, midpoint, state));
+                changed
+            }
             Solver::GeneralizedAlpha(alpha) => {
                 warnings.extend(alpha.objection(system));
-                start::set_motion(system, alpha, state)?
+                let changed = start::set_motion(system, alpha, state)?;
+                warnings.extend(start::redundant_later(system, alpha, state));
+                changed
             }
             Solver::None | Solver::Statics(_) => 0.0,
         };
@@ -334,10 +343,13 @@ impl Plan {
         for number in 1..=self.count {
             let next =
                 if number == self.count { self.end } else { self.begin + (self.first + number as f64) * self.step };
-            let whole = march_to_last_break(integrator, system, state, next, AT_BREAK * self.step)?;
+            let margin = AT_BREAK * self.step;
+            let whole = march_to_last_break(integrator, system, state, next, margin)?;
             let step = if whole { self.step } else { next - state.time };
+            integrator.switch(system, state, state.time + margin)?;
             grid_step(integrator, system, state, step, next)?;
         }
+        integrator.switch(system, state, state.time + AT_BREAK * self.step)?;
         Ok(())
     }
 }
@@ -354,6 +366,7 @@ fn march_to_last_break<I: Integrator>(
     let mut whole = true;
     while let Some(time) = system.break_between(state.time, next, margin).filter(|_| I::RESOLVES_TIME) {
         let step = time - state.time;
+        integrator.switch(system, state, state.time + margin)?;
         grid_step(integrator, system, state, step, time)?;
         whole = false;
     }
@@ -370,6 +383,10 @@ impl<I: Integrator> Integrator for Remembering<'_, I> {
         let Self(integrator, before) = self;
         before.clone_from(state);
         integrator.step(system, state, step, end)
+    }
+
+    fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error> {
+        self.0.switch(system, state, time)
     }
 }
 

@@ -33,6 +33,7 @@ use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::pacing::Pacing;
 use crate::solve::step::projection::Projection;
+use crate::solve::step::switching;
 
 /// What Newton may leave of a step before it is refined, as a share of the tolerance.
 const REMAINDER: f64 = 0.3;
@@ -170,6 +171,14 @@ impl Integrator for Midpoint {
         }
         self.next = Some(next);
         outcome
+    }
+
+    fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error> {
+        let switched = switching::switch(system, &mut self.kkt, state, time)?;
+        if let Some(pacing) = self.pacing.filter(|_| switched) {
+            pacing.jump(state);
+        }
+        Ok(switched)
     }
 }
 

@@ -145,7 +145,8 @@ impl Scratch {
         let found = system.finish_step(&middle, &over, &self.excitation, &mut forces, &mut rates);
         system.constraint_gradients(&middle, &mut gradients);
         let driven = system.driven_work(&gradients, &next.multipliers, &self.increment);
-        let [loads, actuators] = system.loads_and_actuators(&middle, &self.excitation, &self.increment);
+        let [loads, actuators] =
+            system.loads_and_actuators(&middle, &Passage::Step(over), &self.excitation, &self.increment);
         Work { loads: loads + found.by_heat, actuators, drives: driven + found.by_frames, dissipated: found.dissipated }
     }
 

@@ -1,0 +1,39 @@
+//! `[lock.NAME]`: keeps a free coordinate of a joint where it stands, while it is engaged.
+
+use super::actuator::{Action, on_joint};
+use super::joint::{Coordinate, JointSpec};
+use super::switch::SwitchSpec;
+use crate::model::file::reader::Reader;
+use crate::model::text::diagnostic::Place;
+
+/// A section `[lock.NAME]`.
+#[derive(Clone, Debug)]
+pub struct LockSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// Place in the list of joints.
+    pub joint: usize,
+    /// The coordinate of the joint: the joint has it.
+    pub coordinate: Coordinate,
+    /// What engages and releases it.
+    pub switch: SwitchSpec,
+}
+
+impl LockSpec {
+    /// Reads a section; `joints` are those of the file that could be read.
+    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
+        let (action, coordinate) = on_joint(&mut reader, joints, "the joint that the lock acts on");
+        let switch = SwitchSpec::read_or_engaged(&mut reader);
+        // Without the joint its coordinate means nothing.
+        if coordinate.is_none() {
+            reader.abandon();
+            return None;
+        }
+        let place = reader.place;
+        reader.finish();
+        let Action::Joint { joint, coordinate } = action? else { return None };
+        Some(Self { name: name.to_owned(), place, joint, coordinate, switch })
+    }
+}

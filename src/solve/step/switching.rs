@@ -1,0 +1,54 @@
+//! Switches in a motion: at an instant, joints, locks and drives engage or release (MECHANICS 7.10).
+//!
+//! What is released goes on as it moves. What engages stops its sides relative to each other at once, an impact without rebound: the velocities behind it are those
+//! nearest to the ones before it, in the metric of the kinetic energy, that the constraints allow, `M (v⁺ − v⁻) = −Gᵀ ν`. The impact takes the kinetic energy of the change,
+//! `½ (v⁺ − v⁻)ᵀ M (v⁺ − v⁻)`; what drives and moving frames hold in motion gives `νᵀ ∂g/∂t` in addition.
+
+use super::projection::Projection;
+use crate::error::Error;
+use crate::mechanics::state::State;
+use crate::mechanics::state::energy_account::Work;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
+use crate::solve::newton::kkt::Kkt;
+
+/// Engages and releases what is to be so at `time`, s, the instant of `state` but for rounding; `kkt` is scratch memory. Returns whether anything changed.
+///
+/// # Errors
+/// What engages is redundant: the error names it.
+pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> Result<bool, Error> {
+    if !system.switches_at(state, time) {
+        return Ok(false);
+    }
+    // The part of the momentum that only the constraints of before knew is none of the motion.
+    system.mass_times(&state.velocity, &mut state.momentum);
+    state.constraint_momenta.fill(0.0);
+    if system.switch(state, time) {
+        collide(system, kkt, state)?;
+    }
+    state.balance.skip_jump();
+    state.viscous.jump();
+    state.time_error.known = 0;
+    Ok(true)
+}
+
+/// Brings the velocities of `state` to what the constraints allow, and its energies.
+fn collide(system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Error> {
+    let before = state.velocity.clone();
+    let kinetic_before = system.kinetic_energy(&before);
+    let (mut projection, mut frames) = (Projection::once(system), FrameCache::default());
+    projection.set_velocity(system, kkt, &mut frames, state)?;
+    kkt.check_unique(system, state.time)?;
+    system.mass_times(&state.velocity, &mut state.momentum);
+    let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
+    let dissipated = system.kinetic_energy(&change);
+    let gained = system.kinetic_energy(&state.velocity) - kinetic_before;
+    if let Some(last) = &mut state.balance.last {
+        last.kinetic += gained;
+    }
+    if let Some(account) = &mut state.balance.account {
+        account.work.add(&Work { drives: gained + dissipated, dissipated, ..Work::default() }, 1.0);
+        account.energy = account.energy.map(|energy| energy + gained);
+    }
+    Ok(())
+}
