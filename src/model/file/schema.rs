@@ -119,7 +119,7 @@ pub const PRODUCT_MOMENT: Rule = rule("product_moment", "product of area, integr
 pub const POLAR_MOMENT: Rule = rule("polar_moment", "polar second moment of area", "m4").above(0.0).along_beam();
 pub const FOURTH_MOMENTS: Rule =
     rule("fourth_moments", "fourth moment of area (yyyy, yyzz, zzzz)", "m6").from(0.0).along_beam();
-pub const SECTION_TWIST: Rule = rule("twist", "turn of the section about the tangent", "rad").along_beam();
+pub const SECTION_TURN: Rule = rule("turn", "turn of the section about the tangent", "rad").along_beam();
 pub const AXIAL_RIGIDITY: Rule = rule("EA", "axial rigidity", "N").above(0.0).along_beam();
 pub const BENDING_RIGIDITY_Y: Rule = rule("EI_y", "bending rigidity about y", "N.m2").above(0.0).along_beam();
 pub const BENDING_RIGIDITY_Z: Rule = rule("EI_z", "bending rigidity about z", "N.m2").above(0.0).along_beam();

@@ -36,7 +36,7 @@ const KEYS: [(&str, &[&str]); 17] = [
             "wall",
             "web",
             "flange",
-            "twist",
+            "turn",
             "EA",
             "EI_y",
             "EI_z",

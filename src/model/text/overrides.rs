@@ -116,8 +116,17 @@ impl Target {
         self.key.split('.').next().unwrap_or(&self.key)
     }
 
-    fn is_possible(&self) -> bool {
-        keys_of(self.section).contains(&self.head())
+    fn is_possible(&self, tree: &mut [Entry]) -> bool {
+        let of_rigidities = self.section == "section" && keys_of("material").contains(&self.head());
+        keys_of(self.section).contains(&self.head()) && (!of_rigidities || self.has_rigidities(tree))
+    }
+
+    /// Whether it is a section that has a material of its own.
+    fn has_rigidities(&self, tree: &mut [Entry]) -> bool {
+        let has_shape = |entry: &Entry| {
+            entry.key == "shape" && matches!(&entry.item.node, Node::Text(word) if word == "rigidities")
+        };
+        self.entries(tree).is_some_and(|entries| entries.iter().any(has_shape))
     }
 }
 
@@ -192,7 +201,7 @@ fn choose(
     }
     let mut fitting: Vec<Target> = candidates.iter().filter(|target| target.is_written(tree)).cloned().collect();
     if fitting.is_empty() {
-        fitting = candidates.iter().filter(|target| target.is_possible()).cloned().collect();
+        fitting = candidates.iter().filter(|target| target.is_possible(tree)).cloned().collect();
     }
     match fitting.as_slice() {
         [one] => return Some(one.clone()),

@@ -103,7 +103,7 @@ fn integrals(written: &SectionSpec, value: impl Fn(Number) -> f64) -> Section {
         }
         Shape::General => Section::EMPTY,
         Shape::Rigidities(rigidities) => {
-            return Section { twist: given(written.twist, 0.0), ..of_rigidities(&rigidities, value) };
+            return Section { twist: given(written.turn, 0.0), ..of_rigidities(&rigidities, value) };
         }
     };
     let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
@@ -115,7 +115,7 @@ fn integrals(written: &SectionSpec, value: impl Fn(Number) -> f64) -> Section {
         torsion_constant: given(written.torsion_constant, shape.torsion_constant),
         polar_moment: given(written.polar_moment, second_moment_y + second_moment_z),
         product_moment: given(written.product_moment, shape.product_moment),
-        twist: given(written.twist, 0.0),
+        twist: given(written.turn, 0.0),
         ..shape
     };
     match (written.fourth_moments, written.shape) {
@@ -188,7 +188,7 @@ pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Optio
         inside.clone().map(move |xi| (begin + (end - begin) * xi) * length)
     });
     places.into_iter().find_map(|s| wrong_at(document, beam, written, &functions, s)).or_else(|| {
-        let twist = written.twist.filter(|twist| functions.iter().any(|(number, _)| number == twist))?;
+        let twist = written.turn.filter(|twist| functions.iter().any(|(number, _)| number == twist))?;
         overtwisted(document, beam, line, twist, length)
     })
 }
@@ -249,9 +249,10 @@ fn overtwisted(
     };
     let angle = line.spans.iter().map(|span| (turn(span.node + 1) - turn(span.node)).abs()).fold(0.0, f64::max);
     (angle > LARGEST_TWIST).then(|| {
-        let message = format!("an element of beam {} is twisted by {:.1} degrees", beam.name, angle.to_degrees());
+        let message =
+            format!("an element of beam {} is turned by {:.1} degrees from end to end", beam.name, angle.to_degrees());
         let most = format!("the limit is {} degrees an element", LARGEST_BEND.to_degrees().round());
-        let help = format!("{most}: take more elements; the twist of a section is in rad");
+        let help = format!("{most}: take more elements; the `turn` of a section is in rad");
         document.diagnostic(document.place(twist), &message, "by its section", &help)
     })
 }

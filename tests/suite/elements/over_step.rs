@@ -162,15 +162,17 @@ fn force_by_definition() {
 #[test]
 fn work_is_the_change_of_energy() {
     let mut random = Random(42);
+    // Of all cases together: in a single one terms of the third power may cancel each other.
+    let mut excess = [0.0; 2];
     for case in cases(43) {
         let direction = Coordinates::from_fn(|_, _| random.signed());
         let still = case.over(&case.start, Dissipation::default()).end[0];
-        let excess = [0.01, 0.001].map(|size| {
+        for (sum, size) in excess.iter_mut().zip([0.01, 0.001]) {
             let answer = case.over(&(case.start + direction * size), Dissipation::default());
-            (answer.force.dot(&direction) * size - (answer.end[0] - still)).abs()
-        });
-        assert!(excess[1] < 3e-3 * excess[0] + 1e-12, "{:?}: {excess:?}", case.element.stiffness);
+            *sum += (answer.force.dot(&direction) * size - (answer.end[0] - still)).abs();
+        }
     }
+    assert!(excess[1] < 3e-3 * excess[0], "{excess:?}");
 }
 
 /// A turn of 1.2 rad within one step and a shift: no strain changes, and the damping takes nothing. Rounding of strains of order 1 in these units.

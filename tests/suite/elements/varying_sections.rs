@@ -225,7 +225,7 @@ fn unsymmetric_bending_is_that_of_turned_axes() {
 #[test]
 fn sections_twist_along_a_beam() {
     let flat = "shape = \"rectangle\"\nwidth = 0.02\nheight = 0.06";
-    let twisted = |twist: &str| format!("{flat}\ntwist = \"{twist}\"");
+    let twisted = |twist: &str| format!("{flat}\nturn = \"{twist}\"");
     let pretwisted = cantilever(flat, 4, PUSHED).replace("elements =", "pretwist = 1\n        elements =");
     let mut simulation = start(&pretwisted);
     simulation.advance(1.0).unwrap_or_else(|failure| panic!("{}", failure.message));
@@ -266,7 +266,7 @@ fn tapered_beams_weigh_what_they_must() {
 /// A twisted wedge swings under its weight: energy is kept as for every beam, to the tolerance of the steps.
 #[test]
 fn tapered_beams_keep_energy() {
-    let section = format!("{WEDGE}\ntwist = \"0.4*s^2\"");
+    let section = format!("{WEDGE}\nturn = \"0.4*s^2\"");
     let text = cantilever(&section, 4, "[simulation]\nstop = 0.5\nstep = 1e-3\nspectral_radius = 1\ntolerance = 1e-10")
         .replace("name = \"cantilever\"", "name = \"cantilever\"\ngravity = [0, 0, -9.81]");
     let mut simulation = start(&text);

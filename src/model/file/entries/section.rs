@@ -31,7 +31,7 @@ pub struct SectionSpec {
     /// `∫ y⁴ dA`, `∫ y² z² dA`, `∫ z⁴ dA`, m⁶; default: of the shape; for a general section of a rectangle with the same area and second moments.
     pub fourth_moments: Option<[Number; 3]>,
     /// Turn about the tangent, rad.
-    pub twist: Option<Number>,
+    pub turn: Option<Number>,
 }
 
 /// An outline.
@@ -187,7 +187,7 @@ impl SectionSpec {
                 reader.optional_vector(&schema::FOURTH_MOMENTS),
             ),
         };
-        let twist = reader.optional(&schema::SECTION_TWIST);
+        let turn = reader.optional(&schema::SECTION_TURN);
         reader.finish();
         let name = name.to_owned();
         Some(Self {
@@ -201,7 +201,7 @@ impl SectionSpec {
             product_moment,
             polar_moment,
             fourth_moments,
-            twist,
+            turn,
         })
     }
 
@@ -234,7 +234,7 @@ impl SectionSpec {
         };
         all.extend(self.area.into_iter().chain(self.second_moment_y).chain(self.second_moment_z));
         all.extend(self.torsion_constant.into_iter().chain(self.product_moment).chain(self.polar_moment));
-        all.extend(self.fourth_moments.into_iter().flatten().chain(self.twist));
+        all.extend(self.fourth_moments.into_iter().flatten().chain(self.turn));
         all
     }
 
