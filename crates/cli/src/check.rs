@@ -1,22 +1,14 @@
 //! `check`: a model is without mistakes if it can be loaded and brought to its initial state; its variables as an aligned table.
 
 use super::picture::Target;
-use super::{Stop, complain, progress, say, start, voice};
+use super::{Stop, progress, say, start, voice};
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::model::drawing::Drawing;
-use ancf14::model::entries::simulation::{Analysis, Steps};
-use ancf14::model::modes::Kind;
 use ancf14::model::simulation::Simulation;
 use ancf14_report::numbers::shortest;
 use serde_json::{Value, json};
 
-/// Natural modes that are looked at for the slowest vibration: mechanisms that move freely have modes without a period below it.
-const FEW: usize = 12;
-/// Steps that a period needs at least.
-const STEPS_OF_A_PERIOD: f64 = 10.0;
-/// Models with more variables than this are not searched: a check should take no time.
-const MOST_VARIABLES: usize = 20_000;
 /// Columns of the table.
 const TITLES: [&str; 7] = ["ref", "name", "causality", "variability", "start", "unit", "description"];
 
@@ -27,7 +19,6 @@ pub fn check(mut simulation: Simulation, name: &str, picture: Option<Target<'_>>
     let drawn = picture.map(|picture| picture.draw(&Drawing::new(simulation.document()), &about.name)).transpose()?;
     progress::last_row(&simulation)?;
     start(&mut simulation)?;
-    coarse_step(&simulation).iter().for_each(|warning| complain(&format!("warning: {warning}")));
     if voice::is_json() {
         voice::deliver(document(&simulation));
         return Ok(());
@@ -42,26 +33,6 @@ pub fn check(mut simulation: Simulation, name: &str, picture: Option<Target<'_>>
         count(Causality::Output)
     ))?;
     drawn.map_or(Ok(()), |drawn| say(&drawn))
-}
-
-/// Says that the step is too long for the slowest vibration, which is the least that a motion shows.
-fn coarse_step(simulation: &Simulation) -> Option<String> {
-    let document = simulation.document();
-    let Steps::Fixed(step) = document.simulation.steps else { return None };
-    if document.simulation.analysis == Analysis::Static || simulation.variables().len() > MOST_VARIABLES {
-        return None;
-    }
-    let found = simulation.modes(FEW).ok()?;
-    let slowest = found.modes.iter().find(|mode| mode.kind == Kind::Vibration)?;
-    let (step, period) = (document.value(step), std::f64::consts::TAU / slowest.eigenvalue.sqrt());
-    (step > period / STEPS_OF_A_PERIOD).then(|| {
-        format!(
-            "simulation.step = {step} s is longer than a tenth of the period of the slowest vibration, {period:.3e} s, which is largest at {}: the steps do not resolve it. Take a step \
-             of {:.1e} s or less, or leave `step` out, and the solver chooses its steps",
-            slowest.moves,
-            period / STEPS_OF_A_PERIOD
-        )
-    })
 }
 
 /// Prints the text of a model without copies and includes. Overrides that are not in it would be lost.

@@ -22,8 +22,8 @@ const RISE: f64 = 4.0;
 /// would only make multipliers grow that pass for stiffness.
 const MOST_DAMPING: f64 = 1e6;
 /// An equilibrium so far from the drawing is another one than was drawn: places over the system's size, slopes, angles and directors as they are.
-/// The axes of a body that turns by 60 degrees change by 1.
-const FAR: f64 = 1.0;
+/// Of the axes of a body that turns by 53 degrees a component changes by 0.8.
+const FAR: f64 = 0.8;
 /// Shares of the way of drives and frames that are taken in one step.
 const LARGEST_SHARE: f64 = 0.05;
 const SMALLEST_SHARE: f64 = 1e-4;
