@@ -4,12 +4,16 @@
 //! own data and the model's. They may come from another process, and from anywhere: nothing is believed that is not checked.
 
 use super::{Control, FmuState, Instance};
-use crate::fmi::{Model, error::Error, lifecycle::Call};
+use crate::fmi::{
+    Model,
+    error::Error,
+    lifecycle::{Call, Mode},
+};
 
 /// First bytes of every serialized state.
 const MAGIC: [u8; 8] = *b"ancf14st";
 /// Version of the layout: of the header and of all that models write.
-const VERSION: u32 = 8;
+const VERSION: u32 = 9;
 /// Bytes of the header: magic, version, length, checksum.
 const HEADER: usize = 8 + 4 + 8 + 4;
 
@@ -40,6 +44,9 @@ impl<M: Model> Instance<M> {
         let content = content(bytes).map_err(refused)?;
         let ((guid, control), model) =
             postcard::take_from_bytes::<(String, Control)>(content).map_err(|reason| refused(reason.to_string()))?;
+        if control.mode == Mode::Update {
+            return Err(refused(String::from("they are of the middle of a step, where no state is taken")));
+        }
         let own = &self.model.about().guid;
         if guid != *own {
             return Err(Error::ForeignState { theirs: guid, own: own.clone() });

@@ -7,6 +7,7 @@ use std::{
     path::Path,
 };
 
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::location::LIBRARY;
 use ancf14_pack::contents::Contents;
 use ancf14_pack::libraries::{Platform, find_library, read};
@@ -21,7 +22,12 @@ const CONTENTS: Contents<'_> =
     Contents { model: MODEL, licences: "do", icon: b"\x89PNG", drawing: "<svg></svg>\n", legend: "a & b" };
 
 fn packed() -> Vec<u8> {
+    packed_for(Standard::Fmi2)
+}
+
+fn packed_for(standard: Standard) -> Vec<u8> {
     fmu(
+        standard,
         &toy::about(),
         &toy::variables(),
         &CONTENTS,
