@@ -79,6 +79,9 @@ def test_the_names_are_those_of_the_standard_and_our_own(shipped):
     header = (Path(fmpy.__file__).parent / "c-code/fmi2Functions.h").read_text()
     standard = set(re.findall(r"#define (fmi2\w+) +fmi2FullName", header)) - MODEL_EXCHANGE
     assert len(standard) == 34
+    header = (Path(fmpy.__file__).parent / "c-code/fmi3Functions.h").read_text()
+    standard |= set(re.findall(r"#define (fmi3\w+) +fmi3FullName", header))
+    assert len(standard) == 34 + 75
     own = set(re.findall(r"\b(ancf14_\w+)\(", (ROOT / "include/ancf14.h").read_text()))
     assert len(own) == 24
     assert symbols(elf(shipped), imported=False) == standard | own

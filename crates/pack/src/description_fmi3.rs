@@ -122,7 +122,7 @@ fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Res
         vec![("name", array.name.into()), ("valueReference", array.first.to_string().into())];
     let description = description(array, first);
     if !description.is_empty() {
-        attributes.push(("description", description.into()));
+        attributes.push(("description", clean(&description).into()));
     }
     attributes.push(("causality", first.causality.word().into()));
     attributes.push(("variability", first.variability.word().into()));
@@ -147,12 +147,12 @@ fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Res
 }
 
 /// Meaning of an array: that of its first element without the place of that element.
-fn description(array: &Array<'_>, first: &Variable) -> String {
-    let whole = clean(&first.description);
+pub(crate) fn description(array: &Array<'_>, first: &Variable) -> String {
+    let whole = &first.description;
     if array.dimensions.is_empty() {
-        return whole;
+        return whole.clone();
     }
-    let whole = whole.strip_suffix(", component 1").unwrap_or(&whole);
+    let whole = whole.strip_suffix(", component 1").unwrap_or(whole);
     match whole.split_once(", station 1 of ") {
         Some((before, rest)) => format!("{before}, {rest}"),
         None => whole.to_owned(),

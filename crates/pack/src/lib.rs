@@ -11,3 +11,4 @@ mod elements;
 pub mod error;
 pub mod libraries;
 pub mod package;
+pub mod terminals;

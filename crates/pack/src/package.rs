@@ -8,7 +8,7 @@
 use crate::contents::{Contents, LICENCES_FILE};
 use crate::error::Error;
 use crate::libraries::Platform;
-use crate::{description, description_fmi3, documentation};
+use crate::{description, description_fmi3, documentation, terminals};
 use ancf14::fmi::About;
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::location::MODEL_FILE;
@@ -28,12 +28,21 @@ pub fn fmu(
     libraries: &[(Platform, Vec<u8>)],
 ) -> Result<Vec<u8>, Error> {
     let dated = dated(about, std::env::var("SOURCE_DATE_EPOCH").ok().as_deref());
-    let (xml, picture) = match standard {
-        Standard::Fmi2 => (description::xml(&dated, variables)?, "model.png"),
-        Standard::Fmi3 => (description_fmi3::xml(&dated, variables)?, "terminalsAndIcons/icon.png"),
+    let xml = match standard {
+        Standard::Fmi2 => description::xml(&dated, variables)?,
+        Standard::Fmi3 => description_fmi3::xml(&dated, variables)?,
     };
-    let page = documentation::html(about, variables, contents);
-    let mut entries = vec![("modelDescription.xml".to_owned(), xml.as_bytes()), (picture.to_owned(), contents.icon)];
+    let page = documentation::html(standard, about, variables, contents);
+    let terminals = terminals::xml(variables);
+    let mut entries = vec![("modelDescription.xml".to_owned(), xml.as_bytes())];
+    match standard {
+        Standard::Fmi2 => entries.push(("model.png".to_owned(), contents.icon)),
+        Standard::Fmi3 => entries.extend([
+            ("terminalsAndIcons/terminalsAndIcons.xml".to_owned(), terminals.as_bytes()),
+            ("terminalsAndIcons/icon.png".to_owned(), contents.icon),
+            ("terminalsAndIcons/icon.svg".to_owned(), contents.drawing.as_bytes()),
+        ]),
+    }
     for (platform, library) in libraries {
         let folder = match standard {
             Standard::Fmi2 => platform.name(),

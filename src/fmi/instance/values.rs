@@ -5,7 +5,7 @@ use crate::fmi::{
     Model, Value,
     error::Error,
     lifecycle::{Call, Mode, Standard},
-    variable::{Causality, Variability, Variable},
+    variable::{Causality, Variability, Variable, type_word},
 };
 
 /// A number type of FMI that variables here can have.
@@ -227,22 +227,12 @@ impl<M: Model> Instance<M> {
     }
 
     fn wrong_type(&self, variable: &Variable, reference: u32, asked: &'static str) -> Error {
-        let word = |word| if self.standard == Standard::Fmi3 { fmi3_type(word) } else { word };
-        let [actual, asked] = [variable.type_name(), asked].map(word);
+        let (actual, asked) = (variable.type_name_in(self.standard), type_word(self.standard, asked));
         Error::WrongType { name: variable.name.clone(), reference, actual, asked }
     }
 
     pub(super) fn same_length(&self, references: usize, values: usize) -> Result<(), Error> {
         if references == values { Ok(()) } else { Err(Error::LengthsDiffer { references, values }) }
-    }
-}
-
-/// FMI 3.0's word for a type of FMI 2.0.
-fn fmi3_type(word: &'static str) -> &'static str {
-    match word {
-        "Real" => "Float64",
-        "Integer" => "Int32",
-        other => other,
     }
 }
 
