@@ -86,7 +86,7 @@ fn members_match_by_name() {
     let pairs = |list: &[(&str, &str)]| -> Vec<(String, String)> {
         list.iter().map(|(member, name)| ((*member).to_owned(), (*name).to_owned())).collect()
     };
-    assert_eq!(terminal("push"), pairs(&[("force", "push.force")]));
+    assert_eq!(terminal("push"), pairs(&[("force", "push.force"), ("moment", "push.moment")]));
     assert_eq!(terminal("hand"), pairs(&[("position", "hand.position"), ("rotation", "hand.rotation")]));
     assert_eq!(terminal("hold"), pairs(&[("force", "hold.applied_force"), ("moment", "hold.applied_moment")]));
     let tip = [("position", "tip.position"), ("velocity", "tip.velocity"), ("quaternion", "tip.quaternion")];
