@@ -7,7 +7,7 @@ use ancf14::model::simulation::Simulation;
 use ancf14_pack::{description_fmi3::xml, terminals};
 use ancf14_testing::{golden, root, toy};
 
-/// The toy with a whole vector of inputs.
+/// The toy with a whole vector of inputs, and an output that is found from two of its elements.
 fn variables() -> Vec<Variable> {
     let mut list = toy::variables();
     let force = list[toy::FORCE as usize].clone();
@@ -16,7 +16,19 @@ fn variables() -> Vec<Variable> {
         let description = format!("push: force, global, component {component}");
         list.push(Variable { name, description, start: Value::Real(f64::from(component)), ..force.clone() });
     }
+    let found_from = Some(vec![toy::LENGTH as usize, list.len() - 2, list.len() - 1]);
+    list.push(Variable { name: "pushed.position".to_owned(), found_from, ..list[toy::POSITION as usize].clone() });
     list
+}
+
+/// An element of an array is known as the array.
+#[test]
+fn dependencies_are_references_of_arrays() {
+    let text = xml(&toy::about(), &variables()).unwrap();
+    let first = variables().iter().position(|variable| variable.name == "push.force[1]").unwrap();
+    let expected =
+        format!("<InitialUnknown valueReference=\"{}\" dependencies=\"{} {first}\"/>", first + 3, toy::LENGTH);
+    assert!(text.contains(&expected), "{expected} in {text}");
 }
 
 /// The XML of the toy, as reviewed.
