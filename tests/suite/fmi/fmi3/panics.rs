@@ -2,13 +2,13 @@
 //! that panics beyond a time, in parts of a quarter of a second.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
-use std::{cell::RefCell, ffi::CStr, ffi::c_void, marker::PhantomData, ptr::null_mut};
+use std::{cell::RefCell, ffi::CStr, ffi::c_void, marker::PhantomData};
 
 use ancf14::{
     ffi::{
         component::{Component, Host},
         fmi3_types::{Callbacks, fmi3Status, fmi3String},
-        guard::{callbacks, free, run},
+        guard::{free, run},
     },
     fmi::{
         Status,
@@ -142,11 +142,4 @@ fn parts_add_up() {
     };
     assert_eq!(position(&parts), position(&whole));
     assert_eq!(position(&whole), 1.5 + 3.0 * 0.625); // length and way
-}
-
-/// Handles that are none have no callbacks.
-#[test]
-fn callbacks_of_nothing() {
-    // SAFETY: NULL is the question.
-    assert!(unsafe { callbacks::<Toy>(null_mut()) }.is_none());
 }
