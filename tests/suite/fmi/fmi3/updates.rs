@@ -203,9 +203,9 @@ fn states_after_an_early_return() {
     other.forget(copy);
 }
 
-/// A step that fails on the way goes back to its beginning; an earlier state revives the instance.
+/// A step whose internal step fails goes back to its beginning; an earlier state revives the instance.
 #[test]
-fn a_step_that_fails_between() {
+fn a_failed_step_goes_back() {
     let place = Place::new(MODEL);
     let unit = Unit::with(&place, LISTENS);
     unit.initialize();
