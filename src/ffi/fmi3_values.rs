@@ -150,7 +150,7 @@ pub unsafe extern "C" fn fmi3GetDirectionalDerivative(
     }
 }
 
-/// The transposed product: what the inputs of the last step get of the seeds of the outputs at its end (section 2.2.11).
+/// The transposed product: derivatives of the outputs at the end of the last step, weighted by the seeds, with respect to its inputs (section 2.2.11).
 ///
 /// # Safety
 /// `instance` is a live instance; the arrays have the lengths that are passed.

@@ -290,7 +290,7 @@ impl<M: Model> Instance<M> {
         self.advance(end)
     }
 
-    /// What the standard and the model refuse of a step to `end`, s, has no consequences.
+    /// Checks whether a step to `end`, s, can be tried; a refusal changes nothing.
     fn accept_step(&mut self, end: f64) -> Result<(), Error> {
         self.check(Call::DoStep)?;
         self.model.accept_step(end)?;
@@ -299,7 +299,7 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// What becomes of the instance when the model has stepped, or failed to.
+    /// Passes the model's warnings on; after a failed step the instance is stopped.
     fn after_step<T>(&mut self, outcome: Result<T, Failure>) -> Result<T, Error> {
         self.pass_on_warnings();
         outcome.map_err(|failure| {

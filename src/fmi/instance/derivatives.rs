@@ -187,7 +187,7 @@ impl<M: Model> Instance<M> {
         self.finite(sum, unknown)
     }
 
-    /// What one known gets of the seeds of the unknowns.
+    /// The adjoint derivative of one known: the sum of the derivatives of the unknowns with respect to it, each times its seed.
     fn adjoint(&mut self, unknowns: &[u32], seeds: &[f64], known: u32) -> Result<f64, Error> {
         let mut sum = 0.0;
         for (&unknown, &seed) in unknowns.iter().zip(seeds) {

@@ -92,7 +92,7 @@ impl Simulation {
         Ok(true)
     }
 
-    /// What is known when a step to `end`, s, is over that the host ended at `stop`, s, or has failed.
+    /// Concludes a step to `end`, s, that the host ended at `stop`, s, or that failed.
     fn arrive(&mut self, outcome: Result<(), Failure>, end: f64, stop: f64) -> Result<(), Failure> {
         if outcome.is_err() {
             self.runner.go_back();

@@ -280,7 +280,6 @@ fn every_function_in_every_mode() {
             }
             let label = name(function);
             if legal.contains(&function) || tolerated.contains(&function) {
-                // What comes after it, the call has changed.
                 let unit = RefCell::new(None);
                 let run = |u: &Unit<'_>| *unit.borrow_mut() = Some((call(u, function), u.lines()));
                 legally(&place, mode, run);
@@ -329,7 +328,7 @@ fn legally(place: &Place, mode: Mode, body: impl Fn(&Unit<'_>)) {
     body(&unit);
 }
 
-/// What is never legal is refused in every mode, and changes nothing.
+/// Calls that are never legal are refused in every mode, and change nothing.
 #[test]
 fn what_is_never_legal_changes_nothing() {
     let place = Place::new(MODEL);
