@@ -1,5 +1,6 @@
 //! What is made from a model without a run: modes, the drawing, the FMU, the text of a table.
 
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::drawing::Drawing;
 use ancf14::model::modes::Modes;
@@ -41,8 +42,13 @@ pub fn drawing(model: &Simulation) -> String {
     draw::svg(&Drawing::new(model.document()), &model.about().name, Projection::default())
 }
 
-/// The bytes of an FMU with the library of this platform.
-pub fn fmu(model: &Simulation, text: &str, library: PathBuf) -> Result<Vec<u8>, String> {
+/// The bytes of an FMU, of FMI 3.0 or else 2.0, with the library of this platform.
+pub fn fmu(model: &Simulation, text: &str, library: PathBuf, fmi: u8) -> Result<Vec<u8>, String> {
+    let standard = match fmi {
+        2 => Standard::Fmi2,
+        3 => Standard::Fmi3,
+        _ => return Err(format!("there is no FMI {fmi} here; fmi is 2 or 3")),
+    };
     let drawing = Drawing::new(model.document());
     let icon = picture::icon(&drawing).map_err(|reason| format!("cannot draw the mechanism: {reason}"))?;
     let contents = Contents {
@@ -53,7 +59,7 @@ pub fn fmu(model: &Simulation, text: &str, library: PathBuf) -> Result<Vec<u8>, 
         legend: &draw::legend(&drawing),
     };
     let libraries = libraries::read(&[(Platform::NATIVE, library)]).map_err(|reason| reason.to_string())?;
-    package::fmu(model.about(), model.variables(), &contents, &libraries).map_err(|reason| reason.to_string())
+    package::fmu(standard, model.about(), model.variables(), &contents, &libraries).map_err(|reason| reason.to_string())
 }
 
 /// The text of results.csv, from columns: name, whether its values are whole numbers, values.

@@ -123,9 +123,9 @@ impl Simulation {
     }
 
     /// The bytes of an FMU of the model, whose text is given.
-    fn pack<'py>(&self, py: Python<'py>, text: &str, library: PathBuf) -> PyResult<Bound<'py, PyBytes>> {
+    fn pack<'py>(&self, py: Python<'py>, text: &str, library: PathBuf, fmi: u8) -> PyResult<Bound<'py, PyBytes>> {
         let model = self.get()?.model();
-        let bytes = py.detach(|| models::fmu(model, text, library)).map_err(PyRuntimeError::new_err)?;
+        let bytes = py.detach(|| models::fmu(model, text, library, fmi)).map_err(PyRuntimeError::new_err)?;
         Ok(PyBytes::new(py, &bytes))
     }
 

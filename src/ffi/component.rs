@@ -1,4 +1,4 @@
-//! What a host holds: an instance and the way to its logger; and how `fmi2Instantiate` makes one.
+//! What a host holds: an instance and the way to its callbacks; and how an instantiation makes one.
 
 use std::{
     ffi::{CStr, CString, c_void},
@@ -7,39 +7,96 @@ use std::{
 };
 
 use super::{
+    fmi3_types::{Callbacks, fmi3False, fmi3True},
     live,
     types::{fmi2CallbackFunctions, fmi2CallbackLogger, fmi2ComponentEnvironment},
 };
 use crate::fmi::{
     Failure, LogCategory, Model, Status,
     error::Error,
-    instance::Instance,
+    instance::{Instance, Progress},
+    lifecycle::Standard,
     location::{self, LIBRARY, MODEL_FILE},
     log,
 };
 
 /// The host as an instance sees it.
 #[derive(Clone, Debug)]
-pub struct Host {
-    name: CString,
-    logger: fmi2CallbackLogger,
-    environment: fmi2ComponentEnvironment,
+pub enum Host {
+    /// A host of FMI 2.0.
+    Fmi2 {
+        /// Name of the instance.
+        name: CString,
+        /// Takes log lines.
+        logger: fmi2CallbackLogger,
+        /// Handed back with every callback.
+        environment: fmi2ComponentEnvironment,
+    },
+    /// A host of FMI 3.0.
+    Fmi3(Callbacks),
 }
 
 impl Host {
     /// Keeps what is needed of the host's callbacks, under the instance's name.
     pub fn new(name: &CStr, functions: &fmi2CallbackFunctions) -> Self {
-        Self { name: name.to_owned(), logger: functions.logger, environment: functions.componentEnvironment }
+        Self::Fmi2 { name: name.to_owned(), logger: functions.logger, environment: functions.componentEnvironment }
+    }
+
+    /// The version of the standard that it speaks.
+    pub fn standard(&self) -> Standard {
+        match self {
+            Self::Fmi2 { .. } => Standard::Fmi2,
+            Self::Fmi3(_) => Standard::Fmi3,
+        }
     }
 
     /// Hands a line to the host's logger, if it has one.
     pub fn log(&self, status: Status, category: LogCategory, message: &str) {
-        let Some(logger) = self.logger else { return };
-        let message = log::prepare(message);
-        let category = category.c_name();
-        // SAFETY: the host promises at `fmi2Instantiate` that its logger can be called as long as the instance lives;
-        // the texts live until the call returns, and the format asks for no further arguments.
-        unsafe { logger(self.environment, self.name.as_ptr(), status.into(), category.as_ptr(), message.as_ptr()) }
+        let category = category.c_name().as_ptr();
+        match self {
+            Self::Fmi2 { name, logger: Some(logger), environment } => {
+                let message = log::prepare(message);
+                // SAFETY: the host promises at `fmi2Instantiate` that its logger can be called as long as the instance lives;
+                // the texts live until the call returns, and the format asks for no further arguments.
+                unsafe { logger(*environment, name.as_ptr(), status.into(), category, message.as_ptr()) }
+            }
+            Self::Fmi3(Callbacks { log_message: Some(logger), environment, .. }) => {
+                let message = log::prepare_fmi3(message);
+                // SAFETY: as above, by `fmi3InstantiateCoSimulation`.
+                unsafe { logger(*environment, status.into(), category, message.as_ptr()) }
+            }
+            Self::Fmi2 { .. } | Self::Fmi3(_) => (),
+        }
+    }
+}
+
+impl Callbacks {
+    /// Whether the host wants to hear of internal steps.
+    pub(super) fn has_update(&self) -> bool {
+        self.intermediate_update.is_some()
+    }
+
+    /// Tells the host of a finished internal step; returns whether it wants the communication step to end there. The host may call functions
+    /// of the instance meanwhile: the caller holds no borrow of it.
+    pub(super) fn update(&self, progress: Progress) -> bool {
+        let Some(update) = self.intermediate_update else { return false };
+        let can_return = self.early_return_allowed && !progress.arrived;
+        let (mut requested, mut time) = (fmi3False, progress.time);
+        // SAFETY: the host promises at `fmi3InstantiateCoSimulation` that its callback can be called during `fmi3DoStep`; both answers can
+        // be written to.
+        unsafe {
+            update(
+                self.environment,
+                progress.time,
+                fmi3False,
+                fmi3True,
+                fmi3True,
+                can_return.into(),
+                &raw mut requested,
+                &raw mut time,
+            );
+        }
+        can_return && requested != fmi3False
     }
 }
 
@@ -52,15 +109,18 @@ pub struct Component<M: Model> {
 impl<M: Model> Component<M> {
     /// A new component of a loaded model; its first log lines go to the host.
     pub fn new(model: M, host: Host, logging_on: bool) -> Self {
-        let mut component = Self { instance: Instance::new(model, logging_on), host };
+        let mut component = Self { instance: Instance::of(host.standard(), model, logging_on), host };
         component.report();
         component
     }
 
-    /// Hands the instance's log lines to the host.
+    /// Hands the instance's log lines to the host. FMI 3.0 forbids all but errors where a category is switched off (section 2.3.1).
     pub(super) fn report(&mut self) {
         for entry in self.instance.take_entries() {
-            self.host.log(entry.status, entry.category, &entry.message);
+            let is_error = entry.status >= Status::Error;
+            if is_error || self.host.standard() == Standard::Fmi2 || self.instance.wants(entry.category) {
+                self.host.log(entry.status, entry.category, &entry.message);
+            }
         }
     }
 

@@ -240,13 +240,7 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
 ) -> fmi2Status {
     const CALL: Call = Call::SerializedFMUstateSize;
     // SAFETY: the caller's promise.
-    unsafe {
-        guard(c, CALL, |instance| {
-            let bytes = guard::serialize(instance, CALL, FMUstate)?;
-            *place(size, "size")? = bytes.len();
-            Ok(())
-        })
-    }
+    unsafe { guard(c, CALL, |instance| guard::serialized_size(instance, CALL, FMUstate, size)) }
 }
 
 /// Writes a copy as bytes that any process can read (section 2.1.8).
@@ -264,13 +258,8 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
     // SAFETY: the caller's promise.
     unsafe {
         guard(c, CALL, |instance| {
-            let bytes = guard::serialize(instance, CALL, FMUstate)?;
             let target = slice_mut(serializedState.cast::<u8>(), size, "serializedState")?;
-            if target.len() != bytes.len() {
-                return Err(Error::SerializedSize { needed: bytes.len(), given: size });
-            }
-            target.copy_from_slice(&bytes);
-            Ok(())
+            guard::write_serialized(instance, CALL, FMUstate, target)
         })
     }
 }

@@ -6,44 +6,72 @@ use std::{
 };
 
 use super::{
-    component::Component,
-    fault, live,
+    component::{Component, Host},
+    fault,
+    fmi3_types::Callbacks,
+    live,
     types::{fmi2Status, fmi2String},
 };
 use crate::fmi::{
     Model, Status,
     error::Error,
     instance::{FmuState, Instance},
-    lifecycle::Call,
+    lifecycle::{Call, Standard},
 };
 
-/// Runs `body` on the instance behind a handle. An error goes to the log, with call and mode in front, and becomes a
-/// status; a panic makes the instance unusable, is logged, and becomes `fmi2Fatal`. A handle that is none, or freed already, is
-/// `fmi2Error`.
+/// Runs the `body` of a function of FMI 2.0: [`run`].
 ///
 /// # Safety
-/// A live `handle` is from [`Component::into_handle`] with the same model type, and not in use elsewhere.
+/// As [`run`].
 pub unsafe fn guard<M: Model>(
     handle: *mut c_void,
     call: Call,
     body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
 ) -> fmi2Status {
     // SAFETY: the caller's promise.
+    unsafe { run(Standard::Fmi2, handle, call, body) }.into()
+}
+
+/// Runs `body` on the instance behind a handle. An error goes to the log, with call and mode in front, and becomes a
+/// status; a panic makes the instance unusable, is logged, and becomes [`Status::Fatal`]. A handle that is none, freed already, or of the other
+/// version of the standard, is [`Status::Error`].
+///
+/// # Safety
+/// A live `handle` is from [`Component::into_handle`] with the same model type, and not in use elsewhere.
+pub unsafe fn run<M: Model>(
+    standard: Standard,
+    handle: *mut c_void,
+    call: Call,
+    body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
+) -> Status {
+    // SAFETY: the caller's promise.
     let Some(component) = (unsafe { Component::<M>::behind(handle) }) else {
-        return fmi2Status::fmi2Error;
+        return Status::Error;
     };
-    match caught(|| answer(component, call, body)) {
-        Ok(status) => status.into(),
+    match caught(|| answer(component, standard, call, body)) {
+        Ok(status) => status,
         Err(message) => {
             component.instance.give_up();
             // A logger that panics, or a second fault, leaves nothing to say.
             let _ = caught(|| {
                 let error = Error::Fault { message };
                 component.report();
-                component.host.log(error.status(), error.category(), &format!("{call}: {error}"));
+                component.host.log(error.status(), error.category(), &format!("{}: {error}", standard.name(call)));
             });
-            fmi2Status::fmi2Fatal
+            Status::Fatal
         }
+    }
+}
+
+/// The callbacks of the host of FMI 3.0 that a handle belongs to; none: it is not live, or the host is another one.
+///
+/// # Safety
+/// As [`run`].
+pub unsafe fn callbacks<M: Model>(handle: *mut c_void) -> Option<Callbacks> {
+    // SAFETY: the caller's promise.
+    match &unsafe { Component::<M>::behind(handle) }?.host {
+        Host::Fmi3(callbacks) => Some(*callbacks),
+        Host::Fmi2 { .. } => None,
     }
 }
 
@@ -54,17 +82,26 @@ pub(super) fn caught<R>(body: impl FnOnce() -> R) -> Result<R, String> {
 
 fn answer<M: Model>(
     component: &mut Component<M>,
+    standard: Standard,
     call: Call,
     body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
 ) -> Status {
     let (mode, time) = (component.instance.mode(), component.instance.time());
-    let outcome = body(&mut component.instance);
+    let outcome = match component.instance.standard() {
+        own if own == standard => body(&mut component.instance),
+        Standard::Fmi2 => Err(Error::OtherStandard { own: "2.0" }),
+        Standard::Fmi3 => Err(Error::OtherStandard { own: "3.0" }),
+    };
     component.report();
     let status = component.instance.take_status();
     match outcome {
         Ok(()) => status,
         Err(error) => {
-            component.host.log(error.status(), error.category(), &format!("{call} {mode} at t = {time} s: {error}"));
+            component.host.log(
+                error.status(),
+                error.category(),
+                &format!("{} {mode} at t = {time} s: {error}", standard.name(call)),
+            );
             error.status()
         }
     }
@@ -185,6 +222,42 @@ pub unsafe fn serialize<M: Model>(instance: &Instance<M>, call: Call, state: *mu
     instance.check(call)?;
     // SAFETY: the caller's promise.
     instance.serialize(call, unsafe { state_behind(state) }?)
+}
+
+/// Writes the number of bytes of a copy to `size`.
+///
+/// # Safety
+/// A live `state` has the same model type; unless NULL, `size` can be written to.
+pub unsafe fn serialized_size<M: Model>(
+    instance: &Instance<M>,
+    call: Call,
+    state: *mut c_void,
+    size: *mut usize,
+) -> Result<(), Error> {
+    // SAFETY: the caller's promise.
+    let bytes = unsafe { serialize(instance, call, state) }?;
+    // SAFETY: the caller's promise.
+    *unsafe { place(size, "size") }? = bytes.len();
+    Ok(())
+}
+
+/// Writes the bytes of a copy to `target`, which has room for all of them and no more.
+///
+/// # Safety
+/// A live `state` has the same model type.
+pub unsafe fn write_serialized<M: Model>(
+    instance: &Instance<M>,
+    call: Call,
+    state: *mut c_void,
+    target: &mut [u8],
+) -> Result<(), Error> {
+    // SAFETY: the caller's promise.
+    let bytes = unsafe { serialize(instance, call, state) }?;
+    if target.len() != bytes.len() {
+        return Err(Error::SerializedSize { needed: bytes.len(), given: target.len() });
+    }
+    target.copy_from_slice(&bytes);
+    Ok(())
 }
 
 /// Gives a copy back and forgets it; NULL is fine (FMI 2.0, section 2.1.8).

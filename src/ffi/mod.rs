@@ -1,7 +1,7 @@
-//! The C ABI, that of FMI 2.0 for co-simulation and that of the library's own functions: the only unsafe code.
+//! The C ABI, that of FMI 2.0 and 3.0 for co-simulation and that of the library's own functions: the only unsafe code.
 //!
-//! [`types`] names C types as the standard does, [`fmi2`] and [`fmi2_values`] export its functions, three lines each:
-//! borrow, call safe code, translate; [`front`] with [`front_types`] do the same for [`crate::Simulation`]. [`guard`] checks pointers, catches panics, logs and makes the status;
+//! [`types`] names C types as FMI 2.0 does, [`fmi2`] and [`fmi2_values`] export its functions, three lines each:
+//! borrow, call safe code, translate; [`fmi3_types`], [`fmi3`] and its siblings do the same for FMI 3.0; [`front`] with [`front_types`] do the same for [`crate::Simulation`]. [`guard`] checks pointers, catches panics, logs and makes the status;
 //! [`component`] and `front_handle` are what a program holds. Nothing here is kept outside of these, except which handles are live (`live`), and the words of
 //! a panic on their way from where it happened to the guard (`fault`).
 #![allow(unsafe_code, reason = "C hands over pointers; every use of one states who keeps the promise")]
@@ -10,6 +10,11 @@ pub mod component;
 mod fault;
 pub mod fmi2;
 pub mod fmi2_values;
+pub mod fmi3;
+pub mod fmi3_absent;
+pub mod fmi3_other_types;
+pub mod fmi3_types;
+pub mod fmi3_values;
 pub mod front;
 mod front_handle;
 pub mod front_types;

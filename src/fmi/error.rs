@@ -120,6 +120,48 @@ pub enum Error {
         /// Number of values.
         values: usize,
     },
+    /// As many values as elements are needed.
+    #[error(
+        "the variables have {needed} values, all elements of arrays counted, but {given} are passed; pass {needed} values"
+    )]
+    ValuesDiffer {
+        /// Number of elements.
+        needed: usize,
+        /// Number of values.
+        given: usize,
+    },
+    /// As many places as dependencies are needed.
+    #[error("there are {needed} dependencies, but places for {given}; ask for their number first")]
+    DependenciesDiffer {
+        /// Number of dependencies.
+        needed: usize,
+        /// Number of places.
+        given: usize,
+    },
+    /// An element of an array has no value reference of its own in FMI 3.0.
+    #[error(
+        "value reference {reference} is an element, {name}; pass the reference of the whole array, which is that of its first element"
+    )]
+    Element {
+        /// Its name in FMI 2.0.
+        name: String,
+        /// The reference asked for.
+        reference: u32,
+    },
+    /// A variable that cannot be read during an intermediate update.
+    #[error(
+        "`{name}` cannot be accessed during intermediate updates; require continuous outputs only, which have intermediateUpdate = true"
+    )]
+    NotBetween {
+        /// Its name.
+        name: String,
+    },
+    /// The instance belongs to the other version of the standard.
+    #[error("this instance was not made by this version of the standard; call the functions of FMI {own} with it")]
+    OtherStandard {
+        /// The version that made it.
+        own: &'static str,
+    },
     /// The variable cannot be set at all.
     #[error("variable {name} is a result and cannot be set; parameters and inputs can")]
     Result {
@@ -128,7 +170,7 @@ pub enum Error {
     },
     /// A fixed parameter was set too late.
     #[error(
-        "parameter {name} is fixed and can be set before fmi2ExitInitializationMode only; \
+        "parameter {name} is fixed and can be set before the end of the initialization only; \
          tunable parameters and inputs can be set between two steps"
     )]
     Fixed {
@@ -182,7 +224,7 @@ pub enum Error {
     /// The host's time is not ours.
     #[error(
         "the communication point {given} s is not the time this unit has reached, {own} s; go on from there, \
-         or go back with fmi2SetFMUstate"
+         or go back to an earlier FMU state"
     )]
     WrongTime {
         /// As passed, s.
@@ -192,7 +234,7 @@ pub enum Error {
     },
     /// The step would pass the stop time.
     #[error(
-        "the step to {end} s passes the stop time {stop} s given in fmi2SetupExperiment; end there, or define no stop time"
+        "the step to {end} s passes the stop time {stop} s that the host defined; end there, or define no stop time"
     )]
     BeyondStop {
         /// End of the step, s.
@@ -209,7 +251,7 @@ pub enum Error {
     /// A handle that is no FMU state, or none any more.
     #[error(
         "the argument `FMUstate` is no live state of this library: it was freed, or is another pointer; pass one that \
-         fmi2GetFMUstate has set, or NULL for a new one"
+         this library has handed out, or NULL for a new one"
     )]
     UnknownState,
     /// An FMU state of another model.
@@ -222,7 +264,7 @@ pub enum Error {
     },
     /// Bytes that are no serialized state.
     #[error(
-        "the bytes are not a serialized FMU state of this library: {problem}; pass those of fmi2SerializeFMUstate, all of them"
+        "the bytes are not a serialized FMU state of this library: {problem}; pass those that a state was serialized to, all of them"
     )]
     Serialized {
         /// What is wrong with them.
@@ -230,7 +272,7 @@ pub enum Error {
     },
     /// The host's memory is not as large as the serialized state.
     #[error(
-        "the serialized state has {needed} bytes, the host offers {given}; ask fmi2SerializedFMUstateSize for this very state"
+        "the serialized state has {needed} bytes, the host offers {given}; ask for the serialized size of this very state"
     )]
     SerializedSize {
         /// Bytes of the state.
@@ -242,14 +284,12 @@ pub enum Error {
     #[error("{}", .0.message)]
     Model(Failure),
     /// A panic was caught.
-    #[error(
-        "internal fault, please report it: {message}; this instance is unusable now, only fmi2FreeInstance is left"
-    )]
+    #[error("internal fault, please report it: {message}; this instance is unusable now and can only be freed")]
     Fault {
         /// What the panic said, and where.
         message: String,
     },
-    /// `fmi2Instantiate` was called with something it cannot use.
+    /// The instantiation was called with something it cannot use.
     #[error("{0}")]
     Instantiate(String),
     /// The model identifier is not a C identifier.

@@ -5,19 +5,22 @@
 //! do; after it only an earlier FMU state or a reset goes on. Log lines are collected in order and fetched by
 //! [`Instance::take_entries`]. Reading, writing and stepping allocate nothing here.
 
+mod dependencies;
 mod derivatives;
+mod fmi3;
 mod serialized;
 mod state;
 mod values;
 
+pub use fmi3::Progress;
 pub use state::FmuState;
 
 use serde::{Deserialize, Serialize};
 
 use super::{
-    LogCategory, Model, Status, Value,
+    Failure, LogCategory, Model, Status, Value, arrays,
     error::Error,
-    lifecycle::{self, Call, Mode},
+    lifecycle::{self, Call, Mode, Standard},
     log::{Entry, Switch},
 };
 
@@ -28,14 +31,30 @@ const TIME_TOLERANCE: f64 = 1e-9;
 /// One instance of the unit.
 pub struct Instance<M: Model> {
     model: M,
+    standard: Standard,
     control: Control,
-    /// The logging switch of `fmi2Instantiate`, which a reset goes back to.
+    /// The logging switch of the instantiation, which a reset goes back to.
     first_logging: Switch,
     entries: Vec<Entry>,
     /// What the running call returns where it succeeds; see [`Self::take_status`].
     status: Status,
     /// Values to go back to when a later one of the same call is refused; empty between two calls.
     undo: Vec<(usize, Value)>,
+    /// FMI 3.0: the arrays of the variables.
+    arrays: Arrays,
+}
+
+/// How the variables of FMI 3.0 lie in the table; scratch memory for their elements.
+#[derive(Debug, Default)]
+struct Arrays {
+    /// Elements of the variable with each reference; 0: it is another element of an array. Empty in FMI 2.0.
+    lengths: Vec<u32>,
+    /// The reference of the independent variable.
+    time: u32,
+    /// Memory for the rows of all elements that a call is about.
+    rows: Vec<Vec<u32>>,
+    /// In Intermediate Update Mode: the results are those of its time.
+    looked: bool,
 }
 
 /// What changes between two calls, apart from the model.
@@ -75,17 +94,43 @@ pub enum StatusKind {
 impl<M: Model> Instance<M> {
     /// A new instance of a model just loaded (`fmi2Instantiate`, section 2.1.5).
     pub fn new(model: M, logging_on: bool) -> Self {
+        Self::of(Standard::Fmi2, model, logging_on)
+    }
+
+    /// A new instance of a model just loaded, for hosts of a version of the standard.
+    pub fn of(standard: Standard, model: M, logging_on: bool) -> Self {
         let logging = Switch::new(logging_on);
+        let variables = model.variables();
+        let arrays = match standard {
+            Standard::Fmi2 => Arrays::default(),
+            Standard::Fmi3 => Arrays {
+                lengths: arrays::lengths(variables),
+                time: arrays::time_reference(variables) as u32,
+                ..Arrays::default()
+            },
+        };
         let mut instance = Self {
             model,
+            standard,
             control: Control::new(logging),
             first_logging: logging,
             entries: Vec::new(),
             status: Status::Ok,
             undo: Vec::new(),
+            arrays,
         };
         instance.pass_on_warnings();
         instance
+    }
+
+    /// The version of the standard that its host speaks.
+    pub fn standard(&self) -> Standard {
+        self.standard
+    }
+
+    /// Whether the host wants log lines of this category.
+    pub fn wants(&self, category: LogCategory) -> bool {
+        self.control.logging.wants(category)
     }
 
     /// The model behind it.
@@ -102,7 +147,7 @@ impl<M: Model> Instance<M> {
     pub fn time(&self) -> f64 {
         match self.control.mode {
             Mode::Instantiated | Mode::Initialization => self.control.start,
-            Mode::Step | Mode::Terminated | Mode::Error | Mode::Fatal => self.model.time(),
+            Mode::Step | Mode::Terminated | Mode::Error | Mode::Fatal | Mode::Update => self.model.time(),
         }
     }
 
@@ -127,7 +172,7 @@ impl<M: Model> Instance<M> {
     /// # Errors
     /// It is not.
     pub fn check(&self, call: Call) -> Result<(), Error> {
-        Ok(lifecycle::check(call, self.control.mode)?)
+        Ok(lifecycle::check(self.standard, call, self.control.mode)?)
     }
 
     /// Switches debug messages; no category named means all (section 2.1.5). Unknown names are warned of and left out.
@@ -136,7 +181,12 @@ impl<M: Model> Instance<M> {
     /// The mode does not allow it.
     pub fn set_debug_logging(&mut self, on: bool, categories: &[&str]) -> Result<(), Error> {
         self.check(Call::SetDebugLogging)?;
-        for unknown in self.control.logging.select(on, categories) {
+        let logging = &mut self.control.logging;
+        let unknown = match self.standard {
+            Standard::Fmi2 => logging.select(on, categories),
+            Standard::Fmi3 => logging.turn(on, categories),
+        };
+        for unknown in unknown {
             self.object(format!("there is no log category `{unknown}`; the known ones stand in modelDescription.xml"));
         }
         Ok(())
@@ -240,21 +290,32 @@ impl<M: Model> Instance<M> {
         self.advance(end)
     }
 
-    /// Advances to `end`, s, an instant that is not before the own time.
-    ///
-    /// # Errors
-    /// As [`Self::do_step`].
-    pub fn advance(&mut self, end: f64) -> Result<(), Error> {
+    /// Checks whether a step to `end`, s, can be tried; a refusal changes nothing.
+    fn accept_step(&mut self, end: f64) -> Result<(), Error> {
         self.check(Call::DoStep)?;
         self.model.accept_step(end)?;
         let time = self.model.time();
         self.event(|| format!("step from t = {time} s to t = {end} s"));
-        let outcome = self.model.advance(end);
+        Ok(())
+    }
+
+    /// Passes the model's warnings on; after a failed step the instance is stopped.
+    fn after_step<T>(&mut self, outcome: Result<T, Failure>) -> Result<T, Error> {
         self.pass_on_warnings();
         outcome.map_err(|failure| {
             self.control.mode = Mode::Error;
             Error::Model(failure)
         })
+    }
+
+    /// Advances to `end`, s, an instant that is not before the own time.
+    ///
+    /// # Errors
+    /// As [`Self::do_step`].
+    pub fn advance(&mut self, end: f64) -> Result<(), Error> {
+        self.accept_step(end)?;
+        let outcome = self.model.advance(end);
+        self.after_step(outcome)
     }
 
     /// End of the step that the host asks for, s; by round-off it may be before the own time.

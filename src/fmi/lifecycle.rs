@@ -1,30 +1,54 @@
-//! The modes of a co-simulation unit and the one table of which call is legal in which mode (FMI 2.0, section 4.2.4).
+//! The modes of a co-simulation unit, and which call is legal in which mode: the table of FMI 2.0 (section 4.2.4) is here, that of FMI 3.0
+//! in [`fmi3`].
 //!
-//! Steps are synchronous and never discarded, so the standard's modes stepInProgress, stepFailed and stepCanceled do
+//! Steps are synchronous and never discarded, so the modes stepInProgress, stepFailed and stepCanceled of FMI 2.0 do
 //! not occur.
+
+pub mod fmi3;
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
+/// A version of the standard. An instance belongs to one of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standard {
+    /// FMI 2.0.
+    Fmi2,
+    /// FMI 3.0.
+    Fmi3,
+}
+
+impl Standard {
+    /// The name of a function.
+    pub fn name(self, call: Call) -> String {
+        match self {
+            Self::Fmi2 => call.to_string(),
+            Self::Fmi3 => fmi3::name(call),
+        }
+    }
+}
+
 /// Where an instance stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
-    /// After `fmi2Instantiate` or `fmi2Reset`.
+    /// After instantiation or a reset.
     Instantiated,
-    /// Between `fmi2EnterInitializationMode` and `fmi2ExitInitializationMode`.
+    /// Initialization Mode.
     Initialization,
-    /// Ready for `fmi2DoStep`: the standard's stepComplete.
+    /// Ready for a step: stepComplete of FMI 2.0, Step Mode of FMI 3.0.
     Step,
-    /// After `fmi2Terminate`.
+    /// After termination.
     Terminated,
     /// After a step that failed.
     Error,
     /// After an internal fault.
     Fatal,
+    /// Intermediate Update Mode of FMI 3.0: between two internal steps of a communication step.
+    Update,
 }
 
 impl Mode {
-    /// All modes, in the order of the table's columns.
+    /// All modes of FMI 2.0, in the order of the table's columns.
     pub const ALL: [Self; 6] =
         [Self::Instantiated, Self::Initialization, Self::Step, Self::Terminated, Self::Error, Self::Fatal];
 }
@@ -35,16 +59,17 @@ impl fmt::Display for Mode {
             Self::Instantiated => "while instantiated",
             Self::Initialization => "in Initialization Mode",
             Self::Step => "in step mode",
-            Self::Terminated => "after fmi2Terminate",
+            Self::Terminated => "after termination",
             Self::Error => "after a failed step",
             Self::Fatal => "after an internal fault",
+            Self::Update => "in Intermediate Update Mode",
         })
     }
 }
 
-/// The functions that take an instance.
+/// The functions that take an instance: those of FMI 2.0, under their names there, then those that only FMI 3.0 has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names are the standard's, without the prefix `fmi2`")]
+#[allow(missing_docs, reason = "the names are the standard's, without the prefix `fmi2` or `fmi3`")]
 pub enum Call {
     SetDebugLogging,
     FreeInstance,
@@ -77,6 +102,54 @@ pub enum Call {
     GetIntegerStatus,
     GetBooleanStatus,
     GetStringStatus,
+    GetFloat32,
+    GetInt8,
+    GetUInt8,
+    GetInt16,
+    GetUInt16,
+    GetUInt32,
+    GetInt64,
+    GetUInt64,
+    GetBinary,
+    GetClock,
+    SetFloat32,
+    SetInt8,
+    SetUInt8,
+    SetInt16,
+    SetUInt16,
+    SetUInt32,
+    SetInt64,
+    SetUInt64,
+    SetBinary,
+    SetClock,
+    GetAdjointDerivative,
+    GetNumberOfVariableDependencies,
+    GetVariableDependencies,
+    EnterConfigurationMode,
+    ExitConfigurationMode,
+    EnterEventMode,
+    EnterStepMode,
+    EvaluateDiscreteStates,
+    UpdateDiscreteStates,
+    GetIntervalDecimal,
+    GetIntervalFraction,
+    GetShiftDecimal,
+    GetShiftFraction,
+    SetIntervalDecimal,
+    SetIntervalFraction,
+    SetShiftDecimal,
+    SetShiftFraction,
+    EnterContinuousTimeMode,
+    CompletedIntegratorStep,
+    SetTime,
+    SetContinuousStates,
+    GetContinuousStateDerivatives,
+    GetEventIndicators,
+    GetContinuousStates,
+    GetNominalsOfContinuousStates,
+    GetNumberOfEventIndicators,
+    GetNumberOfContinuousStates,
+    ActivateModelPartition,
 }
 
 impl fmt::Display for Call {
@@ -129,8 +202,10 @@ pub const TABLE: [(Call, &str); 31] = [
 
 /// A call that the table forbids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("not allowed now; {}", way_out(*.call, *.mode))]
+#[error("{}", self.reason())]
 pub struct Illegal {
+    /// The standard whose function it is.
+    pub standard: Standard,
     /// The call.
     pub call: Call,
     /// The mode it came in.
@@ -140,27 +215,58 @@ pub struct Illegal {
 /// The check that every call starts with.
 ///
 /// # Errors
-/// The table has a dot there.
-pub fn check(call: Call, mode: Mode) -> Result<(), Illegal> {
-    let (_, row) = TABLE[call as usize];
-    match row.as_bytes()[mode as usize] {
-        b'.' => Err(Illegal { call, mode }),
-        _ => Ok(()),
+/// The table has a dot there, or the standard has no such mode.
+pub fn check(standard: Standard, call: Call, mode: Mode) -> Result<(), Illegal> {
+    let row = match standard {
+        Standard::Fmi2 => TABLE.get(call as usize).map_or("", |(_, row)| row),
+        Standard::Fmi3 => fmi3::row(call),
+    };
+    match row.as_bytes().get(mode as usize) {
+        None | Some(b'.') => Err(Illegal { standard, call, mode }),
+        Some(_) => Ok(()),
     }
 }
 
-/// What a host can do after an illegal call.
-pub fn way_out(call: Call, mode: Mode) -> &'static str {
-    match (call, mode) {
-        (_, Mode::Fatal) => "only fmi2FreeInstance is left",
-        (Call::CancelStep, _) => "fmi2DoStep returns when its step is done, so there is never a step to cancel",
-        (_, Mode::Error) => "only fmi2SetFMUstate with an earlier state, or fmi2Reset, revives the instance",
-        (_, Mode::Terminated) => "fmi2Reset starts over",
-        (Call::ExitInitializationMode, Mode::Instantiated) => "call fmi2EnterInitializationMode first",
-        (_, Mode::Instantiated) => "call fmi2EnterInitializationMode and fmi2ExitInitializationMode first",
-        (Call::SetupExperiment, _) => "it comes before fmi2EnterInitializationMode; fmi2Reset starts over",
-        (Call::EnterInitializationMode, _) => "it comes once, right after instantiation; fmi2Reset starts over",
-        (_, Mode::Initialization) => "call fmi2ExitInitializationMode first",
-        (_, Mode::Step) => "the initialization is done; fmi2Reset starts over",
+impl Illegal {
+    fn reason(self) -> String {
+        let Self { standard, call, mode } = self;
+        if standard == Standard::Fmi3
+            && mode != Mode::Fatal
+            && let Some(reason) = fmi3::never(call)
+        {
+            return format!("not offered: {reason}");
+        }
+        format!("not allowed now; {}", self.way_out())
+    }
+
+    /// What a host can do after an illegal call.
+    fn way_out(self) -> String {
+        let Self { standard, call, mode } = self;
+        let name = |call| standard.name(call);
+        let (enter, exit) = (Call::EnterInitializationMode, Call::ExitInitializationMode);
+        match (call, mode) {
+            (_, Mode::Fatal) => format!("only {} is left", name(Call::FreeInstance)),
+            (Call::CancelStep, _) => {
+                format!("{} returns when its step is done, so there is never a step to cancel", name(Call::DoStep))
+            }
+            (_, Mode::Error) => format!(
+                "only {} with an earlier state, or {}, revives the instance",
+                name(Call::SetFMUstate),
+                name(Call::Reset)
+            ),
+            (_, Mode::Terminated) => format!("{} starts over", name(Call::Reset)),
+            (_, Mode::Update) => format!(
+                "during an intermediate update outputs and their derivatives can be read; {} goes on when the callback returns",
+                name(Call::DoStep)
+            ),
+            (Call::ExitInitializationMode, Mode::Instantiated) => format!("call {} first", name(enter)),
+            (_, Mode::Instantiated) => format!("call {} and {} first", name(enter), name(exit)),
+            (Call::SetupExperiment, _) => format!("it comes before {}; {} starts over", name(enter), name(Call::Reset)),
+            (Call::EnterInitializationMode, _) => {
+                format!("it comes once, right after instantiation; {} starts over", name(Call::Reset))
+            }
+            (_, Mode::Initialization) => format!("call {} first", name(exit)),
+            (_, Mode::Step) => format!("the initialization is done; {} starts over", name(Call::Reset)),
+        }
     }
 }

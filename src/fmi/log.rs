@@ -89,19 +89,44 @@ impl Switch {
         names.iter().copied().filter(|name| CATEGORIES.iter().all(|category| category.name() != *name)).collect()
     }
 
+    /// On or off for the categories named, and as before for the others; none named means all (FMI 3.0, section 2.3.1). Gives back the unknown
+    /// names.
+    pub fn turn<'a>(&mut self, on: bool, names: &[&'a str]) -> Vec<&'a str> {
+        if names.is_empty() {
+            *self = Self::new(on);
+            return Vec::new();
+        }
+        let before = *self;
+        self.selected = CATEGORIES.map(|category| match names.contains(&category.name()) {
+            true => on,
+            false => before.wants(category),
+        });
+        self.on = true;
+        names.iter().copied().filter(|name| CATEGORIES.iter().all(|category| category.name() != *name)).collect()
+    }
+
     /// Whether a debug message of this category is wanted.
     pub fn wants(self, category: LogCategory) -> bool {
         self.on && CATEGORIES.iter().zip(self.selected).any(|(known, selected)| *known == category && selected)
     }
 }
 
-/// The message as a printf format without conversions: every `%` and `#` doubled, no NUL, no final newline, and at most
+/// The message as a printf format without conversions, as FMI 2.0 takes it: every `%` and `#` doubled, no NUL, no final newline, and at most
 /// [`LONGEST`] bytes, cut between characters and never between the two halves of a doubled one.
 pub fn prepare(message: &str) -> CString {
+    double(message, &['%', '#'])
+}
+
+/// The message as FMI 3.0 takes it: as [`prepare`], but only `#` is doubled, which stands for value references otherwise.
+pub fn prepare_fmi3(message: &str) -> CString {
+    double(message, &['#'])
+}
+
+fn double(message: &str, special: &[char]) -> CString {
     let mut text = String::with_capacity(LONGEST.min(2 * message.len()));
     for character in message.trim_end().chars() {
         let character = if character == '\0' { ' ' } else { character };
-        let copies = if matches!(character, '%' | '#') { 2 } else { 1 };
+        let copies = if special.contains(&character) { 2 } else { 1 };
         if text.len() + copies * character.len_utf8() > LONGEST {
             break;
         }

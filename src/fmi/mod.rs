@@ -1,8 +1,9 @@
-//! The FMI 2.0 co-simulation half: variables, calling table, instance, C header. No mechanics.
+//! The FMI half, 2.0 and 3.0 for co-simulation: variables, calling table, instance, C header. No mechanics.
 //!
 //! [`Model`] is the whole of what this half asks of the other one. What a host calls goes to an
 //! [`instance::Instance`]. A packed unit is made from [`About`] and the variable table, by the package of `crates/pack`.
 
+pub mod arrays;
 pub mod error;
 pub mod header;
 pub mod identifier;
@@ -172,6 +173,31 @@ pub trait Model: Sized {
     /// # Errors
     /// A step that does not converge even at the smallest internal step; the model is as it was before the call.
     fn advance(&mut self, end: f64) -> Result<(), Failure>;
+
+    /// Begins the step to `end`, s, that [`Self::advance`] takes at once, to be taken part by part with the same results: [`Self::take_part`]
+    /// until it says that the end is reached, or [`Self::end_step`] before.
+    ///
+    /// # Errors
+    /// As [`Self::advance`].
+    fn begin_step(&mut self, end: f64) -> Result<(), Failure>;
+
+    /// Takes the next internal step; returns whether the end is reached.
+    ///
+    /// # Errors
+    /// As [`Self::advance`]: the model is as it was before [`Self::begin_step`], and the step is over.
+    fn take_part(&mut self) -> Result<bool, Failure>;
+
+    /// Makes the values those of the own time, in the middle of a step.
+    ///
+    /// # Errors
+    /// The results of this state cannot be computed.
+    fn look_between(&mut self) -> Result<(), Failure>;
+
+    /// Ends the step at the own time, before its end.
+    ///
+    /// # Errors
+    /// As [`Self::take_part`].
+    fn end_step(&mut self) -> Result<(), Failure>;
 
     /// The derivative by time of output `reference`, a Real, 1/s of its unit; from [`Self::initialize`] on.
     ///

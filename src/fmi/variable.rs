@@ -1,6 +1,6 @@
 //! One row of the variable table: what XML, values, CLI listing, C header and documentation are made of.
 
-use super::Value;
+use super::{Value, lifecycle::Standard};
 
 /// A scalar variable of the FMU. Its value reference is its place in the model's table.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,12 +29,26 @@ pub struct Variable {
 }
 
 impl Variable {
-    /// FMI's name of its type.
+    /// FMI 2.0's name of its type.
     pub fn type_name(&self) -> &'static str {
         match self.start {
             Value::Real(_) => "Real",
             Value::Integer(_) => "Integer",
         }
+    }
+
+    /// The name of its type in a version of the standard.
+    pub fn type_name_in(&self, standard: Standard) -> &'static str {
+        type_word(standard, self.type_name())
+    }
+}
+
+/// A type of FMI 2.0 as a version of the standard calls it.
+pub(super) fn type_word(standard: Standard, word: &'static str) -> &'static str {
+    match (standard, word) {
+        (Standard::Fmi3, "Real") => "Float64",
+        (Standard::Fmi3, "Integer") => "Int32",
+        (_, other) => other,
     }
 }
 

@@ -3,6 +3,7 @@
 use super::output::{self, Input};
 use super::picture::undrawn;
 use super::{MODEL_FILE, Stop, complain, load, say};
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Model, header};
 use ancf14::model::drawing::Drawing;
 use ancf14::model::notes;
@@ -22,8 +23,18 @@ pub fn platform_and_path(text: &str) -> Result<(Platform, PathBuf), String> {
     })
 }
 
-/// Packs the model `file` as an FMU, with the library of this platform, which lies next to `program`, and of others that are given.
+/// `2` or `3`.
+pub fn standard(text: &str) -> Result<Standard, String> {
+    match text {
+        "2" | "2.0" => Ok(Standard::Fmi2),
+        "3" | "3.0" => Ok(Standard::Fmi3),
+        _ => Err(String::from("2 or 3 was expected")),
+    }
+}
+
+/// Packs the model `file` as an FMU of a version of the standard, with the library of this platform, which lies next to `program`, and of others that are given.
 pub fn pack(
+    standard: Standard,
     file: &Path,
     output: &Path,
     library: Option<&Path>,
@@ -56,7 +67,7 @@ pub fn pack(
         legend: &draw::legend(&drawing),
     };
     let bytes = libraries::read(&packed).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    let fmu = package::fmu(simulation.about(), simulation.variables(), &contents, &bytes);
+    let fmu = package::fmu(standard, simulation.about(), simulation.variables(), &contents, &bytes);
     output::write(output, &fmu.map_err(|reason| Stop::Failed(format!("error: {reason}")))?)?;
     for note in notes::notes(simulation.document()) {
         complain(&format!("warning: {note}"));

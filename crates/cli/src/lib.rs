@@ -20,6 +20,7 @@ mod verify;
 mod view;
 mod voice;
 
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Failure, Model};
 use ancf14::model::document::Document;
 use ancf14::model::simulation::Simulation;
@@ -122,7 +123,7 @@ enum Command {
         #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = modes::count)]
         modes: Option<Option<u16>>,
     },
-    /// Pack a model as an FMU for co-simulation (FMI 2.0)
+    /// Pack a model as an FMU for co-simulation (FMI 2.0 or 3.0)
     Pack {
         /// Model file
         #[arg(value_name = "MODEL.toml")]
@@ -130,6 +131,9 @@ enum Command {
         /// The FMU
         #[arg(short, long, value_name = "MODEL.fmu")]
         output: PathBuf,
+        /// Version of the standard: 2 or 3
+        #[arg(long, value_name = "VERSION", default_value = "2", value_parser = export::standard)]
+        fmi: Standard,
         /// Shared library to pack [default: next to this program, or in ../lib]
         #[arg(long, value_name = "PATH")]
         library: Option<PathBuf>,
@@ -309,8 +313,8 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let file = output.unwrap_or_else(|| model.beside(".html"));
             view::view(simulation, &file, &[model.input()], modes.map(|count| count.unwrap_or(modes::COUNT)))
         }
-        Command::Pack { file, output, library, binaries } => {
-            export::pack(&file, &output, library.as_deref(), binaries, program)
+        Command::Pack { file, output, fmi, library, binaries } => {
+            export::pack(fmi, &file, &output, library.as_deref(), binaries, program)
         }
         Command::Header { file, output, prefix } => export::header(&file, &output, prefix.as_deref()),
         Command::Demo => demo::demo(),

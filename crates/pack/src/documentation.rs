@@ -5,6 +5,9 @@ use std::fmt::{Error, Write};
 use quick_xml::escape::escape;
 
 use crate::contents::{Contents, LICENCES_FILE};
+use crate::description_fmi3::description;
+use ancf14::fmi::arrays::{Array, arrays};
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::fmi::{About, Credits, Value};
 
@@ -24,7 +27,7 @@ const GROUPS: [(Causality, &str, &str); 5] = [
     (Causality::Independent, "Independent variable", "independent"),
 ];
 
-/// How the unit behaves.
+/// How a unit of FMI 2.0 behaves.
 const BEHAVIOR: [&str; 12] = [
     "FMI 2.0 for co-simulation. The model is in <code>resources/model.toml</code>, the solver in the library; nothing else has to be \
      installed.",
@@ -54,6 +57,47 @@ const BEHAVIOR: [&str; 12] = [
      parameters: differences of initial states, right to about four digits.",
     "A step that fails returns <code>fmi2Error</code> and says why in the log; steps are never discarded. Handles of instances and states that are \
      not alive are refused.",
+];
+
+/// What is different in a unit of FMI 3.0: beginnings of the sentences above, and what stands there instead; nothing leaves the sentence out.
+const BEHAVIOR_FMI3: [(&str, &str); 4] = [
+    (
+        "What a host moves goes",
+        "What a host moves goes through each communication step on a cubic: its velocity has no jumps, and constant accelerations are followed \
+         exactly. The velocity at the end follows from the mean velocities of this step and the last one. It begins at rest. A jump of an input is \
+         reached at the end of the step too; within the next one the motion overshoots by a quarter of it.",
+    ),
+    (
+        "A call that succeeds returns",
+        "A call that succeeds returns <code>fmi3OK</code>. Warnings go to the logger with the status <code>fmi3Warning</code> and the category \
+         <code>logStatusWarning</code> where the host has switched logging on; <code>fmi3Warning</code> is returned only for unknown log categories.",
+    ),
+    (
+        "A step that fails",
+        "A step that fails returns <code>fmi3Error</code> and says why in the log; steps are never discarded. Other calls that fail change nothing, and the \
+         instance goes on. Handles of instances and states that are not alive are refused.",
+    ),
+    (
+        "In Initialization Mode",
+        "In Initialization Mode directional and adjoint derivatives are those of the initial values of outputs and calculated parameters, with respect \
+         to inputs and parameters: differences of initial states, right to about four digits.",
+    ),
+];
+
+/// What only FMI 3.0 has.
+const ADDED_FMI3: [&str; 4] = [
+    "Vectors, quaternions and the stations of a beam are arrays. The reference of an array is that of its first element in FMI 2.0.",
+    "Adjoint derivatives (<code>fmi3GetAdjointDerivative</code>) are products with the same derivatives of the step as directional ones, transposed.",
+    "If the host passes an <code>intermediateUpdate</code> function, the unit calls it after each internal step. Outputs and their derivatives can be read \
+     there, and the communication step can be ended there: <code>fmi3DoStep</code> then returns early at that time, also if a later time was asked for.",
+    "There are no events, clocks, structural parameters, model exchange and scheduled execution; their functions return <code>fmi3Error</code>.",
+];
+
+/// Functions of FMI 2.0 with their names in FMI 3.0.
+const NAMES_FMI3: [(&str, &str); 3] = [
+    ("fmi2SetupExperiment", "fmi3EnterInitializationMode"),
+    ("fmi2GetRealOutputDerivatives", "fmi3GetOutputDerivatives"),
+    ("fmi2", "fmi3"),
 ];
 
 /// Kinds of inputs: what they are, what becomes of the value, what becomes of its derivative.
@@ -118,14 +162,39 @@ const COUPLING: [[&str; 4]; 5] = [
     ],
 ];
 
-/// The page.
-pub fn html(about: &About, variables: &[Variable], contents: &Contents<'_>) -> String {
+/// The page of a unit of a version of the standard.
+pub fn html(standard: Standard, about: &About, variables: &[Variable], contents: &Contents<'_>) -> String {
     let mut out = String::new();
-    write_page(&mut out, about, variables, contents).expect("a String takes every text");
+    write_page(&mut out, standard, about, variables, contents).expect("a String takes every text");
     out
 }
 
-fn write_page(out: &mut String, about: &About, variables: &[Variable], contents: &Contents<'_>) -> Result<(), Error> {
+/// How a unit behaves, a sentence or more each.
+fn behavior(standard: Standard) -> Vec<String> {
+    let fmi2 = BEHAVIOR.iter().map(|text| (*text).to_owned());
+    match standard {
+        Standard::Fmi2 => fmi2.collect(),
+        Standard::Fmi3 => {
+            let other = |text: String| {
+                let instead = BEHAVIOR_FMI3.iter().find(|(start, _)| text.starts_with(start));
+                instead.map_or(text, |(_, instead)| (*instead).to_owned())
+            };
+            let renamed = |text: String| {
+                let text = text.replace("FMI 2.0 for co-simulation", "FMI 3.0 for co-simulation");
+                NAMES_FMI3.iter().fold(text, |text, (old, new)| text.replace(old, new))
+            };
+            fmi2.map(other).map(renamed).chain(ADDED_FMI3.iter().map(|text| (*text).to_owned())).collect()
+        }
+    }
+}
+
+fn write_page(
+    out: &mut String,
+    standard: Standard,
+    about: &About,
+    variables: &[Variable],
+    contents: &Contents<'_>,
+) -> Result<(), Error> {
     let name = escape(about.name.as_str());
     writeln!(out, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">")?;
     writeln!(out, "<title>{name}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>")?;
@@ -141,35 +210,48 @@ fn write_page(out: &mut String, about: &About, variables: &[Variable], contents:
     writeln!(out, "<figure>\n{}<figcaption>{}</figcaption>\n</figure>", contents.drawing, escape(contents.legend))?;
     let [stop, step] = [about.stop, about.output_step];
     writeln!(out, "<p>Default experiment: from 0 to {stop:?} s, communication step {step:?} s. On this page:")?;
+    let rows = rows_of(standard, variables);
     let heading = |(causality, heading, anchor): &(Causality, &str, &str)| {
-        let count = variables.iter().filter(|variable| variable.causality == *causality).count();
+        let count = rows.iter().filter(|row| variables[row.first].causality == *causality).count();
         (count > 0).then(|| format!("<a href=\"#{anchor}\">{} ({count})</a>", heading.to_lowercase()))
     };
     writeln!(out, "{}.</p>", GROUPS.iter().filter_map(heading).collect::<Vec<_>>().join(", "))?;
-    list(out, "How it behaves", &BEHAVIOR)?;
+    list(out, "How it behaves", &behavior(standard))?;
     let inputs = variables.iter().any(|variable| variable.causality == Causality::Input);
-    if inputs {
-        rows(
-            out,
-            "Inputs during a step",
-            &["Input", "Value", "Derivative, of <code>fmi2SetRealInputDerivatives</code>"],
-            &INPUTS,
-        )?;
-        writeln!(
-            out,
-            "<p>A derivative is for the next step only. Until the end of the initialization inputs are the initial values.</p>"
-        )?;
+    match standard {
+        Standard::Fmi2 if inputs => {
+            table_of(
+                out,
+                "Inputs during a step",
+                &["Input", "Value", "Derivative, of <code>fmi2SetRealInputDerivatives</code>"],
+                &INPUTS,
+            )?;
+            writeln!(
+                out,
+                "<p>A derivative is for the next step only. Until the end of the initialization inputs are the initial values.</p>"
+            )?;
+        }
+        Standard::Fmi3 if inputs => {
+            table_of(
+                out,
+                "Inputs during a step",
+                &["Input", "Value"],
+                &INPUTS.map(|[input, value, _]| [input, value]),
+            )?;
+            writeln!(out, "<p>Until the end of the initialization inputs are the initial values.</p>")?;
+        }
+        _ => (),
     }
-    list(out, "Units, axes, signs", &SIGNS)?;
-    rows(out, "Coupling with other units", &["In", "Out", "For", "In the model file"], &COUPLING)?;
+    list(out, "Units, axes, signs", &SIGNS.map(str::to_owned))?;
+    table_of(out, "Coupling with other units", &["In", "Out", "For", "In the model file"], &COUPLING)?;
     writeln!(
         out,
         "<p>The choice is the model file's, for each end by itself. Masters that repeat a step take an FMU state before it; the directional \
          derivatives of the step are the interface Jacobian that they iterate with.</p>"
     )?;
-    hosts(out, about, variables)?;
+    hosts(out, standard, about, variables)?;
     for group in &GROUPS {
-        table(out, group, variables)?;
+        table(out, standard, group, &rows, variables)?;
     }
     writeln!(
         out,
@@ -181,22 +263,41 @@ fn write_page(out: &mut String, about: &About, variables: &[Variable], contents:
     writeln!(out, "</body>\n</html>")
 }
 
-fn list(out: &mut String, heading: &str, items: &[&str]) -> Result<(), Error> {
+/// The variables of a unit.
+fn rows_of(standard: Standard, variables: &[Variable]) -> Vec<Array<'_>> {
+    match standard {
+        Standard::Fmi2 => {
+            let names = variables.iter().map(|variable| variable.name.as_str()).enumerate();
+            names.map(|(first, name)| Array { name, first, dimensions: Vec::new() }).collect()
+        }
+        Standard::Fmi3 => arrays(variables),
+    }
+}
+
+fn list(out: &mut String, heading: &str, items: &[String]) -> Result<(), Error> {
     writeln!(out, "<h2>{heading}</h2>\n<ul>")?;
     items.iter().try_for_each(|item| writeln!(out, "<li>{item}</li>"))?;
     writeln!(out, "</ul>")
 }
 
-fn rows<const N: usize>(out: &mut String, heading: &str, titles: &[&str; N], rows: &[[&str; N]]) -> Result<(), Error> {
+fn table_of<const N: usize>(
+    out: &mut String,
+    heading: &str,
+    titles: &[&str; N],
+    rows: &[[&str; N]],
+) -> Result<(), Error> {
     writeln!(out, "<h2>{heading}</h2>\n<table>\n<tr><th>{}</th></tr>", titles.join("</th><th>"))?;
     rows.iter().try_for_each(|cells| writeln!(out, "<tr><td>{}</td></tr>", cells.join("</td><td>")))?;
     writeln!(out, "</table>")
 }
 
 /// What to type or click in five hosts.
-fn hosts(out: &mut String, about: &About, variables: &[Variable]) -> Result<(), Error> {
+fn hosts(out: &mut String, standard: Standard, about: &About, variables: &[Variable]) -> Result<(), Error> {
     let About { identifier, stop, output_step: step, .. } = about;
-    let parameter = variables.iter().find(|variable| variable.causality == Causality::Parameter);
+    // A scalar, which has the same name in both versions.
+    let mut scalars = rows_of(standard, variables).into_iter().filter(|row| row.dimensions.is_empty());
+    let parameter = scalars.find(|row| variables[row.first].causality == Causality::Parameter);
+    let parameter = parameter.map(|row| &variables[row.first]);
     let start_values = parameter.map_or(String::new(), |variable| {
         format!(",\n    start_values={{\"{}\": {}}}", escape(variable.name.as_str()), number(variable.start))
     });
@@ -219,41 +320,61 @@ fn hosts(out: &mut String, about: &About, variables: &[Variable]) -> Result<(), 
         "<p>Simulink: an FMU block (Simulink, FMU Import) with this file; its communication step size is {step:?} s, parameters and \
          inputs are in its dialog. Dymola and other Modelica tools: import the FMU for co-simulation, with the same communication step.</p>"
     )?;
+    let name = match standard {
+        Standard::Fmi2 => "2.0",
+        Standard::Fmi3 => "3.0",
+    };
     writeln!(
         out,
-        "<p>C: unzip the file, load the library of the platform under <code>binaries/</code>, and call the functions of FMI 2.0:</p>"
+        "<p>C: unzip the file, load the library of the platform under <code>binaries/</code>, and call the functions of FMI {name}:</p>"
     )?;
-    writeln!(
-        out,
-        "<pre>c = fmi2Instantiate(\"{identifier}\", fmi2CoSimulation, \"{}\",\n\
-         \x20                   \"file:///path/to/resources\", &amp;callbacks, fmi2False, fmi2False);\nfmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2True, {stop:?});\nfmi2EnterInitializationMode(c);\n\
-         fmi2ExitInitializationMode(c);\nfmi2DoStep(c, 0.0, {step:?}, fmi2True);</pre>\n\
-         <p><code>ancf14 header model.toml -o model.h</code> writes names for the GUID and the references below.</p>",
-        escape(about.guid.as_str())
-    )
+    let guid = escape(about.guid.as_str());
+    match standard {
+        Standard::Fmi2 => writeln!(
+            out,
+            "<pre>c = fmi2Instantiate(\"{identifier}\", fmi2CoSimulation, \"{guid}\",\n\
+             \x20                   \"file:///path/to/resources\", &amp;callbacks, fmi2False, fmi2False);\nfmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2True, {stop:?});\nfmi2EnterInitializationMode(c);\n\
+             fmi2ExitInitializationMode(c);\nfmi2DoStep(c, 0.0, {step:?}, fmi2True);</pre>\n\
+             <p><code>ancf14 header model.toml -o model.h</code> writes names for the GUID and the references below.</p>",
+        ),
+        Standard::Fmi3 => writeln!(
+            out,
+            "<pre>c = fmi3InstantiateCoSimulation(\"{identifier}\", \"{guid}\",\n\
+             \x20                               \"/path/to/resources/\", fmi3False, fmi3True, fmi3False, fmi3False,\n\
+             \x20                               NULL, 0, NULL, log_message, NULL);\nfmi3EnterInitializationMode(c, fmi3False, 0.0, 0.0, fmi3True, {stop:?});\n\
+             fmi3ExitInitializationMode(c);\nfmi3DoStep(c, 0.0, {step:?}, fmi3True, &amp;event, &amp;end, &amp;early, &amp;time);</pre>\n\
+             <p><code>ancf14 header model.toml -o model.h</code> writes names for the token (as the GUID) and the references below.</p>",
+        ),
+    }
 }
 
 fn table(
     out: &mut String,
+    standard: Standard,
     &(wanted, heading, anchor): &(Causality, &str, &str),
+    rows: &[Array<'_>],
     variables: &[Variable],
 ) -> Result<(), Error> {
-    let mut rows = variables.iter().enumerate().filter(|(_, variable)| variable.causality == wanted).peekable();
+    let mut rows = rows.iter().filter(|row| variables[row.first].causality == wanted).peekable();
     if rows.peek().is_none() {
         return Ok(());
     }
     writeln!(out, "<h2 id=\"{anchor}\">{heading}</h2>\n<table>")?;
     writeln!(out, "<tr><th>Name</th><th>Reference</th><th>Type</th><th>Unit</th><th>Start</th><th>Meaning</th></tr>")?;
-    for (reference, variable) in rows {
+    for row @ Array { name, first, dimensions } in rows {
+        let elements = &variables[*first..first + dimensions.iter().product::<usize>()];
+        let variable = &elements[0];
+        let extents: Vec<String> = dimensions.iter().map(usize::to_string).collect();
+        let size = if extents.is_empty() { String::new() } else { format!(", array of {}", extents.join(" x ")) };
         writeln!(
             out,
-            "<tr><td><code>{}</code></td><td>{reference}</td><td>{} {}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            escape(variable.name.as_str()),
+            "<tr><td><code>{}</code></td><td>{first}</td><td>{} {}{size}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escape(*name),
             variable.variability.word(),
-            variable.type_name(),
+            variable.type_name_in(standard),
             escape(variable.quantity.unit.as_str()),
-            start(variable),
-            escape(variable.description.as_str()),
+            start(elements),
+            escape(description(row, variable).as_str()),
         )?;
     }
     writeln!(out, "</table>")
@@ -267,11 +388,12 @@ fn number(value: Value) -> String {
 }
 
 /// Start value with its bounds, of what the host can set.
-fn start(variable: &Variable) -> String {
+fn start(elements: &[Variable]) -> String {
+    let variable = &elements[0];
     if !matches!(variable.causality.word(), "parameter" | "input") {
         return String::new();
     }
-    let number = number(variable.start);
+    let number = elements.iter().map(|element| number(element.start)).collect::<Vec<_>>().join(", ");
     match (variable.min, variable.max) {
         (None, None) => number,
         (Some(min), None) => format!("{number} (at least {min})"),

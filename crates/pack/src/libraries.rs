@@ -31,7 +31,7 @@ impl Platform {
         () => Self::Linux64,
     };
 
-    /// FMI's name of it (section 2.3), as in `--binary win64=PATH`.
+    /// FMI 2.0's name of it (section 2.3), as in `--binary win64=PATH`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Linux32 => "linux32",
@@ -39,6 +39,17 @@ impl Platform {
             Self::Win32 => "win32",
             Self::Win64 => "win64",
             Self::Darwin64 => "darwin64",
+        }
+    }
+
+    /// FMI 3.0's name of it (section 2.5.2).
+    pub fn tuple(self) -> &'static str {
+        match self {
+            Self::Linux32 => "x86-linux",
+            Self::Linux64 => "x86_64-linux",
+            Self::Win32 => "x86-windows",
+            Self::Win64 => "x86_64-windows",
+            Self::Darwin64 => "x86_64-darwin",
         }
     }
 

@@ -1,4 +1,5 @@
-//! The FMU: a zip archive of description, picture, libraries, model file, documentation and licences (FMI 2.0, section 2.3).
+//! The FMU: a zip archive of description, picture, libraries, model file, documentation and licences (FMI 2.0, section 2.3; FMI 3.0,
+//! section 2.5).
 //!
 //! The library is the same for every model; it reads `resources/model.toml` when it is instantiated. It is found by
 //! `--library PATH`, else beside the executable, else in `../lib`. The same input gives the same bytes: fixed order,
@@ -7,30 +8,47 @@
 use crate::contents::{Contents, LICENCES_FILE};
 use crate::error::Error;
 use crate::libraries::Platform;
-use crate::{description, documentation};
+use crate::{description, description_fmi3, documentation, terminals};
 use ancf14::fmi::About;
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::location::MODEL_FILE;
 use ancf14::fmi::variable::Variable;
 use std::io::{Cursor, Write};
 use zip::{CompressionMethod, DateTime, ZipWriter, result::ZipResult, write::SimpleFileOptions};
 
-/// The bytes of the FMU, with shared libraries, one per platform.
+/// The bytes of the FMU of a version of the standard, with shared libraries, one per platform.
 ///
 /// # Errors
 /// The variable table cannot be described, or the archive would need zip64.
 pub fn fmu(
+    standard: Standard,
     about: &About,
     variables: &[Variable],
     contents: &Contents<'_>,
     libraries: &[(Platform, Vec<u8>)],
 ) -> Result<Vec<u8>, Error> {
-    let xml = description::xml(&dated(about, std::env::var("SOURCE_DATE_EPOCH").ok().as_deref()), variables)?;
-    let page = documentation::html(about, variables, contents);
-    let mut entries =
-        vec![("modelDescription.xml".to_owned(), xml.as_bytes()), ("model.png".to_owned(), contents.icon)];
+    let dated = dated(about, std::env::var("SOURCE_DATE_EPOCH").ok().as_deref());
+    let xml = match standard {
+        Standard::Fmi2 => description::xml(&dated, variables)?,
+        Standard::Fmi3 => description_fmi3::xml(&dated, variables)?,
+    };
+    let page = documentation::html(standard, about, variables, contents);
+    let terminals = terminals::xml(variables);
+    let mut entries = vec![("modelDescription.xml".to_owned(), xml.as_bytes())];
+    match standard {
+        Standard::Fmi2 => entries.push(("model.png".to_owned(), contents.icon)),
+        Standard::Fmi3 => entries.extend([
+            ("terminalsAndIcons/terminalsAndIcons.xml".to_owned(), terminals.as_bytes()),
+            ("terminalsAndIcons/icon.png".to_owned(), contents.icon),
+            ("terminalsAndIcons/icon.svg".to_owned(), contents.drawing.as_bytes()),
+        ]),
+    }
     for (platform, library) in libraries {
-        let name = format!("binaries/{}/{}.{}", platform.name(), about.identifier, platform.suffix());
-        entries.push((name, library));
+        let folder = match standard {
+            Standard::Fmi2 => platform.name(),
+            Standard::Fmi3 => platform.tuple(),
+        };
+        entries.push((format!("binaries/{folder}/{}.{}", about.identifier, platform.suffix()), library));
     }
     entries.push(("documentation/index.html".to_owned(), page.as_bytes()));
     entries.push((format!("documentation/{LICENCES_FILE}"), contents.licences.as_bytes()));

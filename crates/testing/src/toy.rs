@@ -22,6 +22,8 @@ pub const REFUSED_FORCE: f64 = -777.0;
 pub const FARTHEST: f64 = 1e6;
 /// A shorter step is left to the next one.
 pub const SHORTEST_STEP: f64 = 1e-9;
+/// Longest part of a step, s.
+pub const PART: f64 = 0.25;
 /// A length within its bounds that makes no model.
 pub const UNFIT_LENGTH: f64 = 14.0;
 /// A length without an initial state.
@@ -54,6 +56,8 @@ pub struct Toy {
     plain: Plain,
     pub trap: Trap,
     pub initializations: usize,
+    /// End of the step that is taken part by part, s.
+    under_way: Option<f64>,
     warnings: Vec<String>,
 }
 
@@ -122,6 +126,7 @@ pub fn toy() -> Toy {
         plain: START,
         trap: Trap::None,
         initializations: 0,
+        under_way: None,
         warnings: Vec::new(),
     }
 }
@@ -227,6 +232,34 @@ impl Model for Toy {
         self.plain.slope = 0.0;
         self.plain.time = end;
         self.plain.count += 1;
+        Ok(())
+    }
+
+    fn begin_step(&mut self, end: f64) -> Result<(), Failure> {
+        self.under_way = Some(end);
+        Ok(())
+    }
+
+    fn take_part(&mut self) -> Result<bool, Failure> {
+        let Some(end) = self.under_way else { return Ok(true) };
+        let next = end.min(self.plain.time + PART);
+        let slope = self.plain.slope;
+        self.advance(next).inspect_err(|_| self.under_way = None)?;
+        self.plain.slope = slope;
+        let arrived = next == end;
+        if arrived {
+            self.end_step()?;
+        }
+        Ok(arrived)
+    }
+
+    fn look_between(&mut self) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn end_step(&mut self) -> Result<(), Failure> {
+        self.under_way = None;
+        self.plain.slope = 0.0;
         Ok(())
     }
 

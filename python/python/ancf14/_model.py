@@ -278,8 +278,10 @@ class Model:
             Path(path).write_text(picture.svg, encoding="utf-8")
         return picture
 
-    def pack(self, path: str | os.PathLike[str]) -> Path:
-        """Pack the model as an FMU for co-simulation (FMI 2.0), write it to ``path`` and return the path.
+    def pack(self, path: str | os.PathLike[str], *, fmi: int = 2) -> Path:
+        """Pack the model as an FMU for co-simulation, write it to ``path`` and return the path.
+
+        ``fmi`` is the version of the standard: 2 for FMI 2.0, 3 for FMI 3.0.
 
         Raises CallError if the model was loaded with changed parameters: an FMU has the model file itself.
         """
@@ -288,8 +290,10 @@ class Model:
         path = Path(path)
         if path.suffix.lower() != ".fmu":
             raise CallError(f"an FMU has a name that ends in .fmu, {path} does not")
+        if fmi not in (2, 3):
+            raise CallError(f"fmi is 2 or 3, not {fmi}")
         library = Path(__file__).with_name("libancf14.so")
-        path.write_bytes(self._open().pack(self._source, str(library)))
+        path.write_bytes(self._open().pack(self._source, str(library), fmi))
         return path
 
 

@@ -51,13 +51,29 @@ impl<M: Model> Instance<M> {
         self.same_length(references.len(), derivatives.len())?;
         self.same_length(references.len(), orders.len())?;
         for (&reference, &order) in references.iter().zip(orders) {
-            let variable = self.output(reference)?;
-            if order != 1 {
-                return Err(Error::OutputOrder { name: variable.name.clone(), order });
-            }
+            self.check_output_order(reference, order)?;
         }
-        if self.mode() == Mode::Initialization {
-            self.solve_initial_state()?;
+        self.output_derivatives(references, derivatives)
+    }
+
+    /// Whether the derivative of this order by time can be read.
+    pub(super) fn check_output_order(&self, reference: u32, order: i32) -> Result<(), Error> {
+        let variable = self.output(reference)?;
+        match order {
+            1 => Ok(()),
+            _ => Err(Error::OutputOrder { name: variable.name.clone(), order }),
+        }
+    }
+
+    /// First derivatives by time of outputs.
+    pub(super) fn output_derivatives(&mut self, references: &[u32], derivatives: &mut [f64]) -> Result<(), Error> {
+        for &reference in references {
+            self.output(reference)?;
+        }
+        match self.mode() {
+            Mode::Initialization => self.solve_initial_state()?,
+            Mode::Update => self.look_between()?,
+            _ => (),
         }
         // All are there, or none is read: the model keeps what it has computed.
         for &reference in references {
@@ -84,23 +100,9 @@ impl<M: Model> Instance<M> {
         self.check(Call::GetDirectionalDerivative)?;
         self.same_length(unknowns.len(), changes.len())?;
         self.same_length(knowns.len(), seeds.len())?;
-        let starts = self.mode() == Mode::Initialization;
-        for &unknown in unknowns {
-            if starts {
-                self.calculated(unknown)?
-            } else {
-                self.output(unknown)?
-            };
-        }
-        for (&known, &seed) in knowns.iter().zip(seeds) {
-            let variable = if starts { self.given(known)? } else { self.input(known)? };
-            if !seed.is_finite() {
-                return Err(Error::NotFinite { name: format!("{} (its seed)", variable.name), value: seed });
-            }
-        }
-        if starts {
-            self.solve_initial_state()?;
-        }
+        self.check_roles(unknowns, knowns)?;
+        self.check_seeds(knowns, seeds)?;
+        self.start_derivatives()?;
         // All are there, or none is written: the model keeps what it has computed.
         for &unknown in unknowns {
             self.change(unknown, knowns, seeds)?;
@@ -111,21 +113,102 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
+    /// The transposed product (FMI 3.0, section 2.2.11): for each of the `knowns` the sum of the derivatives of the `unknowns` with respect to it, each
+    /// times its seed. The model has the derivatives of the step with respect to all inputs once they have been asked for.
+    ///
+    /// # Errors
+    /// As [`Self::directional_derivative`].
+    pub fn adjoint_derivative(
+        &mut self,
+        unknowns: &[u32],
+        knowns: &[u32],
+        seeds: &[f64],
+        changes: &mut [f64],
+    ) -> Result<(), Error> {
+        self.check(Call::GetAdjointDerivative)?;
+        self.same_length(unknowns.len(), seeds.len())?;
+        self.same_length(knowns.len(), changes.len())?;
+        self.check_roles(unknowns, knowns)?;
+        self.check_seeds(unknowns, seeds)?;
+        self.start_derivatives()?;
+        for &known in knowns {
+            self.adjoint(unknowns, seeds, known)?;
+        }
+        for (change, &known) in changes.iter_mut().zip(knowns) {
+            *change = self.adjoint(unknowns, seeds, known)?;
+        }
+        Ok(())
+    }
+
+    /// Whether these are unknowns and knowns in this mode.
+    fn check_roles(&self, unknowns: &[u32], knowns: &[u32]) -> Result<(), Error> {
+        let starts = self.mode() == Mode::Initialization;
+        for &unknown in unknowns {
+            if starts {
+                self.calculated(unknown)?
+            } else {
+                self.output(unknown)?
+            };
+        }
+        for &known in knowns {
+            if starts {
+                self.given(known)?
+            } else {
+                self.input(known)?
+            };
+        }
+        Ok(())
+    }
+
+    /// In Initialization Mode derivatives are those of the initial state.
+    fn start_derivatives(&mut self) -> Result<(), Error> {
+        match self.mode() {
+            Mode::Initialization => self.solve_initial_state(),
+            _ => Ok(()),
+        }
+    }
+
+    fn check_seeds(&self, references: &[u32], seeds: &[f64]) -> Result<(), Error> {
+        for (&reference, &seed) in references.iter().zip(seeds) {
+            if !seed.is_finite() {
+                let name = format!("{} (its seed)", self.row(reference)?.name);
+                return Err(Error::NotFinite { name, value: seed });
+            }
+        }
+        Ok(())
+    }
+
     /// The change of one unknown: the sum of its derivatives with respect to the knowns, each times its seed.
     fn change(&mut self, unknown: u32, knowns: &[u32], seeds: &[f64]) -> Result<f64, Error> {
-        let starts = self.mode() == Mode::Initialization;
         let mut sum = 0.0;
         for (&known, &seed) in knowns.iter().zip(seeds) {
-            let (unknown, known) = (unknown as usize, known as usize);
-            sum += seed
-                * match starts {
-                    true => self.model.initial_derivative(unknown, known)?,
-                    false => self.model.partial_derivative(unknown, known)?,
-                };
+            sum += seed * self.derivative(unknown, known)?;
         }
+        self.finite(sum, unknown)
+    }
+
+    /// The adjoint derivative of one known: the sum of the derivatives of the unknowns with respect to it, each times its seed.
+    fn adjoint(&mut self, unknowns: &[u32], seeds: &[f64], known: u32) -> Result<f64, Error> {
+        let mut sum = 0.0;
+        for (&unknown, &seed) in unknowns.iter().zip(seeds) {
+            sum += seed * self.derivative(unknown, known)?;
+        }
+        self.finite(sum, known)
+    }
+
+    /// The derivative of one unknown with respect to one known.
+    fn derivative(&mut self, unknown: u32, known: u32) -> Result<f64, Error> {
+        let (unknown, known) = (unknown as usize, known as usize);
+        Ok(match self.mode() {
+            Mode::Initialization => self.model.initial_derivative(unknown, known)?,
+            _ => self.model.partial_derivative(unknown, known)?,
+        })
+    }
+
+    fn finite(&self, sum: f64, reference: u32) -> Result<f64, Error> {
         match sum.is_finite() {
             true => Ok(sum),
-            false => Err(Error::SeedTooLarge { name: self.variable::<f64>(unknown)?.name.clone(), value: sum }),
+            false => Err(Error::SeedTooLarge { name: self.variable::<f64>(reference)?.name.clone(), value: sum }),
         }
     }
 

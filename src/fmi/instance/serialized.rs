@@ -4,7 +4,11 @@
 //! own data and the model's. They may come from another process, and from anywhere: nothing is believed that is not checked.
 
 use super::{Control, FmuState, Instance};
-use crate::fmi::{Model, error::Error, lifecycle::Call};
+use crate::fmi::{
+    Model,
+    error::Error,
+    lifecycle::{Call, Mode},
+};
 
 /// First bytes of every serialized state.
 const MAGIC: [u8; 8] = *b"ancf14st";
@@ -40,6 +44,9 @@ impl<M: Model> Instance<M> {
         let content = content(bytes).map_err(refused)?;
         let ((guid, control), model) =
             postcard::take_from_bytes::<(String, Control)>(content).map_err(|reason| refused(reason.to_string()))?;
+        if control.mode == Mode::Update {
+            return Err(refused(String::from("they are of the middle of a step, where no state is taken")));
+        }
         let own = &self.model.about().guid;
         if guid != *own {
             return Err(Error::ForeignState { theirs: guid, own: own.clone() });

@@ -4,8 +4,8 @@ use super::Instance;
 use crate::fmi::{
     Model, Value,
     error::Error,
-    lifecycle::{Call, Mode},
-    variable::{Causality, Variability, Variable},
+    lifecycle::{Call, Mode, Standard},
+    variable::{Causality, Variability, Variable, type_word},
 };
 
 /// A number type of FMI that variables here can have.
@@ -16,6 +16,9 @@ pub(super) trait Number: Copy {
     fn from_value(value: Value) -> Option<Self>;
 
     fn into_value(self) -> Value;
+
+    /// The time, s; none: it is not of this type.
+    fn from_time(time: f64) -> Option<Self>;
 }
 
 impl Number for f64 {
@@ -31,6 +34,10 @@ impl Number for f64 {
     fn into_value(self) -> Value {
         Value::Real(self)
     }
+
+    fn from_time(time: f64) -> Option<Self> {
+        Some(time)
+    }
 }
 
 impl Number for i32 {
@@ -45,6 +52,10 @@ impl Number for i32 {
 
     fn into_value(self) -> Value {
         Value::Integer(self)
+    }
+
+    fn from_time(_time: f64) -> Option<Self> {
+        None
     }
 }
 
@@ -126,18 +137,31 @@ impl<M: Model> Instance<M> {
         self.same_length(references.len(), values.len())?;
         let mut results_wanted = false;
         for &reference in references {
-            results_wanted |= is_result(self.variable::<T>(reference)?);
+            if self.time_at::<T>(reference).is_none() {
+                results_wanted |= is_result(self.variable::<T>(reference)?);
+            }
         }
         match self.mode() {
-            Mode::Instantiated if results_wanted => self.warn_early(),
+            Mode::Instantiated if results_wanted && self.standard == Standard::Fmi2 => self.warn_early(),
             Mode::Initialization if results_wanted => self.solve_initial_state()?,
+            Mode::Update if results_wanted => self.look_between()?,
             _ => (),
         }
         for (value, &reference) in values.iter_mut().zip(references) {
-            *value =
-                T::from_value(self.model.value(reference as usize)).expect("a variable keeps the type of its start");
+            *value = match self.time_at(reference) {
+                Some(time) => time,
+                None => {
+                    T::from_value(self.model.value(reference as usize)).expect("a variable keeps the type of its start")
+                }
+            };
         }
         Ok(())
+    }
+
+    /// The time, where `reference` is that of the independent variable of FMI 3.0 and the time has this type.
+    fn time_at<T: Number>(&self, reference: u32) -> Option<T> {
+        let is_time = self.standard == Standard::Fmi3 && reference == self.arrays.time;
+        if is_time { T::from_time(self.time()) } else { None }
     }
 
     fn set<T: Number>(&mut self, references: &[u32], values: &[T]) -> Result<(), Error> {
@@ -186,29 +210,30 @@ impl<M: Model> Instance<M> {
         let variable = self.row(reference)?;
         match T::from_value(variable.start) {
             Some(_) => Ok(variable),
-            None => Err(wrong_type(variable, reference, T::NAME)),
+            None => Err(self.wrong_type(variable, reference, T::NAME)),
         }
     }
 
-    fn none_of_type(&self, references: &[u32], asked: &'static str) -> Result<(), Error> {
+    pub(super) fn none_of_type(&self, references: &[u32], asked: &'static str) -> Result<(), Error> {
         match references.first() {
-            Some(&reference) => Err(wrong_type(self.row(reference)?, reference, asked)),
+            Some(&reference) => Err(self.wrong_type(self.row(reference)?, reference, asked)),
             None => Ok(()),
         }
     }
 
-    fn row(&self, reference: u32) -> Result<&Variable, Error> {
+    pub(super) fn row(&self, reference: u32) -> Result<&Variable, Error> {
         let variables = self.model.variables();
         variables.get(reference as usize).ok_or(Error::UnknownReference { reference, count: variables.len() })
+    }
+
+    fn wrong_type(&self, variable: &Variable, reference: u32, asked: &'static str) -> Error {
+        let (actual, asked) = (variable.type_name_in(self.standard), type_word(self.standard, asked));
+        Error::WrongType { name: variable.name.clone(), reference, actual, asked }
     }
 
     pub(super) fn same_length(&self, references: usize, values: usize) -> Result<(), Error> {
         if references == values { Ok(()) } else { Err(Error::LengthsDiffer { references, values }) }
     }
-}
-
-fn wrong_type(variable: &Variable, reference: u32, asked: &'static str) -> Error {
-    Error::WrongType { name: variable.name.clone(), reference, actual: variable.type_name(), asked }
 }
 
 /// Whether the value needs the initial state. Calculated parameters follow from others at once.

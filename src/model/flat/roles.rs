@@ -26,7 +26,7 @@ pub(super) enum Role {
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 82] = [
+const ROLES: [(&str, &str, Role); 107] = [
     ("function", "argument", Role::Word),
     ("function", "table", Role::Number),
     ("function", "file", Role::Word),

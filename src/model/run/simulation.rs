@@ -5,12 +5,14 @@ mod guid;
 mod runner;
 mod saved;
 mod start_derivatives;
+mod stepping;
 
 pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
 use self::guid::guid;
-use self::runner::{Runner, Solver};
+use self::runner::Runner;
+use self::stepping::UnderWay;
 use super::accuracy::{Accuracy, Columns, Inexact, Looker, Setting};
 use super::watch::Watch;
 use crate::error::Error;
@@ -50,6 +52,8 @@ pub struct Simulation {
     looker: Looker,
     inputs: Inputs,
     last: LastStep,
+    /// A communication step that is taken part by part.
+    under_way: Option<UnderWay>,
     derived: Derived,
     warned_of_quaternion: bool,
 }
@@ -102,6 +106,7 @@ impl Simulation {
             warnings: Vec::new(),
             watch: Watch::default(),
             last: LastStep::default(),
+            under_way: None,
             derived: Derived::default(),
             warned_of_quaternion: false,
         };
@@ -204,8 +209,9 @@ impl Simulation {
         }
     }
 
-    /// There is no last step any more that derivatives could be of.
+    /// There is no last step any more that derivatives could be of, and none under way.
     fn forget_step(&mut self) {
+        self.under_way = None;
         self.last.known = false;
         self.last.settings.clear();
         self.derived = Derived::default();
@@ -357,43 +363,23 @@ impl Model for Simulation {
     }
 
     fn advance(&mut self, end: f64) -> Result<(), Failure> {
-        if end - self.runner.state.time < self.shortest_step() {
-            // The last step is what it was.
-            self.inputs.end_step();
-            return Ok(());
-        }
-        // A host may move both limits of a stop, one after the other: only now they must fit.
-        if self.runner.stale
-            && let Some(objection) = self.document.crossed_limits()
-        {
-            return Err(wrong(objection));
-        }
-        self.forget_step();
-        self.warn_of_quaternions([self.runner.state.time, end]);
-        let runner = &mut self.runner;
-        runner.settle(&self.document);
-        runner.keep();
-        let begin = runner.state.time;
-        runner.state.targets.depart(begin, &runner.state.prescribed);
-        let line = |number| self.inputs.line(number);
-        let origin = runner.system.origin;
-        builder::aim(&self.document, &origin, line, [begin, end], &mut runner.state.targets);
-        let outcome = runner.advance(end).map_err(|error| failure(&error)).and_then(|()| self.measure());
-        if outcome.is_err() {
-            self.runner.go_back();
-            // They were those of this state before the step, so that they can be read.
-            let _ = self.read_results();
-        }
-        if let Solver::Statics(statics) = &mut self.runner.solver {
-            self.warnings.extend(statics.take_remarks());
-        }
-        if outcome.is_ok() {
-            self.last.known = true;
-            self.last.inputs.copy_from(&self.inputs);
-            self.last.end = end;
-        }
-        self.inputs.end_step();
-        outcome
+        self.advance_at_once(end)
+    }
+
+    fn begin_step(&mut self, end: f64) -> Result<(), Failure> {
+        self.begin(end)
+    }
+
+    fn take_part(&mut self) -> Result<bool, Failure> {
+        self.part()
+    }
+
+    fn look_between(&mut self) -> Result<(), Failure> {
+        self.read_results().map_err(|error| failure(&error))
+    }
+
+    fn end_step(&mut self) -> Result<(), Failure> {
+        self.end_early()
     }
 
     fn conclude(&mut self) {

@@ -118,18 +118,18 @@ impl Pacing {
         pace.ratio = 0.0;
     }
 
-    /// Takes `state` to `end`, s; breaks on the way end a step.
+    /// Takes `state` one step on in an interval from `begin` to `end`, s; returns whether the end is reached. Breaks on the way end a step.
     ///
     /// # Errors
     /// The shortest step fails; `state` is where the last good one ended.
-    pub fn march(
+    pub fn advance(
         self,
         integrator: &mut impl Integrator,
         system: &System,
         state: &mut State,
-        end: f64,
-    ) -> Result<(), Error> {
-        let shortest = f64::max(SHORTEST * self.duration, TIME_ROUNDING * state.time.abs().max(end.abs()));
+        [begin, end]: [f64; 2],
+    ) -> Result<bool, Error> {
+        let shortest = f64::max(SHORTEST * self.duration, TIME_ROUNDING * begin.abs().max(end.abs()));
         if state.pace.wanted == 0.0 {
             state.pace.wanted = shortest.max(FIRST * self.duration);
             state.pace.since = state.time;
@@ -143,21 +143,20 @@ impl Pacing {
             let count = (remaining / (STRETCH * wanted)).ceil().max(1.0);
             let step = remaining / count;
             let step_end = if count == 1.0 { boundary } else { state.time + step };
-            if let Err(reason) = integrator.step(system, state, step, step_end) {
-                state.statistics.rejected += 1;
-                let shorter = match reason {
-                    Error::Inexact { ratio, .. } => (AIM / ratio).cbrt().max(SHRINKING),
-                    _ => 0.5,
-                };
-                state.pace.wanted = shorter * step;
-                if shorter * step < shortest {
-                    return Err(Error::NoShorterStep { time: state.time, step, reason: Box::new(reason) });
-                }
+            let Err(reason) = integrator.step(system, state, step, step_end) else { break };
+            state.statistics.rejected += 1;
+            let shorter = match reason {
+                Error::Inexact { ratio, .. } => (AIM / ratio).cbrt().max(SHRINKING),
+                _ => 0.5,
+            };
+            state.pace.wanted = shorter * step;
+            if shorter * step < shortest {
+                return Err(Error::NoShorterStep { time: state.time, step, reason: Box::new(reason) });
             }
         }
         // Results show what holds from this instant on.
         integrator.switch(system, state, state.time + AT_BREAK * shortest)?;
-        Ok(())
+        Ok(state.time >= end)
     }
 
     /// Length of the next step unless it ends earlier, s.

@@ -39,7 +39,7 @@ impl Example {
         let built = Command::new("cc")
             .current_dir(here)
             .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I.", "-L.", "-o", name])
-            .arg(format!("-I{}", root.join("include").display()))
+            .args(["include", "c-examples/fmi3"].map(|folder| format!("-I{}", root.join(folder).display())))
             .arg(root.join(format!("c-examples/{name}.c")))
             .args(["-lancf14", "-lm", &format!("-Wl,-rpath,{}", here.display())])
             .output()
@@ -159,4 +159,24 @@ fn derivatives_of_the_example_are_those_of_differences() {
     let table = example.printed(&[]);
     assert_eq!(table.lines().count(), 10, "{table}");
     assert_eq!(example.printed_under_valgrind(&[]), table);
+}
+
+/// The host of FMI 3.0 returns early once, at the internal step where the tip has passed the height, and goes on from there.
+#[test]
+fn a_step_of_the_example_returns_early() {
+    let example = Example::build("simulate_fmi3", ARM, "ARM");
+    let resources = format!("{}/", example.resources().display());
+    let mut command = Command::new(&example.program);
+    command.env_remove("LD_LIBRARY_PATH").arg(&resources);
+    let table = printed(&command.output().unwrap());
+    assert_eq!(example.printed_under_valgrind(&[]), table);
+    let rows: Vec<Vec<f64>> =
+        table.lines().skip(1).map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 7, "0 to 0.05 s in steps of 0.01 s, and one early return: {table}");
+    let early: Vec<usize> = (0..rows.len()).filter(|row| rows[*row][1] == 1.0).collect();
+    let [early] = early[..] else { panic!("{table}") };
+    assert!(rows[early - 1][2] >= -1e-3 && rows[early][2] < -1e-3, "{table}");
+    // A multiple of the internal step of 2 ms, to the rounding of its time.
+    let steps = rows[early][0] / 2e-3;
+    assert!((steps - steps.round()).abs() < 1e-9 && rows[early][0] % 1e-2 > 1e-3, "{table}");
 }

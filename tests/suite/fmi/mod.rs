@@ -5,6 +5,7 @@ mod c_header;
 mod call_table;
 mod derivatives;
 pub mod ffi;
+mod fmi3;
 mod fuzz;
 mod guard;
 mod handles;

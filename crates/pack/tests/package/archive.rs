@@ -7,6 +7,7 @@ use std::{
     path::Path,
 };
 
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::location::LIBRARY;
 use ancf14_pack::contents::Contents;
 use ancf14_pack::libraries::{Platform, find_library, read};
@@ -21,7 +22,12 @@ const CONTENTS: Contents<'_> =
     Contents { model: MODEL, licences: "do", icon: b"\x89PNG", drawing: "<svg></svg>\n", legend: "a & b" };
 
 fn packed() -> Vec<u8> {
+    packed_for(Standard::Fmi2)
+}
+
+fn packed_for(standard: Standard) -> Vec<u8> {
     fmu(
+        standard,
         &toy::about(),
         &toy::variables(),
         &CONTENTS,
@@ -35,9 +41,9 @@ fn same_input_same_bytes() {
     assert_eq!(packed(), packed());
 }
 
-#[test]
-fn entries_in_order() {
-    let mut archive = ZipArchive::new(Cursor::new(packed())).unwrap();
+/// The names of all entries; each is deflated, with a fixed date.
+fn names(fmu: Vec<u8>) -> Vec<String> {
+    let mut archive = ZipArchive::new(Cursor::new(fmu)).unwrap();
     let mut names = Vec::new();
     for place in 0..archive.len() {
         let file = archive.by_index(place).unwrap();
@@ -45,8 +51,44 @@ fn entries_in_order() {
         assert_eq!(file.last_modified().map(|date| date.year()), Some(1980));
         names.push(file.name().unwrap().into_owned());
     }
+    names
+}
+
+/// FMI 3.0 has other folders (section 2.5).
+#[test]
+fn entries_of_fmi_3_in_order() {
     assert_eq!(
-        names,
+        names(packed_for(Standard::Fmi3)),
+        [
+            "modelDescription.xml",
+            "terminalsAndIcons/terminalsAndIcons.xml",
+            "terminalsAndIcons/icon.png",
+            "terminalsAndIcons/icon.svg",
+            "binaries/x86_64-linux/Toy.so",
+            "binaries/x86_64-windows/Toy.dll",
+            "documentation/index.html",
+            "documentation/licenses/license.txt",
+            "resources/model.toml"
+        ]
+    );
+    assert_eq!(packed_for(Standard::Fmi3), packed_for(Standard::Fmi3));
+}
+
+/// The page of a unit speaks of its own version.
+#[test]
+fn the_page_names_the_functions_of_its_version() {
+    for (standard, own, other) in [(Standard::Fmi2, "fmi2", "fmi3"), (Standard::Fmi3, "fmi3", "fmi2")] {
+        let mut archive = ZipArchive::new(Cursor::new(packed_for(standard))).unwrap();
+        let mut page = String::new();
+        archive.by_name("documentation/index.html").unwrap().read_to_string(&mut page).unwrap();
+        assert!(page.contains(&format!("{own}DoStep")) && !page.contains(other), "{page}");
+    }
+}
+
+#[test]
+fn entries_in_order() {
+    assert_eq!(
+        names(packed()),
         [
             "modelDescription.xml",
             "model.png",

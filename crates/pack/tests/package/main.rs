@@ -3,4 +3,5 @@
 
 mod archive;
 mod description;
+mod description_fmi3;
 mod models;

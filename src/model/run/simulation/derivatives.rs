@@ -34,6 +34,8 @@ pub(super) struct LastStep {
     pub inputs: Inputs,
     /// Its end as the host said it, s.
     pub end: f64,
+    /// Where the host ended it, s; infinite: at its end.
+    pub stop: f64,
     /// The settings of the file during it, where a tunable parameter has been set since; else empty.
     pub settings: Vec<f64>,
 }
@@ -190,7 +192,7 @@ impl Simulation {
         let (mut now, mut values) = (Vec::new(), Vec::new());
         let (system, (state, response)) = if self.last.known {
             now.clone_from(&self.results);
-            (Arc::clone(&self.runner.system), self.runner.before_last_part(self.last.end)?)
+            (Arc::clone(&self.runner.system), self.runner.before_last_part(self.last.end, self.last.stop)?)
         } else {
             let next = self.runner.after_next_part(&self.document)?;
             let (system, state) = (self.runner.settled(&self.document), &self.runner.state);
@@ -211,7 +213,7 @@ impl Simulation {
         let Self { runner, last, document, table, results, .. } = self;
         let span = [runner.backup.time, last.end];
         let given = Given::new(document, &last.inputs, span, &runner.system);
-        let plan = runner.plan(span[0], span[1])?;
+        let plan = runner.plan_until(span[0], span[1], last.stop)?;
         let (system, state) = (&runner.system, &runner.state);
         let moves = !matches!(runner.solver, Solver::Statics(_));
         let step = Step { start: &runner.backup, inputs: &given, moves };

@@ -182,9 +182,9 @@ impl Runner {
         Ok(())
     }
 
-    /// The state before the last internal step on the way from the backup to `end`, s; and its response.
-    pub(super) fn before_last_part(&mut self, end: f64) -> Result<(State, Response), Error> {
-        let plan = self.plan(self.backup.time, end)?;
+    /// The state before the last internal step on the way from the backup to `end`, s, which was left at `stop`, s; and its response.
+    pub(super) fn before_last_part(&mut self, end: f64, stop: f64) -> Result<(State, Response), Error> {
+        let plan = self.plan_until(self.backup.time, end, stop)?;
         let mut state = self.backup.clone();
         state.targets.clone_from(&self.state.targets);
         let mut before = state.clone();
@@ -267,13 +267,30 @@ impl Runner {
         self.state.clone_from(&self.backup);
     }
 
-    /// Advances to `end`, s.
-    pub(super) fn advance(&mut self, end: f64) -> Result<(), Error> {
+    /// The way to `end`, s, on which everything that a host moves goes.
+    pub(super) fn depart(&mut self, end: f64) -> Result<Plan, Error> {
         let plan = self.plan(self.state.time, end)?;
         self.state.targets.end = plan.end;
         if matches!(self.solver, Solver::Statics(_)) {
             limits::check_drives(&self.system, &self.state, plan.end, plan.count)?;
         }
+        Ok(plan)
+    }
+
+    /// Takes internal step `number` of `plan`, from 0; returns whether its end is reached.
+    pub(super) fn take_part(&mut self, plan: &Plan, number: u64) -> Result<bool, Error> {
+        let (system, state) = (&self.system, &mut self.state);
+        match &mut self.solver {
+            Solver::None => Err(Error::NotInitialized),
+            Solver::Midpoint(midpoint) => plan.part(number, midpoint.as_mut(), system, state),
+            Solver::GeneralizedAlpha(alpha) => plan.part(number, alpha.as_mut(), system, state),
+            Solver::Statics(statics) => plan.part(number, statics.as_mut(), system, state),
+        }
+    }
+
+    /// Advances to `end`, s.
+    pub(super) fn advance(&mut self, end: f64) -> Result<(), Error> {
+        let plan = self.depart(end)?;
         let (system, state) = (&self.system, &mut self.state);
         match &mut self.solver {
             Solver::None => Err(Error::NotInitialized),
@@ -286,6 +303,11 @@ impl Runner {
     /// The shortest communication step that is taken, s.
     pub(super) fn shortest_step(&self) -> f64 {
         f64::max(STEP_ROUNDING * self.step, TIME_ROUNDING * self.state.time.abs())
+    }
+
+    /// The internal steps from `begin` on the way to `end`, s, that was left at `stop`, s.
+    pub(super) fn plan_until(&self, begin: f64, end: f64, stop: f64) -> Result<Plan, Error> {
+        Ok(Plan { stop, ..self.plan(begin, end)? })
     }
 
     /// The internal steps from `begin` to `end`, s: on the grid `start + k step` where both are on it, else equal ones.
@@ -302,10 +324,12 @@ impl Runner {
             return Err(Error::TooManySteps { count: needed, step, from: begin, to: end });
         }
         if on_grid && begin == grid(first) {
-            return Ok(Plan { begin: start, first, end, step, count: (last - first) as u64, pacing });
+            let count = (last - first) as u64;
+            return Ok(Plan { begin: start, first, from: begin, end, step, count, pacing, stop: f64::INFINITY });
         }
         let count = (needed - STEP_ROUNDING).ceil().max(1.0);
-        Ok(Plan { begin, first: 0.0, end, step: (end - begin) / count, count: count as u64, pacing })
+        let (step, count) = ((end - begin) / count, count as u64);
+        Ok(Plan { begin, first: 0.0, from: begin, end, step, count, pacing, stop: f64::INFINITY })
     }
 }
 
@@ -320,6 +344,8 @@ pub(super) struct Plan {
     /// Where their counting begins, s, and the number of the first one.
     begin: f64,
     first: f64,
+    /// Where the first one begins, s.
+    from: f64,
     /// Where the last one ends, s.
     pub(super) end: f64,
     /// Length of each, s.
@@ -327,6 +353,8 @@ pub(super) struct Plan {
     count: u64,
     /// None: the steps are these.
     pacing: Option<Pacing>,
+    /// The steps end where they reach this time, s; infinite: at the end.
+    stop: f64,
 }
 
 impl Plan {
@@ -337,20 +365,38 @@ impl Plan {
         system: &System,
         state: &mut State,
     ) -> Result<(), Error> {
-        if let Some(pacing) = self.pacing {
-            return pacing.march(integrator, system, state, self.end);
+        let mut number = 0;
+        while !self.part(number, integrator, system, state)? && state.time < self.stop {
+            number += 1;
         }
-        for number in 1..=self.count {
-            let next =
-                if number == self.count { self.end } else { self.begin + (self.first + number as f64) * self.step };
-            let margin = AT_BREAK * self.step;
-            let whole = march_to_last_break(integrator, system, state, next, margin)?;
-            let step = if whole { self.step } else { next - state.time };
-            integrator.switch(system, state, state.time + margin)?;
-            grid_step(integrator, system, state, step, next)?;
-        }
-        integrator.switch(system, state, state.time + AT_BREAK * self.step)?;
         Ok(())
+    }
+
+    /// Takes step `number`, from 0, where the ones before it have led to `state`; returns whether it was the last one.
+    fn part(
+        &self,
+        number: u64,
+        integrator: &mut impl Integrator,
+        system: &System,
+        state: &mut State,
+    ) -> Result<bool, Error> {
+        if let Some(pacing) = self.pacing {
+            return pacing.advance(integrator, system, state, [self.from, self.end]);
+        }
+        let number = number + 1;
+        if number > self.count {
+            return Ok(true);
+        }
+        let is_last = number == self.count;
+        let next = if is_last { self.end } else { self.begin + (self.first + number as f64) * self.step };
+        let margin = AT_BREAK * self.step;
+        let whole = march_to_last_break(integrator, system, state, next, margin)?;
+        let step = if whole { self.step } else { next - state.time };
+        integrator.switch(system, state, state.time + margin)?;
+        grid_step(integrator, system, state, step, next)?;
+        // Results show what holds from this instant on.
+        integrator.switch(system, state, state.time + margin)?;
+        Ok(is_last)
     }
 }
 

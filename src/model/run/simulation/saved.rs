@@ -62,6 +62,7 @@ struct SavedStep<'a> {
     start: Cow<'a, State>,
     inputs: [Cow<'a, [f64]>; 2],
     end: f64,
+    stop: f64,
     settings: Cow<'a, [f64]>,
 }
 
@@ -83,6 +84,7 @@ impl Snapshot {
                 start: Cow::Borrowed(start),
                 inputs: last.inputs.parts().map(Cow::Borrowed),
                 end: last.end,
+                stop: last.stop,
                 settings: Cow::Borrowed(&last.settings),
             }),
         };
@@ -120,8 +122,8 @@ impl Snapshot {
         let mut inputs = Inputs::new(&document);
         let mut fits = state.has_the_shape_of(&built.state) && inputs.set_parts([&values, &slopes]);
         fits &= saved.results.len() == results && start.is_finite() && step > 0.0 && step.is_finite();
-        let last = saved.last.map(|SavedStep { start, inputs: [values, slopes], end, settings }| {
-            let mut last = LastStep { known: true, inputs: inputs.clone(), end, settings: settings.into_owned() };
+        let last = saved.last.map(|SavedStep { start, inputs: [values, slopes], end, stop, settings }| {
+            let mut last = LastStep { known: true, inputs: inputs.clone(), end, stop, settings: settings.into_owned() };
             fits &= start.has_the_shape_of(&built.state) && last.inputs.set_parts([&values, &slopes]);
             (last, start.into_owned())
         });
@@ -184,10 +186,11 @@ impl Simulation {
         self.accuracy.clone_from(&snapshot.accuracy);
         self.inputs.copy_from(&snapshot.inputs);
         self.derived = Derived::default();
+        self.under_way = None;
         self.last.known = snapshot.last.is_some();
         if let Some((last, start)) = &snapshot.last {
             self.last.inputs.copy_from(&last.inputs);
-            self.last.end = last.end;
+            (self.last.end, self.last.stop) = (last.end, last.stop);
             self.last.settings.clone_from(&last.settings);
             runner.backup.clone_from(start);
         }

@@ -1,0 +1,233 @@
+//! modelDescription.xml of FMI 3.0 (sections 2.4 and 4.4), from the same variable table as that of FMI 2.0: elements of one array become one
+//! variable, and references stay the same.
+//!
+//! The same model gives the same bytes. A capability flag is true only where the function behind it does the work.
+
+use std::{collections::BTreeMap, io};
+
+use quick_xml::events::{BytesDecl, Event};
+
+use crate::elements::{
+    Attributes, DERIVATIVES, Xml, borrowed, check_model, clean, credits, default_experiment, empty, has_start, initial,
+    is_real, log_categories, parent, real, text, type_name, units,
+};
+use crate::error::Error;
+use ancf14::fmi::About;
+use ancf14::fmi::arrays::{Array, arrays, time_reference};
+use ancf14::fmi::lifecycle::Standard;
+use ancf14::fmi::variable::{Causality, Quantity, Variability, Variable};
+
+/// The text of modelDescription.xml.
+///
+/// # Errors
+/// As [`crate::description::xml`].
+pub fn xml(about: &About, variables: &[Variable]) -> Result<String, Error> {
+    check_model(about, variables)?;
+    Ok(text(|xml| document(xml, about, variables)))
+}
+
+fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<()> {
+    let arrays = arrays(variables);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    let root = xml
+        .create_element("fmiModelDescription")
+        .with_attribute(("fmiVersion", "3.0"))
+        .with_attribute(("modelName", clean(&about.name).as_str()))
+        .with_attribute(("instantiationToken", about.guid.as_str()))
+        .with_attribute(("description", clean(&about.description).as_str()))
+        .with_attributes(borrowed(&credits(about)))
+        .with_attribute(("generationTool", concat!("ancf14 ", env!("CARGO_PKG_VERSION"))))
+        .with_attribute(("variableNamingConvention", "structured"));
+    root.write_inner_content(|xml| {
+        co_simulation(xml, about)?;
+        units(xml, variables)?;
+        types(xml, variables)?;
+        log_categories(xml, Standard::Fmi3)?;
+        default_experiment(xml, about)?;
+        parent(xml, "ModelVariables", |xml| {
+            if time_reference(variables) == variables.len() {
+                time(xml, variables.len())?;
+            }
+            arrays.iter().try_for_each(|array| variable(xml, array, variables))
+        })?;
+        structure(xml, &arrays, variables)?;
+        annotations(xml)
+    })?;
+    Ok(())
+}
+
+/// What the unit can do. It has no events, and never returns early by itself.
+fn co_simulation(xml: &mut Xml, about: &About) -> io::Result<()> {
+    let flags = [
+        ("needsExecutionTool", "false"),
+        ("canBeInstantiatedOnlyOncePerProcess", "false"),
+        ("canGetAndSetFMUState", "true"),
+        ("canSerializeFMUState", "true"),
+        ("providesDirectionalDerivatives", "true"),
+        ("providesAdjointDerivatives", "true"),
+        ("providesPerElementDependencies", "true"),
+        ("canHandleVariableCommunicationStepSize", "true"),
+        ("maxOutputDerivativeOrder", "1"),
+        ("providesIntermediateUpdate", "true"),
+        ("mightReturnEarlyFromDoStep", "false"),
+        ("canReturnEarlyAfterIntermediateUpdate", "true"),
+        ("hasEventMode", "false"),
+        ("providesEvaluateDiscreteStates", "false"),
+    ];
+    let element = xml.create_element("CoSimulation").with_attribute(("modelIdentifier", about.identifier.as_str()));
+    element.with_attributes(flags).write_empty()?;
+    Ok(())
+}
+
+/// One type for each kind of quantity.
+fn types(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
+    let mut types: BTreeMap<String, &Quantity> = BTreeMap::new();
+    for variable in variables.iter().filter(|variable| is_real(variable)) {
+        if let Some(name) = type_name(&variable.quantity) {
+            types.entry(name).or_insert(&variable.quantity);
+        }
+    }
+    if types.is_empty() {
+        return Ok(());
+    }
+    parent(xml, "TypeDefinitions", |xml| {
+        for (name, quantity) in &types {
+            let mut attributes: Attributes<'_> = vec![("name", name.into()), ("quantity", quantity.name.into())];
+            if !quantity.unit.is_empty() {
+                attributes.push(("unit", quantity.unit.as_str().into()));
+            }
+            empty(xml, "Float64Type", attributes)?;
+        }
+        Ok(())
+    })
+}
+
+/// The independent variable, which the standard demands.
+fn time(xml: &mut Xml, reference: usize) -> io::Result<()> {
+    let attributes = vec![
+        ("name", "time".into()),
+        ("valueReference", reference.to_string().into()),
+        ("description", "Simulation time, s".into()),
+        ("causality", "independent".into()),
+        ("variability", "continuous".into()),
+    ];
+    empty(xml, "Float64", attributes)
+}
+
+/// A variable: its first element says what all of them are, but for their start values.
+fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Result<()> {
+    let elements = &variables[array.first..array.first + array.elements()];
+    let first = &elements[0];
+    let mut attributes: Attributes<'_> =
+        vec![("name", array.name.into()), ("valueReference", array.first.to_string().into())];
+    let description = description(array, first);
+    if !description.is_empty() {
+        attributes.push(("description", clean(&description).into()));
+    }
+    attributes.push(("causality", first.causality.word().into()));
+    attributes.push(("variability", first.variability.word().into()));
+    if let Some(initial) = initial(first.causality) {
+        attributes.push(("initial", initial.into()));
+    }
+    if is_between(first) {
+        attributes.push(("intermediateUpdate", "true".into()));
+    }
+    attributes.extend(type_attributes(elements));
+    let kind = if is_real(first) { "Float64" } else { "Int32" };
+    let element = xml.create_element(kind).with_attributes(borrowed(&attributes));
+    if array.dimensions.is_empty() {
+        element.write_empty()?;
+    } else {
+        element.write_inner_content(|xml| {
+            let start = |extent: &usize| vec![("start", extent.to_string().into())];
+            array.dimensions.iter().try_for_each(|extent| empty(xml, "Dimension", start(extent)))
+        })?;
+    }
+    Ok(())
+}
+
+/// Meaning of an array: that of its first element without the place of that element.
+pub(crate) fn description(array: &Array<'_>, first: &Variable) -> String {
+    let whole = &first.description;
+    if array.dimensions.is_empty() {
+        return whole.clone();
+    }
+    let whole = whole.strip_suffix(", component 1").unwrap_or(whole);
+    match whole.split_once(", station 1 of ") {
+        Some((before, rest)) => format!("{before}, {rest}"),
+        None => whole.to_owned(),
+    }
+}
+
+/// Whether an intermediate update can read it.
+fn is_between(variable: &Variable) -> bool {
+    variable.causality == Causality::Output && variable.variability == Variability::Continuous
+}
+
+fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
+    let variable = &elements[0];
+    let number = |number: f64| if is_real(variable) { real(number) } else { number.to_string() };
+    let mut attributes: Attributes<'_> = Vec::new();
+    if is_real(variable) {
+        if let Some(name) = type_name(&variable.quantity) {
+            attributes.push(("declaredType", name.into()));
+        }
+        if !variable.quantity.unit.is_empty() {
+            attributes.push(("unit", variable.quantity.unit.as_str().into()));
+        }
+        if let Some(display) = &variable.display_unit {
+            attributes.push(("displayUnit", display.as_str().into()));
+        }
+    }
+    if let Some(min) = variable.min {
+        attributes.push(("min", number(min).into()));
+    }
+    if let Some(max) = variable.max {
+        attributes.push(("max", number(max).into()));
+    }
+    if has_start(variable) {
+        let starts: Vec<String> = elements.iter().map(|element| number(element.start.number())).collect();
+        attributes.push(("start", starts.join(" ").into()));
+    }
+    attributes
+}
+
+/// Outputs depend on nothing within the same communication point. What the initial values depend on is said where it is less than everything
+/// that is given: of an array what any of its elements depends on.
+fn structure(xml: &mut Xml, arrays: &[Array<'_>], variables: &[Variable]) -> io::Result<()> {
+    // The variable that each row is an element of.
+    let owners: Vec<usize> = arrays.iter().flat_map(|array| vec![array.first; array.elements()]).collect();
+    let outputs = arrays.iter().filter(|array| variables[array.first].causality == Causality::Output);
+    let is_unknown = |array: &&Array<'_>| initial(variables[array.first].causality) == Some("calculated");
+    let reference = |array: &Array<'_>| array.first.to_string();
+    parent(xml, "ModelStructure", |xml| {
+        for output in outputs {
+            empty(xml, "Output", vec![("valueReference", reference(output).into()), ("dependencies", "".into())])?;
+        }
+        for unknown in arrays.iter().filter(is_unknown) {
+            let mut attributes: Attributes<'_> = vec![("valueReference", reference(unknown).into())];
+            let elements = &variables[unknown.first..unknown.first + unknown.elements()];
+            let rows: Option<Vec<&Vec<usize>>> = elements.iter().map(|element| element.found_from.as_ref()).collect();
+            if let Some(rows) = rows {
+                let mut known: Vec<usize> = rows.into_iter().flatten().map(|row| owners[*row]).collect();
+                known.sort_unstable();
+                known.dedup();
+                let known: Vec<String> = known.iter().map(usize::to_string).collect();
+                attributes.push(("dependencies", known.join(" ").into()));
+            }
+            empty(xml, "InitialUnknown", attributes)?;
+        }
+        Ok(())
+    })
+}
+
+/// What the standard's own attributes cannot say of derivatives.
+fn annotations(xml: &mut Xml) -> io::Result<()> {
+    parent(xml, "Annotations", |xml| {
+        let annotation = xml.create_element("Annotation").with_attribute(("type", "ancf14.derivatives"));
+        annotation.write_inner_content(|xml| {
+            empty(xml, "Derivatives", DERIVATIVES.map(|(key, text)| (key, text.into())).into())
+        })?;
+        Ok(())
+    })
+}

@@ -1,0 +1,107 @@
+//! Does modelDescription.xml of FMI 3.0 say the same as that of FMI 2.0, with arrays? The whole text of the toy is golden, with its terminals.
+
+use ancf14::fmi::arrays::{arrays, time_reference};
+use ancf14::fmi::variable::{Causality, Variable};
+use ancf14::fmi::{Model, Value};
+use ancf14::model::simulation::Simulation;
+use ancf14_pack::{description_fmi3::xml, terminals};
+use ancf14_testing::{golden, root, toy};
+
+/// The toy with a whole vector of inputs, and an output that is found from two of its elements.
+fn variables() -> Vec<Variable> {
+    let mut list = toy::variables();
+    let force = list[toy::FORCE as usize].clone();
+    for component in 1..=3 {
+        let name = format!("push.force[{component}]");
+        let description = format!("push: force, global, component {component}");
+        list.push(Variable { name, description, start: Value::Real(f64::from(component)), ..force.clone() });
+    }
+    let found_from = Some(vec![toy::LENGTH as usize, list.len() - 2, list.len() - 1]);
+    list.push(Variable { name: "pushed.position".to_owned(), found_from, ..list[toy::POSITION as usize].clone() });
+    list
+}
+
+/// An element of an array is known as the array.
+#[test]
+fn dependencies_are_references_of_arrays() {
+    let text = xml(&toy::about(), &variables()).unwrap();
+    let first = variables().iter().position(|variable| variable.name == "push.force[1]").unwrap();
+    let expected =
+        format!("<InitialUnknown valueReference=\"{}\" dependencies=\"{} {first}\"/>", first + 3, toy::LENGTH);
+    assert!(text.contains(&expected), "{expected} in {text}");
+}
+
+/// The XML of the toy, as reviewed.
+#[test]
+fn golden_description_of_the_toy() {
+    golden::assert_current("tests/golden/toy_fmi3.xml", &xml(&toy::about(), &variables()).unwrap());
+    golden::assert_current("tests/golden/toy_terminals.xml", &terminals::xml(&variables()));
+}
+
+/// References in elements of ModelStructure.
+fn references(text: &str, element: &str) -> Vec<usize> {
+    let start = format!("<{element} valueReference=\"");
+    text.split(&start).skip(1).map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
+}
+
+/// Of every shipped model: outputs are exactly the outputs, initial unknowns the outputs and calculated parameters, and dependencies are references
+/// of parameters and inputs, never of an element inside an array.
+#[test]
+fn model_structure_is_exact() {
+    for entry in std::fs::read_dir(root().join("models")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap();
+        let model = Simulation::load("model.toml", &text, &[]).unwrap();
+        let variables = model.variables();
+        let text = xml(model.about(), variables).unwrap();
+        let of = |wanted: &[Causality]| -> Vec<usize> {
+            let list = arrays(variables).into_iter().filter(|array| wanted.contains(&variables[array.first].causality));
+            list.map(|array| array.first).collect()
+        };
+        assert_eq!(references(&text, "Output"), of(&[Causality::Output]));
+        assert_eq!(references(&text, "InitialUnknown"), of(&[Causality::CalculatedParameter, Causality::Output]));
+        let given = of(&[Causality::Parameter, Causality::Input]);
+        for list in text.split("dependencies=\"").skip(1) {
+            for reference in list.split('"').next().unwrap().split_whitespace() {
+                assert!(given.contains(&reference.parse().unwrap()), "{reference} in {}", path.display());
+            }
+        }
+        // The time stands first, with the reference behind the table.
+        assert_eq!(time_reference(variables), variables.len());
+        assert_eq!(text.matches("causality=\"independent\"").count(), 1);
+        assert_eq!(text.matches(&format!("valueReference=\"{}\"", variables.len())).count(), 1);
+    }
+}
+
+/// What one unit reads is what another is given: the members have one name on both sides, whatever the variables are called.
+#[test]
+fn members_match_by_name() {
+    let model = root().join("tests/suite/fmi/fmi3/held.toml");
+    let model = Simulation::load("held.toml", &std::fs::read_to_string(model).unwrap(), &[]).unwrap();
+    let text = terminals::xml(model.variables());
+    let terminal = |name: &str| -> Vec<(String, String)> {
+        let inside =
+            text.split(&format!("<Terminal name=\"{name}\"")).nth(1).unwrap_or_else(|| panic!("{name}: {text}"));
+        let inside = inside.split("</Terminal>").next().unwrap();
+        let word = |rest: &str, key: &str| {
+            rest.split(&format!("{key}=\"")).nth(1).unwrap().split('"').next().unwrap().to_owned()
+        };
+        inside
+            .split("<TerminalMemberVariable")
+            .skip(1)
+            .map(|rest| (word(rest, "memberName"), word(rest, "variableName")))
+            .collect()
+    };
+    let pairs = |list: &[(&str, &str)]| -> Vec<(String, String)> {
+        list.iter().map(|(member, name)| ((*member).to_owned(), (*name).to_owned())).collect()
+    };
+    assert_eq!(terminal("push"), pairs(&[("force", "push.force"), ("moment", "push.moment")]));
+    assert_eq!(terminal("hand"), pairs(&[("position", "hand.position"), ("rotation", "hand.rotation")]));
+    assert_eq!(terminal("hold"), pairs(&[("force", "hold.applied_force"), ("moment", "hold.applied_moment")]));
+    let tip = [("position", "tip.position"), ("velocity", "tip.velocity"), ("quaternion", "tip.quaternion")];
+    assert_eq!(terminal("tip"), pairs(&tip));
+    assert!(!text.contains("statistics"));
+}
