@@ -12,7 +12,7 @@ pub struct ViscousRates {
     /// In the order of [`super::State::strain_rates`]; empty before the first step, and of systems without material damping.
     pub rates: Vec<f64>,
     /// The rates at the start of the last step, between those over it and over the step before.
-    at_start: Vec<f64>,
+    pub at_start: Vec<f64>,
     /// Length of the last step, s; 0 before the first step and behind a jump.
     step: f64,
 }

@@ -26,8 +26,8 @@ pub struct Variation {
     pub constraint_momenta: Vec<f64>,
     /// Of the strain rates.
     pub strain_rates: Vec<f64>,
-    /// Of the rates of strains at the instant; empty where the state has none.
-    pub viscous: Vec<f64>,
+    /// Of the rates of strains at the instant, and at the start of the last step; empty where the state has none.
+    pub viscous: [Vec<f64>; 2],
     /// Of the accelerations: of the coordinates, and algorithmic; empty where the state has none.
     pub accelerations: [Vec<f64>; 2],
     /// Of what holds: values, and the numbers of poses.
@@ -42,7 +42,7 @@ pub struct HoldChange {
 }
 
 /// The lists of a state in the order of a variation's.
-fn lists(state: &State) -> [&Vec<f64>; 9] {
+fn lists(state: &State) -> [&Vec<f64>; 10] {
     let State { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, .. } =
         state;
     [
@@ -53,12 +53,13 @@ fn lists(state: &State) -> [&Vec<f64>; 9] {
         constraint_momenta,
         strain_rates,
         &viscous.rates,
+        &viscous.at_start,
         &accelerations.of_coordinates,
         &accelerations.algorithmic,
     ]
 }
 
-fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 9] {
+fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 10] {
     let State { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, .. } =
         state;
     [
@@ -69,26 +70,27 @@ fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 9] {
         constraint_momenta,
         strain_rates,
         &mut viscous.rates,
+        &mut viscous.at_start,
         &mut accelerations.of_coordinates,
         &mut accelerations.algorithmic,
     ]
 }
 
 impl Variation {
-    fn lists(&self) -> [&Vec<f64>; 9] {
+    fn lists(&self) -> [&Vec<f64>; 10] {
         let Self {
             q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, ..
         } = self;
-        let [first, second] = accelerations;
-        [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, first, second]
+        let ([end, start], [first, second]) = (viscous, accelerations);
+        [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, end, start, first, second]
     }
 
-    fn lists_mut(&mut self) -> [&mut Vec<f64>; 9] {
+    fn lists_mut(&mut self) -> [&mut Vec<f64>; 10] {
         let Self {
             q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, ..
         } = self;
-        let [first, second] = accelerations;
-        [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, first, second]
+        let ([end, start], [first, second]) = (viscous, accelerations);
+        [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, end, start, first, second]
     }
 
     /// No change of `state`.

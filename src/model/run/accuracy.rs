@@ -210,11 +210,12 @@ impl Looker {
         moved.copy_motion_from(state);
         variation.q.clone_from(position);
         variation.velocity.clone_from(velocity);
-        variation.viscous.clear();
+        let [viscous, _] = &mut variation.viscous;
+        viscous.clear();
         if !rates.is_empty() {
             // The error of the velocities may turn about with every step as they do.
-            variation.viscous.resize(state.strain_rates.len(), 0.0);
-            system.set_strain_rates(&snapshot.of(system, state), rates, &mut variation.viscous);
+            viscous.resize(state.strain_rates.len(), 0.0);
+            system.set_strain_rates(&snapshot.of(system, state), rates, viscous);
         }
         variation.apply(system, multiple, moved, frames);
         Some(multiple)

@@ -228,10 +228,9 @@ fn derivatives_by_inputs() {
     for (name, overrides, word, step, steps) in cases {
         let (error, what) = worst(machine(word, overrides), step, steps);
         println!("{name}: {error:.1e} ({what})");
-        if false {
-            continue;
-        }
-        assert!(error < 1e9, "{name}: {error:.1e} ({what})");
+        // The differences leave 5e-5 of a family, by the fourth power of their step and by what Newton leaves of a section's moment; a term that is missing
+        // shows at 1e-2.
+        assert!(error < 1e-4, "{name}: {error:.1e} ({what})");
     }
 }
 
