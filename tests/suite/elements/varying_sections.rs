@@ -299,12 +299,15 @@ fn moments(inside: impl Fn(f64, f64) -> bool, [width, height]: [f64; 2]) -> impl
     move |a, b| points.iter().map(|(own_y, own_z)| (own_y - y).powi(a) * (own_z - z).powi(b)).sum::<f64>() * cell
 }
 
+/// Whether y and z are in a section.
+type Inside = Box<dyn Fn(f64, f64) -> bool>;
+
 /// Areas, second moments and fourth moments of thin walls against a midpoint rule, the last ones in principal axes.
 #[test]
 fn integrals_of_walls_are_those_of_their_area() {
     let (w, h, web, flange) = (0.08, 0.12, 0.01, 0.015);
     let middle = |y: f64| (y - w / 2.0).abs() < web / 2.0;
-    let shapes: [(&str, Section, Box<dyn Fn(f64, f64) -> bool>); 5] = [
+    let shapes: [(&str, Section, Inside); 5] = [
         ("i", Section::i_beam(w, h, web, flange), Box::new(move |y, z| z < flange || z > h - flange || middle(y))),
         ("box", Section::hollow(w, h, web), Box::new(move |y, z| y < web || y > w - web || z < web || z > h - web)),
         ("channel", Section::channel(w, h, web, flange), Box::new(move |y, z| y < web || z < flange || z > h - flange)),
