@@ -306,7 +306,7 @@ type Inside = Box<dyn Fn(f64, f64) -> bool>;
 #[test]
 fn integrals_of_walls_are_those_of_their_area() {
     let (w, h, web, flange) = (0.08, 0.12, 0.01, 0.015);
-    let middle = |y: f64| (y - w / 2.0).abs() < web / 2.0;
+    let middle = move |y: f64| (y - w / 2.0).abs() < web / 2.0;
     let shapes: [(&str, Section, Inside); 5] = [
         ("i", Section::i_beam(w, h, web, flange), Box::new(move |y, z| z < flange || z > h - flange || middle(y))),
         ("box", Section::hollow(w, h, web), Box::new(move |y, z| y < web || y > w - web || z < web || z > h - web)),
