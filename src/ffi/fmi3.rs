@@ -304,11 +304,13 @@ pub unsafe extern "C" fn fmi3DoStep(
     // SAFETY: the caller's promise.
     unsafe {
         let callbacks = guard::callbacks::<Simulation>(instance).filter(Callbacks::has_update);
+        let mut begin = f64::NAN;
         let status = guard(instance, Call::DoStep, |instance| {
             *place(eventHandlingNeeded, "eventHandlingNeeded")? = fmi3False;
             *place(terminateSimulation, "terminateSimulation")? = fmi3False;
             *place(earlyReturn, "earlyReturn")? = fmi3False;
-            *place(lastSuccessfulTime, "lastSuccessfulTime")? = instance.time();
+            begin = instance.time();
+            *place(lastSuccessfulTime, "lastSuccessfulTime")? = begin;
             match callbacks {
                 Some(_) => instance.begin_step(currentCommunicationPoint, communicationStepSize)?,
                 None => instance.do_step(currentCommunicationPoint, communicationStepSize)?,
@@ -318,7 +320,7 @@ pub unsafe extern "C" fn fmi3DoStep(
         });
         match callbacks.filter(|_| matches!(status, fmi3Status::fmi3OK | fmi3Status::fmi3Warning)) {
             None => status,
-            Some(callbacks) => step_with_updates(instance, callbacks, earlyReturn, lastSuccessfulTime),
+            Some(callbacks) => step_with_updates(instance, callbacks, earlyReturn, lastSuccessfulTime, begin),
         }
     }
 }
@@ -333,6 +335,7 @@ unsafe fn step_with_updates(
     callbacks: Callbacks,
     earlyReturn: *mut fmi3Boolean,
     lastSuccessfulTime: *mut fmi3Float64,
+    begin: fmi3Float64,
 ) -> fmi3Status {
     loop {
         let mut progress = Progress { time: f64::NAN, arrived: true };
@@ -345,6 +348,9 @@ unsafe fn step_with_updates(
             })
         };
         if status != fmi3Status::fmi3OK {
+            // A failed step leaves the instance where the whole of it began.
+            // SAFETY: the caller's promise.
+            unsafe { *lastSuccessfulTime = begin };
             return status;
         }
         let returns = callbacks.update(progress);

@@ -102,7 +102,8 @@ impl BeamDesign {
                 stiffness: stiffness(&material, &section, strain, twist, torsion),
                 densities: section.densities(&material),
                 // Nodes turn as the section does; between them the turn of the element is a straight line.
-                principal: principal + section.twist - (turns[0] + (turns[1] - turns[0]) * xi),
+                turn: section.twist - (turns[0] + (turns[1] - turns[0]) * xi),
+                principal,
             }
         }))
     }

@@ -1,8 +1,8 @@
 //! Sections of thin walls, as unions of rectangles: I, box, channel, tee, angle.
 //!
 //! Integrals over the area are exact, about the centroid, for walls with sharp corners. The torsion constant is that of thin walls: of open sections the sum
-//! of Saint-Venant's constants of the rectangles, of a box Bredt's `4 A_m² / ∮ ds/t`. Warping is left out, and bending acts at the centroid: where the shear
-//! center is another point (channel, tee, angle), forces across the beam twist it as if they acted there.
+//! of Saint-Venant's constants of the rectangles, of a box Bredt's `4 A_m² / ∮ ds/t`. Warping is left out, and the shear center
+//! is taken to be the centroid: forces across a channel, a tee or an angle do not twist it.
 
 use super::section::{CORNERS, Outline, Section, rectangle_torsion_constant};
 

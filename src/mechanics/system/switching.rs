@@ -6,6 +6,7 @@ use crate::mechanics::constraint::joint::{Held, Holding};
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::input::switch::Switch;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::state::State;
 
@@ -28,6 +29,12 @@ impl System {
         };
         let all = self.switches.iter().enumerate();
         all.map(move |(number, switch)| is_on(number) && switch.within.is_none_or(is_on))
+    }
+
+    /// The name of the first switch whose function of time has no value at `time`, s.
+    pub fn undefined_switch(&self, time: f64) -> Option<&str> {
+        let is_undefined = |switch: &&Switch| switch.signal().is_some_and(|signal| signal.at(time).is_nan());
+        self.switches.iter().find(is_undefined).map(|switch| switch.name.as_str())
     }
 
     /// Whether a switch that is engaged in `state` is to be released at `next`, s, the end of a step from there.

@@ -1,6 +1,7 @@
 //! The values of the parameters of a document, and their change.
 
 use super::document::Document;
+use super::entries::section::SectionSpec;
 use super::number::{Number, Written};
 use super::parameter::{Parameter, typed};
 use crate::fmi::Value;
@@ -112,6 +113,16 @@ impl Document {
             }
             None => Ok(()),
         }
+    }
+
+    /// The first damping ratio that asks for negative damping, in words: a host may have set it so.
+    pub fn negative_damping(&self) -> Option<String> {
+        let of_materials = self.materials.iter().map(|material| material.damping);
+        let of_sections = self.sections.iter().filter_map(SectionSpec::damping);
+        let objection =
+            of_materials.chain(of_sections).find_map(|damping| damping.objection(|number| self.value(number)));
+        objection
+            .map(|(number, objection)| format!("`{}` {objection}, this is {}", self.name(number), self.value(number)))
     }
 
     /// The first stop whose lower limit is not below its upper one, in words: a host may have set them so.

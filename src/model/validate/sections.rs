@@ -179,7 +179,7 @@ pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Optio
         return Some(document.diagnostic(document.place(heat), &message, label, help));
     }
     if functions.is_empty() {
-        return None;
+        return unstable(document, written, &at_start(document, written), "");
     }
     let length: f64 = line.spans.iter().map(|span| span.length).sum();
     let inside = FIVE_POINTS.into_iter().chain(GAUSS_POINTS).chain(LOBATTO_POINTS);
@@ -231,7 +231,23 @@ fn wrong_at(
             return Some(report(*number, &objection, "`s` is the arc length from the start of the beam, in m"));
         }
     }
-    written.objection(value).map(|(number, objection)| report(number, &objection, ""))
+    written
+        .objection(value)
+        .map(|(number, objection)| report(number, &objection, ""))
+        .or_else(|| unstable(document, written, &integrals(written, value), &there))
+}
+
+/// A section whose integrals contradict each other: it would have a negative bending stiffness.
+fn unstable(document: &Document, written: &SectionSpec, section: &Section, there: &str) -> Option<Diagnostic> {
+    let Section { second_moment_y, second_moment_z, product_moment, .. } = section;
+    let limit = (second_moment_y * second_moment_z).sqrt();
+    (product_moment.abs() >= limit && *product_moment != 0.0).then(|| {
+        let message = format!("section {} has a negative bending stiffness {there}", written.name);
+        let label = format!("its product of area is {}", shown(*product_moment));
+        let help =
+            format!("it must be less than the square root of the product of both second moments, {}", shown(limit));
+        document.diagnostic(written.place, message.trim_end(), &label, &help)
+    })
 }
 
 /// An element between whose ends the section turns too far.

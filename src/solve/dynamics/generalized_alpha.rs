@@ -190,6 +190,10 @@ impl Integrator for GeneralizedAlpha {
         let balance = self.scratch.balance(system, state, self.weights, step, end);
         self.scratch.finish(system, state, self.weights, step, end);
         state.balance = balance;
+        if !system.heats.is_empty() {
+            // The power of heat is not in it.
+            state.balance.skip_jump();
+        }
         self.restart_at_break(system, state, step);
         Ok(())
     }

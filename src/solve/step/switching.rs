@@ -15,12 +15,15 @@ use crate::solve::newton::kkt::Kkt;
 /// Engages and releases what is to be so at `time`, s, the instant of `state` but for rounding; `kkt` is scratch memory. Returns whether anything changed.
 ///
 /// # Errors
-/// What engages is redundant: the error names it.
+/// What engages is redundant, or whether it engages is not known: the error names it.
 pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> Result<bool, Error> {
+    if let Some(switch) = system.undefined_switch(time) {
+        return Err(Error::NotFinite { time, what: format!("`active` of {switch}") });
+    }
     if !system.switches_at(state, time) {
         return Ok(false);
     }
-    // The part of the momentum that only the constraints of before knew is none of the motion.
+    // The momentum that only the earlier constraints knew is no part of the motion.
     system.mass_times(&state.velocity, &mut state.momentum);
     state.constraint_momenta.fill(0.0);
     if system.switch(state, time) {

@@ -85,7 +85,7 @@ pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element
             fourth: stiffness.fourth.map(|moment| share * moment),
             ..stiffness
         };
-        SectionAt { stiffness, densities: [1.0, 0.1], principal: 0.5 - 0.8 * xi }
+        SectionAt { stiffness, densities: [1.0, 0.1], turn: 0.3 - 0.5 * xi, principal: 0.2 - 0.3 * xi }
     });
     Element::new(Place::default(), length, stiffness, [1.0, 0.1], q.as_slice(), frames, previous).with_sections(
         sections,

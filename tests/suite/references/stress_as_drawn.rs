@@ -155,3 +155,22 @@ fn heat_is_in_the_account_of_energy() {
     println!("drift {drift:e} J of {most} J");
     assert!(most > 0.05 && drift < 1e-6 * most, "{drift} {most}");
 }
+
+/// A section that turns at a node: the gradient of the heat is that of the turned section, and so are its stress and its moments. A strip of two pieces, the
+/// second turned by a right angle, is warmed along its own z: it bends the first piece about y, the second one about the z of the first.
+#[test]
+fn heat_follows_the_axes_of_a_section_that_turns() {
+    let keys = "elements = 4\ntemperature_gradient = [0, \"5e3*t\"]";
+    let text = strip(keys, STATIC)
+        .replace("height = 0.01", "height = 0.01\n        turn = [{ until = 1, is = 0 }, { is = \"pi/2\" }]")
+        .replace("at = \"strip@0.5\"", "at = \"strip@0.5\"\n        ")
+        .replace("[output.tip]", "[output.half]\nat = \"strip@0.5\"\nquantities = [\"rotation\"]\n[output.tip]");
+    let turned = at_end(&text);
+    // α T_z = 0.06 1/m over a length of 1 m, and no moment anywhere.
+    let half = vector(&turned, "half.rotation");
+    assert!((half.y.abs() / 0.06 - 1.0).abs() < 1e-3 && half.z.abs() < 1e-5, "{half}");
+    // The second piece adds the curvature about its own y, which is z of the first one.
+    let tip = vector(&turned, "tip.displacement");
+    let exact = [0.06 * 0.5, 0.06 * 0.5 + 0.06];
+    assert!((tip.y.abs() / exact[0] - 1.0).abs() < 1e-2 && (tip.z.abs() / exact[1] - 1.0).abs() < 1e-2, "{tip}");
+}

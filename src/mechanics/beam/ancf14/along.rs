@@ -11,7 +11,9 @@ pub struct SectionAt {
     pub stiffness: Stiffness,
     /// `ρA`, kg/m, and `ρIp`, kg m.
     pub densities: [f64; 2],
-    /// Angle about the tangent from the axes of the interpolated section to the principal axes, rad.
+    /// Angle about the tangent from the axes of the interpolated section to those of this section, rad.
+    pub turn: f64,
+    /// From there to the principal axes, rad.
     pub principal: f64,
 }
 

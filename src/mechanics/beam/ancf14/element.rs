@@ -113,6 +113,7 @@ impl Element {
                 reference: [0.0; 3],
                 stiffness: stiffness.at_bending_point(),
                 principal: 0.0,
+                turn: 0.0,
             }
         });
         let mut element = Self {
@@ -322,7 +323,7 @@ impl<'a> Evaluation<'a> {
             let [kappa1, kappa2] = self.kinematics.points[g].curvatures;
             let gammahat = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
             let twist_xi = twist + self.bubble * quadratic_twist::shape_xi(point.xi);
-            let natural = self.natural.curvature_about(point.principal);
+            let natural = self.natural.curvature_about(point.principal - point.turn);
             self.gammahat[g] = gammahat;
             self.strains[g] = Strains::new(
                 gammahat[0] - point.reference[0] - natural[0],

@@ -251,7 +251,8 @@ impl Element {
                 Strain::Small => middle.engineering_force(g),
                 Strain::Large | Strain::LargeTruncated => middle.green_force(g, &resultants),
             };
-            let [[a1, a2], [b1, b2]] = [&after, &before].map(|natural| natural.curvature_about(point.principal));
+            let [[a1, a2], [b1, b2]] =
+                [&after, &before].map(|natural| natural.curvature_about(point.principal - point.turn));
             work -= axial * (after.axial - before.axial) + resultants[g][0] * (a1 - b1) + resultants[g][1] * (a2 - b2);
         }
         work

@@ -40,11 +40,13 @@ pub fn strains(element: &Element, c: &BeamConfiguration, xi: f64, drawn: &Sectio
         Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * of_energy).max(0.0).sqrt() - 1.0,
     };
     let now = shape(element, c, &evaluation.kinematics, xi, evaluation.bubble);
-    let (j0, (curvature, torsion)) = (drawn.stretch, element.unstressed_beyond(c, drawn));
+    let (j0, turn) = (drawn.stretch, element.along.as_ref().map_or(0.0, |along| along.at(xi).turn));
+    let (curvature, torsion) = element.unstressed_beyond(c, drawn, turn);
+    let bent = turned([0, 1].map(|i| now.curvature[i] / j0 - drawn.curvature[i] / j0), turn);
     SectionStrains {
         axial,
         // The curvature as drawn, by the same interpolation, is divided alike: without loads all strains are 0 exactly.
-        curvature: [0, 1].map(|i| now.curvature[i] / j0 - drawn.curvature[i] / j0 - curvature[i]),
+        curvature: [0, 1].map(|i| bent[i] - curvature[i]),
         torsion: (evaluation.kinematics.twist - element.reference_twist
             + evaluation.bubble * quadratic_twist::shape_xi(xi))
             / (element.length * j0)
@@ -58,11 +60,19 @@ pub fn forces_at(element: &Element, xi: f64, strains: &SectionStrains) -> Sectio
     if here.principal == 0.0 {
         return forces(&here.stiffness, strains);
     }
-    let (sin, cos) = here.principal.sin_cos();
-    let ([about_y, about_z], mut turned) = (strains.curvature, *strains);
-    turned.curvature = [cos * about_y + sin * about_z, cos * about_z - sin * about_y];
-    let SectionForces { axial, moment: [torque, about_y, about_z] } = forces(&here.stiffness, &turned);
-    SectionForces { axial, moment: [torque, cos * about_y - sin * about_z, cos * about_z + sin * about_y] }
+    let along_axes = SectionStrains { curvature: turned(strains.curvature, here.principal), ..*strains };
+    let SectionForces { axial, moment: [torque, about_y, about_z] } = forces(&here.stiffness, &along_axes);
+    let [about_y, about_z] = turned([about_y, about_z], -here.principal);
+    SectionForces { axial, moment: [torque, about_y, about_z] }
+}
+
+/// The components about y and z along axes that are turned by `angle`, rad, about the tangent.
+pub(super) fn turned([about_y, about_z]: [f64; 2], angle: f64) -> [f64; 2] {
+    if angle == 0.0 {
+        return [about_y, about_z];
+    }
+    let (sin, cos) = angle.sin_cos();
+    [cos * about_y + sin * about_z, cos * about_z - sin * about_y]
 }
 
 /// Force and moments at the strains `strains` in principal axes, couplings of large strain included.

@@ -17,7 +17,8 @@ impl Element {
         }
         for point in &mut self.bending {
             let here = along.at(point.xi);
-            (point.stiffness, point.principal) = (here.stiffness.at_bending_point(), here.principal);
+            point.stiffness = here.stiffness.at_bending_point();
+            (point.principal, point.turn) = (here.turn + here.principal, here.turn);
         }
         // Five points are exact to order 10, where the shape functions' products have 6.
         let stations = FIVE_POINTS.map(|xi| (xi, along.at(xi).densities));
@@ -45,7 +46,9 @@ impl Element {
                 // Damping may have been set since.
                 SectionAt { stiffness: Stiffness { damping: self.stiffness.damping, ..here.stiffness }, ..here }
             }
-            None => SectionAt { stiffness: self.stiffness, densities: [self.line_density, 0.0], principal: 0.0 },
+            None => {
+                SectionAt { stiffness: self.stiffness, densities: [self.line_density, 0.0], turn: 0.0, principal: 0.0 }
+            }
         }
     }
 }
@@ -54,7 +57,8 @@ impl Evaluation<'_> {
     /// Strains of the bending points in the axes of their sections, which need not be the principal ones.
     pub fn section_strains(&self) -> [Strains; 3] {
         std::array::from_fn(|g| {
-            let (principal, mut strains) = (self.element.bending[g].principal, self.strains[g]);
+            let point = &self.element.bending[g];
+            let (principal, mut strains) = (point.principal - point.turn, self.strains[g]);
             if principal != 0.0 {
                 let ((sin, cos), [g1, g2]) = (principal.sin_cos(), [strains[0], strains[1]]);
                 (strains[0], strains[1]) = (cos * g1 - sin * g2, cos * g2 + sin * g1);

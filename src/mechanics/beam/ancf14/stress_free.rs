@@ -2,6 +2,7 @@
 
 use super::element::Element;
 use super::natural::{Natural, Prestress};
+use super::section::turned;
 use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::resultants::SectionShape;
 
@@ -23,7 +24,7 @@ impl Element {
         for point in &mut self.bending {
             if let Some([about_y, about_z]) = prestress.curvature {
                 let natural = Natural { axial: 0.0, curvature: [about_z, -about_y] };
-                [point.reference[0], point.reference[1]] = natural.curvature_about(point.principal);
+                [point.reference[0], point.reference[1]] = natural.curvature_about(point.principal - point.turn);
             }
             point.reference[2] = prestress.torsion.unwrap_or(point.reference[2]);
         }
@@ -34,13 +35,14 @@ impl Element {
         self
     }
 
-    /// Curvatures about y and z and torsion without stress, beyond those of a section that as drawn is `drawn`, 1/m and rad/m.
-    pub fn unstressed_beyond(&self, c: &BeamConfiguration, drawn: &SectionShape) -> ([f64; 2], f64) {
+    /// Curvatures about y and z and torsion without stress, beyond those of a section that as drawn is `drawn` and is turned by `turn`, rad, 1/m and rad/m.
+    pub fn unstressed_beyond(&self, c: &BeamConfiguration, drawn: &SectionShape, turn: f64) -> ([f64; 2], f64) {
         let [g1, g2] = self.natural(c).curvature;
         let (mut curvature, mut torsion) = ([-g2, g1], 0.0);
         if let Some(prestress) = &self.prestress {
             if let Some(free) = prestress.curvature {
-                (0..2).for_each(|i| curvature[i] += free[i] - drawn.curvature[i] / drawn.stretch);
+                let as_drawn = turned(drawn.curvature.map(|curvature| curvature / drawn.stretch), turn);
+                (0..2).for_each(|i| curvature[i] += free[i] - as_drawn[i]);
             }
             if let Some(free) = prestress.torsion {
                 torsion = free - self.reference_twist / (self.length * drawn.stretch);

@@ -210,6 +210,11 @@ impl SectionSpec {
         matches!(self.shape, Shape::Rigidities(_))
     }
 
+    /// The damping of a section that has a material of its own.
+    pub fn damping(&self) -> Option<Damping> {
+        if let Shape::Rigidities(Rigidities { damping, .. }) = self.shape { Some(damping) } else { None }
+    }
+
     /// All numbers that are written.
     pub fn numbers(&self) -> Vec<Number> {
         let mut all = match self.shape {

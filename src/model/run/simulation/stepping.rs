@@ -75,7 +75,7 @@ impl Simulation {
         }
         // A host may move both limits of a stop, one after the other: only now they must fit.
         if self.runner.stale
-            && let Some(objection) = self.document.crossed_limits()
+            && let Some(objection) = self.document.crossed_limits().or_else(|| self.document.negative_damping())
         {
             return Err(wrong(objection));
         }

@@ -48,4 +48,6 @@ pub struct BendingPoint {
     pub stiffness: BendingStiffness,
     /// Angle about the tangent from the axes of the interpolated section to the principal axes of the section here, rad.
     pub principal: f64,
+    /// The part of it to the axes of the section here, rad.
+    pub turn: f64,
 }
