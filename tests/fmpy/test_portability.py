@@ -17,7 +17,7 @@ from elftools.elf.elffile import ELFFile
 from conftest import ROOT, executable
 
 GLIBC = (2, 17)
-LIBRARY_BYTES = 3_700_000  # 3.61 MB; the 75 functions of FMI 3.0, each with its own guard against panics, are some 0.19 MB of them
+LIBRARY_BYTES = 4_100_000  # 3.95 MB; the 75 functions of FMI 3.0, each with its own guard against panics, are some 0.19 MB of them
 OWN_PARTS_OF_GLIBC = {"libc.so.6", "libm.so.6", "libpthread.so.0", "libdl.so.2", "ld-linux-x86-64.so.2"}
 
 # Threads, and whatever has to be called when a thread ends: a library that was unloaded by then kills its host, and a key that is

@@ -56,6 +56,10 @@ fn jump(function: &Function, stop: f64) -> Option<(f64, f64)> {
                 break;
             }
             (from, to) = if change(from, middle) > change(middle, to) { (from, middle) } else { (middle, to) };
+            // A smooth change is halved with the interval.
+            if change(from, to) <= LEFT * whole {
+                return None;
+            }
         }
         let jump = change(from, to);
         let is_piece = pieces.iter().any(|piece| (from..=to).contains(piece));
