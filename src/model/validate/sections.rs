@@ -179,7 +179,8 @@ pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Optio
         return Some(document.diagnostic(document.place(heat), &message, label, help));
     }
     if functions.is_empty() {
-        return unstable(document, written, &at_start(document, written), "");
+        let is_told = written.objection(|number| document.value(number)).is_some();
+        return if is_told { None } else { unstable(document, written, &at_start(document, written), "") };
     }
     let length: f64 = line.spans.iter().map(|span| span.length).sum();
     let inside = FIVE_POINTS.into_iter().chain(GAUSS_POINTS).chain(LOBATTO_POINTS);

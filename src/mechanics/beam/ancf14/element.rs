@@ -70,7 +70,6 @@ pub struct Element {
 
 impl Element {
     /// An element that is stress free at the coordinates `reference` (14) with the nodes' frames `first` and `second`.
-    ///
     /// `density` is `[ρA, ρIp]` in kg/m and kg m; `holonomy` the holonomy angle of the reference's branch, rad.
     #[inline]
     pub fn new(
