@@ -60,7 +60,8 @@ impl Reading {
             (Passage::Rest | Passage::Instant { .. }, false) => own.gradient(c),
             (Passage::Instant { velocity, .. }, true) => own.rate_gradient(c, velocity),
             (Passage::Step(step), false) => own.gradient(step.end),
-            (Passage::Step(step), true) => own.gradient(step.end).map(|side| side * (2.0 / step.duration)),
+            // Divided one by one: a factor `2/duration` would be moved to where there is no step, and hosts may trap a division by zero.
+            (Passage::Step(step), true) => own.gradient(step.end).map(|side| 2.0 * side / step.duration),
         }
     }
 }
