@@ -12,9 +12,12 @@ import os
 import subprocess
 import tempfile
 import zipfile
+from ctypes import byref
 from pathlib import Path
 
 import pytest
+from fmpy import fmi2
+from fmpy.logging import addLoggerProxy
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = [*sorted(ROOT.glob("models/*.toml")), *sorted(ROOT.glob("tests/suite/fmi/*.toml"))]
@@ -45,6 +48,19 @@ def pytest_configure(config):
     config.fmus = sorted(Path(given).glob("*.fmu"))
     if not config.fmus:
         raise pytest.UsageError(f"there is no FMU in {given}")
+
+
+# FMPy has one logger of FMI 2.0 for the process, the one named last, and `simulate_fmu(logger=...)` frees its own at its end: the next unit that logs
+# through FMPy's default callbacks would call freed memory.
+LASTING = fmi2.fmi2CallbackFunctions()
+PRINTER = fmi2.fmi2CallbackLoggerTYPE(fmi2.printLogMessage)
+
+
+@pytest.fixture(autouse=True)
+def lasting_logger():
+    yield
+    LASTING.logger = PRINTER
+    addLoggerProxy(byref(LASTING))
 
 
 def pytest_generate_tests(metafunc):
