@@ -106,7 +106,7 @@ fn signal_from(document: &Document, number: Number, origin: f64) -> Signal {
     if function.is_constant() {
         return Signal::Constant(function.value(0.0) - origin);
     }
-    let breaks = function.breaks([0.0, document.value(document.simulation.stop)]);
+    let breaks = function.breaks(document.span());
     with_breaks(function, origin, breaks)
 }
 

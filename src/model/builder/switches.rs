@@ -40,18 +40,17 @@ impl Builder<'_> {
 /// The function of time that engages: steps end where it does so or releases.
 fn active(document: &Document, number: Number) -> Signal {
     let function = document.function(number);
-    let end = document.value(document.simulation.stop);
-    let flips = flips(&function, end);
+    let flips = flips(&function, document.span());
     signal_with(document, number, flips)
 }
 
-/// The first instants after 0 and up to `end`, s, at which a function engages or releases, ascending.
-fn flips(function: &Function, end: f64) -> Vec<f64> {
+/// The first instants after `begin` and up to `end`, s, at which a function engages or releases, ascending.
+fn flips(function: &Function, [begin, end]: [f64; 2]) -> Vec<f64> {
     let is_engaged = |time: f64| function.value(time) >= ENGAGED;
-    let even = (0..=INSTANTS).map(|k| end * f64::from(k) / f64::from(INSTANTS));
-    let corners = function.breaks([0.0, end]).into_iter().chain(function.crossings());
+    let even = (0..=INSTANTS).map(|k| begin + (end - begin) * f64::from(k) / f64::from(INSTANTS));
+    let corners = function.breaks([begin, end]).into_iter().chain(function.crossings());
     let around = corners.flat_map(|time| [time.next_down(), time, time.next_up()]);
-    let mut times: Vec<f64> = even.chain(around.filter(|time| (0.0..=end).contains(time))).collect();
+    let mut times: Vec<f64> = even.chain(around.filter(|time| (begin..=end).contains(time))).collect();
     times.sort_by(f64::total_cmp);
     let changes = times.windows(2).filter(|pair| is_engaged(pair[0]) != is_engaged(pair[1]));
     changes.map(|pair| first_of(&is_engaged, pair[0], pair[1])).collect()

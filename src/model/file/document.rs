@@ -220,6 +220,16 @@ impl Document {
         self.numbers.values[number.0]
     }
 
+    /// The instant of the drawing of a run that begins at `start`, s: where the path to its equilibrium begins.
+    pub fn drawn_at(&self, start: f64) -> f64 {
+        self.simulation.preload.map_or(start, |preload| start - self.value(preload))
+    }
+
+    /// The times of a run that begins at 0, s.
+    pub fn span(&self) -> [f64; 2] {
+        [self.drawn_at(0.0), self.value(self.simulation.stop)]
+    }
+
     /// Time between two rows of results, s.
     pub fn output_step(&self) -> f64 {
         let SimulationSpec { analysis, stop, steps, output_step, .. } = &self.simulation;

@@ -249,6 +249,8 @@ pub const STATIONS: Rule =
     rule("stations", "number of equally spaced points of the beam", "").from(2.0).to(MOST_STATIONS).count();
 
 pub const STOP: Rule = rule("stop", "end of the simulation", "s").above(0.0);
+pub const PRELOAD: Rule =
+    rule("preload", "time before the start in which the equilibrium of the start is approached", "s").from(0.0);
 pub const STEP: Rule = rule("step", "largest internal step", "s").above(0.0);
 pub const ACCURACY: Rule = rule("accuracy", "error of a motion because of its steps, as a share of its range", "")
     .from(FINEST_ACCURACY)

@@ -330,7 +330,8 @@ impl Model for Simulation {
         let mut runner = match self.runner.if_drawn(document, start) {
             Some(runner) => runner,
             None => {
-                let built = builder::build(document, start).map_err(|mistakes| wrong(mistakes.to_string()))?;
+                let built = builder::build(document, document.drawn_at(start))
+                    .map_err(|mistakes| wrong(mistakes.to_string()))?;
                 Runner::new(built, document, start)
             }
         };

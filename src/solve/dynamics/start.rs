@@ -2,11 +2,12 @@
 
 use crate::error::{Error, decimal};
 use crate::mechanics::force::spring::Spring;
+use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::input::switch::{Hold, Switch};
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::{State, Statistics};
-use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::{AT_BREAK, System};
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::statics::Statics;
 use crate::solve::step::projection::Projection;
@@ -20,6 +21,9 @@ const CHANGED: f64 = 1e-12;
 const UNRESOLVED: f64 = 0.5;
 /// A damper that begins to move by less than this share of the mechanism's size in a step, or by less than this angle in rad, is at rest.
 const MOVED: f64 = 1e-6;
+
+/// Equilibria of the path to the one of the start.
+const INCREMENTS: u32 = 50;
 
 /// Most combinations of engaged switches that are looked at.
 const MOST_COMBINATIONS: usize = 100;
@@ -84,14 +88,31 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
     Ok(())
 }
 
-/// Finds the equilibrium at the time of `state`, from the system as drawn: drives stand still at their values of that time.
+/// Finds the equilibrium at `start`, s, from the system as drawn: drives stand still at their values of that time. Where the time of `state` is an earlier one, by a
+/// path of equilibria from there to the start, with what is engaged just before each of them; what switches at the start itself does so behind the last one.
 /// Velocities are zero then. Returns what the user should know of it.
 ///
 /// # Errors
 /// There is none, or a part of the system can move freely.
-pub fn find_equilibrium(system: &System, state: &mut State, tolerance: f64) -> Result<Vec<String>, Error> {
+pub fn find_equilibrium(system: &System, state: &mut State, start: f64, tolerance: f64) -> Result<Vec<String>, Error> {
     let mut statics = Statics::new(system, tolerance);
-    statics.find(system, state, state.time)?;
+    let begin = state.time;
+    let is_path = begin < start;
+    let straight = std::mem::replace(&mut state.targets.straight, is_path);
+    statics.find(system, state, begin)?;
+    if is_path {
+        let step = (start - begin) / f64::from(INCREMENTS);
+        for number in 1..=INCREMENTS {
+            let end = if number == INCREMENTS { start } else { begin + f64::from(number) * step };
+            statics.find_engaged(system, state, end, end - AT_BREAK * step)?;
+        }
+        if system.switches_at(state, start) {
+            system.switch(state, start);
+        }
+        // For a host, the motion begins here.
+        state.targets.departure.time = start;
+    }
+    state.targets.straight = straight;
     state.velocity.fill(0.0);
     // Counts are those of the motion.
     state.statistics = Statistics::default();
@@ -152,7 +173,8 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
     if let Some(what) = system.undefined(state.time) {
         return Err(Error::NotFinite { time: state.time, what });
     }
-    state.prescribed = system.prescribe_start(state.time, &state.targets);
+    let holds = std::mem::take(&mut state.prescribed.holds);
+    state.prescribed = Prescribed { holds, ..system.prescribe_start(state.time, &state.targets) };
     let mut cache = FrameCache::default();
     let drawn = cache.of(system, state);
     if let Some(what) = system.undefined_law(&drawn, |coordinate, _| coordinate.rate(&drawn, &state.velocity)) {

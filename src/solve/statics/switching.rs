@@ -17,12 +17,19 @@ impl Statics {
         step: f64,
         end: f64,
     ) -> Result<(), Error> {
-        let time = end + AT_BREAK * step;
-        if !system.switches_at(state, time) {
+        self.find_engaged(system, state, end, end + AT_BREAK * step)
+    }
+
+    /// The equilibrium of `end`, s, after `state`, with what is engaged at `instant`, s.
+    ///
+    /// # Errors
+    /// Those of [`Statics::find`]; `state` is as it was but for counts.
+    pub fn find_engaged(&mut self, system: &System, state: &mut State, end: f64, instant: f64) -> Result<(), Error> {
+        if !system.switches_at(state, instant) {
             return self.find(system, state, end);
         }
         let before = state.clone();
-        system.switch(state, time);
+        system.switch(state, instant);
         // Stability is that of other motions.
         self.forget();
         let outcome = self.find(system, state, end);

@@ -16,6 +16,8 @@ pub struct SimulationSpec {
     pub integrator: IntegratorSpec,
     /// Where the state comes from at the start.
     pub initial: Initial,
+    /// How long before the start the path of equilibria begins that leads to the one of the start, s; none: that one is found at once.
+    pub preload: Option<Number>,
     /// End, s.
     pub stop: Number,
     /// What the internal steps follow from.
@@ -132,6 +134,15 @@ impl SimulationSpec {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
         let analysis = reader.word("analysis", &ANALYSES, Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
         let initial = reader.word("initial", &INITIALS, Some(Initial::AsDrawn));
+        if initial != Some(Initial::Equilibrium) || analysis == Analysis::Static {
+            let message = "only a motion that begins at an equilibrium has a preload";
+            reader.refuse(
+                schema::PRELOAD.key,
+                message,
+                "add initial = \"equilibrium\", with analysis = \"dynamic\", or remove it",
+            );
+        }
+        let preload = reader.optional(&schema::PRELOAD);
         let stop = reader.number(&schema::STOP);
         let step = reader.optional(&schema::STEP);
         let output_step = reader.optional(&schema::OUTPUT_STEP);
@@ -168,7 +179,7 @@ impl SimulationSpec {
         }
         reader.finish();
         let initial = initial.unwrap_or(Initial::AsDrawn);
-        Self { place, analysis, integrator, initial, stop, steps, output_step, tolerance, verify, totals }
+        Self { place, analysis, integrator, initial, preload, stop, steps, output_step, tolerance, verify, totals }
     }
 }
 

@@ -70,7 +70,10 @@ impl Runner {
 
     /// The system that `document` draws at `start`, s, if this is one and has not been initialized yet: drawing it anew would give the same.
     pub(super) fn if_drawn(&self, document: &Arc<Document>, start: f64) -> Option<Self> {
-        let same = Arc::ptr_eq(&self.drawn, document) && self.start == start && !self.is_initialized();
+        let same = Arc::ptr_eq(&self.drawn, document)
+            && self.start == start
+            && self.state.time == document.drawn_at(start)
+            && !self.is_initialized();
         same.then(|| Self::drawn(Arc::clone(&self.system), self.state.clone(), document, start))
     }
 
@@ -121,7 +124,7 @@ impl Runner {
             Initial::AsDrawn => start::check_drives(system, state)?,
             Initial::Equilibrium => {
                 let moves = is_moving(state);
-                warnings.extend(start::find_equilibrium(system, state, document.value(simulation.tolerance))?);
+                warnings.extend(start::find_equilibrium(system, state, *time, document.value(simulation.tolerance))?);
                 if moves {
                     let why = "the motion begins at an equilibrium";
                     warnings.push(format!("the given initial velocities are not used: {why}"));

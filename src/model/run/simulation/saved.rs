@@ -108,7 +108,7 @@ impl Snapshot {
             false => Arc::new(document.with_settings(&saved.settings)?),
         };
         let [start, step] = saved.grid;
-        let mut built = builder::build(&drawn, start).map_err(|mistakes| mistakes.to_string())?;
+        let mut built = builder::build(&drawn, drawn.drawn_at(start)).map_err(|mistakes| mistakes.to_string())?;
         // Tunable parameters that were set after the last step wait for the next one.
         let stepped = saved.last.as_ref().map_or(&[][..], |last| &last.settings);
         let stale = saved.initialized && !stepped.is_empty();
