@@ -6,8 +6,8 @@ use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::input::switch::{Hold, Switch};
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::{State, Statistics};
+use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
-use crate::mechanics::system::{AT_BREAK, System};
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::statics::Statics;
 use crate::solve::step::projection::Projection;
@@ -89,7 +89,7 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
 }
 
 /// Finds the equilibrium at `start`, s, from the system as drawn: drives stand still at their values of that time. Where the time of `state` is an earlier one, by a
-/// path of equilibria from there to the start, with what is engaged just before each of them; what switches at the start itself does so behind the last one.
+/// path of equilibria from there to the start, each of the instant just before its time: what jumps or switches at the start itself does so behind the last one.
 /// Velocities are zero then. Returns what the user should know of it.
 ///
 /// # Errors
@@ -104,8 +104,10 @@ pub fn find_equilibrium(system: &System, state: &mut State, start: f64, toleranc
         let step = (start - begin) / f64::from(INCREMENTS);
         for number in 1..=INCREMENTS {
             let end = if number == INCREMENTS { start } else { begin + f64::from(number) * step };
-            statics.find_engaged(system, state, end, end - AT_BREAK * step)?;
+            let instant = before(end);
+            statics.find_engaged(system, state, instant, instant)?;
         }
+        state.time = start;
         if system.switches_at(state, start) {
             system.switch(state, start);
         }
@@ -117,6 +119,11 @@ pub fn find_equilibrium(system: &System, state: &mut State, start: f64, toleranc
     // Counts are those of the motion.
     state.statistics = Statistics::default();
     Ok(statics.take_remarks())
+}
+
+/// The instant just before `time`, s; not so near to 0 that a processor may take it for 0.
+fn before(time: f64) -> f64 {
+    if time == 0.0 { -f64::MIN_POSITIVE } else { time.next_down() }
 }
 
 /// The dampers that stop what they hold within far less than a step of `step` s, and that begin to move: each as a sentence.
