@@ -1,4 +1,4 @@
-//! Unit labels: `kg.m2/s2`, `N.m`, `rad/s`, `1/m` to exponents of kg, m, s, rad, and the units hosts like to show.
+//! Unit labels: `kg.m2/s2`, `N.m`, `rad/s`, `1/m` to exponents of kg, m, s, K, rad, and the units hosts like to show.
 //!
 //! A label is a product of powers, `.` between factors, `/` once, everything after it in the denominator: the way
 //! FMI's examples and Modelica write units. A factor is a unit with an optional decimal prefix and an integer power.
@@ -16,23 +16,24 @@ pub struct Unit {
     rest: f64,
 }
 
-/// Symbol, exponents of kg m s rad, power of ten, rest of the scale, and whether decimal prefixes go with it.
-const SYMBOLS: [(&str, [i32; 4], i32, f64, bool); 15] = [
-    ("m", [0, 1, 0, 0], 0, 1.0, true),
-    ("g", [1, 0, 0, 0], -3, 1.0, true),
-    ("s", [0, 0, 1, 0], 0, 1.0, true),
-    ("rad", [0, 0, 0, 1], 0, 1.0, true),
-    ("N", [1, 1, -2, 0], 0, 1.0, true),
-    ("Pa", [1, -1, -2, 0], 0, 1.0, true),
-    ("J", [1, 2, -2, 0], 0, 1.0, true),
-    ("W", [1, 2, -3, 0], 0, 1.0, true),
-    ("Hz", [0, 0, -1, 0], 0, 1.0, true),
-    ("t", [1, 0, 0, 0], 3, 1.0, false),
-    ("deg", [0, 0, 0, 1], 0, std::f64::consts::PI / 180.0, false),
-    ("rev", [0, 0, 0, 1], 0, 2.0 * std::f64::consts::PI, false),
-    ("rpm", [0, 0, -1, 1], 0, 2.0 * std::f64::consts::PI / 60.0, false),
-    ("min", [0, 0, 1, 0], 0, 60.0, false),
-    ("h", [0, 0, 1, 0], 0, 3600.0, false),
+/// Symbol, exponents of kg m s K rad, power of ten, rest of the scale, and whether decimal prefixes go with it.
+const SYMBOLS: [(&str, [i32; 5], i32, f64, bool); 16] = [
+    ("m", [0, 1, 0, 0, 0], 0, 1.0, true),
+    ("g", [1, 0, 0, 0, 0], -3, 1.0, true),
+    ("s", [0, 0, 1, 0, 0], 0, 1.0, true),
+    ("K", [0, 0, 0, 1, 0], 0, 1.0, true),
+    ("rad", [0, 0, 0, 0, 1], 0, 1.0, true),
+    ("N", [1, 1, -2, 0, 0], 0, 1.0, true),
+    ("Pa", [1, -1, -2, 0, 0], 0, 1.0, true),
+    ("J", [1, 2, -2, 0, 0], 0, 1.0, true),
+    ("W", [1, 2, -3, 0, 0], 0, 1.0, true),
+    ("Hz", [0, 0, -1, 0, 0], 0, 1.0, true),
+    ("t", [1, 0, 0, 0, 0], 3, 1.0, false),
+    ("deg", [0, 0, 0, 0, 1], 0, std::f64::consts::PI / 180.0, false),
+    ("rev", [0, 0, 0, 0, 1], 0, 2.0 * std::f64::consts::PI, false),
+    ("rpm", [0, 0, -1, 0, 1], 0, 2.0 * std::f64::consts::PI / 60.0, false),
+    ("min", [0, 0, 1, 0, 0], 0, 60.0, false),
+    ("h", [0, 0, 1, 0, 0], 0, 3600.0, false),
 ];
 
 /// Decimal prefixes and their powers of ten.
@@ -85,6 +86,7 @@ impl Unit {
         self.exponents.kg += power * other.exponents.kg;
         self.exponents.m += power * other.exponents.m;
         self.exponents.s += power * other.exponents.s;
+        self.exponents.kelvin += power * other.exponents.kelvin;
         self.exponents.rad += power * other.exponents.rad;
         self.power_of_ten += power * other.power_of_ten;
         self.rest *= other.rest.powi(power);
@@ -107,8 +109,8 @@ fn product(start: Unit, text: &str, sign: i32) -> Option<Unit> {
 fn symbol_unit(symbol: &str) -> Option<Unit> {
     let plain = |wanted: &str, power: i32, prefixed: bool| {
         SYMBOLS.iter().find(|(name, .., prefixes)| *name == wanted && (*prefixes || !prefixed)).map(
-            |&(_, [kg, m, s, rad], power_of_ten, rest, _)| Unit {
-                exponents: Exponents { kg, m, s, rad },
+            |&(_, [kg, m, s, kelvin, rad], power_of_ten, rest, _)| Unit {
+                exponents: Exponents { kg, m, s, kelvin, rad },
                 power_of_ten: power_of_ten + power,
                 rest,
             },
@@ -152,7 +154,7 @@ mod tests {
     use super::*;
 
     fn of(kg: i32, m: i32, s: i32, rad: i32) -> Option<Exponents> {
-        Some(Exponents { kg, m, s, rad })
+        Some(Exponents { kg, m, s, kelvin: 0, rad })
     }
 
     /// Every coherent label of the model format has the exponents that physics gives it.
@@ -172,6 +174,8 @@ mod tests {
         assert_eq!(exponents("J"), of(1, 2, -2, 0));
         assert_eq!(exponents("m6"), of(0, 6, 0, 0));
         assert_eq!(exponents("kg/(m.s2)"), of(1, -1, -2, 0));
+        assert_eq!(exponents("1/K"), Some(Exponents { kelvin: -1, ..Exponents::default() }));
+        assert_eq!(exponents("K/m"), Some(Exponents { m: -1, kelvin: 1, ..Exponents::default() }));
     }
 
     /// A conversion or a word is no coherent unit; a trailing slash or an empty factor is no label at all.

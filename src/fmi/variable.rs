@@ -112,7 +112,7 @@ pub struct Quantity {
     pub name: &'static str,
     /// Unit label: `m`, `N.m`, `rad/s`; empty: dimensionless.
     pub unit: String,
-    /// Exponents of kg, m, s, rad, where the label is a known SI unit.
+    /// Exponents of kg, m, s, K, rad, where the label is a known SI unit.
     pub exponents: Option<Exponents>,
 }
 
@@ -125,6 +125,8 @@ pub struct Exponents {
     pub m: i32,
     /// Second.
     pub s: i32,
+    /// Kelvin.
+    pub kelvin: i32,
     /// Radian.
     pub rad: i32,
 }

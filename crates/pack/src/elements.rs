@@ -115,7 +115,8 @@ fn unit(xml: &mut Xml, name: &str, exponents: Option<Exponents>, shown: &[&str])
         element.write_empty()?;
         return Ok(());
     };
-    let powers = [("kg", exponents.kg), ("m", exponents.m), ("s", exponents.s), ("rad", exponents.rad)];
+    let Exponents { kg, m, s, kelvin, rad } = exponents;
+    let powers = [("kg", kg), ("m", m), ("s", s), ("K", kelvin), ("rad", rad)];
     let powers: Attributes<'_> = powers
         .into_iter()
         .filter(|(_, power)| *power != 0)
