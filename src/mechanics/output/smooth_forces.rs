@@ -2,8 +2,12 @@
 //!
 //! An element of ANCF14 has the mean and the slope of its curvature right, but not its values at the ends, where outputs mostly are: under a load across the
 //! beam they are off by `q l²/12`, at all nodes alike, so that nothing jumps. The bend that neighbors show makes up for it (strain_fit.rs).
+//!
+//! The axial force has only its mean over an element right: neighbors share the stretch of the node between them, which bends the line inside both. Its smooth
+//! values are those of a parabola with the means of three elements.
 
 use super::strain_fit::{Line, Neighborhood, StrainFit, bend, mean, rise};
+use crate::mechanics::beam::Beam;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::System;
@@ -13,8 +17,6 @@ use crate::mechanics::system::System;
 pub struct SmoothForces {
     /// Axial force, N.
     pub axial: f64,
-    /// Shear force, N: how the bending moment changes. What is axial force here is shear round a corner.
-    pub shear: f64,
     /// Torque and moments about y and z, section axes, N m.
     pub moment: [f64; 3],
 }
@@ -32,14 +34,36 @@ impl System {
             let strains = [0, 1, 2].map(|k| smooth_strain(&neighborhood, k, x));
             let strains = neighborhood.own.section_strains(axial, strains);
             let forces = neighborhood.own.section_forces(x, &strains);
-            sum.axial += share * smooth(&neighborhood, |fit| fit.force(), x);
-            let StrainFit { strains: [about_z, about_y, _], rigidities: [for_z, for_y, _], .. } = neighborhood.own;
-            sum.shear += share * (for_z * about_z.slope).hypot(for_y * about_y.slope);
+            sum.axial += share * self.smooth_axial(beam, element - beam.first_element, &neighborhood, c, x);
             for (sum, moment) in sum.moment.iter_mut().zip(forces.moment) {
                 *sum += share * moment;
             }
         }
         Some(sum)
+    }
+
+    /// Axial force at `x` from the middle of element `number` of `beam`, m, in N: the parabola whose means over three elements are theirs. At the last element
+    /// before an end it is the parabola of its neighbor, and a straight line where there are two elements only.
+    fn smooth_axial(&self, beam: &Beam, number: usize, own: &Neighborhood, c: &Configuration, x: f64) -> f64 {
+        let force = |fit: &StrainFit| fit.force();
+        let [before, after] = own.differences(|before, after| rise(before, after, force));
+        let second = |neighborhood: Neighborhood| neighborhood.second_difference(force);
+        // A secant is the slope midway between the middles of both elements.
+        let away = |neighbor: &Option<StrainFit>| 0.5 * neighbor.map_or(0.0, |fit| fit.length() + own.own.length());
+        let (slope, bend) = match (before, after) {
+            (Some(before), Some(after)) => (0.5 * (before + after), second(*own)),
+            (Some(before), None) => {
+                let bend = Neighborhood::of(self, beam, number - 1, c).map_or(0.0, second);
+                (before + bend * away(&own.before), bend)
+            }
+            (None, Some(after)) => {
+                let bend = Neighborhood::of(self, beam, number + 1, c).map_or(0.0, second);
+                (after - bend * away(&own.after), bend)
+            }
+            (None, None) => (own.own.force().slope, 0.0),
+        };
+        let length = own.own.length();
+        own.own.force().mean + slope * x + bend * (x * x - length * length / 12.0)
     }
 }
 

@@ -134,6 +134,16 @@ impl<'a> Neighborhood<'a> {
         let Self { before, own, after } = self;
         [before.as_ref().map(|before| difference(before, own)), after.as_ref().map(|after| difference(own, after))]
     }
+
+    /// Half the second derivative of a quantity along the beam, by its means over the three elements; 0 where there are fewer.
+    pub fn second_difference(&self, quantity: impl Fn(&StrainFit) -> Line + Copy) -> f64 {
+        match (self.differences(|before, after| rise(before, after, quantity)), self.before, self.after) {
+            ([Some(first), Some(second)], Some(before), Some(after)) => {
+                2.0 * (second - first) / (before.length() + 2.0 * self.own.length() + after.length())
+            }
+            _ => 0.0,
+        }
+    }
 }
 
 /// Half the second derivative of a quantity along the beam, by its lines in two neighbors.

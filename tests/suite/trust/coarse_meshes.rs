@@ -65,8 +65,6 @@ fn smooth_moments_are_right_where_read_ones_are_off() {
         let smooth = simulation.system().smooth_forces(&c, &simulation.system().sensors[sensor]).unwrap();
         assert!(((read - exact).abs() / off - 1.0).abs() < 1e-4, "{name}: {read} for {exact}");
         assert!((smooth.moment[1].abs() / exact - 1.0).abs() < 1e-5, "{name}: {} for {exact}", smooth.moment[1]);
-        // It falls from q L at the clamp.
-        assert!((smooth.shear / (LOAD * (1.0 - 0.5 * sensor as f64)) - 1.0).abs() < 0.26, "{name}: {}", smooth.shear);
     }
 }
 
@@ -98,9 +96,9 @@ fn strip(beam: &str) -> String {
 #[test]
 fn torsion_that_elements_cannot_follow_is_told() {
     let found = warnings(&strip("elements = 3"), 0.1, 1.0);
-    let told = ["its elements miss about 1.", "torsion of beam arm between 0.00 and 0.33", "twist = \"quadratic\""];
+    let told = ["its elements miss about 0.5 %", "torsion of beam arm between 0.00 and 0.33", "twist = \"quadratic\""];
     assert!(matches!(&found[..], [one] if told.iter().all(|words| one.contains(words))), "{found:?}");
-    for remedy in ["elements = 10", "elements = 3\ntwist = \"quadratic\""] {
+    for remedy in ["elements = 7", "elements = 3\ntwist = \"quadratic\""] {
         assert_eq!(warnings(&strip(remedy), 0.1, 1.0), Vec::<String>::new(), "{remedy}");
     }
 }
@@ -168,11 +166,74 @@ fn a_coarse_mesh_is_told_once() {
     }
 }
 
-/// The shipped models, to their ends: the mesh of each is fine enough for what it shows.
+/// The axial force of an arc at its clamp, read and smooth, N. The tangent there is clamped across the load, so that the exact force is 0.
+fn at_the_clamp(elements: usize) -> [f64; 2] {
+    let text = BEND_45.replace("elements = 8", &format!("elements = {elements}"));
+    let mut simulation = start(&text);
+    run(&mut simulation, 0.05, 1.0, |_| ());
+    let mut snapshot = FrameCache::default();
+    let c = snapshot.of(simulation.system(), simulation.state());
+    let smooth = simulation.system().smooth_forces(&c, &simulation.system().sensors[1]).unwrap();
+    [value(&simulation, "foot.section_force"), smooth.axial].map(f64::abs)
+}
+
+/// Under 600 N at the tip, 8 elements read 11.8 N at the clamp and 16 read 3.3 N. Smooth forces are off by a fifth of that or less; a straight line through two means
+/// would be off by as much as what is read.
+#[test]
+fn smooth_axial_forces_are_right_at_a_clamp() {
+    for elements in [8, 16, 32] {
+        let [read, smooth] = at_the_clamp(elements);
+        assert!(smooth < read / 5.0, "{elements}: {smooth} for {read}");
+    }
+}
+
+/// The arc of 8 elements reads an axial force at its clamp that is not there. The elements that the warning asks for read less.
+#[test]
+fn axial_forces_that_are_not_there_are_told() {
+    let arc =
+        |elements: usize| warnings(&BEND_45.replace("elements = 8", &format!("elements = {elements}")), 0.05, 1.0);
+    let found = arc(8);
+    assert!(matches!(&found[..], [one] if one.contains("too coarse for the section_force at arc@0")), "{found:?}");
+    assert_eq!(arc(40), Vec::<String>::new());
+}
+
+/// The rod under a uniform load across it, clamped at one end and pinned at the other: `n` elements miss `4/(9 n⁴)` of its energy, 0.55 % for 3.
+#[test]
+fn half_a_percent_of_energy_is_told_in_equilibrium() {
+    let pin = "[joint.pin]\ntype = \"spherical\"\na = \"ground\"\nb = \"rod.end\"\n";
+    let load = "[load.all]\non = \"rod\"\nforce = [0, 0, 0.1]\n";
+    let propped = |elements| warnings(&rod(elements, &format!("{pin}{load}{STATIC}")), 1.0, 1.0);
+    let found = propped("elements = 3");
+    assert!(matches!(&found[..], [one] if one.contains("its elements miss about 0.6 %")), "{found:?}");
+    assert_eq!(propped("elements = 4"), Vec::<String>::new());
+}
+
+/// A cantilever that bends far under a load that follows its tip: a mesh of 28 elements has 4 % less axial force in the middle than one of 7.
+#[test]
+fn axial_forces_of_large_bends_are_told() {
+    let bent = |elements: usize| {
+        let text = format!(
+            "format = 1\n[model]\nname = \"Bent\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
+             [section.flat]\nshape = \"rectangle\"\nwidth = 11.06\nheight = 5.53\n\
+             [beam.arm]\nmaterial = \"steel\"\nsection = \"flat\"\nfrom = [0, 0, 0]\nto = [299, 0, 0]\nelements = {elements}\n\
+             [joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"arm.start\"\n\
+             [load.tip]\nat = \"arm.end\"\nforce = [\"5.57e7*t\", \"1.11e8*t\", \"4.14e8*t\"]\nfollower = true\n\
+             [output.inside]\nat = \"arm@0.5\"\nquantities = [\"section_force\"]\n\
+             [simulation]\nanalysis = \"static\"\nstop = 1\nstep = 0.1111111111\n"
+        );
+        warnings(&text, 0.1111111111, 1.0)
+    };
+    let found = bent(7);
+    assert!(matches!(&found[..], [one] if one.contains("too coarse for the section_force at arm@0.5")), "{found:?}");
+    assert_eq!(bent(14), Vec::<String>::new());
+}
+
+const BEND_45: &str = include_str!("../../../models/bend_45.toml");
+
+/// The shipped models, to their ends: the mesh of each is fine enough for what it shows, except that of bend_45, whose elements are those of its source.
 #[test]
 fn shipped_models_are_not_warned_of() {
     for (name, text) in [
-        ("bend_45", include_str!("../../../models/bend_45.toml")),
         ("cantilever", include_str!("../../../models/cantilever.toml")),
         ("crane", include_str!("../../../models/crane.toml")),
         ("elastica", include_str!("../../../models/elastica.toml")),

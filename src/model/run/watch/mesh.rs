@@ -13,10 +13,14 @@ use crate::model::file::quantity::Quantity;
 use crate::model::variables::Table;
 use serde::{Deserialize, Serialize};
 
-/// Energy that a mesh may leave out, of the largest energy so far: under loads that is by how much displacements are off, and 1 % is called right.
+/// Energy that a mesh may leave out in dynamics, of the largest energy so far: under loads displacements are off by as much, and 1 % is called right.
 const LEFT_OUT: f64 = 0.01;
+/// The same in equilibrium, where no passing wave adds to it: energies are off by up to twice the share of displacements.
+const LEFT_OUT_AT_REST: f64 = 0.005;
 /// By how much section forces and moments may be off where they are read, of their largest value so far: they converge more slowly than displacements.
 const OFF: f64 = 0.05;
+/// The same for axial forces in equilibrium: the estimate from means is of a higher order than the force that is read, and no wave adds to the difference.
+const AXIAL_OFF_AT_REST: f64 = 0.02;
 /// Energy left out, and error of a section's force, that the mesh that is recommended should have.
 const WANTED: [f64; 2] = [1e-3, 0.01];
 /// Largest refinement that is recommended at a time: an estimate from a mesh that resolves nothing says little about a much finer one.
@@ -65,7 +69,7 @@ struct Reading {
 /// A force or moment at a section, N or N m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Section {
-    /// How large the whole of it is, whichever component is read: what is small beside the others does little.
+    /// The axial force, or the largest component of the moment, whichever is read: what is small compared with the others does little.
     size: f64,
     /// By how much what is read is off.
     off: f64,
@@ -101,7 +105,7 @@ impl Section {
             if sensor.places().any(|(element, _)| system.is_beside_jump(beam, element - beam.first_element)) {
                 return None;
             }
-            return Some(Self { size: read.axial.hypot(smooth.shear), off: (read.axial - smooth.axial).abs() });
+            return Some(Self { size: read.axial.abs(), off: (read.axial - smooth.axial).abs() });
         }
         let largest = |sizes: &[f64]| sizes.iter().fold(0.0, |largest, size| size.abs().max(largest));
         let off: [f64; 3] = std::array::from_fn(|k| read.moment[k] - smooth.moment[k]);
@@ -145,7 +149,8 @@ impl MeshWatch {
     /// Warns of energy that the elements leave out.
     fn left_out(&mut self, system: &System, state: &State, error: &MeshError) -> Option<String> {
         let enough = self.enough();
-        if self.energy_warned || !self.energy.add(error.left_out, self.largest_energy, LEFT_OUT, enough) {
+        let bound = if self.is_static { LEFT_OUT_AT_REST } else { LEFT_OUT };
+        if self.energy_warned || !self.energy.add(error.left_out, self.largest_energy, bound, enough) {
             return None;
         }
         let worst = error.worst.as_ref()?;
@@ -185,6 +190,7 @@ impl MeshWatch {
                 true => SMALL * force.max(moment / system.size),
                 false => (SMALL * moment).max(ROUND_OFF * force * system.size),
             };
+            let bound = if is_force && self.is_static { AXIAL_OFF_AT_REST } else { OFF };
             let Reading { largest, off } = &mut self.readings[place];
             let mut worst = (0.0, None);
             for sensor in sensors.map(|sensor| &system.sensors[sensor]) {
@@ -196,8 +202,8 @@ impl MeshWatch {
             }
             let scale = largest.max(least);
             if let (error, Some(sensor)) = worst
-                && off.add(error, scale, OFF, enough)
-                && error > OFF * scale
+                && off.add(error, scale, bound, enough)
+                && error > bound * scale
             {
                 found = found.or_else(|| off_at(system, state, quantity, sensor, error / scale));
             }
