@@ -236,6 +236,7 @@ fn shipped_models_are_not_warned_of() {
     for (name, text) in [
         ("cantilever", include_str!("../../../models/cantilever.toml")),
         ("crane", include_str!("../../../models/crane.toml")),
+        ("hot_rail", include_str!("../../../models/hot_rail.toml")),
         ("elastica", include_str!("../../../models/elastica.toml")),
         ("four_bar", include_str!("../../../models/four_bar.toml")),
         ("helical_spring", include_str!("../../../models/helical_spring.toml")),
