@@ -157,7 +157,7 @@ fn what_a_host_drives_has_arrived_at_the_start() {
 /// A drawn bow gives all it holds to the arrow where limbs and string weigh next to nothing: `v = √(2 W/m)`, but for what stays in the braced bow.
 #[test]
 fn a_light_bow_gives_its_energy_to_the_arrow() {
-    const BOW: &str = include_str!("../../../models/bow.toml");
+    const BOW: &str = include_str!("../../machines/bow_that_shoots.toml");
     let light = [("laminate.density", "40"), ("nock.mass", "2e-4"), ("laminate.damping", "0")];
     let shot = Curves::run(BOW, &light);
     let braced = Curves::run(BOW, &[("draw", "0"), ("simulation.stop", "1e-4")]);
