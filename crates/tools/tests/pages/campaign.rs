@@ -8,7 +8,7 @@ use ancf14_tools::campaign::{catalogue, page, verdict};
 const PAGE: &str = include_str!("../../../../docs/campaign.md");
 
 /// Machines that take little time, with verdicts of all kinds among them.
-const SMALL: [&str; 13] = [
+const SMALL: [&str; 14] = [
     "spinning_top",
     "load_pulse",
     "stiff_damper",
@@ -20,6 +20,7 @@ const SMALL: [&str; 13] = [
     "redundant_rigid_1",
     "late_table_4",
     "statics_portal_1",
+    "statics_portal_4",
     "statics_arch_2",
     "statics_column_2",
 ];
