@@ -130,6 +130,7 @@ INTERRUPTED = """
 import sys, threading, time, signal, os
 import ancf14
 model = ancf14.Model(sys.argv[1])
+signal.signal(signal.SIGINT, signal.default_int_handler)  # shells ignore it for what runs in the background
 threading.Timer(0.7, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
 start = time.monotonic()
 try:
