@@ -60,13 +60,13 @@ pub struct MovingFrame {
 }
 
 impl Drive {
-    /// Its value and rate at the start, `time` s.
-    pub fn start(&self, time: f64, target: f64) -> Jet {
+    /// Its value and rate at the start, `time` s; `from` is its value there where a rate drives it.
+    pub fn start(&self, time: f64, from: f64, target: f64) -> Jet {
         match &self.guide {
             Guide::Value(signal) => signal.jet(time),
-            Guide::Rate(signal) => rated(0.0, signal.jet(time)),
+            Guide::Rate(signal) => rated(from, signal.jet(time)),
             Guide::HostValue => Jet::constant(target),
-            Guide::HostRate => Jet { value: 0.0, first: target, second: 0.0 },
+            Guide::HostRate => Jet { value: from, first: target, second: 0.0 },
         }
     }
 

@@ -42,7 +42,7 @@ use crate::mechanics::input::guide::{Drive, MovingFrame};
 use crate::mechanics::input::heat::HeatGuide;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::Prescribed;
-use crate::mechanics::input::switch::{Hold, Switch};
+use crate::mechanics::input::switch::Switch;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
@@ -124,15 +124,15 @@ impl System {
             .any(|actuator| actuator.readings().iter().any(|own| own.coordinate != actuator.coordinate))
     }
 
-    /// What drives and frames prescribe at the start, `time` s.
-    pub fn prescribe_start(&self, time: f64, targets: &Targets) -> Prescribed {
-        let drives = self.drives.iter().zip(&targets.drives);
+    /// What drives and frames prescribe at the start, `time` s; `from` is where drives by a rate are, and what is held where.
+    pub fn prescribe_start(&self, time: f64, from: &Prescribed, targets: &Targets) -> Prescribed {
+        let drives = self.drives.iter().zip(&from.drives).zip(&targets.drives);
         let frames = self.moving_frames.iter().zip(&targets.frames);
         Prescribed {
-            drives: drives.map(|(drive, target)| drive.start(time, *target)).collect(),
+            drives: drives.map(|((drive, from), target)| drive.start(time, from.value, *target)).collect(),
             frames: frames.map(|(frame, target)| frame.start(time, target)).collect(),
             heats: self.heats.iter().map(|heat| heat.at(time)).collect(),
-            holds: self.holds_at(time, targets).map(Hold::drawn).collect(),
+            holds: from.holds.clone(),
         }
     }
 
@@ -164,7 +164,8 @@ impl System {
             frames: vec![crate::mechanics::geometry::pose::Pose::default(); self.moving_frames.len()],
             ..Targets::default()
         };
-        let motion = self.prescribe_start(time, &targets);
+        let from = Prescribed { drives: vec![Jet::default(); self.drives.len()], ..Prescribed::default() };
+        let motion = self.prescribe_start(time, &from, &targets);
         let drive = self.drives.iter().zip(&motion.drives).find(|(_, jet)| !jet.is_finite());
         let frame = self.moving_frames.iter().zip(&motion.frames).find(|(_, frame)| !frame.is_finite());
         let part = |jet: &Jet| match (jet.value.is_finite(), jet.first.is_finite()) {

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, decimal};
 use crate::mechanics::force::spring::Spring;
-use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::input::guide::Guide;
 use crate::mechanics::input::switch::{Hold, Switch};
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::{State, Statistics};
@@ -79,7 +79,7 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
     if let Some(what) = system.undefined(state.time) {
         return Err(Error::NotFinite { time: state.time, what });
     }
-    let motion = system.prescribe_start(state.time, &state.targets);
+    let motion = system.prescribe_start(state.time, &state.prescribed, &state.targets);
     for (drive, jet) in system.drives.iter().zip(&motion.drives) {
         if jet.value.is_nan() || jet.value.abs() > DRAWN_GAP {
             return Err(Error::DriveNotAtZero { drive: drive.name.clone(), value: jet.value });
@@ -89,36 +89,44 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
 }
 
 /// Finds the equilibrium at `start`, s, from the system as drawn: drives stand still at their values of that time. Where the time of `state` is an earlier one, by a
-/// path of equilibria from there to the start, each of the instant just before its time: what jumps or switches at the start itself does so behind the last one.
-/// Velocities are zero then. Returns what the user should know of it.
+/// path of equilibria from there to the start, each of the instant just before its time: what jumps or switches at the start itself does so after the last one.
+/// On the way a drive whose rate the host gives stands still. Velocities are zero then. Returns what the user should know of it.
 ///
 /// # Errors
 /// There is none, or a part of the system can move freely.
 pub fn find_equilibrium(system: &System, state: &mut State, start: f64, tolerance: f64) -> Result<Vec<String>, Error> {
     let mut statics = Statics::new(system, tolerance);
     let begin = state.time;
-    let is_path = begin < start;
-    let straight = std::mem::replace(&mut state.targets.straight, is_path);
     statics.find(system, state, begin)?;
-    if is_path {
-        let step = (start - begin) / f64::from(INCREMENTS);
-        for number in 1..=INCREMENTS {
-            let end = if number == INCREMENTS { start } else { begin + f64::from(number) * step };
-            let instant = before(end);
-            statics.find_engaged(system, state, instant, instant)?;
-        }
-        state.time = start;
-        if system.switches_at(state, start) {
-            system.switch(state, start);
-        }
-        // For a host, the motion begins here.
-        state.targets.departure.time = start;
+    if begin < start {
+        follow_path(system, &mut statics, state, start)?;
     }
-    state.targets.straight = straight;
     state.velocity.fill(0.0);
     // Counts are those of the motion.
     state.statistics = Statistics::default();
     Ok(statics.take_remarks())
+}
+
+/// Takes `state` from its equilibrium along a path to the one just before `start`, s, and to what is engaged at `start`.
+fn follow_path(system: &System, statics: &mut Statics, state: &mut State, start: f64) -> Result<(), Error> {
+    let wanted = state.targets.clone();
+    state.targets.straight = true;
+    let drives = system.drives.iter().zip(&mut state.targets.drives);
+    drives.filter(|(drive, _)| matches!(drive.guide, Guide::HostRate)).for_each(|(_, rate)| *rate = 0.0);
+    let begin = state.time;
+    for number in 1..=INCREMENTS {
+        let share = f64::from(number) / f64::from(INCREMENTS);
+        let instant = before(if number == INCREMENTS { start } else { begin + share * (start - begin) });
+        statics.find_engaged(system, state, instant, instant)?;
+    }
+    state.time = start;
+    state.targets = wanted;
+    // For a host, the motion begins here.
+    state.targets.departure.time = start;
+    if system.switches_at(state, start) {
+        system.switch(state, start);
+    }
+    Ok(())
 }
 
 /// The instant just before `time`, s; not so near to 0 that a processor may take it for 0.
@@ -180,8 +188,7 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
     if let Some(what) = system.undefined(state.time) {
         return Err(Error::NotFinite { time: state.time, what });
     }
-    let holds = std::mem::take(&mut state.prescribed.holds);
-    state.prescribed = Prescribed { holds, ..system.prescribe_start(state.time, &state.targets) };
+    state.prescribed = system.prescribe_start(state.time, &state.prescribed, &state.targets);
     let mut cache = FrameCache::default();
     let drawn = cache.of(system, state);
     if let Some(what) = system.undefined_law(&drawn, |coordinate, _| coordinate.rate(&drawn, &state.velocity)) {

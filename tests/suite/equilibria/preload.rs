@@ -154,6 +154,69 @@ fn what_a_host_drives_has_arrived_at_the_start() {
     }
 }
 
+/// A drive by a rate has gone its way when the motion begins, and goes on from there; one whose rate the host gives has stood still.
+#[test]
+fn drives_by_a_rate_go_on_from_where_the_path_ends() {
+    let driven = |rate: &str| {
+        let winch = format!("[drive.winch]\njoint = \"rail\"\ncoordinate = \"distance\"\n{rate}");
+        load(&block(&winch, "preload = 2"), &[])
+    };
+    let mut by_function = driven("rate = \"0.1\"");
+    let mut by_host = driven("input = \"rate\"");
+    let rate = by_host.variables().iter().position(|variable| variable.name == "winch.rate").unwrap();
+    by_host.set_value(rate, Value::Real(0.1)).unwrap();
+    for (model, begin) in [(&mut by_function, 0.2), (&mut by_host, 0.0)] {
+        model.initialize(0.0).unwrap();
+        for time in [0.0, 0.3] {
+            model.advance(time).unwrap();
+            let (way, wanted) = (value(model, "B.distance"), begin + 0.1 * time);
+            assert!((way - wanted).abs() < 1e-9, "{time} s: {way} {wanted}");
+        }
+    }
+}
+
+/// A frame that moves is drawn where it is when the path begins, and has carried its body along when the motion begins; a state that is read back belongs to the same drawing.
+#[test]
+fn frames_are_drawn_where_the_path_begins() {
+    let carried = r#"format = 1
+[model]
+name = "Carried"
+[frame.hand]
+position = ["0.4 + 0.1*min(t + 1, 1)", 0, 0]
+rotation = [0, 0, "0.5*min(t + 1, 1)"]
+[body.bob]
+mass = 1
+position = [0.4, 0.3, 0]
+inertia = [0.1, 0.1, 0.1]
+[joint.grip]
+type = "weld"
+a = "hand"
+b = "bob"
+[output.B]
+at = "bob"
+quantities = ["position", "velocity"]
+[simulation]
+initial = "equilibrium"
+preload = 1
+stop = 1
+"#;
+    let mut model = start(carried);
+    let held = |model: &ancf14::model::simulation::Simulation| {
+        let place = [1, 2].map(|i| value(model, &format!("B.position[{i}]")));
+        let wanted = [0.5 - 0.3 * 0.5_f64.sin(), 0.3 * 0.5_f64.cos()];
+        assert!(place.iter().zip(wanted).all(|(place, wanted)| (place - wanted).abs() < 1e-9), "{place:?} {wanted:?}");
+    };
+    held(&model);
+    let bytes = Model::write(&model, &model.snapshot(), Vec::new());
+    let mut other = load(carried, &[]);
+    let saved = other.read(&bytes).unwrap();
+    other.restore(&saved);
+    model.advance(0.2).unwrap();
+    other.advance(0.2).unwrap();
+    held(&other);
+    assert_eq!(value(&other, "B.position[1]").to_bits(), value(&model, "B.position[1]").to_bits());
+}
+
 /// A drawn bow gives all it holds to the arrow where limbs and string weigh next to nothing: `v = √(2 W/m)`, but for what stays in the braced bow.
 #[test]
 fn a_light_bow_gives_its_energy_to_the_arrow() {
