@@ -9,7 +9,7 @@ scripts/tools.sh
 cargo fmt --all -- --check
 mkdir -p "$target"
 
-# What users get, and the tests of it.
+# Builds what users get, and tests it.
 delivered() {
     scripts/release.sh > "$target/release.log" 2>&1 || {
         cat "$target/release.log"
@@ -20,7 +20,7 @@ delivered() {
     scripts/release-test.sh
 }
 
-# Side by side, because the optimized build and the hosts spend their minutes on a single core.
+# Runs beside the Rust tests: the optimized build and the hosts use a single core.
 (set -e; delivered) > "$target/delivered.log" 2>&1 &
 delivered=$!
 trap 'kill "$delivered" 2> /dev/null || true' EXIT
@@ -31,4 +31,4 @@ passed=true
 wait "$delivered" || passed=false
 trap - EXIT
 cat "$target/delivered.log"
-$passed
+[ "$passed" = true ]

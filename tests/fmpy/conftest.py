@@ -50,8 +50,8 @@ def pytest_configure(config):
         raise pytest.UsageError(f"there is no FMU in {given}")
 
 
-# FMPy has one logger of FMI 2.0 for the process, the one named last, and `simulate_fmu(logger=...)` frees its own at its end: the next unit that logs
-# through FMPy's default callbacks would call freed memory.
+# FMPy keeps one native logger of FMI 2.0 for the process: the one registered last. `simulate_fmu(logger=...)` registers its own and frees it at its end.
+# The next unit that logs through FMPy's default callbacks would then call freed memory, so each test registers a logger that lasts.
 LASTING = fmi2.fmi2CallbackFunctions()
 PRINTER = fmi2.fmi2CallbackLoggerTYPE(fmi2.printLogMessage)
 

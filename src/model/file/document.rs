@@ -220,12 +220,12 @@ impl Document {
         self.numbers.values[number.0]
     }
 
-    /// The instant of the drawing of a run that begins at `start`, s: where the path to its equilibrium begins.
+    /// The instant at which the mechanism is as drawn, s, in a run that begins at `start`, s: the beginning of its preload.
     pub fn drawn_at(&self, start: f64) -> f64 {
         self.simulation.preload.map_or(start, |preload| start - self.value(preload))
     }
 
-    /// The times of a run that begins at 0, s.
+    /// First and last instant of a run that begins at 0, its preload included, s.
     pub fn span(&self) -> [f64; 2] {
         [self.drawn_at(0.0), self.value(self.simulation.stop)]
     }

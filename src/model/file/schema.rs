@@ -250,7 +250,7 @@ pub const STATIONS: Rule =
 
 pub const STOP: Rule = rule("stop", "end of the simulation", "s").above(0.0);
 pub const PRELOAD: Rule =
-    rule("preload", "time before the start in which the equilibrium of the start is approached", "s").from(0.0);
+    rule("preload", "duration of the static path that leads to the initial equilibrium", "s").from(0.0);
 pub const STEP: Rule = rule("step", "largest internal step", "s").above(0.0);
 pub const ACCURACY: Rule = rule("accuracy", "error of a motion because of its steps, as a share of its range", "")
     .from(FINEST_ACCURACY)

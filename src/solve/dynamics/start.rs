@@ -22,7 +22,7 @@ const UNRESOLVED: f64 = 0.5;
 /// A damper that begins to move by less than this share of the mechanism's size in a step, or by less than this angle in rad, is at rest.
 const MOVED: f64 = 1e-6;
 
-/// Equilibria of the path to the one of the start.
+/// Increments of the static path that leads to the initial equilibrium.
 const INCREMENTS: u32 = 50;
 
 /// Most combinations of engaged switches that are looked at.

@@ -185,7 +185,8 @@ fn what_is_singular_falls_back() {
 
 /// A condition more that says what others say already makes any machine singular, to the last bit or to round-off. Pivots are not exchanged across fronts,
 /// so that this is hard to see for them: a solver that trusts them accepts machines that are held twice, with reactions of any size.
-/// Of 9,360 random ones, one was taken for regular; those here are the same whatever models there are.
+/// Each machine has random numbers of its own, which do not depend on the other models. Of 9,360 such matrices, one is taken for regular: the null vector that was found leaves
+/// 1.1e-15 of its terms, where the limit is 1e-15 (`ROUND_OFF`); the softest cantilever that can still be solved leaves 3.2e-15.
 #[test]
 fn what_holds_twice_is_never_regular() {
     let (mut asked, mut solved) = (0, 0);

@@ -16,7 +16,7 @@ pub struct SimulationSpec {
     pub integrator: IntegratorSpec,
     /// Where the state comes from at the start.
     pub initial: Initial,
-    /// How long before the start the path of equilibria begins that leads to the one of the start, s; none: that one is found at once.
+    /// Duration of the static path that leads to the initial equilibrium, s; none: that equilibrium is found at once.
     pub preload: Option<Number>,
     /// End, s.
     pub stop: Number,
@@ -135,11 +135,11 @@ impl SimulationSpec {
         let analysis = reader.word("analysis", &ANALYSES, Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
         let initial = reader.word("initial", &INITIALS, Some(Initial::AsDrawn));
         if initial != Some(Initial::Equilibrium) || analysis == Analysis::Static {
-            let message = "only a motion that begins at an equilibrium has a preload";
+            let message = "`preload` belongs to a motion that begins at an equilibrium";
             reader.refuse(
                 schema::PRELOAD.key,
                 message,
-                "add initial = \"equilibrium\", with analysis = \"dynamic\", or remove it",
+                "remove it, or set initial = \"equilibrium\" and analysis = \"dynamic\"",
             );
         }
         let preload = reader.optional(&schema::PRELOAD);
