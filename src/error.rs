@@ -229,6 +229,14 @@ t = decimal(*.time), percent = 100.0 * .share
         /// What failed at last.
         reason: Box<Error>,
     },
+    /// A step along a path of equilibria has not found where the path goes.
+    #[error("the path of equilibria at t = {t} {what}; try a smaller simulation.step", t = decimal(*.parameter))]
+    PathLost {
+        /// Parameter of the path where the step starts.
+        parameter: f64,
+        /// What the path does there.
+        what: String,
+    },
     /// The iteration for natural modes did not come to an end.
     #[error(
         "the natural modes at t = {t} s did not converge: their shapes still change by {error:.1e}; ask for fewer or for more modes",

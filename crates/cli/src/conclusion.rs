@@ -75,22 +75,34 @@ pub fn write(
     views.sort_by_key(|(_, view)| *view != suited);
     let drawings = views.map(|(word, view)| (word, draw::fitted(&drawing, view)));
     let errors: Vec<String> = errors.into_iter().map(Complaint::text).collect();
-    let page =
-        Overview { summary, errors: &errors, warnings: &voice::warnings(), drawings: &drawings, pictures, files };
+    let row_heading = simulation.document().row_heading();
+    let page = Overview {
+        summary,
+        row_heading,
+        errors: &errors,
+        warnings: &voice::warnings(),
+        drawings: &drawings,
+        pictures,
+        files,
+    };
     folder.write(PAGE, &page.html())
 }
 
 /// Says what the run took, how exact it is, and what its outputs came to.
 pub fn tell(summary: &Summary, simulation: &Simulation) -> Result<(), Stop> {
     let Summary { reached, steps, iterations, rejected, wall_time, .. } = summary;
-    say(&format!(
-        "t = {reached} s: {steps} steps, {iterations} Newton iterations, {rejected} rejected, {wall_time:.3} s wall time, {}",
-        pace(*reached, *wall_time)
-    ))?;
+    let document = simulation.document();
+    let counts =
+        format!("{steps} steps, {iterations} Newton iterations, {rejected} rejected, {wall_time:.3} s wall time");
+    say(&if document.follows_arc_length() {
+        format!("arc length {reached}: {counts}")
+    } else {
+        format!("t = {reached} s: {counts}, {}", pace(*reached, *wall_time))
+    })?;
     if let Some(worst) = simulation.least_accurate() {
         say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
     }
-    table(&summary.columns).map_or(Ok(()), |table| say(&table))
+    table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table))
 }
 
 /// How fast a run was compared with real time.
@@ -108,10 +120,10 @@ fn two_digits(value: f64) -> String {
     if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
 }
 
-/// Extremes of the columns that tell most; none if there are no outputs.
-fn table(columns: &[Extremes]) -> Option<String> {
+/// Extremes of the columns that tell most, `at` their rows; none if there are no outputs.
+fn table(columns: &[Extremes], at: &str) -> Option<String> {
     let places = chosen(columns, LINES);
-    let head = ["", "minimum", "at t (s)", "maximum", "at t (s)", "at the end"].map(str::to_owned);
+    let head = ["", "minimum", at, "maximum", at, "at the end"].map(str::to_owned);
     let rows = places.iter().map(|place| {
         let Extremes { name, unit, minimum, maximum, last } = &columns[*place];
         let [[lowest, at_lowest], [highest, at_highest]] = [minimum, maximum].map(peak);
@@ -170,11 +182,10 @@ mod tests {
             maximum: Some(Peak { value: high, time: 1.0 }),
             last: None,
         };
-        let text = table(&[
-            column("tip.x", -0.11004, 0.0),
-            column("root.angle", 1e-7, 123.4),
-            column("energy.total", 0.0, 0.0),
-        ])
+        let text = table(
+            &[column("tip.x", -0.11004, 0.0), column("root.angle", 1e-7, 123.4), column("energy.total", 0.0, 0.0)],
+            "at t (s)",
+        )
         .unwrap();
         assert_eq!(
             text.lines().collect::<Vec<_>>(),
@@ -185,6 +196,6 @@ mod tests {
                 "  1 more column in summary.json",
             ]
         );
-        assert_eq!(table(&[column("energy.total", 0.0, 0.0)]), None);
+        assert_eq!(table(&[column("energy.total", 0.0, 0.0)], "at t (s)"), None);
     }
 }

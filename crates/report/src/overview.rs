@@ -11,6 +11,8 @@ use std::fmt::Write;
 pub struct Overview<'a> {
     /// The facts.
     pub summary: &'a Summary,
+    /// What the rows of results are at.
+    pub row_heading: &'a str,
     /// Why the run ended early.
     pub errors: &'a [String],
     /// What should be known of the results.
@@ -141,12 +143,12 @@ impl Overview<'_> {
         let places = chosen(columns, LINES);
         if !places.is_empty() {
             writeln!(page, "<h2>Extremes</h2>")?;
-            table(page, places.iter().map(|place| &columns[*place]))?;
+            table(page, self.row_heading, places.iter().map(|place| &columns[*place]))?;
         }
         if places.len() < columns.len() {
             let remark = if columns.len() > MOST { format!(", the first {MOST}") } else { String::new() };
             writeln!(page, "<details><summary>All {} columns{remark}</summary>", columns.len())?;
-            table(page, columns.iter().take(MOST))?;
+            table(page, self.row_heading, columns.iter().take(MOST))?;
             writeln!(page, "</details>")?;
         }
         Ok(())
@@ -186,12 +188,12 @@ impl Overview<'_> {
     }
 }
 
-/// A table of extremes.
-fn table<'a>(page: &mut String, columns: impl Iterator<Item = &'a Extremes>) -> std::fmt::Result {
+/// A table of extremes, `at` their rows.
+fn table<'a>(page: &mut String, at: &str, columns: impl Iterator<Item = &'a Extremes>) -> std::fmt::Result {
     writeln!(
         page,
-        "<div class=\"scroll\"><table>\n<thead><tr><th>output</th><td></td><th>minimum</th><th>at t (s)</th><th>maximum</th>\
-         <th>at t (s)</th><th>at the end</th></tr></thead>\n<tbody>"
+        "<div class=\"scroll\"><table>\n<thead><tr><th>output</th><td></td><th>minimum</th><th>{at}</th><th>maximum</th>\
+         <th>{at}</th><th>at the end</th></tr></thead>\n<tbody>"
     )?;
     for Extremes { name, unit, minimum, maximum, last } in columns {
         let [low, high] = [minimum, maximum].map(|peak| {
@@ -253,7 +255,16 @@ mod tests {
         let pictures: Vec<(String, String)> = (0..120).map(|k| (format!("a{k}.b.svg"), svg.clone())).collect();
         let summary = summary(true);
         let of = |pictures: &[(String, String)]| {
-            Overview { summary: &summary, errors: &[], warnings: &[], drawings: &[], pictures, files: &[] }.html()
+            Overview {
+                summary: &summary,
+                row_heading: "at t (s)",
+                errors: &[],
+                warnings: &[],
+                drawings: &[],
+                pictures,
+                files: &[],
+            }
+            .html()
         };
         let page = of(&pictures);
         assert!(page.len() < INLINE + 100_000 && page.contains("List of the 120 charts"), "{}", page.len());
@@ -272,7 +283,7 @@ mod tests {
         let [page, complete] = summaries.each_ref().map(|summary| {
             let errors: &[String] = if summary.complete { &[] } else { &errors };
             let (pictures, drawings, files) = (&pictures, &drawings, &["results.csv"]);
-            Overview { summary, errors, warnings: &warnings, drawings, pictures, files }.html()
+            Overview { summary, row_heading: "at t (s)", errors, warnings: &warnings, drawings, pictures, files }.html()
         });
         for words in [
             "a &lt; b (incomplete)",

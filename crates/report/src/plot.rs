@@ -25,6 +25,10 @@ pub struct Plot {
 enum Kind {
     /// Columns over time.
     Time,
+    /// Columns over the arc length of a path.
+    ArcLength,
+    /// The parameter of a path over columns: a bifurcation diagram.
+    Path,
     /// One component over the length of a beam, at some instants.
     Length,
     /// The positions of a beam, as the drawing of the mechanism shows them, at some instants.
@@ -37,12 +41,14 @@ impl Plot {
         let is_beam = |name: &str| {
             document.outputs.iter().any(|output| output.name == name && matches!(output.target, Target::On { .. }))
         };
+        let rows = if document.follows_arc_length() { Kind::ArcLength } else { Kind::Time };
         let mut plots: Vec<Self> = Vec::new();
         for (place, column) in columns.iter().enumerate() {
             let Name { quantity, component, .. } = Name::of(&column.name);
             let (kind, name) = match quantity.split_once('.') {
                 Some(("momentum" | "statistics", _)) => continue,
-                Some(("energy", _)) => (Kind::Time, "energy".to_owned()),
+                Some(("energy", _)) => (rows, "energy".to_owned()),
+                Some(("path", _)) => (rows, quantity.to_owned()),
                 Some(("work", "loads" | "actuators" | "drives" | "dissipated" | "drift")) => {
                     (Kind::Time, "work".to_owned())
                 }
@@ -51,7 +57,8 @@ impl Plot {
                     let part = if component.is_empty() { String::new() } else { format!(".{component}") };
                     (Kind::Length, format!("{quantity}{part}"))
                 }
-                _ => (Kind::Time, quantity.to_owned()),
+                _ if rows == Kind::ArcLength => (Kind::Path, quantity.to_owned()),
+                _ => (rows, quantity.to_owned()),
             };
             match plots.iter_mut().find(|plot| plot.name == name) {
                 Some(plot) => plot.columns.push(place),
@@ -89,16 +96,19 @@ impl Plot {
         let value = format!("{} ({unit})", quantity.replace('_', " "));
         let axes = match self.kind {
             Kind::Time => [String::from("time (s)"), value],
+            Kind::ArcLength => [String::from("arc length"), value],
+            Kind::Path => [value, String::from("t, dots: unstable")],
             Kind::Length => [String::from("fraction of the length, from start to end"), value],
             Kind::Shape => ["x, y obliquely (m)", "z, y obliquely (m)"].map(str::to_owned),
         };
         let lines = match self.kind {
-            Kind::Time => self.curves(results),
+            Kind::Time | Kind::ArcLength => self.curves(results),
+            Kind::Path => self.branches(results),
             Kind::Length | Kind::Shape => self.snapshots(results),
         };
         let layout = match self.kind {
-            Kind::Time => Layout::Panels,
-            Kind::Length => Layout::Single,
+            Kind::Time | Kind::ArcLength => Layout::Panels,
+            Kind::Path | Kind::Length => Layout::Single,
             Kind::Shape => Layout::Shape,
         };
         Chart { title: format!("{}{remark}", self.name), axes, layout, lines }
@@ -117,6 +127,33 @@ impl Plot {
         self.columns.iter().enumerate().map(line).collect()
     }
 
+    /// The parameter of the path over each column, in stretches of stable and unstable equilibria.
+    fn branches(&self, results: &Results) -> Vec<Line> {
+        let trace = |name: &str| {
+            let column = results.columns.iter().find(|column| column.name == name);
+            column.map_or(Vec::new(), |column| column.trace.points())
+        };
+        let (parameter, unstable) = (trace("path.parameter"), trace("path.unstable_motions"));
+        let mut lines: Vec<Line> = Vec::new();
+        for (color, curve) in self.curves(results).into_iter().enumerate() {
+            let mut name = curve.name;
+            let mut last: Option<(f64, f64)> = None;
+            for (length, value) in curve.points {
+                let stroke = if at(&unstable, length) >= 0.5 { Stroke::Dots } else { Stroke::Solid };
+                let point = (value, at(&parameter, length));
+                match lines.last_mut().filter(|line| line.color == color && line.stroke == stroke) {
+                    Some(line) => line.points.push(point),
+                    None => {
+                        let points = last.into_iter().chain([point]).collect();
+                        lines.push(Line { name: std::mem::take(&mut name), stroke, color, points });
+                    }
+                }
+                last = Some(point);
+            }
+        }
+        lines
+    }
+
     fn snapshots(&self, results: &Results) -> Vec<Line> {
         let line = |(color, (time, row)): (usize, &(f64, Vec<f64>))| {
             let values: Vec<f64> = self.columns.iter().map(|column| row[*column]).collect();
@@ -128,7 +165,7 @@ impl Plot {
                     .iter()
                     .map(|place: &[f64; 3]| Projection::Oblique.flat(*place).into())
                     .collect(),
-                Kind::Time | Kind::Length => {
+                Kind::Time | Kind::ArcLength | Kind::Path | Kind::Length => {
                     values.iter().enumerate().map(|(k, value)| (k as f64 / last, *value)).collect()
                 }
             };
@@ -137,6 +174,17 @@ impl Plot {
             Line { name: format!("t = {time} s"), stroke: Stroke::Solid, color, points }
         };
         results.snapshots().enumerate().map(line).collect()
+    }
+}
+
+/// The value of a curve at `place`, linear between its points.
+fn at(curve: &[(f64, f64)], place: f64) -> f64 {
+    let next = curve.partition_point(|(own, _)| *own < place);
+    match (next.checked_sub(1).map(|before| curve[before]), curve.get(next)) {
+        (Some((from, low)), Some((to, high))) if *to > from => low + (high - low) * (place - from) / (to - from),
+        (_, Some((_, value))) => *value,
+        (Some((_, value)), None) => value,
+        (None, None) => 0.0,
     }
 }
 

@@ -13,7 +13,7 @@ use crate::fmi::{
 /// First bytes of every serialized state.
 const MAGIC: [u8; 8] = *b"ancf14st";
 /// Version of the layout: of the header and of all that models write.
-const VERSION: u32 = 9;
+const VERSION: u32 = 10;
 /// Bytes of the header: magic, version, length, checksum.
 const HEADER: usize = 8 + 4 + 8 + 4;
 

@@ -80,7 +80,7 @@ impl JointLoads<'_> {
     /// Torque (N m) or force (N) of actuator `actuator` on b, along its coordinate.
     pub fn actuator_effort(&self, actuator: usize) -> f64 {
         let own = &self.system.actuators[actuator];
-        let (time, target) = (self.state.time, &self.state.targets.efforts[actuator]);
+        let (time, target) = (self.state.instant(), &self.state.targets.efforts[actuator]);
         self.system.effort(own, self.c, self.passage, own.at(time, target), time)
     }
 

@@ -3,11 +3,13 @@
 pub mod energy_account;
 pub mod energy_balance;
 pub mod pace;
+pub mod path_point;
 pub mod time_error;
 pub mod viscous_rates;
 
 use self::energy_balance::EnergyBalance;
 use self::pace::Pace;
+use self::path_point::PathPoint;
 use self::time_error::TimeError;
 use self::viscous_rates::ViscousRates;
 use crate::math::Vec3;
@@ -57,6 +59,8 @@ pub struct State {
     pub targets: Targets,
     /// What acted from outside at the last equilibrium: where a jump of loads starts from. Nothing yet: empty.
     pub excitation: Excitation,
+    /// Where the path is that is followed by its arc length, which is then the time; none: functions of time are taken at `time`.
+    pub path: Option<PathPoint>,
     /// Rotation vectors of the sensors from the orientation as drawn, rad, continued over turns.
     pub rotations: Vec<Vec3>,
     /// Steps are `2^-halving` of the step size.
@@ -70,6 +74,11 @@ pub struct State {
 }
 
 impl State {
+    /// The `t` that functions of time are taken at: the time, or the parameter of a path, s.
+    pub fn instant(&self) -> f64 {
+        self.path.as_ref().map_or(self.time, |path| path.parameter)
+    }
+
     /// Whether all its lists are as long as those of another state of the same system.
     pub fn has_the_shape_of(&self, other: &Self) -> bool {
         let lengths = |state: &Self| {
@@ -108,6 +117,7 @@ impl State {
             && self.pace.is_possible(other.q.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
             && optional(self.excitation.efforts.len(), other.targets.efforts.len())
+            && self.path.as_ref().map(|path| path.tangent.len()) == other.path.as_ref().map(|path| path.tangent.len())
     }
 }
 
@@ -131,6 +141,7 @@ impl Clone for State {
             prescribed: self.prescribed.clone(),
             targets: self.targets.clone(),
             excitation: self.excitation.clone(),
+            path: self.path.clone(),
             rotations: self.rotations.clone(),
             ..*self
         }
@@ -166,6 +177,7 @@ impl State {
         self.prescribed.copy_from(&source.prescribed);
         self.targets.copy_from(&source.targets);
         self.excitation.copy_from(&source.excitation);
+        self.path.clone_from(&source.path);
         self.halving = source.halving;
         self.good_steps = source.good_steps;
         self.balance = source.balance;

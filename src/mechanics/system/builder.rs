@@ -454,6 +454,7 @@ impl SystemBuilder {
         system.joints.extend(gear_joints);
         system.collect_breaks();
         system.find_held_nodes();
+        system.set_spread(&q);
         system.mass = system.whole_mass();
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
@@ -479,6 +480,7 @@ impl SystemBuilder {
             prescribed,
             targets,
             excitation: Excitation::default(),
+            path: None,
             halving: 0,
             good_steps: 0,
             balance: EnergyBalance::default(),

@@ -88,6 +88,8 @@ pub struct System {
     pub sensors: Vec<Sensor>,
     /// Largest extent of the system as drawn, m: what lengths are compared with.
     pub size: f64,
+    /// Length of a straight line that is as far from its middle, in the mean square, as nodes and bodies are from theirs as drawn, m: unlike `size` the same in all directions.
+    pub spread: f64,
     /// Where the origin of all positions in the state is, global, m: 0, or in the middle of a mechanism that is drawn far from the global origin. Doubles
     /// keep positions to 1e-16 of their size; times the axial stiffness, that is a force.
     pub origin: Vec3,
@@ -138,13 +140,14 @@ impl System {
 
     /// Sets `prescribed` to what drives and frames prescribe at `next` s, from the time and the motion of `state`.
     pub fn prescribe(&self, state: &State, next: f64, prescribed: &mut Prescribed) {
-        let State { time, targets, prescribed: from, .. } = state;
+        let State { targets, prescribed: from, .. } = state;
+        let time = state.instant();
         let drives = self.drives.iter().zip(&from.drives).enumerate();
         let advanced = drives.map(|(k, (drive, from))| match drive.switch {
             Some(switch) if self.releases(switch, state, next) => {
-                drive.advanced_before(k, from.value, (*time, next), targets)
+                drive.advanced_before(k, from.value, (time, next), targets)
             }
-            _ => drive.advanced(k, from.value, (*time, next), targets),
+            _ => drive.advanced(k, from.value, (time, next), targets),
         });
         prescribed.drives.clear();
         prescribed.drives.extend(advanced);
@@ -302,6 +305,31 @@ impl System {
             }
         }
         largest
+    }
+
+    /// Sets [`Self::spread`] from the coordinates as drawn.
+    fn set_spread(&mut self, q: &[f64]) {
+        let places: Vec<Vec3> = self.parts().map(|part| Vec3::from_column_slice(&q[part][..PLACE])).collect();
+        let count = places.len().max(1) as f64;
+        let middle = places.iter().sum::<Vec3>() / count;
+        let square = places.iter().map(|place| (place - middle).norm_squared()).sum::<f64>() / count;
+        // A line of length l has the mean square l²/12.
+        self.spread = if square > 0.0 { (12.0 * square).sqrt() } else { self.size };
+    }
+
+    /// The mean over nodes and bodies of the products of two changes of the coordinates: of places over [`Self::spread`], of slopes, angles and directors
+    /// as they are. It measures the lengths of paths, alike with any number of elements.
+    pub fn mean_product(&self, one: &[f64], other: &[f64]) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0_f64);
+        for part in self.parts() {
+            let [(places, rest), (other_places, other_rest)] =
+                [one, other].map(|list| list[part.clone()].split_at(PLACE));
+            let product =
+                |one: &[f64], other: &[f64]| one.iter().zip(other).map(|(one, other)| one * other).sum::<f64>();
+            sum += product(places, other_places) / (self.spread * self.spread) + product(rest, other_rest);
+            count += 1.0;
+        }
+        sum / count.max(1.0)
     }
 
     /// Whether a load, a joint or a spring acts on a node.

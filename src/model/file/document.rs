@@ -18,7 +18,7 @@ use super::entries::overview::ModelSpec;
 use super::entries::parameters;
 use super::entries::point::PointSpec;
 use super::entries::section::SectionSpec;
-use super::entries::simulation::{Analysis, SimulationSpec, Steps};
+use super::entries::simulation::{Analysis, Follow, SimulationSpec, Steps};
 use super::entries::spring::SpringSpec;
 use super::entries::stop::StopSpec;
 use super::number::{Number, Numbers};
@@ -228,6 +228,16 @@ impl Document {
     /// First and last instant of a run that begins at 0, its preload included, s.
     pub fn span(&self) -> [f64; 2] {
         [self.drawn_at(0.0), self.value(self.simulation.stop)]
+    }
+
+    /// Whether equilibria are followed by the arc length of their path, which then stands where a run has its time.
+    pub fn follows_arc_length(&self) -> bool {
+        self.simulation.follow != Follow::Time
+    }
+
+    /// What the rows of results are at, for headings: an instant, or the arc length of a path.
+    pub fn row_heading(&self) -> &'static str {
+        if self.follows_arc_length() { "at arc length" } else { "at t (s)" }
     }
 
     /// Time between two rows of results, s.

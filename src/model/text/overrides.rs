@@ -16,8 +16,19 @@ const TABLE: &str = "axes";
 const SECTION: &str = "curve";
 
 /// The keys of the section [simulation] that are often set, and as often without its name.
-const SIMULATION: [&str; 10] =
-    ["analysis", "initial", "preload", "stop", "step", "accuracy", "output_step", "integrator", "tolerance", "verify"];
+const SIMULATION: [&str; 11] = [
+    "analysis",
+    "follow",
+    "initial",
+    "preload",
+    "stop",
+    "step",
+    "accuracy",
+    "output_step",
+    "integrator",
+    "tolerance",
+    "verify",
+];
 
 /// What an override sets.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,6 +5,7 @@
 
 mod lines;
 pub mod notes;
+mod paths;
 mod places;
 pub mod sections;
 
@@ -118,6 +119,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     for anchor in loaded.chain(watched).chain(observers) {
         checker.fraction(anchor);
     }
+    checker.check_path();
     let Checker { lines, mut mistakes, .. } = checker;
     mistakes.sort_by_key(|mistake| mistake.place);
     (lines, mistakes)

@@ -56,6 +56,8 @@ pub enum Measure {
     Account,
     /// Linear and angular momentum.
     Momentum,
+    /// Parameter of a path of equilibria, and motions that release energy.
+    Path,
     /// Steps, iterations, rejected steps.
     Statistics,
 }
@@ -92,6 +94,7 @@ impl Measure {
             Self::Energy => 4,
             Self::Account => ACCOUNT.len(),
             Self::Momentum => 6,
+            Self::Path => 2,
             Self::Statistics => 3,
         }
     }
@@ -164,6 +167,13 @@ impl Table {
         table.push_total(shown, "momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");
         table.push_total(shown, "momentum.angular", 3, "kg.m2/s", about_origin);
         table.measures.push(Measure::Momentum);
+        if document.follows_arc_length() {
+            let parameter = "Parameter of the path of equilibria: the t of expressions";
+            table.push_result("path.parameter", 1, "", parameter);
+            let motions = "Independent motions that release energy; 0: the equilibrium is stable";
+            table.push_result("path.unstable_motions", 1, "", motions);
+            table.measures.push(Measure::Path);
+        }
         table.find_from(totals, &givens, givens.of_energies());
         let shown = has(Total::Statistics);
         for (name, meaning) in [
@@ -252,7 +262,7 @@ impl Table {
             }
             // An effort is given, and a spring follows from positions and velocities.
             Measure::Actuator(_, quantity) | Measure::Spring(_, quantity) => quantity.is_acceleration(),
-            Measure::Energy | Measure::Account | Measure::Momentum | Measure::Statistics => false,
+            Measure::Energy | Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => false,
         })
     }
 
@@ -265,9 +275,12 @@ impl Table {
             | Measure::Actuator(_, quantity)
             | Measure::Lock(_, quantity) => quantity.is_coordinate(),
             Measure::Energy => true,
-            Measure::Frame(..) | Measure::Gear(..) | Measure::Account | Measure::Momentum | Measure::Statistics => {
-                false
-            }
+            Measure::Frame(..)
+            | Measure::Gear(..)
+            | Measure::Account
+            | Measure::Momentum
+            | Measure::Path
+            | Measure::Statistics => false,
         })
     }
 
@@ -282,7 +295,7 @@ impl Table {
             | Measure::Lock(_, quantity)
             | Measure::Spring(_, quantity)
             | Measure::Frame(_, quantity) => Some(*quantity),
-            Measure::Energy | Measure::Account | Measure::Momentum | Measure::Statistics => None,
+            Measure::Energy | Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => None,
         }
     }
 
@@ -314,7 +327,7 @@ impl Table {
             let numbers = end..end + measure.results();
             end = numbers.end;
             let is_always_there = matches!(measure, Measure::Energy | Measure::Momentum | Measure::Statistics);
-            let is_of_output = !is_always_there && *measure != Measure::Account;
+            let is_of_output = !is_always_there && !matches!(measure, Measure::Account | Measure::Path);
             is_of_output.then(|| (self.variables[first + numbers.start].quantity.unit.as_str(), numbers))
         })
     }
@@ -434,6 +447,10 @@ impl Table {
                 Measure::Momentum => {
                     let (linear, angular) = system.momentum(&state.q, &state.momentum);
                     values.extend(linear.iter().chain(angular.iter()));
+                }
+                Measure::Path => {
+                    let unstable = state.path.as_ref().map_or(0, |path| path.unstable);
+                    values.extend([state.instant(), unstable as f64]);
                 }
                 Measure::Statistics => {
                     let counts = &state.statistics;

@@ -153,7 +153,7 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
     }
     for (number, marker) in &watched.arrows {
         let load = &system.loads[*number];
-        let wrench = load.at(state.time, &state.targets.loads[*number]);
+        let wrench = load.at(state.instant(), &state.targets.loads[*number]);
         let pose = marker.pose(c);
         let [force, moment] = [wrench.force, wrench.moment].map(|local| match load.direction {
             Direction::Global => local,

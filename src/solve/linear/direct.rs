@@ -107,6 +107,11 @@ impl DirectSolver {
         self.general.as_mut().map_or(Regularity::Unknown, |general| general.regularity())
     }
 
+    /// Sign of the determinant of the factorized matrix; 0: not known, as the general solver keeps its exchanges to itself.
+    pub fn sign(&self) -> i8 {
+        self.fronts.as_ref().filter(|_| self.is_frontal).map_or(0, Multifrontal::sign)
+    }
+
     /// How many factorizations the general solver had to make.
     pub fn fallbacks(&self) -> u64 {
         self.fallbacks

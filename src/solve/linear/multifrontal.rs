@@ -147,6 +147,21 @@ impl Multifrontal {
         }
     }
 
+    /// Sign of the determinant of the factorized matrix: rows and columns are renumbered alike, rows exchanged within fronts.
+    pub fn sign(&self) -> i8 {
+        let mut sign = 1;
+        for front in &self.fronts.fronts {
+            let factors = &self.factors[front.start..];
+            for (number, row) in self.rows[front.pivots.clone()].iter().enumerate() {
+                let is_negative = factors[number * front.shape.stride() + number] < 0.0;
+                if is_negative != (*row != number) {
+                    sign = -sign;
+                }
+            }
+        }
+        sign
+    }
+
     /// Scaling of unknown `index`: what it is measured in.
     pub fn scale(&self, index: usize) -> f64 {
         self.scale[index]

@@ -188,6 +188,19 @@ impl Kkt {
         self.solver.solve(&self.blocks, vector)
     }
 
+    /// [`Self::solve_again`], with an error that names the part of the system that the lost direction moves most.
+    ///
+    /// # Errors
+    /// The solution is not accurate: the matrix is singular.
+    pub fn solve_more(&mut self, system: &System, vector: &mut [f64], time: f64) -> Result<(), Error> {
+        self.solve_again(vector).map_err(|Singular| self.singular(system, time))
+    }
+
+    /// Sign of the determinant of the factorized matrix; 0: not known.
+    pub fn sign(&self) -> i8 {
+        self.solver.sign()
+    }
+
     /// Solves in place with the last factorization, after it has been solved with, for a correction that is far smaller than what it corrects: not refined.
     ///
     /// # Errors

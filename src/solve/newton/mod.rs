@@ -29,6 +29,14 @@ pub trait Problem {
     /// The force law that is not defined at the current unknowns, in words.
     fn undefined_law(&self) -> Option<String>;
 
+    /// Extends the correction that solves the linear system by unknowns that the system does not have; returns the size of their own corrections.
+    ///
+    /// # Errors
+    /// They are not determined.
+    fn extend(&mut self, _kkt: &mut Kkt, _correction: &mut [f64]) -> Result<f64, Error> {
+        Ok(0.0)
+    }
+
     /// Adds a correction to the unknowns.
     fn correct(&mut self, correction: &[f64]);
 }
@@ -107,8 +115,10 @@ pub fn solve(
             return Err(Error::NotFinite { time: loads_time, what });
         }
         kkt.solve(system, right, time)?;
+        let extension = problem.extend(kkt, right)?;
         problem.correct(right);
         last = system.correction_size(right);
+        last.0 += extension;
         convergence.corrections[convergence.iterations] = last.0;
         convergence.iterations += 1;
         *iterations += 1;

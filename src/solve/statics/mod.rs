@@ -4,11 +4,15 @@
 //! nothing) to the new ones. That finds the first equilibrium, and bridges jumps of loads later. What hangs and was drawn slack has no
 //! stiffness before it pulls: it is first let fall to where it hangs (relaxation.rs).
 
+mod equilibrium;
 mod jump;
+pub mod path;
 mod relaxation;
 pub mod stability;
 mod switching;
 
+use self::equilibrium::Equilibrium;
+use self::path::Path;
 use self::stability::{Stability, StabilityRecord};
 use crate::error::Error;
 use crate::mechanics::constraint::joint::JointGradient;
@@ -50,6 +54,8 @@ pub struct Statics {
     /// How fast the path was in its last increment.
     pace: Option<jump::Pace>,
     next: Option<State>,
+    /// Follows the equilibria by the arc length of their path; none: by time.
+    path: Option<Box<Path>>,
     /// How the last solve went.
     pub convergence: Option<Convergence>,
 }
@@ -89,6 +95,7 @@ impl Statics {
             stability: Stability::default(),
             pace: None,
             next: None,
+            path: None,
             convergence: None,
         }
     }
@@ -234,7 +241,7 @@ impl Statics {
     /// Factorizes the matrix of the equilibrium `state`.
     fn linearize(&mut self, system: &System, state: &State) -> Result<(), Error> {
         let given = (&state.excitation, &state.prescribed);
-        Equilibrium::near(system, state, state.time, given, &mut self.scratch)
+        Equilibrium::near(system, state, state.instant(), given, &mut self.scratch)
             .linearize(&mut self.kkt, &mut self.right);
         self.kkt.factorize(system, state.time)
     }
@@ -325,6 +332,14 @@ impl Statics {
             newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, time, &mut iterations);
         state.statistics.iterations = iterations;
         self.convergence = Some(solved?);
+        self.take_over(system, state, time)
+    }
+
+    /// Writes the solution to `state`, references carried on.
+    ///
+    /// # Errors
+    /// It is too far from `state`.
+    fn take_over(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         let scratch = &mut self.scratch;
         let before = scratch.frames_before.of(system, state);
         let configuration = scratch.frames.at(system, &scratch.q, state, &self.current_motion);
@@ -342,9 +357,12 @@ impl Integrator for Statics {
     /// An equilibrium knows its own instant only.
     const RESOLVES_TIME: bool = false;
 
-    /// The equilibrium of `end`, with what is engaged then.
+    /// The equilibrium of `end`, with what is engaged then; or that at the arc length `end` of a path.
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
-        self.step_switching(system, state, step, end)
+        match &self.path {
+            None => self.step_switching(system, state, step, end),
+            Some(_) => self.step_along(system, state, step, end),
+        }
     }
 
     /// An increment switches at its end.
@@ -353,81 +371,10 @@ impl Integrator for Statics {
     }
 }
 
-/// One equilibrium as Newton sees it.
-struct Equilibrium<'a> {
-    system: &'a System,
-    state: &'a State,
-    time: f64,
-    excitation: &'a Excitation,
-    motion: &'a Prescribed,
-    scratch: &'a mut Scratch,
-}
-
-impl<'a> Equilibrium<'a> {
-    /// Sought from `state` on, under what is given: excitation and motion.
-    fn near(
-        system: &'a System,
-        state: &'a State,
-        time: f64,
-        (excitation, motion): (&'a Excitation, &'a Prescribed),
-        scratch: &'a mut Scratch,
-    ) -> Self {
-        scratch.q.copy_from_slice(&state.q);
-        scratch.multipliers.copy_from_slice(&state.multipliers);
-        Self { system, state, time, excitation, motion, scratch }
-    }
-
-    /// Minus the residual at the current unknowns, whose forces, frames and gradients are known, into `right`.
-    fn balance(&mut self, right: &mut [f64]) {
-        let (system, state) = (self.system, self.state);
-        let scratch = &mut *self.scratch;
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, self.motion);
-        system.constraint_conditions(&configuration, &mut scratch.conditions);
-        let (residual, conditions) = right.split_at_mut(state.q.len());
-        for (residual, force) in residual.iter_mut().zip(&scratch.forces) {
-            *residual = -force;
-        }
-        system.add_constraint_forces(&scratch.gradients, &scratch.multipliers, -1.0, residual);
-        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
-            *target = -condition;
-        }
-    }
-}
-
-impl Problem for Equilibrium<'_> {
-    fn undefined_law(&self) -> Option<String> {
-        let Self { system, state, scratch, motion, .. } = self;
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, motion);
-        system.undefined_law(&configuration, |_, _| 0.0)
-    }
-
-    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
-        let (system, state) = (self.system, self.state);
-        let scratch = &mut *self.scratch;
-        let configuration = scratch.frames.at(system, &scratch.q, state, self.motion);
-        let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
-        system.forces_and_tangent(&configuration, &Passage::Rest, self.excitation, 1.0, forces, tangent);
-        kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
-        self.balance(right);
-        kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
-        self.time
-    }
-
-    fn correct(&mut self, correction: &[f64]) {
-        let (coordinates, multipliers) = correction.split_at(self.scratch.q.len());
-        for (value, correction) in self.scratch.q.iter_mut().zip(coordinates) {
-            *value += correction;
-        }
-        for (value, correction) in self.scratch.multipliers.iter_mut().zip(multipliers) {
-            *value += correction;
-        }
-    }
-}
-
 impl Statics {
     /// The equilibrium of the time of `state` under what the host wants there, at given unknowns.
     fn at<'a>(&'a mut self, system: &'a System, state: &'a State, unknowns: &[f64]) -> (Equilibrium<'a>, &'a mut Kkt) {
-        let time = state.time;
+        let time = state.instant();
         system.excite(time, &state.targets, &mut self.current);
         self.current_motion.copy_from(&state.prescribed);
         self.current_motion.stop();

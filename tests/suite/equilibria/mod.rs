@@ -1,6 +1,7 @@
 //! Static analysis: equilibria, paths of loads, buckling.
 
 pub mod hanging;
+pub mod paths;
 pub mod preload;
 pub mod static_buckling;
 pub mod static_motions;

@@ -12,6 +12,8 @@ pub struct SimulationSpec {
     pub place: Place,
     /// Motion, or a row of equilibria.
     pub analysis: Analysis,
+    /// What a row of equilibria is followed by.
+    pub follow: Follow,
     /// Time integration.
     pub integrator: IntegratorSpec,
     /// Where the state comes from at the start.
@@ -52,6 +54,18 @@ pub enum Analysis {
     Dynamic,
     /// An equilibrium at every time.
     Static,
+}
+
+/// What a row of equilibria is followed by.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Follow {
+    /// Time: functions of `t` say what acts at each.
+    Time,
+    /// The arc length of their path, on which `t` may turn back.
+    ArcLength {
+        /// The branch points at which the run goes over to the path that crosses, from 1; negative: in the opposite direction.
+        branches: Vec<i64>,
+    },
 }
 
 /// What the lengths of internal steps follow from.
@@ -96,6 +110,7 @@ pub enum Initial {
 }
 
 const ANALYSES: [(&str, Analysis); 2] = [("dynamic", Analysis::Dynamic), ("static", Analysis::Static)];
+const FOLLOWS: [(&str, bool); 2] = [("time", false), ("arc_length", true)];
 const INTEGRATORS: [(&str, Word); 3] = [
     ("conserving", Word::Conserving),
     ("variational", Word::Variational),
@@ -133,6 +148,7 @@ const SPECTRAL_RADIUS: f64 = 0.8;
 impl SimulationSpec {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
         let analysis = reader.word("analysis", &ANALYSES, Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
+        let follow = follow(&mut reader, analysis);
         let initial = reader.word("initial", &INITIALS, Some(Initial::AsDrawn));
         if initial != Some(Initial::Equilibrium) || analysis == Analysis::Static {
             let message = "`preload` belongs to a motion that begins at an equilibrium";
@@ -148,6 +164,10 @@ impl SimulationSpec {
         let output_step = reader.optional(&schema::OUTPUT_STEP);
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&schema::TOLERANCE, TOLERANCE);
+        if follow != Follow::Time {
+            let message = "`verify` cannot compare paths: the same equilibrium has another arc length with every mesh";
+            reader.refuse("verify", message, "remove it, and compare with a run of a finer mesh");
+        }
         let verify = reader.boolean("verify", false);
         let totals = totals(&mut reader, analysis);
         let steps = match step {
@@ -179,8 +199,35 @@ impl SimulationSpec {
         }
         reader.finish();
         let initial = initial.unwrap_or(Initial::AsDrawn);
-        Self { place, analysis, integrator, initial, preload, stop, steps, output_step, tolerance, verify, totals }
+        Self {
+            place,
+            analysis,
+            follow,
+            integrator,
+            initial,
+            preload,
+            stop,
+            steps,
+            output_step,
+            tolerance,
+            verify,
+            totals,
+        }
     }
+}
+
+/// What a row of equilibria is followed by.
+fn follow(reader: &mut Reader<'_, '_>, analysis: Analysis) -> Follow {
+    if analysis == Analysis::Dynamic {
+        reader.refuse("follow", "`follow` belongs to a static analysis", "remove it, or set analysis = \"static\"");
+    }
+    let by_length = reader.word("follow", &FOLLOWS, Some(false)).unwrap_or(false);
+    if !by_length {
+        let message = "`branches` belongs to a path that is followed by its arc length";
+        reader.refuse("branches", message, "remove it, or set follow = \"arc_length\"");
+    }
+    let branches = reader.whole_numbers("branches");
+    if by_length { Follow::ArcLength { branches } } else { Follow::Time }
 }
 
 fn integrator(reader: &mut Reader<'_, '_>) -> IntegratorSpec {

@@ -117,6 +117,28 @@ impl Reader<'_, '_> {
         found
     }
 
+    /// A list of whole numbers other than 0, which may be empty; none where there is none.
+    pub fn whole_numbers(&mut self, key: &'static str) -> Vec<i64> {
+        let Some(entry) = self.take(key) else { return Vec::new() };
+        let name = format!("{}{key}", self.prefix);
+        let Node::Array(items) = &entry.item.node else {
+            self.context.wrong_type(&name, &entry.item, "a list of whole numbers");
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        for item in items {
+            match item.node {
+                Node::Integer(0) => {
+                    let message = format!("`{name}` has a 0, and counting begins at 1");
+                    self.context.report.error(item.place, &message, "this one", "");
+                }
+                Node::Integer(number) => found.push(number),
+                _ => self.context.wrong_type(&name, item, "a whole number"),
+            }
+        }
+        found
+    }
+
     /// The rows that are rows of three numbers; the others are reported.
     fn rows(&mut self, rule: &Rule, rows: &[Item]) -> Vec<[Number; 3]> {
         let mut table = Vec::new();

@@ -6,7 +6,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::{AT_BREAK, System};
 use crate::model::builder::{self, Built};
 use crate::model::file::document::Document;
-use crate::model::file::entries::simulation::{Analysis, Initial, IntegratorSpec};
+use crate::model::file::entries::simulation::{Analysis, Follow, Initial, IntegratorSpec};
 use crate::solve::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::solve::dynamics::midpoint::Midpoint;
 use crate::solve::dynamics::start;
@@ -165,6 +165,7 @@ impl Runner {
         state.velocity.fill(0.0);
         state.targets.straight = true;
         statics.find(system, state, *time)?;
+        statics.begin_path(system, state)?;
         warnings.extend(statics.take_remarks());
         if moves {
             warnings.push(String::from("the initial velocities are not used: the analysis is static"));
@@ -274,7 +275,7 @@ impl Runner {
     pub(super) fn depart(&mut self, end: f64) -> Result<Plan, Error> {
         let plan = self.plan(self.state.time, end)?;
         self.state.targets.end = plan.end;
-        if matches!(self.solver, Solver::Statics(_)) {
+        if matches!(self.solver, Solver::Statics(_)) && self.state.path.is_none() {
             limits::check_drives(&self.system, &self.state, plan.end, plan.count)?;
         }
         Ok(plan)
@@ -461,7 +462,13 @@ impl Solver {
         let simulation = &document.simulation;
         let tolerance = document.value(simulation.tolerance);
         Ok(match (simulation.analysis, simulation.integrator) {
-            (Analysis::Static, _) => Self::Statics(Box::new(Statics::new(system, tolerance))),
+            (Analysis::Static, _) => {
+                let statics = Statics::new(system, tolerance);
+                Self::Statics(Box::new(match &simulation.follow {
+                    Follow::Time => statics,
+                    Follow::ArcLength { branches } => statics.follow_path(branches.clone()),
+                }))
+            }
             (Analysis::Dynamic, IntegratorSpec::Conserving { spectral_radius }) => {
                 let spectral_radius = spectral_radius.map_or(1.0, |number| document.value(number));
                 let midpoint = Midpoint::new(system, spectral_radius, document.largest_step(), tolerance);

@@ -1,0 +1,81 @@
+//! One equilibrium as Newton sees it.
+
+use super::Scratch;
+use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Passage;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::solve::newton::Problem;
+use crate::solve::newton::kkt::Kkt;
+
+/// The unknowns, and what they are in balance with.
+pub(super) struct Equilibrium<'a> {
+    pub(super) system: &'a System,
+    pub(super) state: &'a State,
+    pub(super) time: f64,
+    pub(super) excitation: &'a Excitation,
+    pub(super) motion: &'a Prescribed,
+    pub(super) scratch: &'a mut Scratch,
+}
+
+impl<'a> Equilibrium<'a> {
+    /// Sought from `state` on, under what is given: excitation and motion.
+    pub(super) fn near(
+        system: &'a System,
+        state: &'a State,
+        time: f64,
+        (excitation, motion): (&'a Excitation, &'a Prescribed),
+        scratch: &'a mut Scratch,
+    ) -> Self {
+        scratch.q.copy_from_slice(&state.q);
+        scratch.multipliers.copy_from_slice(&state.multipliers);
+        Self { system, state, time, excitation, motion, scratch }
+    }
+
+    /// Minus the residual at the current unknowns, whose forces, frames and gradients are known, into `right`.
+    pub(super) fn balance(&mut self, right: &mut [f64]) {
+        let (system, state) = (self.system, self.state);
+        let scratch = &mut *self.scratch;
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, self.motion);
+        system.constraint_conditions(&configuration, &mut scratch.conditions);
+        let (residual, conditions) = right.split_at_mut(state.q.len());
+        for (residual, force) in residual.iter_mut().zip(&scratch.forces) {
+            *residual = -force;
+        }
+        system.add_constraint_forces(&scratch.gradients, &scratch.multipliers, -1.0, residual);
+        for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
+            *target = -condition;
+        }
+    }
+}
+
+impl Problem for Equilibrium<'_> {
+    fn undefined_law(&self) -> Option<String> {
+        let Self { system, state, scratch, motion, .. } = self;
+        let configuration = system.configuration(&scratch.q, &scratch.frames, state, motion);
+        system.undefined_law(&configuration, |_, _| 0.0)
+    }
+
+    fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
+        let (system, state) = (self.system, self.state);
+        let scratch = &mut *self.scratch;
+        let configuration = scratch.frames.at(system, &scratch.q, state, self.motion);
+        let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
+        system.forces_and_tangent(&configuration, &Passage::Rest, self.excitation, 1.0, forces, tangent);
+        kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
+        self.balance(right);
+        kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
+        self.time
+    }
+
+    fn correct(&mut self, correction: &[f64]) {
+        let (coordinates, multipliers) = correction.split_at(self.scratch.q.len());
+        for (value, correction) in self.scratch.q.iter_mut().zip(coordinates) {
+            *value += correction;
+        }
+        for (value, correction) in self.scratch.multipliers.iter_mut().zip(multipliers) {
+            *value += correction;
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! A path of equilibria that is followed by its arc length: past limit points, through branch points and over to the path that crosses, against closed forms and a rod
+//! that is integrated here.
+
+use crate::running::{start, try_start, value};
+use crate::support::planar_rod::{Frame, Point};
+use ancf14::fmi::Model;
+use ancf14::model::simulation::Simulation;
+use std::f64::consts::PI;
+
+const LEE: &str = include_str!("../../../models/lee_frame.toml");
+const RIGHT_ANGLE: &str = include_str!("../../machines/right_angle_frame.toml");
+
+/// Follows a path to `stop`, `every` arc length from one row to the next; returns the values of `names` in each row, and what is told.
+fn follow(simulation: &mut Simulation, every: f64, stop: f64, names: &[&str]) -> (Vec<Vec<f64>>, Vec<String>) {
+    let row = |simulation: &Simulation| names.iter().map(|name| value(simulation, name)).collect();
+    let (mut rows, mut told) = (vec![row(simulation)], simulation.take_warnings());
+    for number in 1..=(stop / every).round() as u32 {
+        simulation.advance(f64::from(number) * every).unwrap_or_else(|failure| panic!("{}", failure.message));
+        rows.push(row(simulation));
+        told.extend(simulation.take_warnings());
+    }
+    (rows, told)
+}
+
+/// The number behind `word` in the first of the sentences that has it.
+fn number_behind(told: &[String], word: &str) -> f64 {
+    let rest =
+        told.iter().find_map(|sentence| sentence.split_once(word)).unwrap_or_else(|| panic!("{word}: {told:?}")).1;
+    let end = rest.find(|letter: char| !"0123456789.-e".contains(letter)).unwrap_or(rest.len());
+    rest[..end].parse().unwrap_or_else(|_| panic!("{rest}"))
+}
+
+/// Two bars that stand as a roof: `P = EA z (h² − z²)/l³` with the height `z` of the ridge, largest at `z = h/√3`.
+fn roof(step: &str) -> String {
+    let bar = |name: &str, x: f64| {
+        format!(
+            "[beam.{name}]\nmaterial = \"metal\"\nsection = \"bar\"\nfrom = [{x}, 0, 0]\nto = [0, 0, 0.2]\nelements = 2\n\
+             [joint.{name}_foot]\ntype = \"revolute\"\naxis = [0, 1, 0]\na = \"ground\"\nb = \"{name}.start\"\n"
+        )
+    };
+    format!(
+        "format = 1\n[model]\nname = \"Roof\"\ngravity = [0, 0, 0]\n[material.metal]\nyoung = 1e9\npoisson = 0.3\ndensity = 1000\n\
+         [section.bar]\nshape = \"rectangle\"\nwidth = 0.2\nheight = 0.2\n{}{}\
+         [joint.ridge]\ntype = \"revolute\"\naxis = [0, 1, 0]\na = \"left.end\"\nb = \"right.end\"\n\
+         [load.snow]\nat = \"left.end\"\nforce = [0, 0, \"-{ROOF_LOAD}*t\"]\n\
+         [output.ridge_point]\nat = \"left.end\"\nquantities = [\"displacement\"]\n\
+         [simulation]\nanalysis = \"static\"\nfollow = \"arc_length\"\nstop = 3\nstep = {step}\n",
+        bar("left", -1.0),
+        bar("right", 1.0)
+    )
+}
+
+const ROOF_LOAD: f64 = 2e5;
+
+/// The load on the roof at the height `z` of the ridge, over [`ROOF_LOAD`].
+fn roof_load(z: f64) -> f64 {
+    4e7 * z * (0.04 - z * z) / (1.04_f64).powf(1.5) / ROOF_LOAD
+}
+
+/// The whole path is that of the closed form, through both limit points, which are found to 1e-9 whatever the steps. The bars stay straight: two elements are exact, what Newton leaves is
+/// round-off.
+#[test]
+fn a_roof_is_followed_through_both_limit_points() {
+    for (step, every) in [("0.1", 0.1), ("0.03", 0.03)] {
+        let mut simulation = start(&roof(step));
+        let names = ["ridge_point.displacement[3]", "path.parameter", "path.unstable_motions"];
+        let (rows, told) = follow(&mut simulation, every, 3.0, &names);
+        let limit = roof_load(0.2 / 3_f64.sqrt());
+        let found = [number_behind(&told, "t has a maximum of "), number_behind(&told, "t has a minimum of ")];
+        assert!(
+            (found[0] - limit).abs() < 1e-9 * limit && (found[1] + limit).abs() < 1e-9 * limit,
+            "{found:?} {limit}"
+        );
+        let mut turned = 0;
+        for row in &rows {
+            let wanted = roof_load(0.2 + row[0]);
+            assert!((row[1] - wanted).abs() < 1e-9, "{row:?} {wanted}");
+            let is_between = (0.2 + row[0]).abs() < 0.2 / 3_f64.sqrt();
+            assert_eq!(row[2] > 0.5, is_between, "{row:?}");
+            turned += usize::from(is_between);
+        }
+        assert!(turned > 3 && rows.last().is_some_and(|row| 0.2 + row[0] < -0.2), "{turned} {rows:?}");
+    }
+}
+
+/// A cantilever under an axial load, `t` in its critical loads.
+fn column(more: &str) -> String {
+    let load = PI * PI * COLUMN_STIFFNESS / 4.0;
+    format!(
+        "format = 1\n[model]\nname = \"Column\"\ngravity = [0, 0, 0]\n[material.metal]\nyoung = 2e11\npoisson = 0.3\ndensity = 7800\n\
+         [section.strip]\nshape = \"rectangle\"\nwidth = 0.03\nheight = 0.003\n\
+         [beam.bar]\nmaterial = \"metal\"\nsection = \"strip\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 16\n\
+         [joint.clamp]\ntype = \"weld\"\na = \"ground\"\nb = \"bar.start\"\n\
+         [load.weight]\nat = \"bar.end\"\nforce = [\"-{load}*t\", 0, 0]\n\
+         [output.tip]\nat = \"bar.end\"\nquantities = [\"displacement\"]\n\
+         [simulation]\nanalysis = \"static\"\nfollow = \"arc_length\"\nstop = 2.4\nstep = 0.05\n{more}\n"
+    )
+}
+
+/// `E I` of the column, N m².
+const COLUMN_STIFFNESS: f64 = 2e11 * 0.03 * 27e-9 / 12.0;
+
+/// The complete elliptic integrals `K` and `E` of modulus `k`, by the arithmetic-geometric mean.
+fn elliptic(k: f64) -> (f64, f64) {
+    let (mut a, mut b, mut c, mut sum, mut power) = (1.0, (1.0 - k * k).sqrt(), k, 0.5 * k * k, 0.5);
+    while c > 1e-16 {
+        (a, b, c) = (0.5 * (a + b), (a * b).sqrt(), 0.5 * (a - b));
+        power *= 2.0;
+        sum += power * c * c;
+    }
+    let first = 0.5 * PI / a;
+    (first, first * (1.0 - sum))
+}
+
+/// The column branches at Euler's load, and the path that is gone over to is the elastica: `P/P_E = (2K/π)²`, tip at `2E/K − 1` and `2k/K`. Compression changes loads by
+/// the strain at the critical load, 7.4e-6, and 16 elements change the critical load by less; where the tip hangs below the clamp a bend of 2.4 rad leaves 1e-4 of the length.
+#[test]
+fn a_column_goes_over_to_the_elastica_both_ways() {
+    let names = ["path.parameter", "tip.displacement[1]", "tip.displacement[3]", "path.unstable_motions"];
+    let mut sideways = [0.0; 2];
+    for (branch, end) in [1, -1].into_iter().zip(&mut sideways) {
+        let mut simulation = start(&column(&format!("branches = [{branch}]")));
+        let (rows, told) = follow(&mut simulation, 0.05, 2.4, &names);
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!((number_behind(&told, "t = ") - 1.0).abs() < 3e-5, "{told:?}");
+        let bent = rows.iter().filter(|row| row[2].abs() > 0.01);
+        let mut count = 0;
+        for row in bent {
+            count += 1;
+            // `P/P_E` grows with the modulus.
+            let (mut low, mut high) = (0.0, 1.0 - 1e-12);
+            while high - low > 1e-15 {
+                let k = 0.5 * (low + high);
+                if (2.0 / PI * elliptic(k).0).powi(2) < row[0] { low = k } else { high = k }
+            }
+            let (first, second) = elliptic(low);
+            let wanted = [2.0 * second / first - 2.0, 2.0 * low / first];
+            // Just behind the branch point the deflection goes with the root of the load above the critical one, which errs by 1e-5.
+            let allowed = 2e-4 + 1e-5 / row[2].abs();
+            let off = f64::max((row[1] - wanted[0]).abs(), (row[2].abs() - wanted[1]).abs());
+            assert!(off < allowed, "{row:?} {wanted:?}");
+            assert!(row[3] == 0.0, "{row:?}");
+        }
+        assert!(count > 20, "{count}");
+        *end = rows.last().unwrap()[2];
+    }
+    assert!(sideways[0] > 0.5 && (sideways[0] + sideways[1]).abs() < 1e-9, "{sideways:?}");
+}
+
+/// Without `branches` the run stays on the straight path, tells each critical load `(2n − 1)²` and counts the motions that release energy.
+#[test]
+fn a_column_that_stays_straight_tells_what_it_passes() {
+    let text = column("").replace("stop = 2.4", "stop = 10").replace("step = 0.05", "step = 0.4");
+    let names = ["path.parameter", "tip.displacement[3]", "path.unstable_motions"];
+    let (rows, told) = follow(&mut start(&text), 0.4, 10.0, &names);
+    // The second load has 9 times the compression of the first, and the error of its shorter waves.
+    assert!((number_behind(&told, "branch point 1 at the arc length ") - 1.0).abs() < 3e-5, "{told:?}");
+    assert!((number_behind(&told, "branch point 2 at the arc length ") - 9.0).abs() < 9.0 * 3e-4, "{told:?}");
+    for row in rows {
+        let wanted = f64::from(u8::from(row[0] > 1.001)) + f64::from(u8::from(row[0] > 9.01));
+        assert_eq!((row[1], row[2]), (0.0, wanted), "{row:?}");
+    }
+}
+
+/// Lee's frame under a load that keeps its direction and under one that turns with the girder: every row is near the path of the same frame as two extensible rods, which are integrated
+/// here, by displacements over the side and the load over the critical one. Twice as many elements are 8 times nearer at least (order 3.5 or more).
+#[test]
+fn lees_frame_is_followed_whole() {
+    for follower in [false, true] {
+        let worst = [10, 20].map(|elements| {
+            let load = "force = [0, 0, \"-4000*t\"]";
+            let text = LEE.replace(load, &format!("follower = {follower}\n{load}"));
+            // The rods bend in proportion to the moment.
+            let text = text.replace("elements = 10", &format!("elements = {elements}\nstrain = \"small\""));
+            let names = [
+                "loaded_point.displacement[1]",
+                "loaded_point.displacement[3]",
+                "path.parameter",
+                "foot.angle",
+                "foot.reaction_force[1]",
+                "foot.reaction_force[3]",
+            ];
+            let stop = if follower { 6.0 } else { 5.0 };
+            let (rows, told) = follow(&mut start(&text), 0.05, stop, &names);
+            let bending = 7.2e9 * 0.06 * 0.02_f64.powi(3) / 12.0;
+            let frame = Frame { side: 1.2, bending, stretching: 7.2e9 * 0.06 * 0.02, loaded: 0.2, follower };
+            let point = |row: &Vec<f64>| Point {
+                place: [row[0], row[1]],
+                load: 4000.0 * row[2],
+                foot: [row[3], row[4], row[5]],
+            };
+            let points: Vec<Point> = rows.iter().map(point).collect();
+            let limit = number_behind(&told, "t has a maximum of ") * 4000.0 * 1.44 / bending;
+            println!(
+                "follower {follower}, {elements} elements a leg: limit {limit:.4}, off by {:.2e}",
+                frame.distance_from(&points)
+            );
+            assert_eq!(told.iter().filter(|sentence| sentence.contains("limit point")).count(), 2, "{told:?}");
+            frame.distance_from(&points)
+        });
+        assert!(worst[0] < 2e-4 && worst[1] < worst[0] / 8.0, "follower {follower}: {worst:?}");
+    }
+}
+
+/// The right-angle frame comes back flat after its ends have turned once around, under the opposite of the moment at which it left, 1e-5 of it; the mesh is its own mirror image, and the path
+/// crosses others without leaving.
+#[test]
+fn a_right_angle_frame_comes_back_flat() {
+    let names = ["path.parameter", "tip.displacement[3]", "hinge.angle"];
+    let (rows, told) = follow(&mut start(RIGHT_ANGLE), 0.05, 13.95, &names);
+    let left = number_behind(&told, ", t = ");
+    // The last limit point is where the buckled path meets the flat one.
+    let back = told.iter().rev().find(|sentence| sentence.contains("limit point")).cloned();
+    let back = number_behind(back.as_slice(), "t has a maximum of ");
+    let last = rows.last().unwrap();
+    assert!(left > 0.6 && (back + left).abs() < 1e-5 * left, "{left} {back}");
+    assert!(last[1].abs() < 0.02 && (last[2] - 2.0 * PI).abs() < 0.02, "{last:?}");
+    let highest = rows.iter().map(|row| row[0]).fold(0.0, f64::max);
+    let lowest = rows.iter().map(|row| row[0]).fold(0.0, f64::min);
+    assert!(highest > 2.3 && lowest < -2.3, "{highest} {lowest}");
+}
+
+/// A state that is saved on the way goes on to the same bits, past a limit point and a branch point.
+#[test]
+fn a_saved_state_goes_on_along_the_same_path() {
+    let mut simulation = start(&column("branches = [-1]"));
+    simulation.advance(0.9).unwrap();
+    let saved = simulation.snapshot();
+    let go_on = |simulation: &mut Simulation| {
+        simulation.advance(1.5).unwrap();
+        ["path.parameter", "tip.displacement[3]", "path.unstable_motions"].map(|name| value(simulation, name).to_bits())
+    };
+    let first = go_on(&mut simulation);
+    simulation.restore(&saved);
+    assert_eq!(go_on(&mut simulation), first);
+}
+
+/// What changes along a path is its parameter alone: inputs and switches are refused.
+#[test]
+fn inputs_and_switches_are_refused() {
+    let with = |more: &str| try_start(&column("").replace("[output.tip]", &format!("{more}\n[output.tip]")));
+    let told = with("[load.hand]\nat = \"bar.end\"\nforce = [0, 0, 0]\ninput = true").unwrap_err();
+    assert!(told.contains("a path that is followed by its arc length has no inputs"), "{told}");
+    let told =
+        with("[joint.stop]\ntype = \"inplane\"\naxis = [0, 0, 1]\na = \"ground\"\nb = \"bar.end\"\nactive = \"t > 1\"")
+            .unwrap_err();
+    assert!(told.contains("engages and releases nothing"), "{told}");
+}
