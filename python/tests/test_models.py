@@ -56,9 +56,17 @@ def test_pictures_and_fmus_have_the_bytes_of_the_command_line() -> None:
     assert packed.returncode == 0, packed.stderr
     path = ancf14.Model(CANTILEVER).pack("own.fmu")
     assert path.read_bytes() == Path("packed.fmu").read_bytes()
-    assert any(name.startswith("binaries/") for name in zipfile.ZipFile(path).namelist())
     with pytest.raises(ancf14.CallError, match="without parameters"):
         ancf14.Model(CANTILEVER, {"arm.elements": 2}).pack("own.fmu")
+
+
+def test_an_fmu_runs_on_every_platform_of_the_wheel() -> None:
+    package = Path(ancf14.__file__).parent
+    path = ancf14.Model(CANTILEVER).pack("own.fmu", fmi=3)
+    with zipfile.ZipFile(path) as archive:
+        packed = {name.split("/")[1]: archive.read(name) for name in archive.namelist() if name.startswith("binaries/")}
+    others = {file.parent.name: file.read_bytes() for file in package.glob("*-*/*ancf14.*")}
+    assert packed == others | {"x86_64-linux": (package / "libancf14.so").read_bytes()}
 
 
 def test_results_become_tables_plots_and_a_page() -> None:
