@@ -149,8 +149,9 @@ fn libraries_for_other_platforms_are_packed() {
         std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
         std::fs::write(path, [&b"\x7fELF\x02\x01 and so on\x03\x00"[..], &[machine, 0]].concat()).expect("write");
     };
+    let cantilever = model("cantilever");
     let packed = |more: &[&str]| {
-        let words = [&["pack", &model("cantilever"), "-o", "c.fmu", "--library", "library.so"], more].concat();
+        let words = [&["pack", &cantilever, "-o", "c.fmu", "--library", "library.so"], more].concat();
         let output = ancf14(directory.path(), &words);
         (output.status.code(), text(&output.stdout) + &text(&output.stderr))
     };
