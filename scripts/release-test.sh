@@ -1,5 +1,6 @@
 #!/bin/sh
-# Tests what scripts/release.sh has made: the checksums; the archive, unpacked into another folder, by its program and a C program; the wheel, installed into
+# Tests what scripts/release.sh has made: the checksums; the archive, unpacked into another folder, by its program and a C program, and
+# by FMUs on 64-bit ARM (qemu) and Windows (Wine), if it has libraries for them; the wheel, installed into
 # an empty environment, target/wheel-env, by the tests of the Python package.
 set -eu
 
@@ -24,6 +25,10 @@ grep -q '^0.1, ' "$place/table.txt"
 test -s "$place/cantilever-results/results.csv"
 test -s "$place/cantilever.fmu"
 echo "archive: the program and a C program run from another folder"
+if [ -d "$place/lib/aarch64-linux" ] && [ -d "$place/lib/x86_64-windows" ]; then
+    scripts/python-env.sh
+    "$target/python-env/bin/python" scripts/platforms.py "$place/bin/ancf14"
+fi
 
 rm -rf "$target/wheel-env"
 "${PYTHON:-python3}" -m venv "$target/wheel-env"

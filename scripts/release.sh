@@ -1,6 +1,7 @@
 #!/bin/sh
 # Makes a release in dist/: the Python wheel; for those without Python an archive with the program, the libraries, the header, files for pkg-config and CMake,
-# models and examples; the list of all components (CycloneDX), if cargo-cyclonedx is installed; checksums. Builds what is missing.
+# models and examples; the list of all components (CycloneDX), if cargo-cyclonedx is installed; checksums. Builds what is missing, but for the libraries of other
+# platforms, which scripts/build-platforms.sh builds: wheel and archive have those that are there.
 # The same commit gives the same archive.
 set -eu
 
@@ -18,10 +19,6 @@ share=$tree/$name/share/ancf14
 mkdir -p "$share"
 cp -r models c-examples "$share"
 cp README.md CHANGELOG.md "$tree/$name"
-windows=$target/x86_64-pc-windows-gnu/fmu/ancf14.dll
-if [ -f "$windows" ]; then
-    cp "$windows" "$tree/$name/lib"
-fi
 time=$(git log -1 --format=%ct)
 tar --create --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$time" --directory "$tree" "$name" | gzip -9 --no-name > "dist/$name.tar.gz"
 cp "$target"/wheels/ancf14-*.whl dist

@@ -6,7 +6,16 @@ set -eu
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
 scripts/python-env.sh
-cp "$target/fmu/libancf14.so" python/python/ancf14/libancf14.so
+package=python/python/ancf14
+cp "$target/fmu/libancf14.so" "$package/libancf14.so"
+# Libraries for other platforms, of scripts/build-platforms.sh, which `pack` puts into FMUs.
+for file in aarch64-linux/libancf14.so x86_64-windows/ancf14.dll; do
+    rm -rf "${package:?}/${file%/*}"
+    if [ -f "$target/fmu/$file" ]; then
+        mkdir "$package/${file%/*}"
+        cp "$target/fmu/$file" "$package/$file"
+    fi
+done
 cp LICENSE licenses/program.txt licenses/viewer.txt python/
 rm -rf "$target/wheels"
 set --

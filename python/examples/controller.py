@@ -1,12 +1,14 @@
+# %% [markdown]
 """A controller in the loop: it moves the trolley so that the load does not swing."""
 
+# %%
 from pathlib import Path
 
 import ancf14
 import numpy as np
 
 STEP = 0.02
-FILE = Path(__file__).with_name("crane.toml")
+FILE = Path("crane.toml")
 
 
 def travel(damping: float) -> float:
@@ -26,6 +28,7 @@ def travel(damping: float) -> float:
     return float(np.ptp(swings[-round(2 / STEP) :]))
 
 
+# %%
 if __name__ == "__main__":
     for damping in (0.0, 1.0):
         print(f"gain {damping:g}: the load swings by {travel(damping):.3f} m")

@@ -1,5 +1,7 @@
+# %% [markdown]
 """Young's modulus and damping of a beam from the record of its tip, by least squares."""
 
+# %%
 import ancf14
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +27,7 @@ def motion(young: float, damping: float) -> NDArray[np.float64]:
     return MODEL.run({"young": young, "damping": damping})["tip.displacement[3]"]
 
 
+# %%
 if __name__ == "__main__":
     noise = np.random.default_rng(1).normal(0, 2e-4, 201)
     record = motion(72.5e9, 8e-4) + noise

@@ -1,5 +1,7 @@
+# %% [markdown]
 """How hard is the hook pulled? A particle filter: each particle is a saved state with a force of its own; those that fit the measured tip go on."""
 
+# %%
 import ancf14
 import numpy as np
 
@@ -16,6 +18,7 @@ simulation = { stop = 1, step = 5e-3 }
 """
 STEP, STEPS, COUNT, NOISE = 0.02, 25, 60, 2e-3
 
+# %%
 if __name__ == "__main__":
     chance = np.random.default_rng(1)
     unit = ancf14.Model.from_string(HOOK).unit()

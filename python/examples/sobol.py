@@ -1,5 +1,7 @@
+# %% [markdown]
 """Which dimension of a blade decides about its first frequency? Sobol indices by SALib."""
 
+# %%
 import ancf14
 import numpy as np
 from SALib.analyze import sobol as indices
@@ -18,6 +20,7 @@ simulation = { stop = 1 }
 BOUNDS = {"length": [0.95, 1.05], "width": [0.045, 0.055], "height": [0.0045, 0.0055], "young": [68e9, 72e9]}
 PROBLEM = {"num_vars": len(BOUNDS), "names": list(BOUNDS), "bounds": list(BOUNDS.values())}
 
+# %%
 if __name__ == "__main__":
     model = ancf14.Model.from_string(BLADE)
     points = sampling.sample(PROBLEM, 128, seed=1)

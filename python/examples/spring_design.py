@@ -1,13 +1,12 @@
+# %% [markdown]
 """The lightest helical spring of a stiffness: wire and coil by optimization, on the model of the shipped example."""
 
-from pathlib import Path
-
+# %%
 import ancf14
 import numpy as np
 from scipy.optimize import minimize
 
-FILE = Path(__file__).parents[2] / "models" / "helical_spring.toml"
-MODEL = ancf14.Model(FILE, {"coil.elements": 24})
+MODEL = ancf14.Model("../../models/helical_spring.toml", {"coil.elements": 24})
 STIFFNESS, STRESS, PULL = 400.0, 6e8, 0.01
 
 
@@ -22,6 +21,7 @@ def mass(wire: float, coil: float) -> float:
     return 7850 * np.pi * wire**2 * 2 * 2 * np.pi * coil
 
 
+# %%
 if __name__ == "__main__":
     limits = [
         {"type": "eq", "fun": lambda x: answers(*(x * 1e-3))[0] / STIFFNESS - 1},

@@ -42,7 +42,7 @@ pub fn drawing(model: &Simulation) -> String {
     draw::svg(&Drawing::new(model.document()), &model.about().name, Projection::default())
 }
 
-/// The bytes of an FMU, of FMI 3.0 or else 2.0, with the library of this platform.
+/// The bytes of an FMU, of FMI 3.0 or 2.0, with the library of this platform and those of others beside it.
 pub fn fmu(model: &Simulation, text: &str, library: PathBuf, fmi: u8) -> Result<Vec<u8>, String> {
     let standard = match fmi {
         2 => Standard::Fmi2,
@@ -58,7 +58,9 @@ pub fn fmu(model: &Simulation, text: &str, library: PathBuf, fmi: u8) -> Result<
         drawing: &draw::svg(&drawing, "", Projection::default()),
         legend: &draw::legend(&drawing),
     };
-    let libraries = libraries::read(&[(Platform::NATIVE, library)]).map_err(|reason| reason.to_string())?;
+    let mut files = libraries::find_others(&library);
+    files.insert(0, (Platform::NATIVE, library));
+    let libraries = libraries::read(&files).map_err(|reason| reason.to_string())?;
     package::fmu(standard, model.about(), model.variables(), &contents, &libraries).map_err(|reason| reason.to_string())
 }
 

@@ -1,6 +1,8 @@
 """Do the variables, modes, drawings, FMUs and tables of a model say what the command line says?"""
 
 import csv
+import html
+import re
 import sys
 import zipfile
 from pathlib import Path
@@ -56,9 +58,17 @@ def test_pictures_and_fmus_have_the_bytes_of_the_command_line() -> None:
     assert packed.returncode == 0, packed.stderr
     path = ancf14.Model(CANTILEVER).pack("own.fmu")
     assert path.read_bytes() == Path("packed.fmu").read_bytes()
-    assert any(name.startswith("binaries/") for name in zipfile.ZipFile(path).namelist())
     with pytest.raises(ancf14.CallError, match="without parameters"):
         ancf14.Model(CANTILEVER, {"arm.elements": 2}).pack("own.fmu")
+
+
+def test_an_fmu_runs_on_every_platform_of_the_wheel() -> None:
+    package = Path(ancf14.__file__).parent
+    path = ancf14.Model(CANTILEVER).pack("own.fmu", fmi=3)
+    with zipfile.ZipFile(path) as archive:
+        packed = {name.split("/")[1]: archive.read(name) for name in archive.namelist() if name.startswith("binaries/")}
+    others = {file.parent.name: file.read_bytes() for file in package.glob("*-*/*ancf14.*")}
+    assert packed == others | {"x86_64-linux": (package / "libancf14.so").read_bytes()}
 
 
 def test_results_become_tables_plots_and_a_page() -> None:
@@ -71,7 +81,21 @@ def test_results_become_tables_plots_and_a_page() -> None:
     assert (data["tip.displacement"].sel(axis="z").to_numpy() == results["tip.displacement[3]"]).all()
     assert len(results.plot("tip.displacement").lines) == 3
     page = results.view("page.html")
-    assert page.read_text().startswith("<!") and "Pushed" in page.read_text()
+    assert Path(page).read_text() == page.html and page.html.startswith("<!") and "Pushed" in page.html
+
+
+def test_notebooks_show_the_page(monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    results = ancf14.Model.from_string(PUSHED).run()
+    page = results.view()
+    assert opened == [page.path.as_uri()]
+    monkeypatch.setitem(sys.modules, "ipykernel", sys)
+    page = results.view()
+    assert len(opened) == 1
+    # What a browser takes from the frame is the page, letter by letter.
+    frame = re.fullmatch(r'<iframe srcdoc="([^"]*)"[^>]*></iframe>', page._repr_html_())
+    assert frame and html.unescape(frame[1]) == page.html
 
 
 @pytest.mark.parametrize(("package", "method"), [("pandas", "to_pandas"), ("xarray", "to_xarray")])

@@ -46,6 +46,26 @@ def test_results_have_the_bits_of_the_command_line(name: str) -> None:
     assert Path("own.csv").read_bytes() == Path("out/results.csv").read_bytes()
 
 
+def test_arrays_have_the_bits_of_the_table() -> None:
+    arguments = ["run", str(MODELS / "crane.toml"), "-o", "out", "--set", "simulation.stop=0.05", "--format", "npz"]
+    done = program(Path.cwd(), *arguments)
+    assert done.returncode == 0, done.stderr
+    first = Path("out/results.npz").read_bytes()
+    with open("out/results.csv", newline="") as table:
+        header, *rows = csv.reader(table)
+    results = ancf14.Model(MODELS / "crane.toml").run(stop=0.05)
+    with np.load("out/results.npz") as arrays:
+        assert list(arrays["columns"]) == header and sorted(arrays) == sorted([*header, "columns", "units"])
+        assert list(arrays["units"]) == ["s", *(results.units[name] for name in results.columns)]
+        for place, name in enumerate(header):
+            column = np.array([row[place] for row in rows], dtype=arrays[name].dtype)
+            assert arrays[name].tobytes() == column.tobytes(), name
+        # Counts are whole numbers.
+        assert {arrays[name].dtype for name in header} == {np.dtype("<f8"), np.dtype("<i4")}
+    assert program(Path.cwd(), *arguments).returncode == 0
+    assert Path("out/results.npz").read_bytes() == first
+
+
 def test_parameters_are_those_of_set() -> None:
     file = MODELS / "cantilever.toml"
     overrides = ["--set", "arm.elements=3", "--set", "strip.height=0.0051234567890123", "--set", "arm.strain=small"]

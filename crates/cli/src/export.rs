@@ -32,7 +32,8 @@ pub fn standard(text: &str) -> Result<Standard, String> {
     }
 }
 
-/// Packs the model `file` as an FMU of a version of the standard, with the library of this platform, which lies next to `program`, and of others that are given.
+/// Packs the model `file` as an FMU of a version of the standard, with the library of this platform, which lies next to `program`, and with those of others that
+/// are given or lie beside it.
 pub fn pack(
     standard: Standard,
     file: &Path,
@@ -53,8 +54,11 @@ pub fn pack(
     let (simulation, text) = load(file, &[])?;
     // No library at the place that was given is a wrong argument; a failed write is not.
     let own = libraries::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
+    let mut beside = libraries::find_others(&own);
+    beside.retain(|(platform, _)| others.iter().all(|(given, _)| given != platform));
     let mut packed = vec![(Platform::NATIVE, own)];
     packed.extend(others);
+    packed.extend(beside);
     let read = packed.iter().map(|(_, path)| ("a library to pack", path.as_path()));
     let inputs: Vec<Input<'_>> = read.chain([(MODEL_FILE, file)]).collect();
     output::spare(&inputs, &[output.to_owned()])?;

@@ -118,8 +118,8 @@ impl Folder {
     }
 
     /// Writes a file that has been claimed, whole or not at all.
-    pub fn write(&self, name: &str, text: &str) -> Result<(), Stop> {
-        output::write(&self.file(name), text.as_bytes())
+    pub fn write(&self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), Stop> {
+        output::write(&self.file(name), bytes.as_ref())
     }
 
     /// The list is rewritten in place: its file is the lock.

@@ -82,6 +82,9 @@ enum Command {
         /// Give the inputs of the model from a table: a column `time` and one for each input, linear between the rows
         #[arg(long, value_name = "FILE.csv", conflicts_with = "verify")]
         inputs: Option<PathBuf>,
+        /// Files of the table
+        #[arg(long, value_enum, default_value_t)]
+        format: run::Format,
         /// Folder for the results [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
@@ -124,6 +127,9 @@ enum Command {
         modes: Option<Option<u16>>,
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0 or 3.0)
+    ///
+    /// The FMU runs on this platform, and on those whose libraries lie beside the library of this one, as in a release: aarch64-linux/libancf14.so,
+    /// x86_64-windows/ancf14.dll.
     Pack {
         /// Model file
         #[arg(value_name = "MODEL.toml")]
@@ -137,7 +143,7 @@ enum Command {
         /// Shared library to pack [default: next to this program, or in ../lib]
         #[arg(long, value_name = "PATH")]
         library: Option<PathBuf>,
-        /// Also pack a library for another platform: --binary win64=ancf14.dll
+        /// Pack this library for another platform: --binary win64=ancf14.dll
         #[arg(long = "binary", value_name = "PLATFORM=PATH", value_parser = export::platform_and_path)]
         binaries: Vec<(Platform, PathBuf)>,
     },
@@ -274,7 +280,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
     match command {
         Command::New { name: Some(name), template, .. } => new::new(&name, &template),
         Command::New { name: None, .. } => new::list(),
-        Command::Run { model, verify, view, inputs, out } => {
+        Command::Run { model, verify, view, inputs, format, out } => {
             let (mut simulation, text) = model.load()?;
             let file_name = model.name();
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
@@ -291,7 +297,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let read: Vec<_> =
                 [model.input()].into_iter().chain(inputs.iter().map(|path| (INPUTS, path.as_path()))).collect();
             let (inputs, settings, film) = (table.as_ref(), &*model.overrides, film.transpose()?);
-            run::run(simulation, &directory, run::Order { inputs, read: &read, settings, wish, film })
+            run::run(simulation, &directory, run::Order { inputs, read: &read, settings, wish, film, format })
         }
         Command::Check { model, resolved: true, .. } => {
             let (simulation, text) = model.load()?;

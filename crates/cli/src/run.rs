@@ -25,8 +25,20 @@ use std::time::Instant;
 /// The table of results, and its name until the run has come to its end.
 const COMPLETE: &str = "results.csv";
 const PARTIAL: &str = "results.part.csv";
+/// The table as arrays.
+const ARRAYS: &str = "results.npz";
 /// The page that shows it move.
 const VIEW: &str = "view.html";
+
+/// The files that the table is written to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Format {
+    /// results.csv
+    #[default]
+    Csv,
+    /// results.csv, and at the end results.npz, which numpy.load reads
+    Npz,
+}
 
 /// What is asked for.
 #[derive(Debug, Default)]
@@ -41,15 +53,20 @@ pub struct Order<'a> {
     pub wish: Option<Wish<'a>>,
     /// A page that shows the mechanism move.
     pub film: Option<Film>,
+    /// The files of the table.
+    pub format: Format,
 }
 
 /// Simulates and writes everything into the folder `directory`.
 pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Result<(), Stop> {
-    let Order { inputs, read, settings, wish, mut film } = order;
+    let Order { inputs, read, settings, wish, mut film, format } = order;
     let last_row = last_row(&simulation)?;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
     let mut results = Results::new(simulation.variables(), last_row);
+    if format == Format::Npz {
+        results.keep();
+    }
     let rows = Rows::shared(partial.clone());
     let plots = Plot::all(&results.columns, simulation.document());
     let of_wish = wish.iter().flat_map(|_| &verify::FILES);
@@ -57,6 +74,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
         .iter()
         .chain(of_wish)
         .chain(film.iter().map(|_| &VIEW))
+        .chain((format == Format::Npz).then_some(&ARRAYS))
         .map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
     folder.claim("run", &simulation.about().guid, &names, read)?;
@@ -87,6 +105,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let (finished, mut pictures) = finished.map_or_else(|stop| (Err(stop), Vec::new()), |pictures| (Ok(()), pictures));
     let mut files = vec![if is_complete { COMPLETE } else { PARTIAL }, SUMMARY];
     files.extend(film.iter().map(|_| VIEW));
+    files.extend((is_complete && format == Format::Npz).then_some(ARRAYS));
     let conclude = |outcome: &Result<(), Stop>, pictures: &[(String, String)], files: &[&str]| {
         let write = |summary| conclusion::write(summary, (&simulation, outcome), pictures, files, &folder);
         summary.as_ref().map_or(Ok(()), write)
@@ -128,6 +147,9 @@ fn finish(
     let remark = if is_complete {
         fs::rename(&partial, &complete).map_err(|reason| trouble(&complete, &reason))?;
         locked(rows).path.clone_from(&complete);
+        if let Some(arrays) = results.npz() {
+            folder.write(ARRAYS, arrays.map_err(|reason| trouble(&folder.file(ARRAYS), &reason))?)?;
+        }
         String::new()
     } else {
         format!(" (incomplete: to t = {} s)", decimal(reached))

@@ -18,20 +18,24 @@ pub enum Platform {
     Win64,
     /// macOS on x86-64.
     Darwin64,
+    /// Linux on 64-bit ARM.
+    LinuxArm64,
 }
 
 impl Platform {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Linux32, Self::Linux64, Self::Win32, Self::Win64, Self::Darwin64];
+    pub const ALL: [Self; 6] =
+        [Self::Linux32, Self::Linux64, Self::Win32, Self::Win64, Self::Darwin64, Self::LinuxArm64];
 
     /// The one this was built for.
     pub const NATIVE: Self = match () {
         () if cfg!(windows) => Self::Win64,
         () if cfg!(target_os = "macos") => Self::Darwin64,
+        () if cfg!(target_arch = "aarch64") => Self::LinuxArm64,
         () => Self::Linux64,
     };
 
-    /// FMI 2.0's name of it (section 2.3), as in `--binary win64=PATH`.
+    /// FMI 2.0's name of it, as in `--binary win64=PATH`. Where FMI 2.0 has none, it takes that of FMI 3.0 (FMI 2.0.5, section 2.3).
     pub fn name(self) -> &'static str {
         match self {
             Self::Linux32 => "linux32",
@@ -39,6 +43,7 @@ impl Platform {
             Self::Win32 => "win32",
             Self::Win64 => "win64",
             Self::Darwin64 => "darwin64",
+            Self::LinuxArm64 => self.tuple(),
         }
     }
 
@@ -50,6 +55,7 @@ impl Platform {
             Self::Win32 => "x86-windows",
             Self::Win64 => "x86_64-windows",
             Self::Darwin64 => "x86_64-darwin",
+            Self::LinuxArm64 => "aarch64-linux",
         }
     }
 
@@ -60,10 +66,16 @@ impl Platform {
 
     pub(crate) fn suffix(self) -> &'static str {
         match self {
-            Self::Linux32 | Self::Linux64 => "so",
+            Self::Linux32 | Self::Linux64 | Self::LinuxArm64 => "so",
             Self::Win32 | Self::Win64 => "dll",
             Self::Darwin64 => "dylib",
         }
+    }
+
+    /// The file name of the library, as cargo gives it.
+    fn file_name(self) -> String {
+        let prefix = if matches!(self, Self::Win32 | Self::Win64) { "" } else { "lib" };
+        format!("{prefix}ancf14.{}", self.suffix())
     }
 
     /// What the bytes of a library are for; nothing, if they are no library or for another machine.
@@ -72,6 +84,9 @@ impl Platform {
         // ELF: magic, class, byte order; type 3 is a shared object, then the machine.
         if at(0, b"\x7fELF\x02\x01") && at(16, &[3, 0, 0x3e, 0]) {
             return Some(Self::Linux64);
+        }
+        if at(0, b"\x7fELF\x02\x01") && at(16, &[3, 0, 0xb7, 0]) {
+            return Some(Self::LinuxArm64);
         }
         if at(0, b"\x7fELF\x01\x01") && at(16, &[3, 0, 3, 0]) {
             return Some(Self::Linux32);
@@ -111,6 +126,14 @@ pub fn find_library(given: Option<&Path>, executable: &Path) -> Result<PathBuf, 
     }
 }
 
+/// The libraries for other platforms that lie beside `library`, in folders named as FMI 3.0 names the platforms: `x86_64-windows/ancf14.dll`.
+pub fn find_others(library: &Path) -> Vec<(Platform, PathBuf)> {
+    let folder = library.parent().unwrap_or(Path::new(""));
+    let place = |platform: Platform| (platform, folder.join(platform.tuple()).join(platform.file_name()));
+    let others = Platform::ALL.into_iter().filter(|platform| *platform != Platform::NATIVE).map(place);
+    others.filter(|(_, file)| file.is_file()).collect()
+}
+
 /// Reads libraries from their files.
 ///
 /// # Errors
@@ -121,7 +144,7 @@ pub fn read(libraries: &[(Platform, PathBuf)]) -> Result<Vec<(Platform, Vec<u8>)
         let bytes = fs::read(file).map_err(|reason| io(&format!("cannot read {}", file.display()), reason))?;
         let problem = match Platform::of_library(&bytes) {
             Some(found) if found != *platform => format!("it is a shared library for {}", found.name()),
-            None => "it is no shared library for x86 or x86-64".to_owned(),
+            None => "it is no shared library for x86, x86-64 or 64-bit ARM".to_owned(),
             Some(_) if read.iter().any(|(earlier, _)| earlier == platform) => "there is another one already".to_owned(),
             Some(_) => {
                 read.push((*platform, bytes));

@@ -2,6 +2,7 @@
 //!
 //! Nothing here prints, writes files or knows a terminal: the command line does that, and other programs may.
 
+pub mod arrays;
 pub mod bars;
 pub mod chart;
 pub mod column;

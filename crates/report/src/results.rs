@@ -1,5 +1,6 @@
 //! The table of results: every row becomes text, and the plots keep of the rows as much as they show.
 
+use crate::arrays::{Array, npz};
 use crate::extremes::{Extremes, Peak};
 use crate::numbers::shortest;
 use crate::trace::Trace;
@@ -44,6 +45,17 @@ pub struct Results {
     last: Option<Row>,
     /// Number of the last row of a run that comes to its end.
     pub last_row: u64,
+    /// All rows, if somebody wants them.
+    kept: Option<Kept>,
+}
+
+/// All rows, column by column.
+#[derive(Debug, Default)]
+struct Kept {
+    time: Vec<f64>,
+    columns: Vec<Vec<f64>>,
+    /// Whether the values of a column are whole numbers.
+    are_whole: Vec<bool>,
 }
 
 /// Intervals of time that all traces together keep: some 200 MB.
@@ -66,7 +78,34 @@ impl Results {
             trace: Trace::new(room),
         };
         let columns = outputs().map(column).collect();
-        Self { columns, count: 0, snapshots: Vec::new(), last: None, last_row }
+        Self { columns, count: 0, snapshots: Vec::new(), last: None, last_row, kept: None }
+    }
+
+    /// Keeps all rows from now on, for `npz`.
+    pub fn keep(&mut self) {
+        let count = self.columns.len();
+        self.kept = Some(Kept { time: Vec::new(), columns: vec![Vec::new(); count], are_whole: vec![false; count] });
+    }
+
+    /// The bytes of results.npz, with the numbers of results.csv: an array for each column, `time` among them, and the texts `columns` and `units`, in the order of
+    /// results.csv. None if the rows were not kept.
+    ///
+    /// # Errors
+    /// The archive does not take an entry; the text says why.
+    pub fn npz(&self) -> Option<Result<Vec<u8>, String>> {
+        let Kept { time, columns, are_whole } = self.kept.as_ref()?;
+        let own = || self.columns.iter();
+        let names = std::iter::once("time").chain(own().map(|column| &*column.name)).collect();
+        let units = std::iter::once("s").chain(own().map(|column| &*column.unit)).collect();
+        let values = columns.iter().zip(are_whole).map(|(values, is_whole)| match is_whole {
+            // They were whole numbers of 32 bits.
+            true => Array::Integers(values.iter().map(|value| *value as i32).collect()),
+            false => Array::Reals(values),
+        });
+        let mut arrays =
+            vec![("columns", Array::Words(names)), ("units", Array::Words(units)), ("time", Array::Reals(time))];
+        arrays.extend(own().map(|column| &*column.name).zip(values));
+        Some(npz(&arrays).map_err(|reason| reason.to_string()))
     }
 
     /// Adds a row; returns its text for results.csv, with the header before the first one.
@@ -80,8 +119,13 @@ impl Results {
             push(&mut text, value);
             column.trace.push(time, value.number());
             values.push(value.number());
+            if let Some(kept) = &mut self.kept {
+                kept.columns[values.len() - 1].push(value.number());
+                kept.are_whole[values.len() - 1] = matches!(value, Value::Integer(_));
+            }
         }
         text.push('\n');
+        self.kept.iter_mut().for_each(|kept| kept.time.push(decimal(time)));
         let is_snapshot = (0..=SNAPSHOTS).any(|k| (k * self.last_row + SNAPSHOTS / 2) / SNAPSHOTS == self.count);
         if is_snapshot {
             self.snapshots.push((time, values.clone()));

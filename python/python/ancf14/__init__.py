@@ -11,7 +11,7 @@ from ._errors import CallError, Error, Interrupted, ModelError, RunError, Solver
 from ._model import Model, Picture, Variable
 from ._modes import Modes
 from ._native import __version__
-from ._results import Results
+from ._results import Page, Results
 from ._unit import State, Unit
 
 __all__ = [
@@ -21,6 +21,7 @@ __all__ = [
     "Model",
     "ModelError",
     "Modes",
+    "Page",
     "Picture",
     "Results",
     "RunError",

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import difflib
+import html
 import os
+import sys
 import tempfile
 import webbrowser
 from collections.abc import Iterator, Mapping
@@ -18,6 +20,25 @@ from ._errors import CallError, VariableError, missing, raising
 from ._names import Components
 
 Array = NDArray[np.float64]
+
+
+class Page:
+    """A page that shows a mechanism move, one HTML file. Notebooks show it; ``open``, ``Path`` and the like take it as a path."""
+
+    def __init__(self, path: Path, text: str) -> None:
+        self.path = path
+        """The file."""
+        self.html = text
+        """The text of the file."""
+
+    def __fspath__(self) -> str:
+        return str(self.path)
+
+    def __repr__(self) -> str:
+        return f"<ancf14.Page {str(self.path)!r}>"
+
+    def _repr_html_(self) -> str:
+        return f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="640" style="border: 0"></iframe>'
 
 
 class Results(Mapping[str, Array]):
@@ -142,8 +163,8 @@ class Results(Mapping[str, Array]):
         axes.legend()
         return axes
 
-    def view(self, path: str | os.PathLike[str] | None = None) -> Path:
-        """Write a page that shows the mechanism move, an HTML file, and return its path; without a ``path``, open it in a browser.
+    def view(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """Write a page that shows the mechanism move, an HTML file, and return it. Notebooks show it; elsewhere it opens in a browser if no ``path`` is given.
 
         The page is made from a second run, which has the same results.
         """
@@ -157,6 +178,6 @@ class Results(Mapping[str, Array]):
             raise error or CallError("the page cannot be written")
         target = Path(path) if path is not None else Path(tempfile.mkdtemp(prefix="ancf14-")) / "view.html"
         target.write_text(page, encoding="utf-8")
-        if path is None:
+        if path is None and "ipykernel" not in sys.modules:
             webbrowser.open(target.as_uri())
-        return target
+        return Page(target, page)

@@ -82,7 +82,10 @@ fn mistakes_of_the_user_give_exit_code_2() {
         (vec!["run", "latin.toml"], "not UTF-8 text: byte 11, in line 1"),
         (vec!["run", &cantilever, "--set", "arm.yuong=1"], "unknown key `yuong`"),
         (vec!["run", &cantilever, "--set", "arm"], "KEY=VALUE was expected"),
-        (vec!["pack", &cantilever, "-o", "c.fmu", "--binary", "amiga=a.so"], "linux64, win32, win64, darwin64"),
+        (
+            vec!["pack", &cantilever, "-o", "c.fmu", "--binary", "amiga=a.so"],
+            "linux64, win32, win64, darwin64, aarch64-linux",
+        ),
         (vec!["header", &cantilever, "-o", "c.h", "--prefix", "9"], "9"),
         (vec!["jump"], "unrecognized subcommand"),
         (vec!["pack", &cantilever, "-o", "c.fmu", "--library", "nothing.so"], "nothing.so"),
@@ -135,6 +138,37 @@ fn header_and_unit_are_written() {
     assert!(ancf14(directory.path(), &pack).status.success());
     assert!(std::fs::read_to_string(directory.path().join("c.h")).expect("header").contains("tip"));
     assert!(std::fs::read(directory.path().join("c.fmu")).expect("unit").starts_with(b"PK"));
+}
+
+/// An FMU has the libraries for other platforms that lie beside that of this one; one that is given takes the place of the one that lies there.
+#[test]
+fn libraries_for_other_platforms_are_packed() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let write = |name: &str, machine: u8| {
+        let path = directory.path().join(name);
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        std::fs::write(path, [&b"\x7fELF\x02\x01 and so on\x03\x00"[..], &[machine, 0]].concat()).expect("write");
+    };
+    let cantilever = model("cantilever");
+    let packed = |more: &[&str]| {
+        let words = [&["pack", &cantilever, "-o", "c.fmu", "--library", "library.so"], more].concat();
+        let output = ancf14(directory.path(), &words);
+        (output.status.code(), text(&output.stdout) + &text(&output.stderr))
+    };
+    write("library.so", 0x3e);
+    write("other.so", 0xb7);
+    let (code, said) = packed(&[]);
+    assert!(code == Some(0) && said.contains("packed for linux64 (library.so)\n"), "{said}");
+    write("aarch64-linux/libancf14.so", 0xb7);
+    let (code, said) = packed(&[]);
+    let beside = "packed for linux64 (library.so), aarch64-linux (aarch64-linux/libancf14.so)\n";
+    assert!(code == Some(0) && said.contains(beside), "{said}");
+    let (code, said) = packed(&["--binary", "aarch64-linux=other.so"]);
+    let given = "packed for linux64 (library.so), aarch64-linux (other.so)\n";
+    assert!(code == Some(0) && said.contains(given), "{said}");
+    write("aarch64-linux/libancf14.so", 0x3e);
+    let (code, said) = packed(&[]);
+    assert!(code == Some(2) && said.contains("a shared library for linux64"), "{said}");
 }
 
 /// A model named like a word of C or C++ still gets an identifier that both take.

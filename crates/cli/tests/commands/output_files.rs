@@ -139,6 +139,28 @@ fn regression_what_is_incomplete_looks_incomplete() {
     assert!(!fs::read_to_string(place.at("m-results/energy.svg")).unwrap().contains("incomplete"));
 }
 
+/// Arrays are files of the run that they are of, and only a run that comes to its end leaves them.
+#[test]
+fn arrays_belong_to_their_run() {
+    let place = Place::new();
+    assert_eq!(code(&place.ancf14(&["run", "m.toml", "--format", "npz"])), 0);
+    assert!(place.at("m-results/results.csv").exists());
+    // A zip archive.
+    assert!(fs::read(place.at("m-results/results.npz")).unwrap().starts_with(b"PK\x03\x04"));
+    assert!(fs::read_to_string(place.at("m-results/index.html")).unwrap().contains("results.npz"));
+    let load = "[load.push]\nat = \"bob\"\nforce = [0, 0, \"sqrt(0.055 - t)\"]\n";
+    fs::write(place.at("m.toml"), format!("{MODEL}{load}")).unwrap();
+    assert_eq!(code(&place.ancf14(&["run", "m.toml", "--format", "npz"])), 1);
+    assert!(place.at("m-results/results.part.csv").exists() && !place.at("m-results/results.npz").exists());
+    fs::write(place.at("m.toml"), MODEL).unwrap();
+    assert_eq!(code(&place.ancf14(&["run", "m.toml", "--format", "npz"])), 0);
+    assert_eq!(code(&place.ancf14(&["run", "m.toml"])), 0);
+    assert!(!place.at("m-results/results.npz").exists());
+    let refused = place.ancf14(&["run", "m.toml", "--format", "parquet"]);
+    assert_eq!(code(&refused), 2);
+    assert!(text(&refused.stderr).contains("csv, npz"), "{}", text(&refused.stderr));
+}
+
 /// Errors are files of the run that they are of: the next run without them takes them away. A wrong accuracy is refused before anything runs.
 #[test]
 fn errors_belong_to_their_run() {

@@ -10,7 +10,7 @@ use std::{
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::location::LIBRARY;
 use ancf14_pack::contents::Contents;
-use ancf14_pack::libraries::{Platform, find_library, read};
+use ancf14_pack::libraries::{Platform, find_library, find_others, read};
 use ancf14_pack::package::fmu;
 use ancf14_testing::toy;
 use zip::{CompressionMethod, ZipArchive};
@@ -147,8 +147,32 @@ fn the_library_is_found() {
     assert!(find_library(Some(Path::new("/nowhere.so")), &executable).is_err());
 }
 
+/// Libraries for other platforms are found by their folders beside the library; a folder without its file brings none, and neither does this platform's own.
+#[test]
+fn libraries_for_others_are_found() {
+    let directory = tempfile::tempdir().unwrap();
+    let root = directory.path();
+    let library = root.join(LIBRARY);
+    let place = |path: &str| {
+        let path = root.join(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, "").unwrap();
+        path
+    };
+    assert_eq!(find_others(&library), []);
+    place(&format!("{}/{LIBRARY}", Platform::NATIVE.tuple()));
+    place("x86-windows/libancf14.so");
+    let mut expected = vec![
+        (Platform::Win64, place("x86_64-windows/ancf14.dll")),
+        (Platform::Darwin64, place("x86_64-darwin/libancf14.dylib")),
+        (Platform::LinuxArm64, place("aarch64-linux/libancf14.so")),
+    ];
+    expected.retain(|(platform, _)| *platform != Platform::NATIVE);
+    assert_eq!(find_others(&library), expected);
+}
+
 /// The first bytes of a shared library of each platform, as linkers write them.
-fn heads() -> [(Platform, Vec<u8>); 5] {
+fn heads() -> [(Platform, Vec<u8>); 6] {
     let elf = |class: u8, machine: u8| {
         let mut bytes = vec![0; 64];
         bytes[..6].copy_from_slice(&[0x7f, b'E', b'L', b'F', class, 1]);
@@ -171,6 +195,7 @@ fn heads() -> [(Platform, Vec<u8>); 5] {
         (Platform::Win32, pe(0x014c)),
         (Platform::Win64, pe(0x8664)),
         (Platform::Darwin64, mach_o),
+        (Platform::LinuxArm64, elf(2, 0xb7)),
     ]
 }
 
@@ -196,7 +221,7 @@ fn libraries_are_for_their_platform() {
             assert!(end > 18 || Platform::of_library(&bytes[..end]).is_none(), "{end} bytes");
         }
     }
-    let [.., (_, mut program), _] = heads();
+    let [.., (_, mut program), _, _] = heads();
     program[151] = 0; // no DLL
     for bytes in [program, b"<html>".to_vec(), vec![0xff; 300], Vec::new()] {
         fs::write(&path, bytes).unwrap();
