@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs what scripts/build.sh has built below the folder PREFIX: the program, the header, the library (the static one too, if there
-# is one), files for pkg-config and CMake, licences. Nothing installed knows PREFIX: the folder may be moved.
+# Installs what scripts/build.sh has built below the folder PREFIX: the program, the header, the library (the static one and the solver
+# of pages too, if they are there), files for pkg-config and CMake, licences. Nothing installed knows PREFIX: the folder may be moved.
 #
 #     sh scripts/build.sh && sh scripts/install.sh PREFIX
 #
@@ -38,6 +38,9 @@ mkdir -p "$prefix/bin" "$prefix/include" "$prefix/lib/pkgconfig" "$cmake" "$lice
 install -m 755 "$build/ancf14" "$prefix/bin/ancf14"
 install -m 644 include/ancf14.h "$prefix/include/ancf14.h"
 install -m 755 "$build/$library" "$prefix/lib/$library"
+if [ -f "$build/ancf14.wasm" ]; then
+    install -m 644 "$build/ancf14.wasm" "$prefix/lib/ancf14.wasm"
+fi
 if [ -f "$build/libancf14.a" ]; then
     install -m 644 "$build/libancf14.a" "$prefix/lib/libancf14.a"
 fi

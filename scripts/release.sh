@@ -7,6 +7,7 @@ set -eu
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
 scripts/build.sh
+scripts/build-wasm.sh
 scripts/wheel.sh
 version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
 name=ancf14-$version-$(uname -s | tr '[:upper:]' '[:lower:]')-$(uname -m)
