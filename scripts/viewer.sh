@@ -1,6 +1,6 @@
 #!/bin/sh
 # Tests the page of `ancf14 view`: that the committed program belongs to its sources, its types, its parts in node, and whole pages of target/fmu/ancf14 in
-# Chromium. Needs node, npm and Chromium (scripts/tools.sh).
+# Chromium, with the solver in the page too. Needs node, npm and Chromium (scripts/tools.sh), and what scripts/build.sh and scripts/build-wasm.sh build.
 set -eu
 
 cd "$(dirname "$0")/../viewer"
