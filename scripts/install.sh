@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs what scripts/build.sh has built below the folder PREFIX: the program, the header, the library (the static one and those for other platforms too, if they
-# are there), files for pkg-config and CMake, licences. Nothing installed knows PREFIX: the folder may be moved.
+# Installs what scripts/build.sh has built below the folder PREFIX: the program, the header, the library (the static one, those for other platforms and the solver of
+# pages too, if they are there), files for pkg-config and CMake, licences. Nothing installed knows PREFIX: the folder may be moved.
 #
 #     sh scripts/build.sh && sh scripts/install.sh PREFIX
 #
@@ -45,6 +45,9 @@ for file in aarch64-linux/libancf14.so x86_64-windows/ancf14.dll; do
         install -m 755 "$build/$file" "$prefix/lib/$file"
     fi
 done
+if [ -f "$build/ancf14.wasm" ]; then
+    install -m 644 "$build/ancf14.wasm" "$prefix/lib/ancf14.wasm"
+fi
 if [ -f "$build/libancf14.a" ]; then
     install -m 644 "$build/libancf14.a" "$prefix/lib/libancf14.a"
 fi

@@ -1,5 +1,5 @@
-"""Writes the licences of all that is linked: licenses/license.txt for the library of an FMU, for documentation/licenses in it, and licenses/program.txt for the
-program and the Python package.
+"""Writes the licences of all that is linked: licenses/license.txt for the library of an FMU, for documentation/licenses in it, licenses/program.txt for the
+program and the Python package, and licenses/solver.txt for the solver in pages, which have it too.
 
     target/python-env/bin/python scripts/licenses.py
 
@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PAGES = {
     "license.txt": ("the shared libraries of this unit", ["ancf14"]),
     "program.txt": ("the program ancf14 and the Python package", ["ancf14-cli", "ancf14-python"]),
+    "solver.txt": ("the solver of this page, which is WebAssembly", ["ancf14-live"]),
 }
 FILES = re.compile(r"(?i)(licen[sc]e|copying|copyright|notice|unlicense)")
 TRIPLE = "x86_64-unknown-linux-gnu"
@@ -90,10 +91,14 @@ def text(page: str) -> str:
         lines.append(f"{name}: {package['license']}")
         for licence in texts(package):
             holders.setdefault(licence, []).append(name)
-    zig = Path(ziglang.__file__).parent
-    lines += [STANDARD_LIBRARY, "compiler-rt of Zig: MIT", "libunwind of LLVM: Apache-2.0 WITH LLVM-exception"]
-    holders.setdefault(clean((zig / "LICENSE").read_text()), []).append("compiler-rt of Zig")
-    holders.setdefault(clean((zig / "lib/libunwind/LICENSE.TXT").read_text()), []).append("libunwind of LLVM")
+    lines.append(STANDARD_LIBRARY)
+    if page == "solver.txt":
+        lines.append("    and dlmalloc (MIT OR Apache-2.0)")
+    else:
+        zig = Path(ziglang.__file__).parent
+        lines += ["compiler-rt of Zig: MIT", "libunwind of LLVM: Apache-2.0 WITH LLVM-exception"]
+        holders.setdefault(clean((zig / "LICENSE").read_text()), []).append("compiler-rt of Zig")
+        holders.setdefault(clean((zig / "lib/libunwind/LICENSE.TXT").read_text()), []).append("libunwind of LLVM")
     out = [f"Licences of the software in {PAGES[page][0]}", "", *lines]
     for licence, names in holders.items():
         out += ["", LINE, ", ".join(names), LINE, "", licence.rstrip("\n")]

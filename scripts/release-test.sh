@@ -19,6 +19,10 @@ export PKG_CONFIG_PATH
     cc -std=c99 share/ancf14/c-examples/simulate.c $(pkg-config --cflags --libs ancf14) -o simulate
     ./simulate share/ancf14/c-examples/arm.toml > table.txt
     bin/ancf14 run share/ancf14/models/cantilever.toml --set simulation.stop=0.05 > run.txt
+    if [ -f lib/ancf14.wasm ]; then
+        bin/ancf14 view share/ancf14/models/cantilever.toml --set simulation.stop=0.05 --live > view.txt
+        grep -q 'id="solver"' cantilever.html
+    fi
     bin/ancf14 pack share/ancf14/models/cantilever.toml -o cantilever.fmu
 )
 grep -q '^0.1, ' "$place/table.txt"
@@ -34,6 +38,11 @@ rm -rf "$target/wheel-env"
 "${PYTHON:-python3}" -m venv "$target/wheel-env"
 python="$target/wheel-env/bin/python"
 "$python" -m pip install --quiet --disable-pip-version-check dist/ancf14-*.whl --requirement python/tests/requirements.txt
+if [ -f "$target/fmu/ancf14.wasm" ]; then
+    "$target/wheel-env/bin/ancf14" view models/cantilever.toml --set simulation.stop=0.05 --live -o "$place/wheel.html" > "$place/wheel.txt"
+    grep -q 'id="solver"' "$place/wheel.html"
+    echo "wheel: the command line writes a page with the solver"
+fi
 "$python" -m pytest -q -p no:cacheprovider --rootdir python/tests python/tests
 for folder in python/tests python/examples; do
     (cd "$folder" && "$python" -m mypy --config-file ../pyproject.toml --cache-dir /dev/null .)

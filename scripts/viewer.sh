@@ -1,9 +1,14 @@
 #!/bin/sh
 # Tests the page of `ancf14 view`: that the committed program belongs to its sources, its types, its parts in node, and whole pages of target/fmu/ancf14 in
-# Chromium. Needs node, npm and Chromium (scripts/tools.sh).
+# Chromium; with the solver in the page too, if scripts/build-wasm.sh has built it. Needs node, npm and Chromium (scripts/tools.sh), and what scripts/build.sh builds.
 set -eu
 
 cd "$(dirname "$0")/../viewer"
 npm ci --silent --no-audit --no-fund
 npm test --silent
-ANCF14="${ANCF14:-target/fmu/ancf14}" npm run browser --silent
+ANCF14="${ANCF14:-target/fmu/ancf14}"
+export ANCF14
+npm run browser --silent
+if [ -f "../${ANCF14%/*}/ancf14.wasm" ]; then
+    npm run live --silent
+fi

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Builds the Python wheel into target/wheels: the module, the command line and the library of FMUs, all with all optimization. On Linux it runs on
-# every x86-64 system since 2014 (manylinux2014): scripts/linker.sh. Needs what scripts/build.sh builds.
+# Builds the Python wheel into target/wheels: the module, the command line, the library of FMUs and the solver of pages, all with all optimization. On Linux it runs on
+# every x86-64 system since 2014 (manylinux2014): scripts/linker.sh. Needs what scripts/build.sh builds; the solver
+# is there if scripts/build-wasm.sh has built it.
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -16,7 +17,11 @@ for file in aarch64-linux/libancf14.so x86_64-windows/ancf14.dll; do
         cp "$target/fmu/$file" "$package/$file"
     fi
 done
-cp LICENSE licenses/program.txt licenses/viewer.txt python/
+rm -f "$package/ancf14.wasm"
+if [ -f "$target/fmu/ancf14.wasm" ]; then
+    cp "$target/fmu/ancf14.wasm" "$package/ancf14.wasm"
+fi
+cp LICENSE licenses/program.txt licenses/solver.txt licenses/viewer.txt python/
 rm -rf "$target/wheels"
 set --
 if [ "$(uname -sm)" = "Linux x86_64" ]; then

@@ -30,6 +30,7 @@
 //! docs/programming.md has more, in C and C++ too; `examples/` has whole programs.
 
 pub mod error;
+#[cfg(not(target_family = "wasm"))]
 pub mod ffi;
 pub mod fmi;
 pub mod math;

@@ -27,16 +27,14 @@ const licence = (name) => {
 };
 const licences = `${licence("three")}\n${licence("uplot")}`;
 
+const options = { bundle: true, minify: true, format: "iife", target: "es2022", charset: "utf8", legalComments: "none", write: false };
+const worker = await build({ ...options, entryPoints: [here("src/worker.ts")] });
 const result = await build({
+  ...options,
   entryPoints: [here("src/main.ts")],
   outfile: here("dist/viewer.js"),
-  bundle: true,
-  minify: true,
-  format: "iife",
-  target: "es2022",
-  charset: "utf8",
-  legalComments: "none",
-  write: false,
+  // The page makes its workers of this text: it loads nothing.
+  define: { WORKER: JSON.stringify(worker.outputFiles[0].text) },
 });
 const output = (end) => result.outputFiles.find((file) => file.path.endsWith(end)).text;
 const banner = `// sources: ${digest}\n/*! Contains:\n\n${licences}*/\n`;

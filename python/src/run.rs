@@ -7,7 +7,7 @@ use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::rows;
 use ancf14::{Error, Kind, Simulation, VariableId};
-use ancf14_report::view::Film;
+use ancf14_view::Film;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -59,7 +59,7 @@ pub fn run(
         locked(&own_rows).warnings.extend(simulation.take_warnings());
         let outcome =
             outcome.map_err(|error| (place(&simulation, &error), error)).map_err(|(place, error)| (error, place));
-        let page = film.and_then(|film| film.page().ok());
+        let page = film.and_then(|film| film.page(None).ok());
         // Nobody waits any more after an interruption.
         let _ = send.send((outcome, page));
     };

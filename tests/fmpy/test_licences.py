@@ -1,4 +1,4 @@
-"""Are the licences in every FMU those of what is in its library, and those beside the program of what is in that? The committed pages must be what scripts/licenses.py makes of Cargo.lock:
+"""Are the licences in every FMU those of what is in its library, and those beside the program of what is in that, and those in a page with the solver of what is in the solver? The committed pages must be what scripts/licenses.py makes of Cargo.lock:
 a crate that came, went or changed its version makes them differ. FMI 2.0.1 and later want the page at documentation/licenses/license.txt."""
 
 import sys
@@ -19,7 +19,12 @@ def test_the_page_is_current(page):
 
 
 @pytest.mark.parametrize(
-    ("page", "some"), [("license.txt", {"faer", "nalgebra", "toml", "libc", "uuid"}), ("program.txt", {"faer", "clap", "pyo3", "plotters"})]
+    ("page", "some"),
+    [
+        ("license.txt", {"faer", "nalgebra", "toml", "libc", "uuid"}),
+        ("program.txt", {"faer", "clap", "pyo3", "plotters"}),
+        ("solver.txt", {"faer", "nalgebra", "miniz_oxide", "serde_json"}),
+    ],
 )
 def test_every_crate_has_its_text(page, some):
     """The names of the list stand above the texts again; the standard library's licence is the MIT one there, too."""

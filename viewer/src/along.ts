@@ -46,6 +46,10 @@ export class Along {
     this.plot!.setData([fractions, own(low), own(high), own(values(this.data, quantity, at))]);
   }
 
+  dispose(): void {
+    this.plot?.destroy();
+  }
+
   private chart(title: string, quantity: Quantity): uPlot {
     const style = getComputedStyle(document.documentElement);
     const [ink, line, accent] = ["--ink-soft", "--line", "--accent"].map((name) => style.getPropertyValue(name).trim());

@@ -48,6 +48,12 @@ export class Charts {
     }
   }
 
+  /** Ends all charts, which listen to the window. */
+  dispose(): void {
+    for (const chart of this.charts) chart.plot?.destroy();
+    this.charts.length = 0;
+  }
+
   private width(): number {
     return Math.max(200, this.element.clientWidth - 12);
   }

@@ -1,4 +1,4 @@
-// Reads the packed numbers of the page: the other side of crates/report/src/view/block.rs.
+// Reads the packed numbers of the page: the other side of crates/view/src/block.rs.
 
 import { FORMAT, type ModeInfo, type Packed, type PageInfo, type SceneInfo } from "./format";
 

@@ -1,4 +1,4 @@
-// What the page is told, as JSON: the words of docs/viewer.md. crates/report/src/view/format.rs is the same from the other side.
+// What the page is told, as JSON: the words of docs/viewer.md. crates/view/src/format.rs is the same from the other side.
 
 export const FORMAT = 1;
 

@@ -9,7 +9,8 @@ function flip(words: string): void {
   label?.querySelector("input")?.click();
 }
 
-export function listenToKeys(page: Page): void {
+/** Listens until `signal` says stop. */
+export function listenToKeys(page: Page, signal: AbortSignal): void {
   const { player } = page;
   const actions: Record<string, () => void> = {
     " ": () => player.timeline.toggle(),
@@ -36,6 +37,8 @@ export function listenToKeys(page: Page): void {
   addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
     const target = event.target as HTMLElement;
+    // Whatever is typed into a field is text.
+    if (target.matches(".model input:not([type=checkbox]), textarea")) return;
     // Lists and sliders of their own have the keys; a button has Space and Enter.
     if (target.matches("select, input[type=range]:not(.scrub)")) return;
     if (event.key === " " && target.matches("button, input[type=checkbox], summary")) return;
@@ -43,7 +46,7 @@ export function listenToKeys(page: Page): void {
     if (!action) return;
     event.preventDefault();
     action();
-  });
+  }, { signal });
 }
 
 function nextColor(page: Page): void {

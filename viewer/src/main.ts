@@ -1,18 +1,34 @@
-// The page: reads its data, puts its parts together, shows what went wrong if something did.
+// The page: reads its data, puts its parts together, shows what went wrong if something did. Where the page brings the solver, each run takes the place of the one before.
 
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
+import { chosen } from "./carry";
 import { read } from "./data";
 import { h } from "./dom";
+import type { PageInfo } from "./format";
+import { Live } from "./live";
 import { Page } from "./ui";
+
+const text = (id: string) => document.getElementById(id)?.textContent ?? undefined;
 
 async function main(): Promise<void> {
   const app = document.getElementById("app")!;
+  const host = h("div", { class: "page" });
+  app.append(host);
+  // For tests, and for whoever wants to look at the numbers in the console.
+  const global = window as unknown as { ancf14: Page };
+  const show = async (info: PageInfo) => {
+    const data = await read(info);
+    const choose = global.ancf14 && chosen(global.ancf14);
+    global.ancf14?.dispose();
+    host.replaceChildren();
+    global.ancf14 = new Page(data, host);
+    choose?.(global.ancf14);
+  };
   try {
-    const text = document.getElementById("data")!.textContent!;
-    const page = new Page(await read(JSON.parse(text)), app);
-    // For tests, and for whoever wants to look at the numbers in the console.
-    (window as unknown as { ancf14: Page }).ancf14 = page;
+    const model = text("live");
+    if (model) app.prepend(new Live(JSON.parse(model), text("solver")!, show).element);
+    await show(JSON.parse(text("data")!));
   } catch (reason) {
     const words = reason instanceof Error ? reason.message : String(reason);
     const remedy = /webgl/i.test(words) ? "This browser has no WebGL: switch on hardware acceleration, or open the page in another browser." : "Open it in a browser of 2023 or later.";

@@ -88,7 +88,16 @@ export class Player {
 
   private needsPicture = true;
 
+  /** Ends it: its pictures and its memory. */
+  dispose(): void {
+    this.ended = true;
+    this.stage.dispose();
+  }
+
+  private ended = false;
+
   private tick(now: number): void {
+    if (this.ended) return;
     const passed = Math.min(0.1, (now - this.last) / 1000);
     this.last = now;
     this.timeline.advance(passed);

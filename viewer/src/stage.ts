@@ -4,6 +4,14 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Data } from "./data";
 
+/** Where a camera is. */
+export interface Pose {
+  position: [number, number, number];
+  target: [number, number, number];
+  zoom: number;
+  half: number;
+}
+
 export type View = "iso" | "front" | "side" | "top";
 
 /** Against gravity; z of a model without gravity. */
@@ -77,9 +85,34 @@ export class Stage {
     this.camera = this.perspective();
     this.controls = this.makeControls();
     this.makeGizmo(data.scene.gravity);
-    new ResizeObserver(() => this.resize()).observe(parent);
+    this.resizing.observe(parent);
     this.resize();
     this.view("iso");
+  }
+
+  private readonly resizing = new ResizeObserver(() => this.resize());
+
+  /** Gives the memory of the graphics card back. */
+  dispose(): void {
+    this.resizing.disconnect();
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  /** Where the camera is and what it looks at. */
+  get pose(): Pose {
+    const { camera, controls } = this;
+    return { position: camera.position.toArray(), target: controls.target.toArray(), zoom: camera.zoom, half: camera.userData.half };
+  }
+
+  set pose({ position, target, zoom, half }: Pose) {
+    this.camera.position.fromArray(position);
+    this.controls.target.fromArray(target);
+    this.camera.zoom = zoom;
+    if (this.isParallel) this.camera.userData.half = half;
+    this.shape();
+    this.controls.update();
   }
 
   private perspective(): THREE.PerspectiveCamera {

@@ -23,7 +23,7 @@ export class Page {
   private readonly panel: PickPanel;
   private readonly labels: Labels;
   private readonly viewport = h("div", { class: "viewport" });
-  private readonly side = h("aside", { class: "side", "aria-label": "Charts" });
+  readonly side = h("aside", { class: "side", "aria-label": "Charts" });
   private readonly scrub: HTMLInputElement;
   private readonly clock = h("output", { class: "clock", "aria-live": "off" });
   private readonly play: HTMLButtonElement;
@@ -32,7 +32,7 @@ export class Page {
   private readonly scaleBar = h("div", { class: "scale-bar" });
   private readonly scaleNote = h("div", { class: "scale-note" });
 
-  constructor(readonly data: Data, app: HTMLElement) {
+  constructor(readonly data: Data, readonly app: HTMLElement) {
     const charts = this.side;
     const stage = h("main", { class: "stage" }, this.viewport);
     const body = h("div", { class: "body" }, stage, charts);
@@ -58,11 +58,21 @@ export class Page {
     this.play.classList.add("play");
     app.append(this.timeline());
     this.pointer();
-    listenToKeys(this);
+    listenToKeys(this, this.listening.signal);
     player.onupdate(() => this.update());
     player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
     if (data.times.length < 2 && data.modes.length > 0) player.show(0);
     this.describe();
+  }
+
+  private readonly listening = new AbortController();
+
+  /** Ends the page: another one takes its place. */
+  dispose(): void {
+    this.listening.abort();
+    this.charts.dispose();
+    this.along.dispose();
+    this.player.dispose();
   }
 
   private header(): HTMLElement {
@@ -157,7 +167,7 @@ export class Page {
       h("div", { class: "views" }, ...views, button("Fit", "Fit into the picture", () => this.view(), "F")),
     ];
     const details = h("details", { class: "controls" }, h("summary", {}, "Display"), ...rows.filter((row) => row !== undefined));
-    details.open = innerWidth >= WIDE;
+    details.open = this.app.clientWidth >= WIDE;
     const leave = () => {
       stage.leave(details.open && innerWidth >= NARROW ? 272 : 0);
       player.look();

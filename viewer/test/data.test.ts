@@ -1,4 +1,4 @@
-// The packed numbers: viewer/test/packed.json has texts that the Rust side writes (crates/report/src/view/block.rs holds the same file), with the numbers that they stand for.
+// The packed numbers: viewer/test/packed.json has texts that the Rust side writes (crates/view/src/block.rs holds the same file), with the numbers that they stand for.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

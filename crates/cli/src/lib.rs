@@ -8,6 +8,7 @@ mod export;
 mod folder;
 mod inputs;
 mod keeper;
+mod live;
 mod modes;
 mod new;
 mod output;
@@ -28,7 +29,7 @@ use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
 use ancf14::model::{builder, file, notes};
 use ancf14_pack::libraries::Platform;
 use ancf14_report::draw::Projection;
-use ancf14_report::view::Film;
+use ancf14_view::{Film, Live};
 use clap::{Args, Parser, Subcommand};
 use inputs::Inputs;
 use std::ffi::{OsStr, OsString};
@@ -125,6 +126,10 @@ enum Command {
         /// Also show the N lowest natural modes about the initial state [default of N: 10]
         #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = modes::count)]
         modes: Option<Option<u16>>,
+        /// Put the solver into the page: its reader changes parameters and simulates again, without a network. FILE is the solver [default: ancf14.wasm next to this program,
+        /// or in ../lib]
+        #[arg(long, value_name = "FILE.wasm", num_args = 0..=1, require_equals = true)]
+        live: Option<Option<PathBuf>>,
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0 or 3.0)
     ///
@@ -314,10 +319,21 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, _) = model.load()?;
             modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
         }
-        Command::View { model, output, modes } => {
-            let (simulation, _) = model.load()?;
+        Command::View { model, output, modes, live } => {
+            let (simulation, text) = model.load()?;
             let file = output.unwrap_or_else(|| model.beside(".html"));
-            view::view(simulation, &file, &[model.input()], modes.map(|count| count.unwrap_or(modes::COUNT)))
+            let modes = modes.map(|count| count.unwrap_or(modes::COUNT));
+            let solver = live.map(|given| live::solver(given.as_deref(), program)).transpose()?;
+            let mut read = vec![model.input()];
+            read.extend(solver.iter().map(|(path, _)| (live::SOLVER, path.as_path())));
+            let live = solver.as_ref().map(|(_, solver)| Live {
+                solver: solver.clone(),
+                file: model.name(),
+                overrides: simulation.document().remaining(&model.overrides),
+                text,
+                modes,
+            });
+            view::view(simulation, &file, &read, modes, live.as_ref())
         }
         Command::Pack { file, output, fmi, library, binaries } => {
             export::pack(fmi, &file, &output, library.as_deref(), binaries, program)
@@ -414,7 +430,7 @@ fn failed(simulation: &Simulation, failure: &Failure) -> Stop {
     Stop::Failed(located.map_or_else(|| format!("error: {message}"), |mistake| mistake.to_string()))
 }
 
-/// The page of a film.
-fn page(film: &Film) -> Result<String, Stop> {
-    film.page().map_err(|reason| Stop::Failed(format!("error: cannot write the page: {reason}")))
+/// The page of a film; with the solver, if it brings one.
+fn page(film: &Film, live: Option<&Live>) -> Result<String, Stop> {
+    film.page(live).map_err(|reason| Stop::Failed(format!("error: cannot write the page: {reason}")))
 }

@@ -8,8 +8,8 @@ use ancf14::model::entries::simulation::Analysis;
 use ancf14::model::modes::{Kind, Mode, Modes};
 use ancf14::model::simulation::Simulation;
 use ancf14_report::modes::{digits, pace, word};
-use ancf14_report::view::Film;
 use ancf14_report::{modes, shapes};
+use ancf14_view::Film;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -81,7 +81,7 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
     if let Some(mut film) = film {
         film.look(0, &simulation);
         film.add_modes(&simulation, &found);
-        folder.write(PAGE, &page(&film)?)?;
+        folder.write(PAGE, &page(&film, None)?)?;
     }
     if voice::is_json() {
         voice::deliver(document(&found));

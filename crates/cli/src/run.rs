@@ -8,7 +8,6 @@ use super::output::{Input, trouble};
 use super::progress::{bar, last_row};
 use super::rows::{Rows, Shared, locked};
 use super::verify::{self, Wish};
-use super::view::ended_early;
 use super::{Stop, complain, failed, page, say, start};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
@@ -16,7 +15,7 @@ use ancf14::model::effort;
 use ancf14::model::simulation::Simulation;
 use ancf14_report::plot::Plot;
 use ancf14_report::results::Results;
-use ancf14_report::view::Film;
+use ancf14_view::{Film, ended_early};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -172,7 +171,7 @@ fn show(mut film: Film, folder: &Folder, outcome: &Result<(), Stop>, reached: f6
     if film.instants() == 0 {
         return Ok(());
     }
-    folder.write(VIEW, &page(&film)?)?;
+    folder.write(VIEW, &page(&film, None)?)?;
     say(&format!("open {} in a browser to see it move", folder.file(VIEW).display()))
 }
 

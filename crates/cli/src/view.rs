@@ -3,15 +3,20 @@
 use super::output::{self, Input};
 use super::progress::{bar, last_row};
 use super::{Stop, complain, failed, page, say, start};
-use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::rows;
 use ancf14::model::simulation::Simulation;
-use ancf14_report::view::Film;
+use ancf14_view::{Film, Live, ended_early};
 use std::path::{Path, PathBuf};
 
-/// Simulates and writes the page `file`; with `modes` the page shows so many natural modes about the initial state too.
-pub fn view(mut simulation: Simulation, file: &Path, inputs: &[Input<'_>], modes: Option<u16>) -> Result<(), Stop> {
+/// Simulates and writes the page `file`; with `modes` the page shows so many natural modes about the initial state too, with `live` it has the solver.
+pub fn view(
+    mut simulation: Simulation,
+    file: &Path,
+    inputs: &[Input<'_>],
+    modes: Option<u16>,
+    live: Option<&Live>,
+) -> Result<(), Stop> {
     output::spare(inputs, &[PathBuf::from(file)])?;
     let last_row = last_row(&simulation)?;
     let mut film = Film::new(&simulation, last_row);
@@ -26,17 +31,11 @@ pub fn view(mut simulation: Simulation, file: &Path, inputs: &[Input<'_>], modes
     if let Err(Stop::Failed(message)) = &outcome {
         film.note(&ended_early(simulation.time(), message));
     }
-    let text = page(&film)?;
+    let text = page(&film, live)?;
     output::write(file, text.as_bytes())?;
     let megabytes = text.len() as f64 / 1e6;
     say(&format!("{} instants, {megabytes:.2} MB: open {} in a browser", film.instants(), file.display()))?;
     outcome
-}
-
-/// What the page says of a run that failed.
-pub fn ended_early(time: f64, message: &str) -> String {
-    let reason = message.lines().next().unwrap_or(message).trim_start_matches("error: ");
-    format!("The run ended early, at t = {} s: {reason}", decimal(time))
 }
 
 fn simulate(simulation: &mut Simulation, film: &mut Film, last_row: u64) -> Result<(), Stop> {

@@ -1,4 +1,4 @@
-//! What a simulation leaves for people to look at, as text and bytes: tables, charts, drawings, and a page that moves.
+//! What a simulation leaves for people to look at, as text and bytes: tables, charts and drawings.
 //!
 //! Nothing here prints, writes files or knows a terminal: the command line does that, and other programs may.
 
@@ -19,4 +19,3 @@ pub mod results;
 pub mod shapes;
 pub mod summary;
 pub mod trace;
-pub mod view;

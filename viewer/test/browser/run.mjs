@@ -2,54 +2,11 @@
 // numbers of the solver? Needs the program in the variable ANCF14.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { fileURLToPath, pathToFileURL } from "node:url";
-import { launch } from "./chromium.mjs";
+import { ancf14, begin, end, folder, model, open, settle, table } from "./pages.mjs";
 
-const root = fileURLToPath(new URL("../../..", import.meta.url));
-const program = resolve(root, process.env.ANCF14 ?? "target/fmu/ancf14");
-const folder = mkdtempSync(join(tmpdir(), "ancf14-view-"));
-const ancf14 = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "pipe", "ignore"], encoding: "utf8" });
-const model = (name) => join(root, "models", `${name}.toml`);
-
-/** The columns of results.csv. */
-function table(path) {
-  const [head, ...rows] = readFileSync(join(folder, path), "utf8").trim().split("\n");
-  const names = head.split(",");
-  const numbers = rows.map((row) => row.split(",").map(Number));
-  return (name) => numbers.map((row) => row[names.indexOf(name)]);
-}
-
-let browser;
-
-/** Opens a page and keeps what it complains of and asks for. */
-async function open(name, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
-  const page = await context.newPage();
-  const complaints = [];
-  const requests = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(error.message));
-  page.on("request", (request) => requests.push(request.url()));
-  const address = pathToFileURL(join(folder, name)).href;
-  await page.goto(address);
-  await page.waitForFunction(() => window.ancf14, null, { timeout: 30000 });
-  await settle(page);
-  const close = async () => {
-    // A software renderer tells how slowly it reads pixels back; the blob is the page's own, made to unpack its data.
-    assert.deepEqual(complaints.filter((text) => !text.includes("GPU stall")), [], "the page complains");
-    assert.deepEqual(requests.filter((url) => url !== address && !url.startsWith("data:") && !url.startsWith("blob:")), [], "the page asks for something");
-    await context.close();
-  };
-  return { page, close };
-}
-
-/** Waits until what has changed is drawn. */
-const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 const time = (page) => page.evaluate(() => window.ancf14.player.timeline.time);
 const seek = async (page, to) => {
   await page.evaluate((to) => window.ancf14.player.timeline.seek(to), to);
@@ -57,16 +14,13 @@ const seek = async (page, to) => {
 };
 
 before(async () => {
-  browser = await launch();
+  await begin();
   ancf14("view", model("cantilever"), "--modes=4", "--set", "simulation.stop=0.5");
   ancf14("run", model("cantilever"), "-o", "out", "--set", "simulation.stop=0.5");
   ancf14("modes", model("cantilever"), "-o", "out", "--count", "4");
 });
 
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true });
-});
+after(end);
 
 test("plays, pauses, steps and scrubs, by button and by key", async () => {
   const { page, close } = await open("cantilever.html");

@@ -127,6 +127,62 @@ fn the_model_is_spared() {
     assert!(text(&output.stderr).contains("m.html is the model file"), "{}", text(&output.stderr));
 }
 
+/// A stand-in for the solver: what the command looks at.
+fn solver() -> Vec<u8> {
+    format!("\0asm...the solver of ancf14 {} for the page...", env!("CARGO_PKG_VERSION")).into_bytes()
+}
+
+/// With the solver a page has the model and its settings too, and its policy allows the solver and nothing else. Nothing in the model ends a script.
+#[test]
+fn a_page_brings_the_solver() {
+    let directory = tempfile::tempdir().unwrap();
+    let source = std::fs::read_to_string(model("cantilever")).unwrap();
+    let source = format!("# </script><script>document.title='harm'</script><!--\n{source}");
+    std::fs::write(directory.path().join("m.toml"), &source).unwrap();
+    std::fs::write(directory.path().join("own.wasm"), solver()).unwrap();
+    let run = |live: &str| ancf14(directory.path(), &[&["view", "m.toml", live, "--modes=2"], &SHORT[..]].concat());
+    let output = run("--live=own.wasm");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let page = std::fs::read_to_string(directory.path().join("m.html")).unwrap();
+    let (_, rest) = page.split_once("<script type=\"application/json\" id=\"live\">").unwrap();
+    let found: serde_json::Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
+    let overrides = serde_json::json!([["simulation.stop", "0.05"], ["arm.elements", "2"]]);
+    let wanted = serde_json::json!({ "file": "m.toml", "text": source, "overrides": overrides, "modes": 2 });
+    assert_eq!(found, wanted);
+    assert_eq!(data(&page)["instants"], 11);
+    assert_eq!(page.matches("</script>").count(), 5);
+    let policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; img-src data: blob:";
+    assert!(page.contains(&format!("content=\"{policy}\"")), "{}", &page[..600]);
+    assert!(page.contains("Licences of the software in the solver of this page"));
+}
+
+/// Without the solver, or with one of another version, the command says how to get it.
+#[test]
+fn a_missing_solver_is_told() {
+    let directory = tempfile::tempdir().unwrap();
+    let cantilever = model("cantilever");
+    let refused = |live: &str| {
+        let output = ancf14(directory.path(), &["view", &cantilever, live]);
+        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stdout));
+        assert!(!directory.path().join("cantilever.html").exists());
+        text(&output.stderr)
+    };
+    let missing = refused("--live=nowhere.wasm");
+    assert!(missing.starts_with("error: the solver of the page, ancf14.wasm, is not at nowhere.wasm; "), "{missing}");
+    assert!(missing.contains("sh scripts/build-wasm.sh builds it"), "{missing}");
+    let others = String::from_utf8(solver()).unwrap().replace(env!("CARGO_PKG_VERSION"), "0.0.0").into_bytes();
+    for bytes in [&b"\0asm"[..], b"", &others, &solver()[1..]] {
+        std::fs::write(directory.path().join("other.wasm"), bytes).unwrap();
+        let wrong = refused("--live=other.wasm");
+        assert!(wrong.starts_with("error: other.wasm is not the solver of ancf14 "), "{wrong}");
+    }
+    // The page does not take the place of the solver.
+    std::fs::write(directory.path().join("own.wasm"), solver()).unwrap();
+    let output = ancf14(directory.path(), &["view", &cantilever, "--live=own.wasm", "-o", "own.wasm"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(std::fs::read(directory.path().join("own.wasm")).unwrap(), solver());
+}
+
 /// The program in the page is the one that viewer/build.mjs makes of the sources: its first line has their hash. Only node can make it anew, so a change without
 /// `npm run build` would go unseen here otherwise.
 #[test]

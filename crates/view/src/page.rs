@@ -1,28 +1,52 @@
 //! The page: one HTML file with the program of viewer/ and the data in it; nothing is loaded from anywhere.
 
-use super::format::Data;
+use super::block::packed;
+use super::live::Live;
 
 /// The program, as viewer/build.mjs makes it.
-const PROGRAM: &str = include_str!("../../../../viewer/dist/viewer.js");
-const STYLE: &str = include_str!("../../../../viewer/dist/viewer.css");
+const PROGRAM: &str = include_str!("../../../viewer/dist/viewer.js");
+const STYLE: &str = include_str!("../../../viewer/dist/viewer.css");
+
+/// Licences of all that is linked into the solver; made by scripts/licenses.py.
+const LICENCES: &str = include_str!("../../../licenses/solver.txt");
 
 /// The page with `@@names@@` for what goes into it. Its policy lets a browser load nothing but what is written in the page.
 const TEMPLATE: &str = include_str!("page.html");
 const MARK: &str = "@@";
 
+/// What the policy lets a page with the solver do in addition: compile it, and run it in a worker that the page makes.
+const LIVE_POLICY: &str = " 'wasm-unsafe-eval' blob:; worker-src blob:";
+
 /// The whole file.
-pub fn html(title: &str, data: &Data) -> Result<String, serde_json::Error> {
+pub fn html(title: &str, data: &str, live: Option<&Live>) -> Result<String, serde_json::Error> {
     let title = escaped(title);
-    let data = script_safe(&serde_json::to_string(data)?);
+    let data = script_safe(data);
+    let policy = if live.is_some() { LIVE_POLICY } else { "" };
+    let live = live.map(scripts).transpose()?.unwrap_or_default();
     // Every second piece is a name; what is put in is not looked at again.
     let pieces = TEMPLATE.split(MARK).map(|piece| match piece {
         "title" => &title,
+        "policy" => policy,
         "style" => STYLE,
         "data" => &data,
+        "live" => &live,
         "program" => PROGRAM,
         text => text,
     });
     Ok(pieces.collect())
+}
+
+/// The model, the solver and its licences, which no browser shows.
+fn scripts(live: &Live) -> Result<String, serde_json::Error> {
+    let model = script_safe(&serde_json::to_string(live)?);
+    let solver = packed(&live.solver);
+    let script = |kind: &str, id: &str, text: &str| format!("<script type=\"{kind}\" id=\"{id}\">{text}</script>\n");
+    let scripts = [
+        script("application/json", "live", &model),
+        script("text/plain", "licences", LICENCES),
+        script("text/plain", "solver", &solver),
+    ];
+    Ok(scripts.concat())
 }
 
 /// JSON that ends no script, whatever names are in it: a `<` of JSON is always inside a string.
@@ -56,5 +80,8 @@ mod tests {
             assert!(!lower.contains(word), "{word}");
         }
         assert!(!STYLE.to_lowercase().contains("</style"));
+        for word in ["</script", "<!--"] {
+            assert!(!LICENCES.to_lowercase().contains(word), "{word}");
+        }
     }
 }

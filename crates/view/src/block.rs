@@ -84,7 +84,8 @@ fn zigzag(change: u16) -> u16 {
     (change << 1) ^ (0_u16.wrapping_sub(change >> 15))
 }
 
-fn packed(bytes: &[u8]) -> String {
+/// Bytes as text: deflated, in base64.
+pub fn packed(bytes: &[u8]) -> String {
     base64(&miniz_oxide::deflate::compress_to_vec_zlib(bytes, EFFORT))
 }
 
@@ -143,6 +144,6 @@ mod tests {
             "track": quantized(&track), "values": values, "doubles": doubles(&numbers), "numbers": numbers,
         });
         let text = format!("{}\n", serde_json::to_string_pretty(&written).unwrap());
-        assert_eq!(text, include_str!("../../../../viewer/test/packed.json"), "{text}");
+        assert_eq!(text, include_str!("../../../viewer/test/packed.json"), "{text}");
     }
 }

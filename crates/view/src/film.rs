@@ -2,7 +2,9 @@
 
 use super::charts::Charts;
 use super::format::{self, Data, FORMAT};
+use super::live::Live;
 use super::page;
+use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::modes::Modes;
 use ancf14::model::simulation::Simulation;
@@ -60,11 +62,19 @@ impl Film {
         self.notes.push(text.to_owned());
     }
 
-    /// The page.
+    /// The page; with the solver, if it brings one.
     ///
     /// # Errors
     /// Its numbers cannot be written as JSON.
-    pub fn page(&self) -> Result<String, serde_json::Error> {
+    pub fn page(&self, live: Option<&Live>) -> Result<String, serde_json::Error> {
+        page::html(&self.recording.scene.name, &self.data()?, live)
+    }
+
+    /// The data of the page, as JSON.
+    ///
+    /// # Errors
+    /// Its numbers cannot be written as JSON.
+    pub fn data(&self) -> Result<String, serde_json::Error> {
         let Self { recording, charts, swings, .. } = self;
         let rows = self.last_row + 1;
         let thinned = |what: &str, every: u64, count: usize| {
@@ -87,11 +97,17 @@ impl Film {
             charts: charts.charted(),
             modes: swings.iter().map(format::mode).collect(),
         };
-        page::html(&recording.scene.name, &data)
+        serde_json::to_string(&data)
     }
 
     /// Instants in the picture.
     pub fn instants(&self) -> usize {
         self.recording.times.len()
     }
+}
+
+/// What the page says of a run that failed at `time`, s.
+pub fn ended_early(time: f64, message: &str) -> String {
+    let reason = message.lines().next().unwrap_or(message).trim_start_matches("error: ");
+    format!("The run ended early, at t = {} s: {reason}", decimal(time))
 }

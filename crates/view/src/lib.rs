@@ -1,0 +1,13 @@
+//! The page that shows a mechanism move: one HTML file (docs/viewer.md). It may bring the solver, which simulates the model anew in the page.
+//!
+//! Nothing here prints or writes files.
+
+mod block;
+mod charts;
+mod film;
+mod format;
+mod live;
+mod page;
+
+pub use film::{Film, ended_early};
+pub use live::{Live, SOLVER_MARK, is_solver};

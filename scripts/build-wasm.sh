@@ -1,0 +1,28 @@
+#!/bin/sh
+# Builds the solver for the page of `ancf14 view --live`: target/fmu/ancf14.wasm, next to the program. Takes the toolchain's own standard library for WebAssembly
+# (`rustup target add wasm32-unknown-unknown`) if there is one. Otherwise it builds the standard library from its source, which needs, of Debian:
+#
+#     apt-get install rustc-web cargo-web rust-web-src
+set -eu
+
+cd "$(dirname "$0")/.."
+target=${CARGO_TARGET_DIR:-$PWD/target}
+triple=wasm32-unknown-unknown
+registry=${CARGO_HOME:-$HOME/.cargo}/registry/src
+set -- build --locked --profile page --package ancf14-live --target "$triple"
+if [ ! -d "$(rustc --print sysroot)/lib/rustlib/$triple/lib" ]; then
+    if [ ! -d /usr/lib/rustlib/src/rust/library ] || [ ! -x /usr/bin/cargo ]; then
+        echo "no standard library for WebAssembly: run rustup target add $triple, or on Debian apt-get install rustc-web cargo-web rust-web-src" >&2
+        exit 1
+    fi
+    scripts/python-env.sh
+    # Debian's own compiler, not one of rustup; building the standard library is an unstable feature of cargo.
+    export PATH=/usr/bin:/bin RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1
+    set -- "$@" -Zbuild-std=std,panic_abort --config "target.$triple.linker=\"$PWD/scripts/wasm-linker.sh\""
+fi
+# Messages of a panic name files: the same ones whoever builds it.
+RUSTFLAGS="--remap-path-prefix=$PWD/= --remap-path-prefix=$registry/= --remap-path-prefix=/usr/lib/rustlib/src/rust/="
+export RUSTFLAGS
+cargo "$@"
+mkdir -p "$target/fmu"
+install -m 644 "$target/$triple/page/ancf14_live.wasm" "$target/fmu/ancf14.wasm"
