@@ -67,7 +67,7 @@ pub fn write(
 ) -> Result<(), Stop> {
     let errors = outcome.as_ref().map_or_else(|stop| stop.complaints(), |()| Vec::new());
     voice::deliver(json!(summary));
-    folder.write(SUMMARY, &format!("{:#}\n", voice::whole(&errors)))?;
+    folder.write(SUMMARY, format!("{:#}\n", voice::whole(&errors)))?;
     let drawing = Drawing::new(simulation.document());
     let suited = draw::suited(&drawing);
     let mut views = PROJECTIONS;
@@ -85,7 +85,7 @@ pub fn write(
         pictures,
         files,
     };
-    folder.write(PAGE, &page.html())
+    folder.write(PAGE, page.html())
 }
 
 /// Says what the run took, how exact it is, and what its outputs came to.

@@ -102,7 +102,7 @@ fn tell(report: &Report, verification: &Verification, folder: &Folder) -> Result
     let mut worst: Vec<&Row> = report.counted().filter(|row| row.estimate.trust != Trust::RoundOff).collect();
     worst.sort_by(|a, b| b.relative().total_cmp(&a.relative()));
     let [table, picture] = FILES;
-    folder.write(table, &errors::csv(report))?;
+    folder.write(table, errors::csv(report))?;
     let svg = Bars::of(&worst, report.wanted).svg();
     folder.write(picture, &svg.map_err(|reason| output::trouble(&folder.file(picture), &reason))?)?;
     say(&shown(&worst, report, verification.runs()))?;
