@@ -117,7 +117,7 @@ impl State {
             && self.pace.is_possible(other.q.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
             && optional(self.excitation.efforts.len(), other.targets.efforts.len())
-            && self.path.as_ref().map(|path| path.tangent.len()) == other.path.as_ref().map(|path| path.tangent.len())
+            && self.path.as_ref().is_none_or(|path| path.tangent.len() == other.q.len() + 1)
     }
 }
 

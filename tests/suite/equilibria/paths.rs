@@ -220,12 +220,13 @@ fn a_right_angle_frame_comes_back_flat() {
     assert!(highest > 2.3 && lowest < -2.3, "{highest} {lowest}");
 }
 
-/// A state that is saved on the way goes on to the same bits, past a limit point and a branch point.
+/// A state that is saved on the way, also as bytes that another instance reads, goes on to the same bits, past a limit point and a branch point.
 #[test]
 fn a_saved_state_goes_on_along_the_same_path() {
     let mut simulation = start(&column("branches = [-1]"));
     simulation.advance(0.9).unwrap();
     let saved = simulation.snapshot();
+    let bytes = simulation.write(&saved, Vec::new());
     let go_on = |simulation: &mut Simulation| {
         simulation.advance(1.5).unwrap();
         ["path.parameter", "tip.displacement[3]", "path.unstable_motions"].map(|name| value(simulation, name).to_bits())
@@ -233,6 +234,10 @@ fn a_saved_state_goes_on_along_the_same_path() {
     let first = go_on(&mut simulation);
     simulation.restore(&saved);
     assert_eq!(go_on(&mut simulation), first);
+    let mut other = start(&column("branches = [-1]"));
+    let read = other.read(&bytes).unwrap_or_else(|failure| panic!("{}", failure.message));
+    other.restore(&read);
+    assert_eq!(go_on(&mut other), first);
 }
 
 /// What changes along a path is its parameter alone: inputs and switches are refused.

@@ -121,6 +121,7 @@ impl Snapshot {
         let [values, slopes] = saved.inputs;
         let mut inputs = Inputs::new(&document);
         let mut fits = state.has_the_shape_of(&built.state) && inputs.set_parts([&values, &slopes]);
+        fits &= state.path.is_none() || document.follows_arc_length();
         fits &= saved.results.len() == results && start.is_finite() && step > 0.0 && step.is_finite();
         let last = saved.last.map(|SavedStep { start, inputs: [values, slopes], end, stop, settings }| {
             let mut last = LastStep { known: true, inputs: inputs.clone(), end, stop, settings: settings.into_owned() };

@@ -63,6 +63,9 @@ impl Statics {
         length: f64,
         end: f64,
     ) -> Result<(), Error> {
+        if state.path.is_none() {
+            return Err(Error::NotInitialized);
+        }
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
         let lag = next.path.as_mut().map_or(0.0, |path| std::mem::take(&mut path.lag));
