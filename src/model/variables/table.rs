@@ -74,6 +74,9 @@ const ACCOUNT: [(&str, &str); 5] = [
     ("work.drift", "Energy that the integrator has added since the start; it has taken what is negative"),
 ];
 
+/// The result that counts motions along a path.
+const UNSTABLE_MOTIONS: &str = "path.unstable_motions";
+
 /// Whether a result of this name is one of the account of energy.
 pub fn is_of_account(name: &str) -> bool {
     ACCOUNT.iter().any(|(own, _)| *own == name)
@@ -169,9 +172,9 @@ impl Table {
         table.measures.push(Measure::Momentum);
         if document.follows_arc_length() {
             let parameter = "Parameter of the path of equilibria: the t of expressions";
-            table.push_result("path.parameter", 1, "", parameter);
+            table.push_result("path.parameter", 1, "s", parameter);
             let motions = "Independent motions that release energy; 0: the equilibrium is stable";
-            table.push_result("path.unstable_motions", 1, "", motions);
+            table.push_result(UNSTABLE_MOTIONS, 1, "", motions);
             table.measures.push(Measure::Path);
         }
         table.find_from(totals, &givens, givens.of_energies());
@@ -355,7 +358,8 @@ impl Table {
 
     /// Rows of one quantity, or only results without rows.
     fn push_total(&mut self, is_shown: bool, name: &str, components: usize, unit: &str, meaning: &str) {
-        let start = if name.starts_with("statistics.") { Value::Integer(0) } else { Value::Real(0.0) };
+        let is_count = name.starts_with("statistics.") || name == UNSTABLE_MOTIONS;
+        let start = if is_count { Value::Integer(0) } else { Value::Real(0.0) };
         for component in 1..=components {
             let number = self.results.len();
             let (name, meaning) = match components {
