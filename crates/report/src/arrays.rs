@@ -67,7 +67,7 @@ impl Array<'_> {
 mod tests {
     use super::*;
 
-    /// The file of the numbers 1 and -2, byte by byte, as numpy 2.3 writes it: `numpy.save(file, numpy.array([1.0, -2.0]))`.
+    /// The file of the numbers 1 and -2, byte by byte, as numpy 2.4 writes it: `numpy.save(file, numpy.array([1.0, -2.0]))`.
     #[test]
     fn a_file_as_numpy_writes_it() {
         let bytes = Array::Reals(&[1.0, -2.0]).npy();

@@ -86,7 +86,7 @@ impl Watch {
         Some(format!(
             "an output of {word} is within one element of {node}, where the axial force jumps by about {jump:.1e} N at t = {} s: elements spread a jump over both \
              sides, so that values there are off by up to half of it; read them an element further away",
-            decimal(state.time)
+            decimal(state.instant())
         ))
     }
 
@@ -101,7 +101,7 @@ impl Watch {
             "beam {beam} is twisted by {rate:.3} rad/m at t = {} s: its torsion softens and fails above {limit:.3} rad/m, because \
              strain = \"large_truncated\" or the section's fourth_moments leave the stiffening by twist out; use strain = \"large\" with the \
              section's true fourth_moments",
-            decimal(state.time)
+            decimal(state.instant())
         ))
     }
 

@@ -52,9 +52,7 @@ impl<'a> Equilibrium<'a> {
 
 impl Problem for Equilibrium<'_> {
     fn undefined_law(&self) -> Option<String> {
-        let Self { system, state, scratch, motion, .. } = self;
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, motion);
-        system.undefined_law(&configuration, |_, _| 0.0)
+        undefined_law(self.system, self.state, self.scratch, self.motion)
     }
 
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
@@ -78,4 +76,10 @@ impl Problem for Equilibrium<'_> {
             *value += correction;
         }
     }
+}
+
+/// The law that has no value at the unknowns of `scratch`, in words.
+pub(super) fn undefined_law(system: &System, state: &State, scratch: &Scratch, motion: &Prescribed) -> Option<String> {
+    let configuration = system.configuration(&scratch.q, &scratch.frames, state, motion);
+    system.undefined_law(&configuration, |_, _| 0.0)
 }

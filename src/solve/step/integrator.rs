@@ -56,7 +56,7 @@ pub fn grid_step(
                 state.good_steps = 0;
                 if state.halving == MOST_HALVINGS {
                     return Err(Error::StepTooSmall {
-                        time: state.time,
+                        time: state.instant(),
                         step: size,
                         parts: whole,
                         reason: Box::new(reason),

@@ -106,7 +106,7 @@ impl AlternationWatch {
              is far too fast for them, and forces are not to be trusted; take smaller steps (simulation.step or simulation.accuracy), a smaller spectral_radius, or material damping",
             table.result_name(number),
             100.0 * share,
-            decimal(state.time),
+            decimal(state.instant()),
             100.0 * SHARE
         ))
     }

@@ -60,7 +60,7 @@ fn warning(system: &System, state: &State, end: &CoarseEnd) -> String {
          the end, but its element is {length:.2e} m long; bending moments and stresses there are wrong, and natural frequencies are too high; {finer} a short beam with fine \
          elements in between; if the bending there does not matter, a spherical joint does without it",
         system.describe_node(node),
-        decimal(state.time),
+        decimal(state.instant()),
         beam.name
     )
 }

@@ -167,7 +167,7 @@ impl MeshWatch {
             "the mesh is too coarse: at t = {} s its elements miss about {:.1} % of the largest energy so far, most of it {word} of beam {} between {begin:.2} and \
              {end:.2} of its length; results are off by up to about as much, and by far more where the mechanism buckles; take elements = {} or more for this \
              beam{remedy}",
-            decimal(state.time),
+            decimal(state.instant()),
             100.0 * share,
             beam.name,
             refined(beam.elements(), share / WANTED[0], order)
@@ -223,7 +223,7 @@ fn off_at(system: &System, state: &State, quantity: Quantity, sensor: &Sensor, o
         quantity.row().word,
         beam.name,
         decimal(fraction),
-        decimal(state.time),
+        decimal(state.instant()),
         100.0 * off,
         refined(beam.elements(), off / WANTED[1], 2)
     ))

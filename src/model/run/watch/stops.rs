@@ -38,7 +38,7 @@ impl StopWatch {
         Some(format!(
             "stop {name} is penetrated by {depth:.3} {unit} at t = {} s: it is too soft to stop what hits it; raise {name}.stiffness, or check the mass and the speed of \
              what hits it",
-            decimal(state.time)
+            decimal(state.instant())
         ))
     }
 }

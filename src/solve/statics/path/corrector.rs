@@ -4,7 +4,7 @@
 //! `x = K⁻¹ r + p K⁻¹ b` come from one factorization.
 
 use super::super::Scratch;
-use super::super::equilibrium::Equilibrium;
+use super::super::equilibrium::{Equilibrium, undefined_law};
 use super::scalar_product;
 use crate::error::Error;
 use crate::mechanics::input::excitation::Excitation;
@@ -104,9 +104,7 @@ impl Across<'_> {
 
 impl Problem for Across<'_> {
     fn undefined_law(&self) -> Option<String> {
-        let Self { system, state, scratch, motion, .. } = self;
-        let configuration = system.configuration(&scratch.q, &scratch.frames, state, motion);
-        system.undefined_law(&configuration, |_, _| 0.0)
+        undefined_law(self.system, self.state, self.scratch, self.motion)
     }
 
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {

@@ -170,18 +170,18 @@ impl Statics {
         let outcome = outcome.and_then(|()| problem.find_border(&mut self.kkt));
         let mut cosine = 1.0;
         if outcome.is_ok() {
-            let slopes = &problem.border.response[..state.q.len()];
+            let slopes = &path.border.response[..state.q.len()];
             let size = (system.mean_product(slopes, slopes) + 1.0).sqrt();
-            let mut tangent: Vec<f64> = slopes.iter().map(|slope| slope / size).collect();
-            tangent.push(1.0 / size);
-            cosine = scalar_product(system, &tangent, before);
+            point.tangent.clear();
+            point.tangent.extend(slopes.iter().chain([&1.0]).map(|slope| slope / size));
+            cosine = scalar_product(system, &point.tangent, before);
             if cosine < 0.0 {
-                tangent.iter_mut().for_each(|value| *value = -*value);
+                point.tangent.iter_mut().for_each(|value| *value = -*value);
                 cosine = -cosine;
             }
-            point.tangent = tangent;
             point.sign = self.kkt.sign();
-            point.unstable = self.kkt.releasing_motions(system).map_or(0, |count| count as u64);
+            // Where a pivot is too small to tell its sign, the count before is the best guess.
+            point.unstable = self.kkt.releasing_motions(system).map_or(point.unstable, |count| count as u64);
         }
         state.path = Some(point);
         outcome.map(|()| cosine)

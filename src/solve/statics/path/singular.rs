@@ -35,6 +35,15 @@ enum Test<'a> {
     Stiffness(&'a [f64]),
 }
 
+/// A part of a path that a step has gone.
+struct Stretch<'a> {
+    system: &'a System,
+    from: &'a State,
+    /// The other end, which counts all iterations.
+    to: &'a mut State,
+    length: f64,
+}
+
 /// A singular point.
 struct Singularity {
     /// Its distance from the start of the step.
@@ -71,60 +80,54 @@ impl Statics {
         if turns && !(crosses && is_simple) && state.halving < MOST_HALVINGS {
             return Err(several_points(state));
         }
-        let remark = if turns {
-            self.pass_limit_point(system, state, next, length)
+        let mut stretch = Stretch { system, from: state, to: next, length };
+        if turns {
+            let remark = self.pass_limit_point(&mut stretch);
+            self.stability.add_remark(remark);
         } else if crosses || at_once {
-            self.pass_branch_point(system, state, next, length)?
-        } else {
-            None
-        };
-        remark.into_iter().for_each(|remark| self.stability.add_remark(remark));
+            let remark = self.pass_branch_point(&mut stretch)?;
+            self.stability.add_remark(remark);
+        }
         Ok(())
     }
 
-    /// Locates the limit point between `state` and `next`, in words.
-    fn pass_limit_point(&mut self, system: &System, state: &State, next: &mut State, length: f64) -> Option<String> {
-        let point = self.locate(system, state, next, length, &Test::Growth)?;
-        let extremum = if state.path.as_ref()?.growth() > 0.0 { "maximum" } else { "minimum" };
-        let (at, parameter) = (decimal(state.time + point.length), decimal(point.parameter));
-        Some(format!("the path passes a limit point at the arc length {at}: t has a {extremum} of {parameter} there"))
+    /// Locates the limit point of `stretch`, in words.
+    fn pass_limit_point(&mut self, stretch: &mut Stretch) -> String {
+        let grows = stretch.from.path.as_ref().is_some_and(|path| path.growth() > 0.0);
+        let extremum = if grows { "maximum" } else { "minimum" };
+        match self.locate(stretch, &Test::Growth) {
+            Some(point) => {
+                let (at, parameter) = (decimal(stretch.from.time + point.length), decimal(point.parameter));
+                format!("the path passes a limit point at the arc length {at}: t has a {extremum} of {parameter} there")
+            }
+            None => {
+                let [first, last] = stretch.ends();
+                format!(
+                    "the path passes a limit point between t = {first} and {last}: Newton could not locate the {extremum} of t"
+                )
+            }
+        }
     }
 
-    /// Locates the branch point between `state` and `next`, in words; takes `next` to the other path if the user wants that.
+    /// Locates the branch point of `stretch`, in words; takes its end to the other path if the user wants that.
     ///
     /// # Errors
     /// The other path is not found in what is left of the step.
-    fn pass_branch_point(
-        &mut self,
-        system: &System,
-        state: &State,
-        next: &mut State,
-        length: f64,
-    ) -> Result<Option<String>, Error> {
-        let mut found = None;
-        for end in [next.clone(), state.clone()] {
-            let Some(forces) = self.nearly_null(system, &end) else { continue };
-            found = self.locate(system, state, next, length, &Test::Stiffness(&forces)).and_then(|point| {
-                let direction = self.null_vector(system, &point.state, &forces)?;
-                Some((point, direction))
-            });
-            if found.is_some() {
-                break;
-            }
-        }
-        let Some((mut point, mut direction)) = found else {
+    fn pass_branch_point(&mut self, stretch: &mut Stretch) -> Result<String, Error> {
+        let (system, state) = (stretch.system, stretch.from);
+        let Some((mut point, mut direction)) = self.branch_point(stretch) else {
             if state.halving < MOST_HALVINGS {
                 return Err(several_points(state));
             }
-            let [first, last] = [state, &*next].map(|state| decimal(state.instant()));
-            return Ok(Some(format!("other paths may cross between t = {first} and {last}: they were not found")));
+            let [first, last] = stretch.ends();
+            return Ok(format!("other paths may cross between t = {first} and {last}: they were not found"));
         };
         let number = state.path.as_ref().map_or(0, |path| path.branch_points) + 1;
         let mut frames = FrameCache::default();
         let moved = system.most_moved(&frames.of(system, &point.state), &direction).what;
         let (at, parameter) = (decimal(state.time + point.length), decimal(point.parameter));
-        let ways = self.released_at(system, state, next, point.length, length);
-        let several = match (state.path.as_ref(), next.path.as_ref()) {
+        let ways = self.released_at(stretch, point.length);
+        let several = match (state.path.as_ref(), stretch.to.path.as_ref()) {
             (Some(from), Some(to)) => from.unstable.abs_diff(to.unstable) != ways,
             _ => false,
         };
@@ -135,42 +138,52 @@ impl Statics {
         let ways = if ways > 1 { format!(" in {ways} ways at once") } else { String::new() };
         let branches = self.path.as_ref().map_or(&[][..], |path| &path.branches);
         let wanted = branches.iter().find(|branch| branch.unsigned_abs() == number).copied();
-        let Some(wanted) = wanted else {
-            if let Some(path) = &mut next.path {
+        let (Some(wanted), Some(path)) = (wanted, &mut point.state.path) else {
+            if let Some(path) = &mut stretch.to.path {
                 path.branch_points = number;
             }
-            return Ok(Some(format!(
+            return Ok(format!(
                 "another path crosses{ways} at {place}: along it {moved} moves most; simulation.branches = [{number}] goes over to it"
-            )));
+            ));
         };
-        let rest = length - point.length;
-        let Some(path) = &mut point.state.path else { return Ok(None) };
         if wanted < 0 {
             direction.iter_mut().for_each(|value| *value = -*value);
         }
         direction.push(0.0);
         (path.tangent, path.branch_points) = (direction, number);
-        let tried = next.statistics;
-        next.clone_from(&point.state);
-        next.statistics = tried;
-        if rest > ROOM * length {
-            self.go_along(system, &point.state, next, rest)?;
-        } else if let Some(path) = &mut next.path {
+        let tried = stretch.to.statistics;
+        stretch.to.clone_from(&point.state);
+        stretch.to.statistics = tried;
+        let rest = stretch.length - point.length;
+        if rest > ROOM * stretch.length {
+            self.go_along(system, &point.state, stretch.to, rest)?;
+        } else if let Some(path) = &mut stretch.to.path {
             // So short a step would not tell one path from the other.
             path.lag = rest.max(f64::MIN_POSITIVE);
         }
-        Ok(Some(format!("the run goes over to the path that crosses{ways} at {place}: along it {moved} moves most")))
+        Ok(format!("the run goes over to the path that crosses{ways} at {place}: along it {moved} moves most"))
     }
 
-    /// How many motions begin or cease to release energy at the singular point `at` between `state` and `next`, `length` further on.
-    fn released_at(&mut self, system: &System, state: &State, next: &mut State, at: f64, length: f64) -> u64 {
+    /// The branch point of `stretch`, with the direction of the path that crosses there.
+    fn branch_point(&mut self, stretch: &mut Stretch) -> Option<(Singularity, Vec<f64>)> {
+        for end in [stretch.to.clone(), stretch.from.clone()] {
+            let Some(forces) = self.nearly_null(stretch.system, &end) else { continue };
+            let Some(point) = self.locate(stretch, &Test::Stiffness(&forces)) else { continue };
+            if let Some(direction) = self.null_vector(stretch.system, &point.state, &forces) {
+                return Some((point, direction));
+            }
+        }
+        None
+    }
+
+    /// How many motions begin or cease to release energy at the singular point of `stretch` that is `at` from its start.
+    fn released_at(&mut self, stretch: &mut Stretch, at: f64) -> u64 {
         let mut counts = [0; 2];
         for (count, side) in counts.iter_mut().zip([-NEARBY, NEARBY]) {
-            let mut nearby = state.clone();
-            let found = self.find_along(system, state, &mut nearby, (at + side * length).clamp(0.0, length));
-            next.statistics.iterations += nearby.statistics.iterations - state.statistics.iterations;
-            if found.and_then(|()| self.linearize(system, &nearby)).is_ok() {
-                *count = self.kkt.releasing_motions(system).unwrap_or(0) as u64;
+            let length = (at + side * stretch.length).clamp(0.0, stretch.length);
+            let Some(nearby) = self.point_at(stretch, length) else { continue };
+            if self.linearize(stretch.system, &nearby).is_ok() {
+                *count = self.kkt.releasing_motions(stretch.system).unwrap_or(0) as u64;
             }
         }
         counts[0].abs_diff(counts[1])
@@ -215,18 +228,11 @@ impl Statics {
         Some(response)
     }
 
-    /// The root of `test` between `state` and `next`, `length` further on; none if both ends are on one side of it.
-    fn locate(
-        &mut self,
-        system: &System,
-        state: &State,
-        next: &mut State,
-        length: f64,
-        test: &Test,
-    ) -> Option<Singularity> {
-        let mut start = state.clone();
-        let low = self.value(system, &mut start, state, test)?;
-        let mut ends = [(0.0, low), (length, self.value(system, next, state, test)?)];
+    /// The root of `test` in `stretch`; none if both ends are on one side of it.
+    fn locate(&mut self, stretch: &mut Stretch, test: &Test) -> Option<Singularity> {
+        let (start, end) = (stretch.from.clone(), stretch.to.clone());
+        let low = self.value(stretch, start, test)?.0;
+        let mut ends = [(0.0, low), (stretch.length, self.value(stretch, end, test)?.0)];
         if (ends[0].1 < 0.0) == (ends[1].1 < 0.0) {
             return None;
         }
@@ -234,12 +240,12 @@ impl Statics {
         for _ in 0..MOST_TRIALS {
             let [(first, low), (last, high)] = ends;
             let trial = (first * high - last * low) / (high - low);
-            let Some((value, point)) = self.try_at(system, state, next, trial, test) else {
-                return self.interpolate(system, state, next, (length, trial), test);
+            let Some((value, point)) = self.try_at(stretch, trial, test) else {
+                return self.interpolate(stretch, trial, test);
             };
             let moved = found.as_ref().map_or(f64::INFINITY, |found| (found.length - trial).abs());
             found = Some(Singularity { length: trial, parameter: point.instant(), state: point });
-            if value == 0.0 || moved < LOCATED * length {
+            if value == 0.0 || moved < LOCATED * stretch.length {
                 break;
             }
             // The Illinois rule: an end that stays counts half, so that both approach the root.
@@ -249,20 +255,14 @@ impl Statics {
         found
     }
 
-    /// The root of `test` near `about`, interpolated between points around it: nearest to a branch point Newton cannot tell one path from the other.
-    fn interpolate(
-        &mut self,
-        system: &System,
-        state: &State,
-        next: &mut State,
-        (length, about): (f64, f64),
-        test: &Test,
-    ) -> Option<Singularity> {
+    /// The root of `test` near `about`, interpolated between points around it: nearest to a branch point Newton cannot tell one path from the other. None if one of
+    /// the points is not found either: fewer would give fewer digits.
+    fn interpolate(&mut self, stretch: &mut Stretch, about: f64, test: &Test) -> Option<Singularity> {
         let mut points: Vec<(f64, [f64; 2])> = Vec::new();
         let mut nearest: Option<(f64, State)> = None;
         for offset in AROUND {
-            let trial = about + offset * length;
-            let Some((value, point)) = self.try_at(system, state, next, trial, test) else { continue };
+            let trial = about + offset * stretch.length;
+            let (value, point) = self.try_at(stretch, trial, test)?;
             points.push((value, [trial, point.instant()]));
             if nearest.as_ref().is_none_or(|(best, _)| value.abs() < *best) {
                 nearest = Some((value.abs(), point));
@@ -272,37 +272,42 @@ impl Statics {
         nearest.map(|(_, state)| Singularity { length, parameter, state })
     }
 
-    /// The point of the path `length` from `state`, with the value of `test` there; none where it is not found.
-    fn try_at(
-        &mut self,
-        system: &System,
-        state: &State,
-        next: &mut State,
-        length: f64,
-        test: &Test,
-    ) -> Option<(f64, State)> {
-        let mut point = state.clone();
-        let outcome = self.find_along(system, state, &mut point, length);
-        next.statistics.iterations += point.statistics.iterations - state.statistics.iterations;
-        outcome.ok()?;
-        let value = self.value(system, &mut point, state, test)?;
-        Some((value, point))
+    /// The point of the path that is `length` from the start of `stretch`, with the value of `test` there; none where it is not found.
+    fn try_at(&mut self, stretch: &mut Stretch, length: f64, test: &Test) -> Option<(f64, State)> {
+        let point = self.point_at(stretch, length)?;
+        self.value(stretch, point, test)
     }
 
-    /// The value of `test` at `point`, a point of the path from `state` on.
-    fn value(&mut self, system: &System, point: &mut State, state: &State, test: &Test) -> Option<f64> {
-        match test {
+    /// The point of the path that is `length` from the start of `stretch`, without its tangent; none where it is not found.
+    fn point_at(&mut self, stretch: &mut Stretch, length: f64) -> Option<State> {
+        let mut point = stretch.from.clone();
+        let outcome = self.find_along(stretch.system, stretch.from, &mut point, length);
+        stretch.to.statistics.iterations += point.statistics.iterations - stretch.from.statistics.iterations;
+        outcome.ok().map(|()| point)
+    }
+
+    /// The value of `test` at `point` of `stretch`, which gets its tangent if the test needs it.
+    fn value(&mut self, stretch: &Stretch, mut point: State, test: &Test) -> Option<(f64, State)> {
+        let value = match test {
             Test::Growth => {
-                let before = &state.path.as_ref()?.tangent;
-                self.set_tangent(system, point, before).ok()?;
-                point.path.as_ref().map(PathPoint::growth)
+                let before = &stretch.from.path.as_ref()?.tangent;
+                self.set_tangent(stretch.system, &mut point, before).ok()?;
+                point.path.as_ref().map(PathPoint::growth)?
             }
             Test::Stiffness(shape) => {
-                let response = self.response_to(system, point, shape)?;
+                let response = self.response_to(stretch.system, &point, shape)?;
                 let work: f64 = response.iter().zip(*shape).map(|(response, force)| response * force).sum();
-                Some(1.0 / work)
+                1.0 / work
             }
-        }
+        };
+        Some((value, point))
+    }
+}
+
+impl Stretch<'_> {
+    /// The parameters at both ends, rounded for messages.
+    fn ends(&self) -> [f64; 2] {
+        [self.from, &*self.to].map(|state| decimal(state.instant()))
     }
 }
 
