@@ -5,6 +5,7 @@
 pub mod curves;
 pub mod golden;
 pub mod pages;
+pub mod paths;
 pub mod planar_rod;
 pub mod random;
 pub mod running;

@@ -1,39 +1,14 @@
 //! A path of equilibria that is followed by its arc length: past limit points, through branch points and over to the path that crosses, against closed forms and a rod
 //! that is integrated here.
 
-use crate::planar_rod::{Load, Piece, Point, Rod, Support};
+use crate::paths::{Arch, Case, follow, number_behind};
+use crate::planar_rod::Load;
 use crate::running::{start, try_start, value};
 use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
 use std::f64::consts::PI;
 
-const LEE: &str = include_str!("../../../models/lee_frame.toml");
 const RIGHT_ANGLE: &str = include_str!("../../machines/right_angle_frame.toml");
-
-/// Follows a path to `stop`, `every` arc length from one row to the next; returns the values of `names` in each row, and what is told.
-fn follow(simulation: &mut Simulation, every: f64, stop: f64, names: &[&str]) -> (Vec<Vec<f64>>, Vec<String>) {
-    let row = |simulation: &Simulation| names.iter().map(|name| value(simulation, name)).collect();
-    let (mut rows, mut told) = (vec![row(simulation)], simulation.take_warnings());
-    for number in 1..=(stop / every).round() as u32 {
-        simulation.advance(f64::from(number) * every).unwrap_or_else(|failure| panic!("{}", failure.message));
-        rows.push(row(simulation));
-        told.extend(simulation.take_warnings());
-    }
-    (rows, told)
-}
-
-/// The number behind `word` in the first of the sentences that has it.
-fn number_behind(told: &[String], word: &str) -> f64 {
-    let rest =
-        told.iter().find_map(|sentence| sentence.split_once(word)).unwrap_or_else(|| panic!("{word}: {told:?}")).1;
-    let end = rest.find(|letter: char| !"0123456789.-e".contains(letter)).unwrap_or(rest.len());
-    rest[..end].parse().unwrap_or_else(|_| panic!("{rest}"))
-}
-
-/// The equilibrium of a row: two displacements, the parameter, what the rod begins with.
-fn point(row: &[f64], load: f64) -> Point {
-    Point { place: [row[0], row[1]], load: load * row[2], start: [row[3], row[4], row[5]] }
-}
 
 /// Two bars that stand as a roof: `P = EA z (h² − z²)/l³` with the height `z` of the ridge, largest at `z = h/√3`.
 fn roof(step: &str) -> String {
@@ -167,106 +142,21 @@ fn a_column_that_stays_straight_tells_what_it_passes() {
     }
 }
 
-/// Lee's frame under a load that keeps its direction and under one that turns with the girder: every row is near the path of the same frame as two extensible rods, which are integrated
-/// here, by displacements over the side and the load over the critical one. Twice as many elements are 8 times nearer at least (order 3.5 or more).
+/// Lee's frame under a load that keeps its direction and under one that turns with the girder: every row is near the path of the same frame as two extensible rods, which are integrated,
+/// by displacements over the side and the load over the critical one. Twice as many elements are 8 times nearer at least (order 3.5 or more).
 #[test]
 fn lees_frame_is_followed_whole() {
     for follower in [false, true] {
         let worst = [10, 20].map(|elements| {
-            let load = "force = [0, 0, \"-4000*t\"]";
-            let text = LEE.replace(load, &format!("follower = {follower}\n{load}"));
-            // The rods bend in proportion to the moment.
-            let text = text.replace("elements = 10", &format!("elements = {elements}\nstrain = \"small\""));
-            let names = [
-                "loaded_point.displacement[1]",
-                "loaded_point.displacement[3]",
-                "path.parameter",
-                "foot.angle",
-                "foot.reaction_force[1]",
-                "foot.reaction_force[3]",
-            ];
-            let stop = if follower { 6.0 } else { 5.0 };
-            let (rows, told) = follow(&mut start(&text), 0.05, stop, &names);
-            let bending = 7.2e9 * 0.06 * 0.02_f64.powi(3) / 12.0;
-            let leg = |corner: f64, length: f64| Piece { corner, length, curvature: 0.0 };
-            let frame = Rod {
-                bending,
-                stretching: 7.2e9 * 0.06 * 0.02,
-                angle: 0.5 * PI,
-                supports: [Support::Hinge; 2],
-                pieces: vec![leg(0.0, 1.2), leg(-0.5 * PI, 0.24), leg(0.0, 0.96)],
-                load: Load::At(2),
-                follower,
-                // The load that Lee's frame bears is 18.5 of the critical ones of a leg.
-                scales: [1.2, 18.5 * bending / 1.44],
-            };
-            let points: Vec<Point> = rows.iter().map(|row| point(row, 4000.0)).collect();
-            let limit = number_behind(&told, "t has a maximum of ") * 4000.0 * 1.44 / bending;
-            println!(
-                "follower {follower}, {elements} elements a leg: limit {limit:.4}, off by {:.2e}",
-                frame.distance_from(&points)
-            );
+            let case = Case::lee(elements, follower);
+            let (points, told) = case.equilibria();
+            let worst = case.rod.distance_from(&points);
+            let limit = number_behind(&told, "t has a maximum of ") * case.load * 1.44 / case.rod.bending;
+            println!("follower {follower}, {elements} elements a leg: limit {limit:.4}, off by {worst:.2e}");
             assert_eq!(told.iter().filter(|sentence| sentence.contains("limit point")).count(), 2, "{told:?}");
-            frame.distance_from(&points)
+            worst
         });
         assert!(worst[0] < 2e-4 && worst[1] < worst[0] / 8.0, "follower {follower}: {worst:?}");
-    }
-}
-
-/// Arches: a shallow one that is clamped, a deep one of 215 degrees that is hinged at one foot and clamped at the other.
-struct Arch {
-    /// Half of its angle, rad.
-    half: f64,
-    /// Radius over that of gyration of the section.
-    slenderness: f64,
-    first: Support,
-    /// Along it; none: at its crown.
-    load: Load,
-    follower: bool,
-    /// The load at `t = 1`, in `E I/R²` or `E I/R³`.
-    size: f64,
-    /// Where the path ends.
-    stop: f64,
-}
-
-impl Arch {
-    /// A radius of 1 m and a rigidity of 1 N m²; across its plane it is far stiffer.
-    fn text(&self, elements: usize) -> String {
-        let Self { half, slenderness, first, load, follower, size, stop } = self;
-        let (joint, seen) = match first {
-            Support::Hinge => ("type = \"revolute\"\naxis = [0, 1, 0]", "angle"),
-            Support::Clamp => ("type = \"weld\"", "reaction_moment"),
-        };
-        let place = if *load == Load::At(1) { "at = \"arch@0.5\"" } else { "on = \"arch\"" };
-        // Follower loads are along the axes of the section: z is across the arch, to the left of its tangent.
-        format!(
-            "format = 1\n[model]\nname = \"Arch\"\ngravity = [0, 0, 0]\n\
-             [section.strip]\nshape = \"rigidities\"\nEA = {:e}\nEI_y = 1\nEI_z = 1e3\nGJ = 1e3\nline_density = 1\n\
-             [beam.arch]\nsection = \"strip\"\nelements = {elements}\nstrain = \"small\"\ny_axis = [0, 1, 0]\n\
-             curve = {{ x = \"sin(s)\", y = 0, z = \"cos(s)\", s = [{:e}, {half:e}] }}\n\
-             [joint.foot]\n{joint}\na = \"ground\"\nb = \"arch.start\"\n\
-             [joint.heel]\ntype = \"weld\"\na = \"ground\"\nb = \"arch.end\"\n\
-             [load.weight]\n{place}\nforce = [0, 0, \"-{size}*t\"]\nfollower = {follower}\n\
-             [output.crown]\nat = \"arch@0.5\"\nquantities = [\"displacement\"]\n\
-             [output.foot_load]\nat = \"foot\"\nquantities = [\"reaction_force\", \"{seen}\"]\n\
-             [simulation]\nanalysis = \"static\"\nfollow = \"arc_length\"\nstop = {stop}\nstep = 0.02\n",
-            slenderness * slenderness,
-            -half,
-        )
-    }
-
-    fn rod(&self) -> Rod {
-        let piece = || Piece { corner: 0.0, length: self.half, curvature: -1.0 };
-        Rod {
-            bending: 1.0,
-            stretching: self.slenderness * self.slenderness,
-            angle: self.half,
-            supports: [self.first, Support::Clamp],
-            pieces: vec![piece(), piece()],
-            load: self.load,
-            follower: self.follower,
-            scales: [1.0, self.size],
-        }
     }
 }
 
@@ -274,45 +164,11 @@ impl Arch {
 /// `8.97 E I/R²` at its crown (DaDeppo and Schmidt 1975).
 #[test]
 fn arches_are_followed_whole() {
-    let shallow = |follower| Arch {
-        half: 0.5,
-        slenderness: 200.0,
-        first: Support::Clamp,
-        load: Load::Along(1),
-        follower,
-        size: 150.0,
-        // Under tension, beyond the snap, shooting is too sensitive.
-        stop: 1.8,
-    };
-    let deep = |load, follower, slenderness, size| Arch {
-        half: 107.5_f64.to_radians(),
-        slenderness,
-        first: Support::Hinge,
-        load,
-        follower,
-        size,
-        stop: 3.0,
-    };
-    for (name, arch) in [
-        ("shallow, dead", shallow(false)),
-        ("shallow, follower", shallow(true)),
-        ("deep, at the crown", deep(Load::At(1), false, 1e3, 9.0)),
-        ("deep, dead", deep(Load::Along(1), false, 1e3, 4.0)),
-        ("deep, follower", deep(Load::Along(1), true, 1e2, 4.0)),
-    ] {
-        let first = if arch.first == Support::Hinge { "foot_load.angle" } else { "foot_load.reaction_moment[2]" };
-        let names = [
-            "crown.displacement[1]",
-            "crown.displacement[3]",
-            "path.parameter",
-            first,
-            "foot_load.reaction_force[1]",
-            "foot_load.reaction_force[3]",
-        ];
+    for (name, arch) in Arch::all() {
         let worst = [16, 32].map(|elements| {
-            let (rows, told) = follow(&mut start(&arch.text(elements)), 0.04, arch.stop, &names);
-            let points: Vec<Point> = rows.iter().map(|row| point(row, arch.size)).collect();
-            let worst = arch.rod().distance_from(&points);
+            let case = Case::arch(&arch, elements);
+            let (points, told) = case.equilibria();
+            let worst = case.rod.distance_from(&points);
             println!("{name}, {elements} elements: off by {worst:.2e}");
             if arch.load == Load::At(1) && elements == 32 {
                 let limit = arch.size * number_behind(&told, "t has a maximum of ");
@@ -328,17 +184,7 @@ fn arches_are_followed_whole() {
 /// A hinged half circle under a pressure that follows it sways at `3 E I/R³` (Timoshenko and Gere), of 32 elements within 1e-4; its compression changes that by the strain, 3e-6.
 #[test]
 fn a_half_circle_sways_under_pressure() {
-    let arch = Arch {
-        half: 0.5 * PI,
-        slenderness: 1e3,
-        first: Support::Hinge,
-        load: Load::Along(1),
-        follower: true,
-        size: 3.0,
-        stop: 1.2,
-    };
-    let text = arch.text(32).replace("type = \"weld\"", "type = \"revolute\"\naxis = [0, 1, 0]");
-    let (_, told) = follow(&mut start(&text), 0.04, arch.stop, &[]);
+    let (_, told) = Case::half_circle(32).equilibria();
     let load = number_behind(&told, ", t = ");
     println!("branch point at {load} of the load");
     assert!((load - 1.0).abs() < 1e-4, "{told:?}");
