@@ -64,9 +64,18 @@ const STEPS: usize = 100;
 type State = [f64; 6];
 
 impl Rod {
-    /// The largest distance of inner `points` from the path of this rod, in the plane across the way from the point before to the point after: displacements and loads over the scales.
+    /// The largest distance of inner `points` from the path of this rod, [`Self::near`]: displacements and loads over the scales.
     pub fn distance_from(&self, points: &[Point]) -> f64 {
-        let mut worst = 0.0;
+        let distance = |(own, place): (&Point, [f64; 3])| {
+            let own = self.scaled(own);
+            own.iter().zip(&place).map(|(own, place)| (own - place).powi(2)).sum::<f64>().sqrt()
+        };
+        points[1..].iter().zip(self.near(points)).map(distance).fold(0.0, f64::max)
+    }
+
+    /// The points of the path of this rod near the inner ones of `points`, each in the plane across the way from the point before to the point after: displacements and load over the scales.
+    pub fn near(&self, points: &[Point]) -> Vec<[f64; 3]> {
+        let mut found = Vec::new();
         for three in points.windows(3) {
             let way: [f64; 3] = std::array::from_fn(|k| self.scaled(&three[2])[k] - self.scaled(&three[0])[k]);
             let own = self.scaled(&three[1]);
@@ -76,8 +85,13 @@ impl Rod {
                 Support::Hinge => [1e-6, 1e-6 * self.force(), 1e-6 * self.force(), 1e-6 * self.scales[1]],
                 Support::Clamp => [self.scales[0], 1.0, 1.0, 1.0].map(|reach| 1e-6 * reach * self.force()),
             };
+            let mut place = own;
             for _ in 0..20 {
-                let (residual, place) = self.residual(&unknowns, &own, &way);
+                let (residual, here) = self.residual(&unknowns, &own, &way);
+                place = here;
+                if residual.norm() < 1e-10 {
+                    break;
+                }
                 let mut jacobian = Matrix4::zeros();
                 for (column, reach) in reaches.into_iter().enumerate() {
                     let mut moved = unknowns;
@@ -87,16 +101,12 @@ impl Rod {
                 }
                 let change = jacobian.lu().solve(&residual).expect("the plane is across the path");
                 unknowns.iter_mut().zip(&change).for_each(|(value, change)| *value -= change);
-                if residual.norm() < 1e-10 {
-                    let off: f64 = own.iter().zip(&place).map(|(own, place)| (own - place).powi(2)).sum();
-                    worst = f64::max(worst, off.sqrt());
-                    break;
-                }
             }
             let left = self.residual(&unknowns, &own, &way).0.norm();
             assert!(left < 1e-9, "the rod found no equilibrium near {own:?}: {left}");
+            found.push(place);
         }
-        worst
+        found
     }
 
     /// A force that bends it by about its size.
@@ -104,7 +114,8 @@ impl Rod {
         self.bending / self.scales[0].powi(2)
     }
 
-    fn scaled(&self, point: &Point) -> [f64; 3] {
+    /// Displacement and load of a point over the scales.
+    pub fn scaled(&self, point: &Point) -> [f64; 3] {
         self.scales(point.place, point.load)
     }
 
