@@ -9,6 +9,7 @@ pub mod paths;
 pub mod planar_rod;
 pub mod random;
 pub mod running;
+pub mod spatial_rod;
 pub mod toy;
 
 use ancf14::fmi::location::LIBRARY;

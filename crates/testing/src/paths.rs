@@ -1,8 +1,10 @@
-//! Paths of equilibria whose exact ones are integrated: Lee's frame and arches.
+//! Paths of equilibria whose exact ones are integrated: Lee's frame, arches, twisted rods.
 
 use crate::planar_rod::{Load, Piece, Point, Rod, Support};
 use crate::running::{start, value};
+use crate::spatial_rod::{self, TwistedRod};
 use ancf14::fmi::Model;
+use ancf14::math::Vec3;
 use ancf14::model::simulation::Simulation;
 use std::f64::consts::PI;
 
@@ -201,5 +203,55 @@ impl Arch {
             follower: self.follower,
             scales: [1.0, self.size],
         }
+    }
+}
+
+/// A round rod that is straight without stress, clamped at its start; its end slides along its axis, or closes a ring, and is turned by `10 t` rad.
+pub struct Twisted {
+    pub text: String,
+    pub rod: TwistedRod,
+    stop: f64,
+}
+
+impl Twisted {
+    /// A length of 1 m and rigidities of 1 and 0.75 N m²; the path goes over to the buckled one. Of the equilibria that are alike but for a turn about the axis, or for a shift along
+    /// the ring, `level` and `even` choose one: they exert no force.
+    pub fn new(elements: usize, is_ring: bool) -> Self {
+        let (line, grip, even, end, stop) = if is_ring {
+            let line = "curve = { x = \"sin(2*pi*s)/(2*pi)\", y = \"(1 - cos(2*pi*s))/(2*pi)\", z = 0, s = [0, 1] }\nfree_curvature = [0, 0]";
+            let even = "[joint.even]\ntype = \"inplane\"\na = \"ground\"\nb = \"rod@0.25\"\naxis = [0, 0, 1]\n";
+            (line, "type = \"weld\"", even, 0, 14.0)
+        } else {
+            ("from = [0, 0, 0]\nto = [1, 0, 0]", "type = \"prismatic\"\naxis = [1, 0, 0]", "", 1, 15.0)
+        };
+        let text = format!(
+            "format = 1\n[model]\nname = \"Twisted\"\ngravity = [0, 0, 0]\n\
+             [section.wire]\nshape = \"rigidities\"\nEA = 1e6\nEI_y = 1\nEI_z = 1\nGJ = 0.75\nline_density = 1\n\
+             [beam.rod]\nsection = \"wire\"\nelements = {elements}\nstrain = \"small\"\ny_axis = [0, 1, 0]\n{line}\n\
+             [frame.hand]\nposition = [{end}, 0, 0]\nrotation = [\"10*t\", 0, 0]\n\
+             [joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"rod.start\"\n\
+             [joint.grip]\n{grip}\na = \"hand\"\nb = \"rod.end\"\n\
+             [joint.level]\ntype = \"inplane\"\na = \"ground\"\nb = \"rod@0.5\"\naxis = [0, 0, 1]\n{even}\
+             [output.middle]\nat = \"rod@0.5\"\nquantities = [\"displacement\"]\n\
+             [output.root_load]\nat = \"root\"\nquantities = [\"reaction_force\", \"reaction_moment\"]\n\
+             [simulation]\nanalysis = \"static\"\nfollow = \"arc_length\"\nbranches = [1]\nstop = {stop}\nstep = 0.1\n"
+        );
+        let middle = if is_ring { Vec3::new(0.0, 1.0 / PI, 0.0) } else { Vec3::new(0.5, 0.0, 0.0) };
+        let rod = TwistedRod { bending: 1.0, torsion: 0.75, stretching: 1e6, length: 1.0, is_ring, middle };
+        Self { text, rod, stop }
+    }
+
+    /// The equilibria of the path, and what is told of it.
+    pub fn equilibria(&self) -> (Vec<spatial_rod::Point>, Vec<String>) {
+        let vectors = ["middle.displacement", "root_load.reaction_force", "root_load.reaction_moment"];
+        let names = vectors.iter().flat_map(|name| (1..=3).map(move |axis| format!("{name}[{axis}]")));
+        let names: Vec<String> = names.chain([String::from("path.parameter")]).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let (rows, told) = follow(&mut start(&self.text), 0.1, self.stop, &names);
+        let point = |row: Vec<f64>| {
+            let part = |first: usize| Vec3::new(row[first], row[first + 1], row[first + 2]);
+            spatial_rod::Point { middle: part(0), turn: 10.0 * row[9], start: [part(3), part(6)] }
+        };
+        (rows.into_iter().map(point).collect(), told)
     }
 }

@@ -1,12 +1,12 @@
 //! A path of equilibria that is followed by its arc length: past limit points, through branch points and over to the path that crosses, against closed forms and a rod
 //! that is integrated here.
 
-use crate::paths::{Arch, Case, follow, number_behind};
+use crate::paths::{Arch, Case, Twisted, follow, number_behind};
 use crate::planar_rod::Load;
 use crate::running::{start, try_start, value};
 use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 const RIGHT_ANGLE: &str = include_str!("../../machines/right_angle_frame.toml");
 
@@ -188,6 +188,32 @@ fn a_half_circle_sways_under_pressure() {
     let load = number_behind(&told, ", t = ");
     println!("branch point at {load} of the load");
     assert!((load - 1.0).abs() < 1e-4, "{told:?}");
+}
+
+/// A straight rod and a ring, twisted past their critical twists, over to the buckled paths: both leave at the torques of Greenhill, `8.98682 E I/L`, and Michell, `√3 E I/R`, and every buckled row is near the path
+/// of an integrated rod, displacements over the length and turns over a whole one.
+#[test]
+fn twisted_rods_are_followed_past_their_critical_twist() {
+    for (is_ring, critical, meshes) in
+        [(false, 8.98682 / 0.75, [16, 32]), (true, TAU * 3.0_f64.sqrt() / 0.75, [24, 48])]
+    {
+        let worst = meshes.map(|elements| {
+            let case = Twisted::new(elements, is_ring);
+            let (points, told) = case.equilibria();
+            let leaves = 10.0 * number_behind(&told, ", t = ");
+            assert!((leaves / critical - 1.0).abs() < 1e-3, "{leaves} {critical}");
+            // Nearest to the branch point the way is along the buckled shape, and the plane across it holds the straight rod too.
+            let buckled: Vec<_> = points.into_iter().skip_while(|point| point.middle.norm() < 0.02).collect();
+            let worst = case.rod.distance_from(&buckled);
+            println!(
+                "ring {is_ring}, {elements} elements: leaves at {:.2e}, off by {worst:.2e} in {} rows",
+                leaves / critical - 1.0,
+                buckled.len()
+            );
+            worst
+        });
+        assert!(worst[1] < 1e-3 && worst[1] < worst[0] / 8.0, "{worst:?}");
+    }
 }
 
 /// The right-angle frame comes back flat after its ends have turned once around, under the opposite of the moment at which it left, 1e-5 of it; the mesh is its own mirror image, and the path

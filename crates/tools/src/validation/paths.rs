@@ -1,8 +1,10 @@
 //! Paths of equilibria past limit and branch points, against integrated rods and closed forms.
 
 use super::{Section, dots, line, plot, study};
-use ancf14_testing::paths::{Arch, Case, follow, number_behind};
+use ancf14_testing::paths::{Arch, Case, Twisted, follow, number_behind};
 use ancf14_testing::running::start;
+use ancf14_testing::spatial_rod;
+use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::process::Command;
 
@@ -11,6 +13,9 @@ const RIGHT_ANGLE: &str = include_str!("../../../../tests/machines/right_angle_f
 /// Meshes of Lee's frame, elements of a leg, and of arches.
 const LEE: [usize; 3] = [5, 10, 20];
 const ARCHES: [usize; 2] = [16, 32];
+
+/// Equilibria whose middle has moved by less, m, are still those of the way to the branch point.
+const BUCKLED: f64 = 0.02;
 
 /// A path and its rod's points, as displacement downward over the load.
 fn curves(name: &str, color: usize, case: &Case) -> [super::Line; 2] {
@@ -65,6 +70,7 @@ pub fn write(section: &mut Section) {
     let axes = ["downward displacement of the crown / R", "load over that of the file"];
     section.picture("paths_arches", plot("Arches: 32 elements, and integrated rods", axes, lines));
 
+    twisted(section);
     let (_, told) = Case::half_circle(32).equilibria();
     let sways = 3.0 * number_behind(&told, ", t = ");
     let names = ["hinge.angle", "path.parameter"];
@@ -81,6 +87,42 @@ pub fn write(section: &mut Section) {
     let lines = vec![line("moment", 0, path)];
     let axes = ["turn of an end (degrees)", "moment (N m)"];
     section.picture("paths_right_angle", plot("Right-angle frame: the whole path", axes, lines));
+}
+
+/// Rods that are twisted past their critical twist.
+fn twisted(section: &mut Section) {
+    section.say(
+        "A straight rod and a closed ring, round and straight without stress, clamped at one end and twisted at the other, which slides along the axis of the rod. The path goes over to the buckled one where it branches off, and is followed while the twist falls. \
+         `leaves at` is the error of the critical twist (Greenhill: 8.98682 EI/GJ; Michell and Zajac: 2 pi sqrt(3) EI/GJ), `off by` the largest distance of a buckled row from the path of an integrated rod, displacements over the length and turns over a whole one:",
+    );
+    let mut table = String::from("| path | elements | leaves at | off by | order |\n|---|---|---|---|---|\n");
+    let mut lines = Vec::new();
+    let rods = [
+        ("twisted rod", false, 8.98682 / 0.75, [16, 32]),
+        ("twisted ring", true, TAU * 3.0_f64.sqrt() / 0.75, [24, 48]),
+    ];
+    for (color, (name, is_ring, critical, meshes)) in rods.into_iter().enumerate() {
+        let mut before = None;
+        for elements in meshes {
+            let case = Twisted::new(elements, is_ring);
+            let (points, told) = case.equilibria();
+            let leaves = (10.0 * number_behind(&told, ", t = ") / critical - 1.0).abs();
+            if before.is_none() {
+                let torque = |point: &spatial_rod::Point| -point.start[1].x;
+                let path = points.iter().map(|point| (point.turn / TAU, torque(point)));
+                lines.push(line(&format!("{name}, {elements} elements"), color, path.collect()));
+            }
+            let buckled: Vec<_> = points.into_iter().skip_while(|point| point.middle.norm() < BUCKLED).collect();
+            let worst = case.rod.distance_from(&buckled);
+            let order = before.map_or(String::new(), |before: f64| format!("{:.2}", (before / worst).log2()));
+            let [leaves, off] = [leaves, worst].map(study::small);
+            let _ = writeln!(table, "| {name} | {elements} | {leaves} | {off} | {order} |");
+            before = Some(worst);
+        }
+    }
+    section.say(&table);
+    let axes = ["turns of the end", "torque at the start (EI/L)"];
+    section.picture("paths_twisted", plot("Twisted rods past their critical twist", axes, lines));
 }
 
 /// The same path by load steps of the peer.
