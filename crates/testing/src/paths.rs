@@ -167,7 +167,7 @@ impl Arch {
     }
 
     /// A radius of 1 m and a rigidity of 1 N m²; across its plane it is far stiffer.
-    fn text(&self, elements: usize) -> String {
+    pub fn text(&self, elements: usize) -> String {
         let Self { half, slenderness, first, load, follower, size, stop } = self;
         let (joint, seen) = match first {
             Support::Hinge => ("type = \"revolute\"\naxis = [0, 1, 0]", "angle"),

@@ -1,11 +1,13 @@
 //! How far equilibria are off because of the mesh: they are found again on a mesh twice as fine, with quadratic twist.
 
 use super::levels::{self, Level, Override};
+use crate::error::Error;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::builder;
 use crate::model::file::document::Document;
+use crate::model::file::parameter::Parameter;
 use crate::model::variables::{Moment, Table};
 use crate::solve::statics::Statics;
 use crate::solve::step::response::Response;
@@ -23,8 +25,8 @@ pub struct Finer {
 }
 
 impl Finer {
-    /// That of `document`, which was read with `overrides`; none where its beams have no such mesh.
-    pub fn new(document: &Document, overrides: &[Override]) -> Option<Self> {
+    /// That of `document`, which was read with `overrides`, as drawn at `start`, s; none where its beams have no such mesh.
+    pub fn new(document: &Document, overrides: &[Override], start: f64) -> Option<Self> {
         let finer = Level::DoubleElements.overrides(document)?;
         let elements: Vec<String> = finer.iter().map(|(key, _)| key.clone()).collect();
         let overrides = levels::merged(&document.remaining(overrides), finer);
@@ -33,28 +35,38 @@ impl Finer {
         for index in 0..other.parameters().len() {
             let parameter = &other.parameters()[index];
             let name = &parameter.variable.name;
-            let own = document.parameters().iter().position(|own| own.variable.name == *name);
-            if let Some(own) = own.filter(|_| !parameter.is_calculated() && !elements.contains(name)) {
-                other.set_parameter(index, document.parameter_value(own)).ok()?;
+            let is_same = |own: &Parameter| own.variable.name == *name;
+            // Other anchors may shift them.
+            let own = match document.parameters().get(index).is_some_and(is_same) {
+                true => Some(index),
+                false => document.parameters().iter().position(is_same),
+            };
+            let value = own.map(|own| document.parameter_value(own));
+            let is_set = value.is_some_and(|value| value != other.parameter_value(index));
+            if is_set && !parameter.is_calculated() && !elements.contains(name) {
+                other.set_parameter(index, value?).ok()?;
             }
         }
-        let built = builder::build(&other, 0.0).ok()?;
+        let built = builder::build(&other, document.drawn_at(start)).ok()?;
         let statics = Statics::new(&built.system, TOLERANCE);
         Some(Self { table: Table::new(&other), system: built.system, drawn: built.state, statics })
     }
 
-    /// The results of the equilibrium near `state`, an equilibrium of `system`; none where Newton does not find it.
-    pub fn results(&mut self, system: &System, state: &State) -> Option<Vec<f64>> {
+    /// The results of the equilibrium near `state`, an equilibrium of `system`; none where its shape cannot be taken.
+    ///
+    /// # Errors
+    /// Newton does not find it.
+    pub fn results(&mut self, system: &System, state: &State) -> Result<Option<Vec<f64>>, Error> {
         let mut own = self.drawn.clone();
         if !self.system.take_shape(&mut own, system, state) {
-            return None;
+            return Ok(None);
         }
-        self.statics.settle(&self.system, &mut own).ok()?;
+        self.statics.settle(&self.system, &mut own)?;
         let mut response = Response::default();
         response.set_at_rest(&own);
         let (mut frames, mut results) = (FrameCache::default(), Vec::new());
         let moment = Moment { system: &self.system, state: &own, response: &response, fibers: &[] };
         self.table.measure(&moment, &mut frames, &mut results);
-        Some(results)
+        Ok(Some(results))
     }
 }

@@ -1,6 +1,8 @@
 //! Does a static analysis tell its mesh error? It is compared with runs on meshes four times as fine, where the energy that the mesh leaves out is far too small to tell.
 
 use crate::curves::{Curves, load};
+use crate::paths::Arch;
+use crate::planar_rod::Load;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::run::accuracy::Inexact;
 use ancf14::model::run::levels::{Level, merged};
@@ -181,6 +183,20 @@ fn numbers_of_a_host_count() {
     let (other, _) = concluded(PORTAL, &[("left.elements", "4"), ("bar.width", "0.02"), ("matter.young", "2e9")]);
     assert!(!other.mesh_errors().is_empty());
     assert_eq!(simulation.mesh_errors(), other.mesh_errors());
+}
+
+/// A deep arch just below the limit load of its mesh, which is above that of the finer one: there is no equilibrium nearby to compare with, and the user hears of it.
+#[test]
+fn a_limit_load_that_the_mesh_puts_too_high_is_told() {
+    let (_, arch) = Arch::all().into_iter().find(|(_, arch)| arch.load == Load::At(1)).unwrap();
+    let text = arch
+        .text(16)
+        .replace("follow = \"arc_length\"\n", "")
+        .replace("stop = 3\nstep = 0.02", "stop = 0.999\nstep = 0.0333");
+    let (mut simulation, _) = concluded(&text, &[]);
+    let told = simulation.take_warnings();
+    assert!(told.iter().any(|warning| warning.contains("the mesh error is not known")), "{told:?}");
+    assert!(simulation.mesh_errors().is_empty());
 }
 
 /// Where there is no finer mesh to compare with, nothing is told.

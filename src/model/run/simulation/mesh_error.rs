@@ -2,6 +2,7 @@
 
 use super::Simulation;
 use super::runner::Runner;
+use crate::error::decimal;
 use crate::mechanics::state::State;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::run::accuracy::Inexact;
@@ -55,11 +56,21 @@ impl Simulation {
         self.mesh_errors.clear();
         let Some(Peak { state, results, .. }) = &self.peak else { return };
         let Runner { system, state: last, start, .. } = &self.runner;
-        let Some(mut finer) = Finer::new(&self.document, &self.overrides) else { return };
+        let Some(mut finer) = Finer::new(&self.document, &self.overrides, *start) else { return };
         let mut errors = vec![0.0_f64; self.results.len()];
         let is_last = state.time == last.time;
         for (state, results) in [(state, results), (last, &self.results)].into_iter().skip(usize::from(is_last)) {
-            let Some(finer) = finer.results(system, state).filter(|finer| finer.len() == results.len()) else { return };
+            let finer = match finer.results(system, state) {
+                Ok(Some(finer)) if finer.len() == results.len() => finer,
+                Ok(_) => return,
+                Err(_) => return self.warnings.push(format!(
+                    "the mesh error is not known: on a mesh twice as fine there is no equilibrium near that of t = {} s, so that the mesh may be too coarse; take more elements",
+                    decimal(state.instant())
+                )),
+            };
+            if finer.iter().any(|result| !result.is_finite()) {
+                return;
+            }
             for (error, (finer, own)) in errors.iter_mut().zip(finer.iter().zip(results)) {
                 *error = error.max(FINER * (finer - own).abs());
             }
