@@ -1,6 +1,7 @@
 //! The command line of ancf14: commands, arguments and exit codes: 0, 1 (the run failed), 2 (bad file or arguments), 128 and the number
 //! of a signal that ended a run. The program and the Python package both call [`main`].
 
+mod advance;
 mod check;
 mod conclusion;
 mod demo;
@@ -20,6 +21,7 @@ mod shell;
 mod verify;
 mod view;
 mod voice;
+mod vtk;
 
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Failure, Model};
@@ -130,6 +132,20 @@ enum Command {
         /// or in ../lib]
         #[arg(long, value_name = "FILE.wasm", num_args = 0..=1, require_equals = true)]
         live: Option<Option<PathBuf>>,
+    },
+    /// Simulate a model and write files that ParaView and PyVista read: beams with their section forces, bodies, joints, loads
+    ///
+    /// Of each kind of part there is a file of each row of results, and a list of them over time: beams.pvd, bodies.pvd, joints.pvd. If the run fails, the files show it up to the
+    /// failure. Files of the previous export in the same folder are replaced.
+    Export {
+        #[command(flatten)]
+        model: ModelArguments,
+        /// Folder for files of VTK
+        #[arg(long, value_name = "DIR")]
+        vtk: PathBuf,
+        /// Write one row of results in N, and the last one [default: each row]
+        #[arg(long, value_name = "N", value_parser = vtk::every)]
+        every: Option<u64>,
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0 or 3.0)
     ///
@@ -334,6 +350,10 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
                 modes,
             });
             view::view(simulation, &file, &read, modes, live.as_ref())
+        }
+        Command::Export { model, vtk, every } => {
+            let (simulation, _) = model.load()?;
+            vtk::export(simulation, &vtk, every, &[model.input()])
         }
         Command::Pack { file, output, fmi, library, binaries } => {
             export::pack(fmi, &file, &output, library.as_deref(), binaries, program)

@@ -1,10 +1,10 @@
 //! `view`: simulates as `run` does, and writes one HTML file that shows the mechanism move.
 
+use super::advance::advance;
 use super::output::{self, Input};
-use super::progress::{bar, last_row};
+use super::progress::last_row;
 use super::{Stop, complain, failed, page, say, start};
 use ancf14::fmi::Model;
-use ancf14::model::rows;
 use ancf14::model::simulation::Simulation;
 use ancf14_view::{Film, Live, ended_early};
 use std::path::{Path, PathBuf};
@@ -27,7 +27,10 @@ pub fn view(
         found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
         film.add_modes(&simulation, &found);
     }
-    let outcome = simulate(&mut simulation, &mut film, last_row);
+    let outcome = advance(&mut simulation, last_row, |row, simulation| {
+        film.look(row, simulation);
+        Ok(())
+    });
     if let Err(Stop::Failed(message)) = &outcome {
         film.note(&ended_early(simulation.time(), message));
     }
@@ -35,28 +38,5 @@ pub fn view(
     output::write(file, text.as_bytes())?;
     let megabytes = text.len() as f64 / 1e6;
     say(&format!("{} instants, {megabytes:.2} MB: open {} in a browser", film.instants(), file.display()))?;
-    outcome
-}
-
-fn simulate(simulation: &mut Simulation, film: &mut Film, last_row: u64) -> Result<(), Stop> {
-    let bar = bar(last_row);
-    let warn = |simulation: &mut Simulation| {
-        for warning in simulation.take_warnings() {
-            bar.suspend(|| complain(&format!("warning: {warning}")));
-        }
-    };
-    let outcome = (1..=last_row).try_for_each(|row| {
-        let advanced = simulation.advance(rows::time(simulation.about(), row, last_row));
-        warn(simulation);
-        advanced.map_err(|failure| failed(simulation, &failure))?;
-        film.look(row, simulation);
-        bar.inc(1);
-        Ok(())
-    });
-    bar.finish_and_clear();
-    if outcome.is_ok() {
-        simulation.conclude();
-        warn(simulation);
-    }
     outcome
 }
