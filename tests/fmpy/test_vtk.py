@@ -113,6 +113,17 @@ def test_a_beam_is_where_its_outputs_are(cantilever):
     assert beams[0].unit("curvature_y") == "1/m" and beams[0].unit("speed") == "m/s" and beams[0].unit("axial_strain") is None
 
 
+def test_places_are_global(tmp_path):
+    """Far from the origin the solver counts from the middle of the system; files have global places."""
+    far = Exported("crane", tmp_path, "--set", "simulation.stop=0.1", *(
+        word for part, x in (("foot.position", 1e6), ("boom.from", 1e6), ("boom.to", 1e6 + 4.5), ("rope.from", 1e6 + 4.5), ("rope.to", 1e6 + 4.5), ("load.position", 1e6 + 4.5), ("hook.at", 1e6 + 4.5))
+        for word in ("--set", f"{part}[1]={x}")))
+    close([piece.points.mean(axis=0) for piece in far.series("bodies")], far.vector("load_motion.position"))
+    tips = [piece.points[piece.cell(0)[-1]] for piece in far.series("beams")]
+    close(tips, far.vector("boom_tip.position"))
+    assert tips[0][0] > 1e6
+
+
 def test_sections_have_their_size_and_their_axes(cantilever):
     width, height = 0.02, 0.005
     for piece in cantilever.series("beams"):

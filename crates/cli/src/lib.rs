@@ -22,6 +22,7 @@ mod verify;
 mod view;
 mod voice;
 mod vtk;
+mod watch;
 
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Failure, Model};
@@ -132,6 +133,9 @@ enum Command {
         /// or in ../lib]
         #[arg(long, value_name = "FILE.wasm", num_args = 0..=1, require_equals = true)]
         live: Option<Option<PathBuf>>,
+        /// Serve the page to browsers on this computer instead, show each new run when the model file or one that it reads is saved, and mistakes above the last picture; until Ctrl-C
+        #[arg(long, conflicts_with_all = ["output", "live"])]
+        watch: bool,
     },
     /// Simulate a model and write files that ParaView and PyVista read: beams with their section forces, bodies, joints, loads
     ///
@@ -335,10 +339,11 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, _) = model.load()?;
             modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
         }
-        Command::View { model, output, modes, live } => {
+        Command::View { model, modes, watch: true, .. } => watch::watch(&model, modes.map(modes::count_or_default)),
+        Command::View { model, output, modes, live, .. } => {
             let (simulation, text) = model.load()?;
             let file = output.unwrap_or_else(|| model.beside(".html"));
-            let modes = modes.map(|count| count.unwrap_or(modes::COUNT));
+            let modes = modes.map(modes::count_or_default);
             let solver = live.map(|given| live::solver(given.as_deref(), program)).transpose()?;
             let mut read = vec![model.input()];
             read.extend(solver.iter().map(|(path, _)| (live::SOLVER, path.as_path())));

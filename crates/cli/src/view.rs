@@ -11,13 +11,27 @@ use std::path::{Path, PathBuf};
 
 /// Simulates and writes the page `file`; with `modes` the page shows so many natural modes about the initial state too, with `live` it has the solver.
 pub fn view(
-    mut simulation: Simulation,
+    simulation: Simulation,
     file: &Path,
     inputs: &[Input<'_>],
     modes: Option<u16>,
     live: Option<&Live>,
 ) -> Result<(), Stop> {
     output::spare(inputs, &[PathBuf::from(file)])?;
+    let (film, outcome) = filmed(simulation, modes, |_| Ok(()))?;
+    let text = page(&film, live)?;
+    output::write(file, text.as_bytes())?;
+    let megabytes = text.len() as f64 / 1e6;
+    say(&format!("{} instants, {megabytes:.2} MB: open {} in a browser", film.instants(), file.display()))?;
+    outcome
+}
+
+/// What there is to see of a simulation, of one that fails up to the failure. `look` is told the share of the rows that are done.
+pub fn filmed(
+    mut simulation: Simulation,
+    modes: Option<u16>,
+    mut look: impl FnMut(f64) -> Result<(), Stop>,
+) -> Result<(Film, Result<(), Stop>), Stop> {
     let last_row = last_row(&simulation)?;
     let mut film = Film::new(&simulation, last_row);
     start(&mut simulation)?;
@@ -29,14 +43,10 @@ pub fn view(
     }
     let outcome = advance(&mut simulation, last_row, |row, simulation| {
         film.look(row, simulation);
-        Ok(())
+        look(row as f64 / last_row as f64)
     });
     if let Err(Stop::Failed(message)) = &outcome {
         film.note(&ended_early(simulation.time(), message));
     }
-    let text = page(&film, live)?;
-    output::write(file, text.as_bytes())?;
-    let megabytes = text.len() as f64 / 1e6;
-    say(&format!("{} instants, {megabytes:.2} MB: open {} in a browser", film.instants(), file.display()))?;
-    outcome
+    Ok((film, outcome))
 }
