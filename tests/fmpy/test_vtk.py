@@ -52,12 +52,13 @@ class Piece:
 
 
 class Exported:
-    """A model, simulated into results.csv and into files of VTK."""
+    """A model of models/, or of a file, simulated into results.csv and into files of VTK."""
 
-    def __init__(self, model: str, folder: Path, *words):
+    def __init__(self, model: str | Path, folder: Path, *words):
         self.folder = folder / "vtk"
-        run("run", ROOT / "models" / f"{model}.toml", "-o", folder / "results", *words)
-        run("export", ROOT / "models" / f"{model}.toml", "--vtk", self.folder, *words)
+        file = ROOT / "models" / f"{model}.toml" if isinstance(model, str) else model
+        run("run", file, "-o", folder / "results", *words)
+        run("export", file, "--vtk", self.folder, *words)
         with open(folder / "results" / "results.csv", newline="") as file:
             names, *rows = csv.reader(file)
         self.columns = {name: [float(row[place]) for row in rows] for place, name in enumerate(names)}
@@ -165,6 +166,45 @@ def test_bodies_are_closed_and_where_their_outputs_are(crane):
     assert np.ptp(position, axis=0).max() > 1e-5, "nothing moves"
     for piece in bodies:
         assert piece.data.GetNumberOfPolys() == 6 and set(piece["name"]) == {"load"} and set(piece["mass"]) == {500.0}
+
+
+BOB = """format = 1
+[model]
+name = "Bob"
+gravity = [5, 0, -9.81]
+[body.bob]
+mass = 1.0
+position = [0, 0, -1]
+inertia = [0.1, 0.2, 0.25]
+[joint.hinge]
+type = "revolute"
+a = "ground"
+b = "bob"
+at = [0, 0, 0]
+axis = [0, 1, 0]
+[output.place]
+at = "bob"
+quantities = ["position"]
+[simulation]
+stop = 0.5
+step = 0.01
+"""
+
+
+def test_bodies_turn(tmp_path):
+    """A body on a hinge at the origin turns about y like the line from the hinge to its center. Its box has the edges of its inertia: 12/m times half the sum of two moments minus the third."""
+    (tmp_path / "bob.toml").write_text(BOB)
+    bob = Exported(tmp_path / "bob.toml", tmp_path)
+    pieces, places = bob.series("bodies"), bob.vector("place.position")
+    corners = pieces[0].points - places[0]
+    moments = np.array([0.1, 0.2, 0.25])
+    edges = np.sqrt(12 * (moments.sum() / 2 - moments))
+    close(np.sort(np.ptp(corners, axis=0)), np.sort(edges), 1.0)
+    for piece, (x, _, z) in zip(pieces, places):
+        turn = np.array([[-z, 0, -x], [0, 1, 0], [x, 0, -z]])
+        # Newton's corrections end at 1e-10 of the size, far above rounding.
+        assert np.abs(piece.points - corners @ turn.T - [x, 0, z]).max() < 1e-8
+    assert abs(places[-1][0]) > 0.2, "nothing turns"
 
 
 def test_loads_are_what_the_file_says(tmp_path):

@@ -134,7 +134,7 @@ test("a saved file is shown, a mistake is told, and the rest of the world is lef
   }
 });
 
-test("a model that is wrong from the start is shown once it is right", async () => {
+test("a model that is wrong from the start is shown once it is right, and no run is waited for that is out of date", async () => {
   save("m.toml", text.replace("young", "yuong"));
   save("load.toml", load);
   save("push.csv", TABLE);
@@ -143,6 +143,9 @@ test("a model that is wrong from the start is shown once it is right", async () 
     const { page, close } = await visit(address, (url) => url.startsWith(address), ".watch .error");
     assert.match(await page.textContent(".watch .error"), /yuong/);
     assert.equal(await page.evaluate(() => window.ancf14), undefined);
+    // A run that would take hours is given up when the file is saved again.
+    save("m.toml", text.replace("stop = 0.1", "stop = 1e4"));
+    await page.waitForFunction(() => document.querySelector(".watch progress:not([hidden])")?.value > 0, null, { timeout: 30000 });
     save("m.toml", text);
     await page.waitForFunction(() => window.ancf14, null, { timeout: 30000 });
     assert.equal(await page.locator(".watch .error").count(), 0);
