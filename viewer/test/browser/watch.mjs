@@ -149,6 +149,12 @@ test("a model that is wrong from the start is shown once it is right, and no run
     save("m.toml", text);
     await page.waitForFunction(() => window.ancf14, null, { timeout: 30000 });
     assert.equal(await page.locator(".watch .error").count(), 0);
+    // What the run warns of can be put away.
+    const warning = await page.waitForSelector(".watch .warning", { timeout: 10000 });
+    assert.match(await warning.textContent(), /^Warning: tip\.velocity is off by about/);
+    if (process.env.ANCF14_SHOTS) await page.screenshot({ path: join(process.env.ANCF14_SHOTS, "warned.png") });
+    await page.click(".watch button");
+    assert.equal(await page.locator(".watch .warning").count(), 0);
     await close();
     child.kill("SIGINT");
     assert.equal(await ended, 0);

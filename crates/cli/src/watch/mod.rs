@@ -48,6 +48,8 @@ pub fn watch(model: &ModelArguments, modes: Option<u16>) -> Result<(), Stop> {
 
 /// Simulates, and brings the run into the page; the number of its instants.
 fn shown(model: &ModelArguments, modes: Option<u16>, files: &Files, news: &News) -> Result<usize, Stop> {
+    // Those of a run that was given up.
+    drop(voice::take_warnings());
     let mut looked = Instant::now();
     // A run of files that have changed in the meantime ends at once.
     let look = |share: f64| {
