@@ -207,6 +207,19 @@ def test_bodies_turn(tmp_path):
     assert abs(places[-1][0]) > 0.2, "nothing turns"
 
 
+def test_a_corner_begins_another_line(tmp_path):
+    """At a corner of a beam two sections stand at one place, across different pieces: a line through both would have no direction there."""
+    bar = Exported(ROOT / "tests/machines/anti_roll_bar.toml", tmp_path)
+    for piece in bar.series("beams"):
+        lines = [piece.cell(number) for number, name in enumerate(piece["name"]) if name == "bar"]
+        assert len(lines) == 3 and set(piece["beam"]) == {0}
+        for before, after in zip(lines, lines[1:]):
+            assert before[-1] + 1 == after[0] and piece["fraction"][before[-1]] == piece["fraction"][after[0]]
+            close(piece.points[before[-1]], piece.points[after[0]])
+        for line in lines:
+            assert np.linalg.norm(np.diff(piece.points[line], axis=0), axis=1).min() > 0
+
+
 def test_loads_are_what_the_file_says(tmp_path):
     elastica = Exported("elastica", tmp_path / "elastica", "--set", "unit_force=2.5")
     for piece in elastica.series("loads"):

@@ -188,8 +188,10 @@ fn line_loads(at: Instant<'_>) -> PolyData {
 }
 
 fn loaded(at: Instant<'_>, units: [&'static str; 2], is_wanted: impl Fn(&LoadLook) -> bool) -> PolyData {
-    let wanted: Vec<&LoadLook> = at.scene().loads.iter().filter(|load| is_wanted(load)).collect();
     let places = at.places("load.place");
+    // A load that acts nowhere has no arrows.
+    let is_there = |load: &&LoadLook| load.arrows.end <= places.len();
+    let wanted: Vec<&LoadLook> = at.scene().loads.iter().filter(|load| is_wanted(load)).filter(is_there).collect();
     let own = |vectors: &[[f64; 3]]| -> Vec<[f64; 3]> {
         wanted.iter().flat_map(|load| &vectors[load.arrows.clone()]).copied().collect()
     };
