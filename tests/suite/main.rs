@@ -17,4 +17,4 @@ mod references;
 mod support;
 mod trust;
 
-use ancf14_testing::{curves, golden, random, running};
+use ancf14_testing::{curves, golden, paths, planar_rod, random, running};

@@ -5,13 +5,14 @@ use super::{Complaint, Stop, say, voice};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::drawing::Drawing;
+use ancf14::model::run::accuracy::Inexact;
 use ancf14::model::simulation::Simulation;
 use ancf14_report::draw::{self, PROJECTIONS};
 use ancf14_report::extremes::{Extremes, Peak, chosen};
 use ancf14_report::numbers::{significant, trimmed};
 use ancf14_report::overview::Overview;
 use ancf14_report::results::Results;
-use ancf14_report::summary::{Summary, TimeStepError};
+use ancf14_report::summary::{EstimatedError, Summary};
 use serde_json::json;
 use std::fmt::Write;
 
@@ -33,10 +34,6 @@ pub fn summary(
     is_complete: bool,
 ) -> Option<Summary> {
     let (about, statistics) = (simulation.about(), &simulation.state().statistics);
-    let errors = simulation.estimated_errors().into_iter();
-    let mut time_step_errors: Vec<TimeStepError> =
-        errors.map(|own| TimeStepError { quantity: own.name, of_range: own.error }).collect();
-    time_step_errors.sort_by(|a, b| b.of_range.total_cmp(&a.of_range));
     Some(Summary {
         program: format!("ancf14 {}", env!("CARGO_PKG_VERSION")),
         model: about.name.clone(),
@@ -51,9 +48,18 @@ pub fn summary(
         iterations: statistics.iterations,
         rejected: statistics.rejected,
         wall_time: wall,
-        time_step_errors,
+        time_step_errors: sorted(&simulation.estimated_errors()),
+        mesh_errors: sorted(simulation.mesh_errors()),
         columns: results.extremes(),
     })
+}
+
+/// Errors for programs, the largest first.
+fn sorted(errors: &[Inexact]) -> Vec<EstimatedError> {
+    let own = errors.iter().map(|own| EstimatedError { quantity: own.name.clone(), of_range: own.error });
+    let mut errors: Vec<EstimatedError> = own.collect();
+    errors.sort_by(|a, b| b.of_range.total_cmp(&a.of_range));
+    errors
 }
 
 /// Writes the document and the page, with the warnings so far and why the run ended early; with `--json` the document is what the program prints. `pictures` are
@@ -101,6 +107,9 @@ pub fn tell(summary: &Summary, simulation: &Simulation) -> Result<(), Stop> {
     })?;
     if let Some(worst) = simulation.least_accurate() {
         say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
+    }
+    if let Some(worst) = simulation.coarsest() {
+        say(&format!("mesh error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
     }
     table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table))
 }

@@ -2,9 +2,9 @@
 
 use crate::numbers::shortest;
 use ancf14::error::decimal;
+use ancf14::model::run::levels::Level;
 use ancf14::model::verification::Report;
 use ancf14::model::verification::estimate::Order;
-use ancf14::model::verification::levels::Level;
 
 /// The text of errors.csv: all columns, in the order of the results.
 pub fn csv(report: &Report) -> String {

@@ -25,7 +25,7 @@ pub struct Overview<'a> {
     pub files: &'a [&'a str],
 }
 
-/// A time-step error below this share of the range is told as that.
+/// An error below this share of the range is told as that.
 const LEAST_TOLD: f64 = 1e-6;
 const STYLE: &str = include_str!("overview.css");
 /// Lines of the first table, and of the table of all columns.
@@ -92,14 +92,26 @@ impl Overview<'_> {
     }
 
     fn facts(&self, page: &mut String) -> std::fmt::Result {
-        let Summary { reached, rows, steps, iterations, rejected, wall_time, time_step_errors, settings, .. } =
-            self.summary;
+        let Summary {
+            reached,
+            rows,
+            steps,
+            iterations,
+            rejected,
+            wall_time,
+            time_step_errors,
+            mesh_errors,
+            settings,
+            ..
+        } = self.summary;
         let mut facts = vec![
             ("simulated time", format!("{reached} s"), format!("{rows} rows")),
             ("steps", steps.to_string(), format!("{rejected} rejected, {iterations} Newton iterations")),
             ("wall time", format!("{} s", significant(*wall_time, 3)), String::new()),
         ];
-        facts.extend(time_step_errors.first().map(|worst| {
+        let errors = [("time-step error", time_step_errors), ("mesh error", mesh_errors)];
+        facts.extend(errors.into_iter().filter_map(|(word, errors)| {
+            let worst = errors.first()?;
             let remark = format!("of the range of {}, the least accurate result", worst.quantity);
             // Of a model at rest it is round-off.
             let size = if worst.of_range < LEAST_TOLD {
@@ -107,7 +119,7 @@ impl Overview<'_> {
             } else {
                 format!("{} %", significant(100.0 * worst.of_range, 2))
             };
-            ("time-step error", size, remark)
+            Some((word, size, remark))
         }));
         facts.extend(settings.iter().map(|(key, value)| ("--set", format!("{key} = {value}"), String::new())));
         writeln!(page, "<dl class=\"facts\">")?;
@@ -238,6 +250,7 @@ mod tests {
             rejected: 0,
             wall_time: 0.125,
             time_step_errors: Vec::new(),
+            mesh_errors: Vec::new(),
             columns: vec![Extremes {
                 name: String::from("tip.position[3]"),
                 unit: String::from("m"),

@@ -34,14 +34,16 @@ pub struct Summary {
     /// How long it took, s.
     pub wall_time: f64,
     /// Estimated errors because of the length of the steps, the largest first; empty: not known.
-    pub time_step_errors: Vec<TimeStepError>,
+    pub time_step_errors: Vec<EstimatedError>,
+    /// Estimated errors of equilibria because of the mesh, the largest first; empty: not known.
+    pub mesh_errors: Vec<EstimatedError>,
     /// All columns, in the order of results.csv.
     pub columns: Vec<Extremes>,
 }
 
-/// How far a quantity is off because of the length of the steps.
+/// How far a quantity is off.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct TimeStepError {
+pub struct EstimatedError {
     /// `tip.velocity`; all energies are `energy`.
     pub quantity: String,
     /// The error as a share of the range of the quantity.

@@ -5,8 +5,11 @@
 pub mod curves;
 pub mod golden;
 pub mod pages;
+pub mod paths;
+pub mod planar_rod;
 pub mod random;
 pub mod running;
+pub mod spatial_rod;
 pub mod toy;
 
 use ancf14::fmi::location::LIBRARY;

@@ -6,6 +6,7 @@ mod dampers;
 mod efforts;
 mod energy;
 mod equations;
+mod finer;
 pub mod frame_cache;
 pub mod gyroscopic;
 pub mod joint_parts;

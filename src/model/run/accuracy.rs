@@ -23,6 +23,8 @@ const REACH: f64 = 1e-6;
 const LARGEST_MULTIPLE: f64 = 1e3;
 /// Share of its range that a reader expects a result to be right to.
 const EXPECTED: f64 = 0.005;
+/// The same for the error of a force or a strain because of the mesh.
+const EXPECTED_OF_FORCES: f64 = 0.01;
 /// Share of the looks in which a force, a strain or an acceleration may be off by more: it jumps where the motion only bends.
 const ROUGH_SHARE: f64 = 0.05;
 /// A force or moment is compared with this share of the largest one of the system at least.
@@ -91,6 +93,8 @@ pub struct Inexact {
     pub name: String,
     /// Its largest error so far, as a share of its range.
     pub error: f64,
+    /// It is a force, a strain or an acceleration, which converges more slowly than the motion.
+    pub is_rough: bool,
 }
 
 impl Columns {
@@ -176,8 +180,32 @@ impl Accuracy {
         energies.map(|(_, span)| span.range).fold(0.0, f64::max)
     }
 
-    /// All families of results with their errors, after `duration` s; none of quantities that are zero.
+    /// All families of results with their errors because of the lengths of the steps, after `duration` s; none of quantities that are zero.
     pub fn errors(&self, columns: &Columns, system: &System, duration: f64) -> Vec<Inexact> {
+        let error = |number: usize, family: &Family| {
+            let errors = self.errors.get(number)?;
+            Some(errors.exceeded_by(if family.is_rough { ROUGH_SHARE } else { 0.0 }))
+        };
+        self.shares(columns, system, duration, error)
+    }
+
+    /// All families of results with the largest of the `errors` of their results; none of quantities that are zero.
+    pub fn errors_of_mesh(&self, columns: &Columns, system: &System, duration: f64, errors: &[f64]) -> Vec<Inexact> {
+        let mut largest = vec![0.0_f64; columns.families.len()];
+        for column in &columns.columns {
+            largest[column.family] = largest[column.family].max(errors[column.result]);
+        }
+        self.shares(columns, system, duration, |number, _| Some(largest[number]))
+    }
+
+    /// All families of results with their errors, given in their units by number and family, as shares of their ranges; none of quantities that are zero.
+    fn shares(
+        &self,
+        columns: &Columns,
+        system: &System,
+        duration: f64,
+        error: impl Fn(usize, &Family) -> Option<f64>,
+    ) -> Vec<Inexact> {
         let (spans, energy) = (self.spans(columns), self.energy(columns));
         let measures = Measures { size: system.size, duration, energy, gravity: system.gravity.norm() };
         let families = || columns.families.iter().zip(&spans);
@@ -185,12 +213,12 @@ impl Accuracy {
             let alike = families().filter(|(family, _)| family.unit == unit && matches!(unit, "N" | "N.m"));
             alike.map(|(_, span)| span.size).fold(0.0, f64::max)
         };
-        let shown = families().zip(&self.errors).filter(|((family, _), _)| family.is_shown);
-        let found = shown.filter_map(|((Family { name, unit, is_rough, .. }, span), errors)| {
+        let shown = families().enumerate().filter(|(_, (family, _))| family.is_shown);
+        let found = shown.filter_map(|(number, (family, span))| {
+            let Family { name, unit, is_rough, .. } = family;
             let scale = span.scale(measures.natural(unit));
-            let error = errors.exceeded_by(if *is_rough { ROUGH_SHARE } else { 0.0 });
-            let error = error / scale.max(SMALL_FORCE * largest_force(unit));
-            (scale > 0.0).then(|| Inexact { name: name.clone(), error })
+            let error = error(number, family)? / scale.max(SMALL_FORCE * largest_force(unit));
+            (scale > 0.0).then(|| Inexact { name: name.clone(), error, is_rough: *is_rough })
         });
         found.collect()
     }
@@ -254,7 +282,7 @@ impl Setting {
 impl Inexact {
     /// The warning about a run whose results are off by more than a reader expects; `setting` is the one of its steps.
     pub fn warning(&self, setting: Setting) -> Option<String> {
-        let Self { name, error } = self;
+        let Self { name, error, .. } = self;
         // Beyond the whole range the estimate has a size, but no number that a step could follow from.
         let remedy = match *error {
             error if error > 1.0 => format!("take a far smaller {}", setting.name()),
@@ -268,6 +296,23 @@ impl Inexact {
             format!(
                 "{name} is off by {} of its range because of the length of the steps, as estimated during the run; {remedy}",
                 self.size(),
+            )
+        })
+    }
+
+    /// Its error because of the mesh over what a reader expects.
+    pub fn excess(&self) -> f64 {
+        self.error / if self.is_rough { EXPECTED_OF_FORCES } else { EXPECTED }
+    }
+
+    /// The warning about a run whose results are off by more than a reader expects because of the mesh.
+    pub fn warning_of_mesh(&self) -> Option<String> {
+        (self.excess() > 1.0).then(|| {
+            format!(
+                "{} is off by {} of its range because of the mesh, as estimated at the end from a mesh twice as fine; take more elements, or twist = \"quadratic\" \
+                 where beams are twisted; --verify tells for which beams, and how many",
+                self.name,
+                self.size()
             )
         })
     }
@@ -296,7 +341,9 @@ mod tests {
     /// An error of 2 % asks for a step of a third, for a tenth of it; one beyond the whole range for no number.
     #[test]
     fn the_remedy_follows_from_the_error() {
-        let warning = |error: f64| Inexact { name: String::from("tip.velocity"), error }.warning(Setting::Step(1e-3));
+        let warning = |error: f64| {
+            Inexact { name: String::from("tip.velocity"), error, is_rough: false }.warning(Setting::Step(1e-3))
+        };
         assert_eq!(warning(0.004), None);
         let found = warning(0.02).unwrap();
         assert!(

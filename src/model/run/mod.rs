@@ -2,6 +2,8 @@
 
 pub mod accuracy;
 pub mod effort;
+pub mod finer;
+pub mod levels;
 pub mod rows;
 pub(super) mod scale;
 pub mod simulation;

@@ -70,6 +70,11 @@ impl Watch {
         all.chain(self.energy(state)).collect()
     }
 
+    /// Strain energy of the last state that was looked at, J; 0: none was.
+    pub fn strain_energy(&self) -> f64 {
+        self.mesh.strain_energy
+    }
+
     /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.
     fn axial(&mut self, system: &System, state: &State, table: &Table, frames: &mut FrameCache) -> Option<String> {
         if self.axial_warned {

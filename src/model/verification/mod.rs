@@ -4,7 +4,6 @@
 //! differences of each column ([`tally`]). They make an [`estimate`] of its error, compared with a [`scale`], and a [`remedy`].
 
 pub mod estimate;
-pub mod levels;
 pub mod remedy;
 mod report;
 pub mod scale;
@@ -12,9 +11,9 @@ pub mod tally;
 
 pub use report::{Report, Row};
 
-use self::levels::{Level, Override};
 use self::tally::{Sample, Tally};
 use super::file::document::Document;
+use super::run::levels::{self, Level, Override};
 use super::run::simulation::Simulation;
 use crate::fmi::variable::{Causality, Variable};
 use crate::fmi::{Failure, Model};

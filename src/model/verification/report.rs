@@ -1,12 +1,12 @@
 //! What a verification has found: a row a column, and what to change.
 
 use super::estimate::{Estimate, Parts, Trust};
-use super::levels::{self, Level};
 use super::remedy::{Demand, Setting, cheapest};
 use super::scale;
 use super::{Column, State, Verification};
 use crate::fmi::Model;
 use crate::model::file::document::Document;
+use crate::model::run::levels::{self, Level};
 use crate::model::run::scale::Measures;
 use crate::model::run::simulation::Simulation;
 use crate::model::variables::is_of_account;

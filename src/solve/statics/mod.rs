@@ -208,6 +208,17 @@ impl Statics {
         self.stability.remark(system, unstable, before, &softest, other);
     }
 
+    /// Takes `state`, which is close to an equilibrium under its own loads and drives, there.
+    ///
+    /// # Errors
+    /// Newton has not found it; `state` is as it was but for the count of iterations.
+    pub fn settle(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
+        self.current.copy_from(&state.excitation);
+        self.current_motion.copy_from(&state.prescribed);
+        self.current_motion.stop();
+        self.solve(system, state, state.instant())
+    }
+
     /// Forgets what is known of the last equilibrium: the state has been set from outside.
     pub fn forget(&mut self) {
         self.stability.forget();

@@ -8,7 +8,7 @@ use crate::support::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, any_mar
 use ancf14::math::Vec3;
 use ancf14::mechanics::marker::sensor::Sensor;
 use ancf14::model::document::Document;
-use ancf14::model::verification::levels::Level;
+use ancf14::model::run::levels::Level;
 use nalgebra::SVector;
 
 /// A body that turns about its z axis and moves, with a point on it.

@@ -7,4 +7,3 @@ pub mod marker_oracle;
 pub mod oracle;
 pub mod oscillation;
 pub mod parts;
-pub mod planar_rod;

@@ -5,9 +5,9 @@
 use crate::curves::{Curves, load};
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::Causality;
+use ancf14::model::run::levels::{Level, merged};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::verification::estimate::{Limit, Trust};
-use ancf14::model::verification::levels::{Level, merged};
 use ancf14::model::verification::{Report, Row, Verification};
 use std::f64::consts::TAU;
 

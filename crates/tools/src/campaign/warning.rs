@@ -12,7 +12,7 @@ enum Doubt {
 }
 
 /// Words of every warning that is known, with what is doubted by it.
-const KNOWN: [(&str, Doubt); 27] = [
+const KNOWN: [(&str, Doubt); 29] = [
     ("the integrator has gained", Doubt::Steps),
     ("the integrator has lost", Doubt::Steps),
     ("numerical damping has taken", Doubt::Steps),
@@ -23,6 +23,8 @@ const KNOWN: [(&str, Doubt); 27] = [
     ("which no finite force can do", Doubt::Results),
     ("elements spread a jump", Doubt::Results),
     ("the mesh is too coarse", Doubt::Results),
+    ("because of the mesh, as estimated", Doubt::Results),
+    ("found far from where the mechanism is drawn", Doubt::Results),
     ("alternates from step to step", Doubt::Results),
     ("its torsion softens and fails", Doubt::Results),
     ("finer than beam theory", Doubt::Results),

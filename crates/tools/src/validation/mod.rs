@@ -10,6 +10,7 @@ mod elastica;
 mod estimates;
 mod frames;
 mod frequencies;
+mod paths;
 mod princeton;
 mod ring;
 mod roll_up;
@@ -45,12 +46,12 @@ pub enum Runs {
     Short,
     /// Long ones.
     Long,
-    /// Timed ones: no two come out the same, so that they run only where the section is asked for by its title.
-    Timed,
+    /// Only where the section is asked for by its title: timed ones, of which no two come out the same, and those of the peer, which must be installed.
+    Asked,
 }
 
 /// All sections in the order of the page.
-pub const CASES: [Case; 17] = [
+pub const CASES: [Case; 19] = [
     Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
     Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
     Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
@@ -58,12 +59,14 @@ pub const CASES: [Case; 17] = [
     Case { title: "Lateral torsional buckling", runs: Runs::Long, write: buckling::write },
     Case { title: "Two elements: equilibria", runs: Runs::Short, write: comparison::equilibria::write },
     Case { title: "Two elements: motion", runs: Runs::Long, write: comparison::motion::write },
-    Case { title: "Two elements: time", runs: Runs::Timed, write: comparison::time::write },
+    Case { title: "Two elements: time", runs: Runs::Asked, write: comparison::time::write },
     Case { title: "45-degree bend", runs: Runs::Short, write: bend::write },
     Case { title: "Elastica", runs: Runs::Short, write: elastica::write },
     Case { title: "Rolling up to a circle", runs: Runs::Short, write: roll_up::write },
     Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
     Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
+    Case { title: "Paths past a limit load", runs: Runs::Short, write: paths::write },
+    Case { title: "Paths past a limit load: the peer", runs: Runs::Asked, write: paths::peer },
     Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
     Case { title: "Steps chosen by an accuracy", runs: Runs::Long, write: chosen_steps::write },
     Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },

@@ -49,6 +49,9 @@ pub struct MeshWatch {
     /// Of all quantities that are read at points, in the order of the table.
     readings: Vec<Reading>,
     reading_warned: bool,
+    /// Strain energy of the last state that was looked at, J; not saved with the others.
+    #[serde(skip)]
+    pub strain_energy: f64,
 }
 
 /// How often something was seen while its scale was about the same.
@@ -129,6 +132,7 @@ impl MeshWatch {
         }
         let c = frames.of(system, state);
         let error = system.mesh_error(&c);
+        self.strain_energy = error.energy;
         let Energies { kinetic, elastic } = state.balance.last.unwrap_or(Energies { kinetic: 0.0, elastic: 0.0 });
         self.largest_energy = self.largest_energy.max(kinetic + elastic.max(error.energy));
         self.largest_moment = self.largest_moment.max(error.largest_moment);

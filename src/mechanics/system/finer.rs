@@ -1,0 +1,97 @@
+//! A state of a system on a mesh twice as fine: the same shape.
+
+use super::System;
+use super::frame_cache::FrameCache;
+use crate::math::hermite;
+use crate::math::rotation::carry;
+use crate::math::vectors::set_vec3;
+use crate::mechanics::beam::ancf14::coordinates::{NODE, P, R, THETA, interpolate};
+use crate::mechanics::beam::ancf14::element::Element;
+use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::geometry::triad::Triad;
+use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
+use crate::mechanics::state::State;
+use std::f64::consts::TAU;
+
+/// How far the lengths of two elements may differ from that of the one that they divide, relative.
+const SAME_LENGTH: f64 = 1e-9;
+
+impl System {
+    /// Sets `state`, one of this system as drawn, to the shape of `from`, a state of `coarse`: the same mechanism with half the elements in every beam. Returns whether
+    /// it could; elements other than ANCF14's have no such shape, nor have beams whose nodes are at other places.
+    pub fn take_shape(&self, state: &mut State, coarse: &Self, from: &State) -> bool {
+        let (own, other) = (self.mesh.coordinates(), coarse.mesh.coordinates());
+        let fits = self.beams.len() == coarse.beams.len() && state.q.len() - own == from.q.len() - other;
+        if !fits || state.multipliers.len() != from.multipliers.len() {
+            return false;
+        }
+        state.q[own..].copy_from_slice(&from.q[other..]);
+        let mut frames = FrameCache::default();
+        let c = frames.of(coarse, from);
+        for (beam, coarse_beam) in self.beams.iter().zip(&coarse.beams) {
+            if beam.elements() != 2 * coarse_beam.elements() {
+                return false;
+            }
+            let pairs = self.mesh.elements[beam.element_range()].chunks_exact(2);
+            for (pair, number) in pairs.zip(coarse_beam.element_range()) {
+                let [AnyElement::Ancf14(first), AnyElement::Ancf14(second)] = pair else { return false };
+                let AnyElement::Ancf14(element) = &coarse.mesh.elements[number] else { return false };
+                if (first.length + second.length - element.length).abs() > SAME_LENGTH * element.length {
+                    return false;
+                }
+                divide([first, second], (number, element), &c, (state, from));
+            }
+        }
+        copy_what_has_no_mesh(state, from);
+        true
+    }
+}
+
+/// Sets the nodes and holonomy angles of two elements to the shape of `element`, number `number` of the configuration `c`, that of `from`.
+fn divide(
+    [first, second]: [&Element; 2],
+    (number, element): (usize, &Element),
+    c: &Configuration,
+    (state, from): (&mut State, &State),
+) {
+    for (target, source) in [(first.place, 0), (second.place, 1)] {
+        // The second node of the second element is that of the whole one.
+        let (start, frame) = (target.start + source * NODE, target.frame + source);
+        let own = element.place.start + source * NODE;
+        state.q[start..start + NODE].copy_from_slice(&from.q[own..own + NODE]);
+        state.triads[frame] = from.triads[element.place.frame + source];
+    }
+    let xi = first.length / (first.length + second.length);
+    let section = Marker::section(number, xi).pose(c);
+    let slope = interpolate(&hermite::shape_x(xi, element.length), element.own(&from.q));
+    let begin = element.frames(&c.beams)[0];
+    let t = slope.normalize();
+    let triad = Triad::new(&t, &carry(&begin.t, &t, &begin.u));
+    let y = section.axes.column(1);
+    let angle = y.dot(&triad.t.cross(&triad.u)).atan2(y.dot(&triad.u));
+    let before = from.q[element.place.start + THETA];
+    let turns = ((before - angle) / TAU).round();
+    let start = second.place.start;
+    set_vec3(&mut state.q, start + R, &section.place);
+    set_vec3(&mut state.q, start + P, &slope);
+    state.q[start + THETA] = angle + turns * TAU;
+    state.triads[second.place.frame] = triad;
+    // The frame in the middle has been carried from the first node: all of the angle is in the second half.
+    state.holonomy[first.place.branch] = 0.0;
+    state.holonomy[second.place.branch] = from.holonomy[element.place.branch];
+}
+
+/// Takes what drives, loads and joints have in `from`.
+fn copy_what_has_no_mesh(state: &mut State, from: &State) {
+    state.time = from.time;
+    state.multipliers.clone_from(&from.multipliers);
+    state.relative_values.clone_from(&from.relative_values);
+    state.rotations.clone_from(&from.rotations);
+    state.prescribed.copy_from(&from.prescribed);
+    state.targets.copy_from(&from.targets);
+    state.excitation.copy_from(&from.excitation);
+    state.path.clone_from(&from.path);
+    (state.balance, state.statistics) = (from.balance, from.statistics);
+    state.velocity.fill(0.0);
+}
