@@ -5,7 +5,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::builder;
-use crate::model::document::Document;
+use crate::model::file::document::Document;
 use crate::model::variables::{Moment, Table};
 use crate::solve::statics::Statics;
 use crate::solve::step::response::Response;

@@ -2,6 +2,7 @@
 
 mod derivatives;
 mod guid;
+mod mesh_error;
 mod runner;
 mod saved;
 mod start_derivatives;
@@ -11,10 +12,10 @@ pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
 use self::guid::guid;
+use self::mesh_error::Peak;
 use self::runner::Runner;
 use self::stepping::UnderWay;
 use super::accuracy::{Accuracy, Columns, Inexact, Looker, Setting};
-use super::finer::Finer;
 use super::levels::Override;
 use super::watch::Watch;
 use crate::error::Error;
@@ -37,9 +38,6 @@ use std::sync::Arc;
 
 /// The parameter that a host's tolerance stands for.
 const ACCURACY: &str = "simulation.accuracy";
-
-/// A mesh twice as fine has a sixteenth of the error left: of order 4.
-const FINER: f64 = 16.0 / 15.0;
 
 /// A model file, its system and its state.
 #[derive(Debug)]
@@ -67,15 +65,6 @@ pub struct Simulation {
     under_way: Option<UnderWay>,
     derived: Derived,
     warned_of_quaternion: bool,
-}
-
-/// An equilibrium of a run.
-#[derive(Debug)]
-struct Peak {
-    /// Its strain energy, J.
-    energy: f64,
-    state: State,
-    results: Vec<f64>,
 }
 
 impl Simulation {
@@ -179,53 +168,6 @@ impl Simulation {
     /// The family of results with the largest estimated error.
     pub fn least_accurate(&self) -> Option<Inexact> {
         self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
-    }
-
-    /// How far results of equilibria are off because of the mesh, a family each, as [`Model::conclude`] has found; empty where that is not known.
-    pub fn mesh_errors(&self) -> &[Inexact] {
-        &self.mesh_errors
-    }
-
-    /// The family of results with the largest error because of the mesh.
-    pub fn coarsest(&self) -> Option<&Inexact> {
-        self.mesh_errors.iter().max_by(|a, b| a.error.total_cmp(&b.error))
-    }
-
-    /// Keeps an equilibrium that has more strain energy than all before.
-    fn keep_peak(&mut self) {
-        let energy = self.watch.strain_energy();
-        let is_static = self.document.simulation.analysis == Analysis::Static;
-        if !is_static || self.peak.as_ref().is_some_and(|peak| energy <= peak.energy) {
-            return;
-        }
-        match &mut self.peak {
-            Some(peak) => {
-                peak.energy = energy;
-                peak.state.clone_from(&self.runner.state);
-                peak.results.clone_from(&self.results);
-            }
-            None => {
-                let (state, results) = (self.runner.state.clone(), self.results.clone());
-                self.peak = Some(Peak { energy, state, results });
-            }
-        }
-    }
-
-    /// Finds how far the equilibrium of the most strain energy, and the last one, are off because of the mesh.
-    fn find_mesh_errors(&mut self) {
-        self.mesh_errors.clear();
-        let Some(Peak { state, results, .. }) = &self.peak else { return };
-        let Runner { system, state: last, start, .. } = &self.runner;
-        let Some(mut finer) = Finer::new(&self.document, &self.overrides) else { return };
-        let mut errors = vec![0.0_f64; self.results.len()];
-        let is_last = state.time == last.time;
-        for (state, results) in [(state, results), (last, &self.results)].into_iter().skip(usize::from(is_last)) {
-            let Some(finer) = finer.results(system, state).filter(|finer| finer.len() == results.len()) else { return };
-            for (error, (finer, own)) in errors.iter_mut().zip(finer.iter().zip(results)) {
-                *error = error.max(FINER * (finer - own).abs());
-            }
-        }
-        self.mesh_errors = self.accuracy.errors_of_mesh(&self.columns, system, last.time - start, &errors);
     }
 
     /// Sets parameter `index` of the file, and what follows from it; one that is tunable at once in a system that runs.
@@ -464,8 +406,6 @@ impl Model for Simulation {
         };
         self.warnings.extend(self.least_accurate().and_then(|worst| worst.warning(setting)));
         self.find_mesh_errors();
-        let worst = self.mesh_errors.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()));
-        self.warnings.extend(worst.and_then(Inexact::warning_of_mesh));
     }
 
     fn take_warnings(&mut self) -> Vec<String> {

@@ -18,6 +18,9 @@ struct Arguments {
     /// Run only machines, or groups, whose names hold this; the page is left alone
     #[arg(long, value_name = "NAME")]
     only: Option<String>,
+    /// Run only these machines, and put their verdicts into the page
+    #[arg(long, value_name = "NAME", num_args = 1.., conflicts_with = "only")]
+    update: Vec<String>,
     /// Write the model files of the machines, for every setting, instead of running them
     #[arg(long, value_name = "DIR")]
     write: Option<PathBuf>,
@@ -27,16 +30,20 @@ struct Arguments {
 }
 
 fn main() -> ExitCode {
-    let Arguments { only, write, jobs } = Arguments::parse();
+    let Arguments { only, update, write, jobs } = Arguments::parse();
     let machines: Vec<Machine> = catalogue::machines()
         .into_iter()
         .filter(|machine| only.as_ref().is_none_or(|only| machine.name.contains(only) || machine.group.contains(only)))
+        .filter(|machine| update.is_empty() || update.contains(&machine.name))
         .collect();
     let outcome = match write {
         Some(folder) => machines.iter().try_for_each(|machine| write_texts(machine, &folder)),
         None => {
             let judged = judge_all(&machines, jobs);
-            report(&judged, only.is_none())
+            match update.is_empty() {
+                false => renewed(judged).and_then(|judged| report(&judged, true)),
+                true => report(&judged, only.is_none()),
+            }
         }
     };
     match outcome {
@@ -65,6 +72,19 @@ fn judge_all(machines: &[Machine], jobs: usize) -> Vec<Judged> {
         }
     });
     results.into_inner().expect("all threads have ended").into_iter().flatten().collect()
+}
+
+/// The verdicts of the page, with those that are new.
+fn renewed(judged: Vec<Judged>) -> io::Result<Vec<Judged>> {
+    let text = std::fs::read_to_string(root().join("docs/campaign.md"))?;
+    let mut all = page::read(&text, &catalogue::machines())
+        .ok_or_else(|| io::Error::other("docs/campaign.md lacks a machine: run the whole campaign"))?;
+    for own in judged {
+        if let Some(before) = all.iter_mut().find(|before| before.name == own.name) {
+            *before = own;
+        }
+    }
+    Ok(all)
 }
 
 /// Tells why machines were refused or warned of, and writes the page of a whole campaign.

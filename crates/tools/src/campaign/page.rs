@@ -1,9 +1,9 @@
 //! docs/campaign.md: how many answers were right, refused, warned of and silently wrong, and which ones.
 
 use super::family::{ROUGH_SHARE, SMALL_FORCE};
-use super::machine::{SETTINGS, Setting};
+use super::machine::{Machine, SETTINGS, Setting};
 use super::reference::AGREEMENT;
-use super::verdict::{Fault, GROSS, Judged, RIGHT, RIGHT_WITH_COARSE_MESH, Verdict};
+use super::verdict::{Error, Fault, GROSS, Judged, RIGHT, RIGHT_WITH_COARSE_MESH, Verdict};
 use super::warning;
 use std::fmt::Write;
 
@@ -195,6 +195,58 @@ fn every(judged: &[Judged]) -> String {
                 `e` without an end, `p` panic, `?` no reference, `-` no such setting.";
     let lines: String = judged.iter().map(letters).collect();
     format!("## Every verdict\n\n{lead}\n\n```\n{lines}```")
+}
+
+/// The verdicts that a page has on `machines`, as far as it tells them: of warnings and refusals without their words. None: it lacks a machine.
+pub fn read(page: &str, machines: &[Machine]) -> Option<Vec<Judged>> {
+    let letters = page.split("```").nth(1)?;
+    let judged = machines.iter().map(|machine| {
+        let own = letters.lines().find_map(|line| line.strip_suffix(&machine.name)?.strip_suffix(' '))?;
+        let row =
+            page.lines().find_map(|line| line.strip_prefix(&format!("| {} | ", machine.name))?.strip_suffix(" |"));
+        let mut cells = row.into_iter().flat_map(|row| row.split(" | "));
+        let known = cells.next().and_then(share);
+        let cells: Vec<&str> = cells.collect();
+        let verdicts = own.chars().enumerate().map(|(place, letter)| verdict(letter, cells.get(place).copied()));
+        let own = cells.first().copied().unwrap_or_default();
+        let faults = [("(mesh)", Fault::Mesh), ("(step)", Fault::Step), ("(mesh and step)", Fault::Both)];
+        let unknown = page.lines().find_map(|line| line.strip_prefix(&format!("- {}: ", machine.name)));
+        Some(Judged {
+            name: machine.name.clone(),
+            group: machine.group,
+            known,
+            verdicts: verdicts.collect::<Option<Vec<_>>>()?,
+            fault: faults.into_iter().find(|(words, _)| own.ends_with(words)).map(|(_, fault)| fault),
+            unknown_warning: unknown.map(str::to_owned),
+        })
+    });
+    judged.collect()
+}
+
+/// The verdict of a letter, with the cell of its machine among the silently wrong ones.
+fn verdict(letter: char, cell: Option<&str>) -> Option<Verdict> {
+    let nothing = || Error { family: String::new(), size: 0.0 };
+    Some(match letter {
+        'r' => Verdict::Right { is_warned: false },
+        'R' => Verdict::Right { is_warned: true },
+        'w' => Verdict::Warned(nothing(), String::new()),
+        'x' => Verdict::Refused(String::new()),
+        'S' => {
+            let (size, rest) = cell?.strip_prefix("**")?.split_once("** ")?;
+            let family = rest.split(' ').next()?.to_owned();
+            Verdict::SilentlyWrong(Error { family, size: share(size)? })
+        }
+        'e' => Verdict::Endless,
+        'p' => Verdict::Panicked(String::new()),
+        '?' => Verdict::NoReference(String::new()),
+        '-' => Verdict::NotApplicable,
+        _ => return None,
+    })
+}
+
+/// A share that is written in percent.
+fn share(text: &str) -> Option<f64> {
+    Some(text.strip_suffix(" %")?.parse::<f64>().ok()? / 100.0)
 }
 
 /// The letters of a machine, with its name.

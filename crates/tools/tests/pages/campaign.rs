@@ -8,13 +8,14 @@ use ancf14_tools::campaign::{catalogue, page, verdict};
 const PAGE: &str = include_str!("../../../../docs/campaign.md");
 
 /// Machines that take little time, with verdicts of all kinds among them.
-const SMALL: [&str; 14] = [
+const SMALL: [&str; 15] = [
     "spinning_top",
     "load_pulse",
     "stiff_damper",
     "redundant_loop",
     "spinning_body_4",
     "impacting_spring_2",
+    "pendulums_elastic_3",
     "snapping_truss_4",
     "slack_chain_4",
     "redundant_rigid_1",
@@ -67,6 +68,13 @@ fn the_catalogue_is_large_and_can_be_read() {
             assert!(loaded.is_ok(), "{}, {}: {}", machine.name, setting.title(), loaded.unwrap_err().message);
         }
     }
+}
+
+/// The page tells all that it takes to write it: a part of the campaign can renew it.
+#[test]
+fn the_page_can_be_read() {
+    let judged = page::read(PAGE, &catalogue::machines()).unwrap();
+    assert_eq!(page::page(&judged), PAGE);
 }
 
 /// The page has every machine of the catalogue, in its order.

@@ -21,7 +21,8 @@ const OF_INTEGRAL: f64 = 1e-6;
 
 /// Names angles that are usual ones in degrees.
 pub fn odd_angles(document: &Document) -> Vec<Note> {
-    let turning = turning_parts(document).into_iter();
+    // The parameter of a path ends anywhere.
+    let turning = turning_parts(document).into_iter().filter(|_| !document.follows_arc_length());
     turning.filter_map(|(number, turn)| reached(document, number, turn)).chain(limits(document)).collect()
 }
 
