@@ -71,7 +71,8 @@ fn modules_import_only_what_lies_below() {
 /// holds it. The tools and the tests look inside.
 #[test]
 fn packages_import_model_and_fmi_only() {
-    for package in ["crates/pack", "crates/report", "crates/view", "crates/live", "crates/cli", "python"] {
+    for package in ["crates/pack", "crates/report", "crates/view", "crates/vtk", "crates/live", "crates/cli", "python"]
+    {
         for (name, code) in sources(&format!("{package}/src")) {
             for inner in ["mechanics", "solve", "math", "ffi"] {
                 assert!(!code.contains(&format!("ancf14::{inner}")), "{name} must not import {inner}");
@@ -277,6 +278,7 @@ fn no_threads_and_no_globals() {
         .chain(sources("crates/pack/src"))
         .chain(sources("crates/report/src"))
         .chain(sources("crates/view/src"))
+        .chain(sources("crates/vtk/src"))
     {
         // The place of a panic is kept without a destructor: it needs no thread key.
         let kept =

@@ -1,4 +1,5 @@
-// The page: reads its data, puts its parts together, shows what went wrong if something did. Where the page brings the solver, each run takes the place of the one before.
+// The page: reads its data, puts its parts together, shows what went wrong if something did. Where the page brings the solver, or the program
+// watches the model, each run takes the place of the one before.
 
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
@@ -8,6 +9,7 @@ import { h } from "./dom";
 import type { PageInfo } from "./format";
 import { Live } from "./live";
 import { Page } from "./ui";
+import { Watch } from "./watch";
 
 const text = (id: string) => document.getElementById(id)?.textContent ?? undefined;
 
@@ -28,7 +30,10 @@ async function main(): Promise<void> {
   try {
     const model = text("live");
     if (model) app.prepend(new Live(JSON.parse(model), text("solver")!, show).element);
-    await show(JSON.parse(text("data")!));
+    const data = text("data");
+    // A page without data is served by a program that has them.
+    if (data) await show(JSON.parse(data));
+    else app.append(new Watch(show).element);
   } catch (reason) {
     const words = reason instanceof Error ? reason.message : String(reason);
     const remedy = /webgl/i.test(words) ? "This browser has no WebGL: switch on hardware acceleration, or open the page in another browser." : "Open it in a browser of 2023 or later.";

@@ -41,7 +41,7 @@ impl Folder {
     pub fn open(path: &Path) -> Result<Self, Stop> {
         if fs::metadata(path).is_ok_and(|there| !there.is_dir()) {
             let shown = path.display();
-            return Err(Stop::Bad(format!("error: {shown} is a file; --out needs the name of a folder")));
+            return Err(Stop::Bad(format!("error: {shown} is a file; give the name of a folder")));
         }
         let trouble = |reason: &dyn std::fmt::Display| output::trouble(path, reason);
         fs::create_dir_all(path).map_err(|reason| trouble(&reason))?;
@@ -53,7 +53,7 @@ impl Folder {
             Err(TryLockError::WouldBlock) => {
                 let shown = path.display();
                 return Err(Stop::Failed(format!(
-                    "error: another ancf14 is writing into {shown}; wait for its end, or choose another folder with --out"
+                    "error: another ancf14 is writing into {shown}; wait for its end, or choose another folder"
                 )));
             }
             // Some file systems have no locks.
@@ -81,7 +81,7 @@ impl Folder {
             if !self.rows.iter().any(|row| self.path.join(&row.name) == *path) {
                 return Err(output::trouble(
                     path,
-                    &"ancf14 did not write the file that is there; choose another folder with --out",
+                    &"ancf14 did not write the file that is there; choose another folder",
                 ));
             }
         }

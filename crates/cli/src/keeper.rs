@@ -7,10 +7,10 @@ use super::complain;
 use super::rows::{Rows, Shared, locked};
 use ancf14::error::decimal;
 use signal_hook::consts::signal;
-use signal_hook::flag::register_usize;
+use signal_hook::flag::{register_conditional_shutdown, register_usize};
 use std::io;
 use std::process::exit;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -104,6 +104,14 @@ pub fn interrupted(signal: Signal) -> String {
 /// Where the rows of a run are that did not come to its end.
 pub fn kept(reached: f64, rows: &Rows) -> String {
     format!("the rows up to t = {} s are in {}", decimal(reached), rows.path.display())
+}
+
+/// Ends the process on Ctrl-C with exit code 0: for what has no other end, and nothing to lose.
+pub fn end_on_interrupt() -> io::Result<()> {
+    if ignored() & (1 << (signal::SIGINT - 1)) == 0 {
+        register_conditional_shutdown(signal::SIGINT, 0, Arc::new(AtomicBool::new(true)))?;
+    }
+    Ok(())
 }
 
 /// The signals that the process was started to ignore, bit by bit from SIGHUP: nohup, and a shell for what runs in the background.

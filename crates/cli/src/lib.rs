@@ -1,6 +1,7 @@
 //! The command line of ancf14: commands, arguments and exit codes: 0, 1 (the run failed), 2 (bad file or arguments), 128 and the number
 //! of a signal that ended a run. The program and the Python package both call [`main`].
 
+mod advance;
 mod check;
 mod conclusion;
 mod demo;
@@ -20,6 +21,8 @@ mod shell;
 mod verify;
 mod view;
 mod voice;
+mod vtk;
+mod watch;
 
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Failure, Model};
@@ -130,6 +133,23 @@ enum Command {
         /// or in ../lib]
         #[arg(long, value_name = "FILE.wasm", num_args = 0..=1, require_equals = true)]
         live: Option<Option<PathBuf>>,
+        /// Serve the page to browsers on this computer instead, show each new run when the model file or one that it reads is saved, and mistakes above the last picture; until Ctrl-C
+        #[arg(long, conflicts_with_all = ["output", "live"])]
+        watch: bool,
+    },
+    /// Simulate a model and write files that ParaView and PyVista read: beams with their section forces, bodies, joints, loads
+    ///
+    /// Of each kind of part there is a file of each row of results, and a list of them over time: beams.pvd, bodies.pvd, joints.pvd. If the run fails, the files show it up to the
+    /// failure. Files of the previous export in the same folder are replaced.
+    Export {
+        #[command(flatten)]
+        model: ModelArguments,
+        /// Folder for files of VTK
+        #[arg(long, value_name = "DIR")]
+        vtk: PathBuf,
+        /// Write one row of results in N, and the last one [default: each row]
+        #[arg(long, value_name = "N", value_parser = vtk::every)]
+        every: Option<u64>,
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0 or 3.0)
     ///
@@ -319,10 +339,11 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, _) = model.load()?;
             modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
         }
-        Command::View { model, output, modes, live } => {
+        Command::View { model, modes, watch: true, .. } => watch::watch(&model, modes.map(modes::count_or_default)),
+        Command::View { model, output, modes, live, .. } => {
             let (simulation, text) = model.load()?;
             let file = output.unwrap_or_else(|| model.beside(".html"));
-            let modes = modes.map(|count| count.unwrap_or(modes::COUNT));
+            let modes = modes.map(modes::count_or_default);
             let solver = live.map(|given| live::solver(given.as_deref(), program)).transpose()?;
             let mut read = vec![model.input()];
             read.extend(solver.iter().map(|(path, _)| (live::SOLVER, path.as_path())));
@@ -334,6 +355,10 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
                 modes,
             });
             view::view(simulation, &file, &read, modes, live.as_ref())
+        }
+        Command::Export { model, vtk, every } => {
+            let (simulation, _) = model.load()?;
+            vtk::export(simulation, &vtk, every, &[model.input()])
         }
         Command::Pack { file, output, fmi, library, binaries } => {
             export::pack(fmi, &file, &output, library.as_deref(), binaries, program)

@@ -28,11 +28,16 @@ pub struct Wishes {
 }
 
 /// Modes that are found where no number is given.
-pub const COUNT: u16 = 10;
+const COUNT: u16 = 10;
 /// The page in which the shapes swing.
 const PAGE: &str = "modes.html";
 /// What is always written.
 const FILES: [&str; 3] = ["modes.csv", "shapes.csv", "modes.svg"];
+
+/// The number of modes that `--modes` asks for.
+pub fn count_or_default(count: Option<u16>) -> u16 {
+    count.unwrap_or(COUNT)
+}
 
 /// A number of modes as an argument.
 pub fn count(text: &str) -> Result<u16, String> {

@@ -1,23 +1,37 @@
 //! `view`: simulates as `run` does, and writes one HTML file that shows the mechanism move.
 
+use super::advance::advance;
 use super::output::{self, Input};
-use super::progress::{bar, last_row};
+use super::progress::last_row;
 use super::{Stop, complain, failed, page, say, start};
 use ancf14::fmi::Model;
-use ancf14::model::rows;
 use ancf14::model::simulation::Simulation;
 use ancf14_view::{Film, Live, ended_early};
 use std::path::{Path, PathBuf};
 
 /// Simulates and writes the page `file`; with `modes` the page shows so many natural modes about the initial state too, with `live` it has the solver.
 pub fn view(
-    mut simulation: Simulation,
+    simulation: Simulation,
     file: &Path,
     inputs: &[Input<'_>],
     modes: Option<u16>,
     live: Option<&Live>,
 ) -> Result<(), Stop> {
     output::spare(inputs, &[PathBuf::from(file)])?;
+    let (film, outcome) = filmed(simulation, modes, |_| Ok(()))?;
+    let text = page(&film, live)?;
+    output::write(file, text.as_bytes())?;
+    let megabytes = text.len() as f64 / 1e6;
+    say(&format!("{} instants, {megabytes:.2} MB: open {} in a browser", film.instants(), file.display()))?;
+    outcome
+}
+
+/// What there is to see of a simulation, of one that fails up to the failure. `look` is told the share of the rows that are done.
+pub fn filmed(
+    mut simulation: Simulation,
+    modes: Option<u16>,
+    mut look: impl FnMut(f64) -> Result<(), Stop>,
+) -> Result<(Film, Result<(), Stop>), Stop> {
     let last_row = last_row(&simulation)?;
     let mut film = Film::new(&simulation, last_row);
     start(&mut simulation)?;
@@ -27,36 +41,12 @@ pub fn view(
         found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
         film.add_modes(&simulation, &found);
     }
-    let outcome = simulate(&mut simulation, &mut film, last_row);
+    let outcome = advance(&mut simulation, last_row, |row, simulation| {
+        film.look(row, simulation);
+        look(row as f64 / last_row as f64)
+    });
     if let Err(Stop::Failed(message)) = &outcome {
         film.note(&ended_early(simulation.time(), message));
     }
-    let text = page(&film, live)?;
-    output::write(file, text.as_bytes())?;
-    let megabytes = text.len() as f64 / 1e6;
-    say(&format!("{} instants, {megabytes:.2} MB: open {} in a browser", film.instants(), file.display()))?;
-    outcome
-}
-
-fn simulate(simulation: &mut Simulation, film: &mut Film, last_row: u64) -> Result<(), Stop> {
-    let bar = bar(last_row);
-    let warn = |simulation: &mut Simulation| {
-        for warning in simulation.take_warnings() {
-            bar.suspend(|| complain(&format!("warning: {warning}")));
-        }
-    };
-    let outcome = (1..=last_row).try_for_each(|row| {
-        let advanced = simulation.advance(rows::time(simulation.about(), row, last_row));
-        warn(simulation);
-        advanced.map_err(|failure| failed(simulation, &failure))?;
-        film.look(row, simulation);
-        bar.inc(1);
-        Ok(())
-    });
-    bar.finish_and_clear();
-    if outcome.is_ok() {
-        simulation.conclude();
-        warn(simulation);
-    }
-    outcome
+    Ok((film, outcome))
 }

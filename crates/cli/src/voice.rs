@@ -117,6 +117,11 @@ pub fn warnings() -> Vec<String> {
     document().warnings.clone()
 }
 
+/// The warnings since the last call.
+pub fn take_warnings() -> Vec<String> {
+    std::mem::take(&mut document().warnings)
+}
+
 /// The document so far: what was asked for, warnings and errors.
 pub fn whole(errors: &[Complaint]) -> Value {
     let Document { product, warnings } = &*document();

@@ -17,23 +17,33 @@ const MARK: &str = "@@";
 /// What the policy lets a page with the solver do in addition: compile it, and run it in a worker that the page makes.
 const LIVE_POLICY: &str = " 'wasm-unsafe-eval' blob:; worker-src blob:";
 
+/// What the policy lets a page of `view --watch` do in addition: ask the program that serves it.
+const WATCH_POLICY: &str = "; connect-src 'self'";
+
 /// The whole file.
 pub fn html(title: &str, data: &str, live: Option<&Live>) -> Result<String, serde_json::Error> {
-    let title = escaped(title);
-    let data = script_safe(data);
     let policy = if live.is_some() { LIVE_POLICY } else { "" };
-    let live = live.map(scripts).transpose()?.unwrap_or_default();
+    Ok(filled(title, policy, &script_safe(data), &live.map(scripts).transpose()?.unwrap_or_default()))
+}
+
+/// A page without data: it asks the program that serves it, for `news` and `data`.
+pub fn watching(title: &str) -> String {
+    filled(title, WATCH_POLICY, "", "")
+}
+
+fn filled(title: &str, policy: &str, data: &str, live: &str) -> String {
+    let title = escaped(title);
     // Every second piece is a name; what is put in is not looked at again.
     let pieces = TEMPLATE.split(MARK).map(|piece| match piece {
         "title" => &title,
         "policy" => policy,
         "style" => STYLE,
-        "data" => &data,
-        "live" => &live,
+        "data" => data,
+        "live" => live,
         "program" => PROGRAM,
         text => text,
     });
-    Ok(pieces.collect())
+    pieces.collect()
 }
 
 /// The model, the solver and its licences, which no browser shows.

@@ -29,7 +29,8 @@ use super::text::diagnostic::{Diagnostic, Diagnostics, Place, Source};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::centerline::{Centerline, Spacing};
 use crate::mechanics::beam::design::Elements;
-use std::path::Path;
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
 
 /// Sine of the smallest angle between a beam and its `y_axis`: one degree.
 const SMALLEST_SINE: f64 = 0.017_452_4;
@@ -61,6 +62,18 @@ impl Document {
         let (document, mut report) = Self::read(&source, overrides);
         report.extend(document.as_ref().map_or(Vec::new(), mistakes));
         document.filter(|_| report.is_empty()).ok_or_else(|| report.finish())
+    }
+
+    /// The other files that a file reads, included ones and tables, those too that are missing; where something is wrong with one of them, those up to it.
+    pub fn files_in(folder: &Path, file_name: &str, text: &str, overrides: &[(String, String)]) -> Vec<PathBuf> {
+        let files = RefCell::new(Vec::new());
+        let read = |path: &Path| {
+            files.borrow_mut().push(path.to_owned());
+            file::text(path)
+        };
+        // What is wrong, parse_in tells.
+        drop(flat::flat(Source::new(file_name, text, overrides), overrides, Some(folder), &read));
+        files.into_inner()
     }
 }
 

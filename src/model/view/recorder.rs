@@ -117,6 +117,15 @@ impl Recording {
         }
         self.times.push(state.time);
     }
+
+    /// Forgets all instants but the last one: whoever has written them down needs no more memory for more of them.
+    pub fn keep_last(&mut self) {
+        for track in &mut self.tracks {
+            let rest = track.values.len().saturating_sub(track.components * track.things);
+            track.values.drain(..rest);
+        }
+        self.times.drain(..self.times.len().saturating_sub(1));
+    }
 }
 
 /// Pushes what is seen of an instant, in the order of the tracks.

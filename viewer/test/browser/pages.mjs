@@ -34,8 +34,13 @@ export async function end() {
   rmSync(folder, { recursive: true });
 }
 
-/** Opens a page and keeps what it complains of and asks for. */
-export async function open(name, options = {}) {
+/** Opens a page from the disk, which may ask for nothing. */
+export const open = (name, options = {}) => visit(pathToFileURL(join(folder, name)).href, () => false, undefined, options);
+
+/**
+ * Opens the page of an address and keeps what it complains of and asks for; `may` says which addresses it may ask for in addition to its own. Waits for what is shown, or for an element.
+ */
+export async function visit(address, may, selector, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
   const complaints = [];
@@ -43,14 +48,14 @@ export async function open(name, options = {}) {
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("request", (request) => requests.push(request.url()));
-  const address = pathToFileURL(join(folder, name)).href;
   await page.goto(address);
-  await page.waitForFunction(() => window.ancf14, null, { timeout: 30000 });
+  if (selector) await page.waitForSelector(selector, { timeout: 30000 });
+  else await page.waitForFunction(() => window.ancf14, null, { timeout: 30000 });
   await settle(page);
-  const close = async () => {
+  const close = async (expected = () => false) => {
     // A software renderer tells how slowly it reads pixels back; the blob is the page's own, made to unpack its data.
-    assert.deepEqual(complaints.filter((text) => !text.includes("GPU stall")), [], "the page complains");
-    assert.deepEqual(requests.filter((url) => url !== address && !url.startsWith("data:") && !url.startsWith("blob:")), [], "the page asks for something");
+    assert.deepEqual(complaints.filter((text) => !text.includes("GPU stall") && !expected(text)), [], "the page complains");
+    assert.deepEqual(requests.filter((url) => url !== address && !may(url) && !url.startsWith("data:") && !url.startsWith("blob:")), [], "the page asks for something");
     await context.close();
   };
   return { page, close };

@@ -4,6 +4,7 @@
 
 mod command_line;
 mod drawing_views;
+mod export_command;
 mod index_page;
 mod inputs_command;
 mod modes_command;

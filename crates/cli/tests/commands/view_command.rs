@@ -183,6 +183,26 @@ fn a_missing_solver_is_told() {
     assert_eq!(std::fs::read(directory.path().join("own.wasm")).unwrap(), solver());
 }
 
+/// What cannot be watched is told at once. In the browser, viewer/test/browser/watch.mjs looks at it.
+#[test]
+fn only_files_are_watched() {
+    let directory = tempfile::tempdir().unwrap();
+    let cantilever = model("cantilever");
+    let cases: [(&[&str], &str); 4] = [
+        (&["view", "-", "--watch"], "--watch needs a file"),
+        (&["view", &cantilever, "--watch", "--json"], "no document for --json"),
+        (&["view", &cantilever, "--watch", "-o", "page.html"], "cannot be used with"),
+        (&["view", &cantilever, "--watch", "--live"], "cannot be used with"),
+    ];
+    for (arguments, reason) in cases {
+        let output = ancf14(directory.path(), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let told = text(&output.stderr) + &text(&output.stdout);
+        assert!(told.contains(reason), "{told}");
+    }
+    assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 0);
+}
+
 /// The program in the page is the one that viewer/build.mjs makes of the sources: its first line has their hash. Only node can make it anew, so a change without
 /// `npm run build` would go unseen here otherwise.
 #[test]

@@ -1,0 +1,102 @@
+//! The files of a model, and whether one of them has been saved since.
+//!
+//! Times and lengths are compared again and again: that works on every file system, and an editor that replaces a file, writes it in pieces, or makes a missing one is no special case.
+
+use super::super::ModelArguments;
+use ancf14::model::document::Document;
+use ancf14::model::file;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::thread::sleep;
+use std::time::{Duration, SystemTime};
+
+/// How often files are looked at, and how long they must have stayed alike.
+const PACE: Duration = Duration::from_millis(100);
+
+/// Time of the last change and length; none: there is no such file.
+type Stamp = Option<(SystemTime, u64)>;
+
+/// The files with their stamps.
+#[derive(Debug, Default, PartialEq)]
+pub struct Files(BTreeMap<PathBuf, Stamp>);
+
+fn stamp(path: &Path) -> Stamp {
+    let there = fs::metadata(path).ok()?;
+    Some((there.modified().ok()?, there.len()))
+}
+
+impl Files {
+    /// Those of a model, before it is loaded. What a mistake hides, an include below it, was known `before`.
+    pub fn of(model: &ModelArguments, before: &Self) -> Self {
+        let own = stamp(&model.file);
+        let folder = model.file.parent().unwrap_or(Path::new(""));
+        let text = file::text(&model.file).unwrap_or_default();
+        let others = Document::files_in(folder, &model.name(), &text, &model.overrides);
+        let paths = others.into_iter().chain(before.0.keys().cloned());
+        let mut stamps: BTreeMap<_, _> = paths.map(|path| (path.clone(), stamp(&path))).collect();
+        stamps.insert(model.file.clone(), own);
+        Self(stamps)
+    }
+
+    /// Whether one of them has been saved, made or removed.
+    pub fn have_changed(&self) -> bool {
+        self.0.iter().any(|(path, before)| stamp(path) != *before)
+    }
+
+    /// Waits until one of them has changed, and then until no more changes come: an editor may write in pieces.
+    pub fn wait(&self) {
+        while !self.have_changed() {
+            sleep(PACE);
+        }
+        let now = || Self(self.0.keys().map(|path| (path.clone(), stamp(path))).collect());
+        let mut before = now();
+        loop {
+            sleep(PACE);
+            let after = now();
+            if after == before {
+                return;
+            }
+            before = after;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn model(file: PathBuf) -> ModelArguments {
+        ModelArguments { file, overrides: Vec::new() }
+    }
+
+    /// A model has the files that it includes and their tables, missing ones too, and those that a mistake hides now; each change of one of them is seen, and nothing else.
+    #[test]
+    fn changes_are_seen() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        let write = |name: &str, text: &str| fs::write(at(name), text).unwrap();
+        write("m.toml", "[include.part]\nfile = \"part.toml\"\n");
+        write("part.toml", "format = 1\n[function.f]\nfile = \"f.csv\"\n");
+        write("other.toml", "");
+        let model = model(at("m.toml"));
+        let files = Files::of(&model, &Files::default());
+        let names = |files: &Files| files.0.keys().map(|path| path.file_name().unwrap().to_owned()).collect::<Vec<_>>();
+        assert_eq!(names(&files), ["f.csv", "m.toml", "part.toml"]);
+        assert!(!files.have_changed());
+        write("other.toml", "changed");
+        assert!(!files.have_changed());
+        // A missing file is made.
+        write("f.csv", "0,0\n1,1\n");
+        assert!(files.have_changed());
+        let files = Files::of(&model, &files);
+        assert!(!files.have_changed());
+        write("part.toml", "[[");
+        assert!(files.have_changed());
+        // The table is hidden by the mistake, but not forgotten.
+        let files = Files::of(&model, &files);
+        assert_eq!(names(&files), ["f.csv", "m.toml", "part.toml"]);
+        fs::remove_file(at("f.csv")).unwrap();
+        assert!(files.have_changed());
+    }
+}

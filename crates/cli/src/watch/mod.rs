@@ -1,0 +1,87 @@
+//! `view --watch`: shows a model in the browser, and anew whenever one of its files is saved.
+
+mod files;
+mod news;
+mod server;
+
+use super::keeper::end_on_interrupt;
+use super::view::filmed;
+use super::{ModelArguments, Stop, complain, is_piped, say, voice};
+use files::Files;
+use news::News;
+use std::time::{Duration, Instant};
+
+/// How often a run looks whether its files have changed.
+const LOOK: Duration = Duration::from_millis(200);
+
+/// Serves the page of a model until Ctrl-C; with `modes` it shows so many natural modes, too.
+pub fn watch(model: &ModelArguments, modes: Option<u16>) -> Result<(), Stop> {
+    if is_piped(&model.file) {
+        return Err(Stop::Bad(
+            "error: --watch needs a file that can be saved again, not the standard input".to_owned(),
+        ));
+    }
+    if voice::is_json() {
+        return Err(Stop::Bad(
+            "error: --watch answers in the browser and never ends, so that it has no document for --json".to_owned(),
+        ));
+    }
+    let impossible =
+        |what: &str, reason: &dyn std::fmt::Display| Stop::Failed(format!("error: cannot {what}: {reason}"));
+    end_on_interrupt().map_err(|reason| impossible("wait for Ctrl-C", &reason))?;
+    let news = News::default();
+    let address =
+        server::start(&model.name(), news.clone()).map_err(|reason| impossible("serve the page", &*reason))?;
+    voice::print(&format!("{}: open {address} in a browser on this computer; Ctrl-C ends it", model.name()))?;
+    let mut files = Files::default();
+    loop {
+        files = Files::of(model, &files);
+        news.begin();
+        match shown(model, modes, &files, &news) {
+            Ok(instants) => say(&format!("{instants} instants; waiting for changes"))?,
+            Err(_) if files.have_changed() => {}
+            Err(stop) => complain(&stop.to_string()),
+        }
+        files.wait();
+    }
+}
+
+/// Simulates, and brings the run into the page; the number of its instants.
+fn shown(model: &ModelArguments, modes: Option<u16>, files: &Files, news: &News) -> Result<usize, Stop> {
+    // Those of a run that was given up.
+    drop(voice::take_warnings());
+    let mut looked = Instant::now();
+    // A run of files that have changed in the meantime ends at once.
+    let look = |share: f64| {
+        if looked.elapsed() < LOOK {
+            return Ok(());
+        }
+        looked = Instant::now();
+        news.proceed(share);
+        if files.have_changed() { Err(Stop::Failed(String::new())) } else { Ok(()) }
+    };
+    match simulated(model, modes, look) {
+        Ok((_, _, Err(stop))) if files.have_changed() => Err(stop),
+        Ok((instants, data, outcome)) => {
+            news.end(Some(data), outcome.as_ref().err().map(Stop::to_string), voice::take_warnings());
+            outcome.map(|()| instants)
+        }
+        Err(stop) => {
+            news.end(None, Some(stop.to_string()), voice::take_warnings());
+            Err(stop)
+        }
+    }
+}
+
+/// Instants and data of a run, and how it has ended.
+type Run = (usize, String, Result<(), Stop>);
+
+fn simulated(
+    model: &ModelArguments,
+    modes: Option<u16>,
+    look: impl FnMut(f64) -> Result<(), Stop>,
+) -> Result<Run, Stop> {
+    let (film, outcome) = filmed(model.load()?.0, modes, look)?;
+    let data = film.data().map_err(|reason| Stop::Failed(format!("error: cannot write the page: {reason}")))?;
+    Ok((film.instants(), data, outcome))
+}

@@ -1,0 +1,35 @@
+"""Is the gallery that scripts/gallery.py makes whole? Every link of its index leads to a file beside it, so that any static host can serve it, and each model has its page."""
+
+import os
+import subprocess
+import sys
+from html.parser import HTMLParser
+
+from conftest import ROOT, executable
+
+
+class Links(HTMLParser):
+    """All addresses of a page."""
+
+    def __init__(self, text: str):
+        super().__init__()
+        self.found = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.found += [value for name, value in attributes if name in ("href", "src", "srcset", "action", "data")]
+
+
+def test_every_link_is_there(tmp_path):
+    environment = {**os.environ, "ANCF14": str(executable())}
+    subprocess.run([sys.executable, ROOT / "scripts/gallery.py", tmp_path], check=True, env=environment)
+    links = Links((tmp_path / "index.html").read_text()).found
+    models = {path.stem for path in ROOT.glob("models/*.toml")}
+    # Names alone: no scheme, no folder, nothing of this computer.
+    assert sorted(links) == sorted(f"{model}.{kind}" for model in models for kind in ("html", "png"))
+    for model in models:
+        page = (tmp_path / f"{model}.html").read_text()
+        assert page.startswith("<!DOCTYPE html>") and 'id="data"' in page
+        assert (tmp_path / f"{model}.png").read_bytes().startswith(b"\x89PNG")
+        assert not [link for link in Links(page).found if not link.startswith("data:")], model
+    assert {path.stem for path in tmp_path.iterdir()} == {*models, "index"}
