@@ -47,7 +47,8 @@ case ${1:-all} in
         stage clippy cargo clippy --locked --workspace --all-targets --quiet -- --deny warnings
         stage "build of the Rust tests" cargo test --locked --no-run
         stage "Rust tests" cargo test --locked
-        RUSTDOCFLAGS='--deny warnings' stage documentation cargo doc --locked --no-deps --quiet
+        # The whole workspace, so that cargo chooses the features of the lints, and finds the dependencies checked.
+        RUSTDOCFLAGS='--deny warnings' stage documentation cargo doc --locked --workspace --no-deps --quiet
         exit
         ;;
     delivered)
