@@ -1,10 +1,24 @@
 #!/bin/sh
 # Builds the command line and the library that goes into FMUs, both with all optimization, into target/fmu. On Linux they run on
 # every x86-64 system since 2012 (glibc 2.17): scripts/linker.sh.
+#
+#     sh scripts/build.sh            what is shipped
+#     sh scripts/build.sh --quick    the same for this computer, into target/quick, in a shorter time
 set -eu
 
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
+case ${1:-} in
+    "") ;;
+    --quick)
+        # One command, so that both share all that is compiled.
+        exec cargo build --locked --profile quick --package ancf14 --package ancf14-cli
+        ;;
+    *)
+        echo "usage: sh scripts/build.sh [--quick]" >&2
+        exit 2
+        ;;
+esac
 . scripts/target.sh
 case $(uname -s) in
     Darwin) library=libancf14.dylib ;;
