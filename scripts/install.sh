@@ -3,25 +3,31 @@
 # pages too, if they are there), files for pkg-config and CMake, licences. Nothing installed knows PREFIX: the folder may be moved.
 #
 #     sh scripts/build.sh && sh scripts/install.sh PREFIX
+#     sh scripts/build.sh --quick && sh scripts/install.sh PREFIX --quick
 #
-# ANCF14_BUILD is the folder that was built into [default: target/fmu].
+# ANCF14_BUILD is the folder that was built into [default: target/fmu, with --quick target/quick].
 set -eu
 
-if [ $# -ne 1 ] || [ -z "$1" ]; then
-    echo "usage: sh scripts/install.sh PREFIX" >&2
+case $#,${2:-} in
+    1,) folder=fmu quick= ;;
+    2,--quick) folder=quick quick=" --quick" ;;
+    *) set -- "" ;;
+esac
+if [ -z "$1" ]; then
+    echo "usage: sh scripts/install.sh PREFIX [--quick]" >&2
     exit 2
 fi
 mkdir -p "$1"
 prefix=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
-build=${ANCF14_BUILD:-target/fmu}
+build=${ANCF14_BUILD:-target/$folder}
 case $(uname -s) in
     Darwin) library=libancf14.dylib ;;
     *) library=libancf14.so ;;
 esac
 for file in ancf14 "$library"; do
     if [ ! -f "$build/$file" ]; then
-        echo "$build/$file is missing; build it first: sh scripts/build.sh" >&2
+        echo "$build/$file is missing; build it first: sh scripts/build.sh$quick" >&2
         exit 1
     fi
 done

@@ -1,11 +1,12 @@
 #!/bin/sh
-# Builds the Python wheel into target/wheels: the module, the command line, the library of FMUs and the solver of pages, all with all optimization. On Linux it runs on
+# Builds the Python wheel into target/wheels: the module, the command line, the library of FMUs and the solver of pages. On Linux it runs on
 # every x86-64 system since 2014 (manylinux2014): scripts/linker.sh. Needs what scripts/build.sh builds; the solver
 # is there if scripts/build-wasm.sh has built it.
 set -eu
 
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
+. scripts/target.sh
 scripts/python-env.sh
 package=python/python/ancf14
 cp "$target/fmu/libancf14.so" "$package/libancf14.so"
@@ -25,7 +26,7 @@ cp LICENSE licenses/program.txt licenses/solver.txt licenses/viewer.txt python/
 rm -rf "$target/wheels"
 set --
 if [ "$(uname -sm)" = "Linux x86_64" ]; then
-    set -- --compatibility manylinux2014 -- -C linker="$PWD/scripts/linker.sh" -C linker-features=-lld
+    set -- --compatibility manylinux2014
 fi
 "$target/python-env/bin/python" -m maturin build --quiet --locked --profile fmu --manifest-path python/Cargo.toml \
     --interpreter "$target/python-env/bin/python" --out "$target/wheels" "$@"
