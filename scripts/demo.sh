@@ -8,7 +8,7 @@ target=${CARGO_TARGET_DIR:-target}
 scripts/python-env.sh &
 environment=$!
 # A failed build does not leave the other one behind.
-trap 'kill "$environment" 2> /dev/null || true' EXIT
+trap 'wait "$environment" || true' EXIT
 scripts/build.sh --quick
 wait "$environment"
 trap - EXIT

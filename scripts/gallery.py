@@ -52,7 +52,7 @@ LIVE = " It has the solver: change parameters, and simulate again in the browser
 
 def entries() -> dict[str, str]:
     """The line of each model."""
-    found = {entry["name"]: entry["line"] for entry in ENTRY.finditer((ROOT / "docs/gallery.md").read_text())}
+    found = {entry["name"]: entry["line"] for entry in ENTRY.finditer((ROOT / "docs/gallery.md").read_text(encoding="utf-8"))}
     models = {path.stem for path in ROOT.glob("models/*.toml")}
     if found.keys() != models:
         raise SystemExit(f"docs/gallery.md and models/ differ: {', '.join(sorted(found.keys() ^ models))}; give each model a picture and a line")
@@ -66,14 +66,14 @@ def main(folder: Path):
     folder.mkdir(parents=True, exist_ok=True)
     for name in lines:
         model = ROOT / "models" / f"{name}.toml"
-        words = [program, "--quiet", "view", model, "-o", folder / f"{name}.html", *(["--live"] if is_live else [])]
+        command = [program, "--quiet", "view", model, "-o", folder / f"{name}.html", *(["--live"] if is_live else [])]
         # Warnings about a model, such as a limit point that it is to show, are no news here.
-        done = subprocess.run(words, capture_output=True, text=True)
+        done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
             raise SystemExit(f"{name}: {done.stderr}")
         shutil.copy(ROOT / "docs/gallery" / f"{name}.png", folder)
     cards = "\n".join(CARD.format(name=name, line=escape(line)) for name, line in lines.items())
-    (folder / "index.html").write_text(PAGE.format(introduction=INTRODUCTION + (LIVE if is_live else ""), cards=cards))
+    (folder / "index.html").write_text(PAGE.format(introduction=INTRODUCTION + (LIVE if is_live else ""), cards=cards), encoding="utf-8")
     print(f"{len(lines)} models: open {folder / 'index.html'} in a browser")
 
 

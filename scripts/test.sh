@@ -16,6 +16,9 @@ mkdir -p "$target"
 log=$target/delivered.log
 spent=$(mktemp)
 trap 'rm -f "$spent"' EXIT
+# Some shells run no trap of EXIT when a signal ends them.
+trap 'exit 130' INT
+trap 'exit 143' TERM
 
 # Sets `cpu` to the CPU seconds that the children of this shell have taken so far. In a pipe, `times` would count those of another shell.
 count_cpu() {
@@ -70,7 +73,7 @@ lane() {
     exec "${PYTHON:-python3}" -c 'import os, sys; os.setpgid(0, 0); os.execvp(sys.argv[1], sys.argv[1:])' sh scripts/test.sh "$1"
 }
 
-# A lane that fails, or a signal to this script, ends the other lane.
+# A failure of the Rust lane, or a signal to this script, ends the other lane; a failure of the delivered lane is reported at the end.
 rust=
 delivered=
 end_lanes() {
@@ -78,6 +81,7 @@ end_lanes() {
     for group in $rust $delivered; do
         kill -TERM "-$group" 2> /dev/null || kill "$group" 2> /dev/null || true
     done
+    wait 2> /dev/null || true
 }
 trap end_lanes EXIT
 trap 'exit 129' HUP

@@ -51,3 +51,10 @@ export function slider(
   input.value = String(value);
   return h("label", { class: "slider" }, h("span", {}, label), input, told);
 }
+
+/** Says why the page cannot be shown, and what helps. */
+export function unshown(reason: unknown): string {
+  const words = reason instanceof Error ? reason.message : String(reason);
+  const remedy = /webgl/i.test(words) ? "This browser has no WebGL: switch on hardware acceleration, or open the page in another browser." : "Open it in a browser of 2023 or later.";
+  return `The page cannot be shown: ${words}. ${remedy}`;
+}

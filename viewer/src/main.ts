@@ -5,7 +5,7 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { chosen } from "./carry";
 import { read } from "./data";
-import { h } from "./dom";
+import { h, unshown } from "./dom";
 import type { PageInfo } from "./format";
 import { Live } from "./live";
 import { Page } from "./ui";
@@ -35,9 +35,7 @@ async function main(): Promise<void> {
     if (data) await show(JSON.parse(data));
     else app.append(new Watch(show).element);
   } catch (reason) {
-    const words = reason instanceof Error ? reason.message : String(reason);
-    const remedy = /webgl/i.test(words) ? "This browser has no WebGL: switch on hardware acceleration, or open the page in another browser." : "Open it in a browser of 2023 or later.";
-    app.append(h("p", { class: "failure", role: "alert" }, `The page cannot be shown: ${words}. ${remedy}`));
+    app.append(h("p", { class: "failure", role: "alert" }, unshown(reason)));
   }
 }
 

@@ -1,6 +1,6 @@
 // The page of `ancf14 view --watch`: asks the program that serves it for news of the model, and shows each new run in place of the one before. A mistake is told above the picture, which stays.
 
-import { button, h } from "./dom";
+import { button, h, unshown } from "./dom";
 import type { PageInfo } from "./format";
 
 /** Milliseconds between two questions. */
@@ -23,6 +23,7 @@ export class Watch {
   readonly element = h("aside", { class: "watch", "aria-label": "News of the model" }, this.progress, this.told);
   private shown = 0;
   private last = "";
+  private failure = "";
 
   /** `show` shows the data of a run. */
   constructor(private readonly show: (data: PageInfo) => Promise<void>) {
@@ -46,10 +47,12 @@ export class Watch {
     this.progress.hidden = share === null;
     this.progress.value = share ?? 0;
     if (run !== this.shown) {
-      await this.show(await ask<PageInfo>("data"));
+      const data = await ask<PageInfo>("data");
+      // A run that cannot be shown is not asked for again.
       this.shown = run;
+      this.failure = await this.show(data).then(() => "", unshown);
     }
-    this.tell(error, warnings);
+    this.tell(error || this.failure, warnings);
   }
 
   private tell(error: string, warnings: string[]): void {

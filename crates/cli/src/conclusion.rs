@@ -108,7 +108,7 @@ pub fn tell(summary: &Summary, simulation: &Simulation) -> Result<(), Stop> {
     if let Some(worst) = simulation.least_accurate() {
         say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
     }
-    if let Some(worst) = simulation.coarsest() {
+    if let Some(worst) = simulation.largest_mesh_error() {
         say(&format!("mesh error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
     }
     table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table))

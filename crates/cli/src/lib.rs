@@ -133,13 +133,13 @@ enum Command {
         /// or in ../lib]
         #[arg(long, value_name = "FILE.wasm", num_args = 0..=1, require_equals = true)]
         live: Option<Option<PathBuf>>,
-        /// Serve the page to browsers on this computer instead, show each new run when the model file or one that it reads is saved, and mistakes above the last picture; until Ctrl-C
+        /// Serve the page on this computer instead of writing it. Whenever a file of the model is saved, simulate again and update the page; mistakes appear above the last picture. Ctrl-C ends it
         #[arg(long, conflicts_with_all = ["output", "live"])]
         watch: bool,
     },
     /// Simulate a model and write files that ParaView and PyVista read: beams with their section forces, bodies, joints, loads
     ///
-    /// Of each kind of part there is a file of each row of results, and a list of them over time: beams.pvd, bodies.pvd, joints.pvd. If the run fails, the files show it up to the
+    /// The command writes one file per kind of part and row of results, and one list per kind: beams.pvd, bodies.pvd, joints.pvd. If the run fails, the files show it up to the
     /// failure. Files of the previous export in the same folder are replaced.
     Export {
         #[command(flatten)]

@@ -24,7 +24,7 @@ pub fn export(
     if every.is_none() && last_row >= MOST {
         let (rows, enough) = (last_row + 1, last_row.div_ceil(MOST - 1));
         return Err(Stop::Bad(format!(
-            "error: the run has {rows} rows, and each would be files of its own; --every={enough} writes one row in {enough}, --every=1 all of them"
+            "error: the run has {rows} rows, and each needs several files; take --every={enough} for one row in {enough}, or --every=1 for all rows"
         )));
     }
     let every = every.unwrap_or(1);
@@ -49,8 +49,9 @@ pub fn export(
         if is_due { write(export.look(simulation)) } else { Ok(()) }
     });
     // A run that fails can be looked at up to the failure.
-    write(export.lists())?;
+    let listed = write(export.lists());
     outcome?;
+    listed?;
     let (parts, count, megabytes) = (export.parts().join(", "), export.instants(), bytes as f64 / 1e6);
     let list = directory.join(format!("{first}.pvd"));
     say(&format!("{count} instants of {parts}, {megabytes:.2} MB: open {} in ParaView", list.display()))

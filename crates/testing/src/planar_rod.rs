@@ -53,7 +53,7 @@ pub struct Point {
     pub place: [f64; 2],
     /// The load, N or N/m.
     pub load: f64,
-    /// Of the start: its turn about y (rad) if it is hinged, what the support exerts about y (N m) if it is clamped; then the force of the support (N).
+    /// Reactions at the start: its turn about y (rad) if it is hinged, the moment of the support about y (N m) if it is clamped; then the force of the support (N).
     pub start: [f64; 3],
 }
 
@@ -160,7 +160,7 @@ impl Rod {
         (state, place)
     }
 
-    /// That of the load where the rod has this angle.
+    /// Direction of the load where the rod has this angle.
     fn direction(&self, angle: f64) -> [f64; 2] {
         if self.follower { [angle.sin(), -angle.cos()] } else { [0.0, -1.0] }
     }

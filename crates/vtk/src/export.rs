@@ -20,7 +20,7 @@ pub struct Export {
 }
 
 impl Export {
-    /// Of a simulation that has just been loaded and will be looked at `instants` times.
+    /// Prepares the export of a simulation that has just been loaded, with `instants` instants.
     pub fn new(simulation: &Simulation, instants: u64) -> Self {
         let digits = instants.saturating_sub(1).to_string().len();
         Self { recording: Recording::new(simulation), digits, times: Vec::new() }

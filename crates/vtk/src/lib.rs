@@ -1,6 +1,6 @@
-//! A simulation as files of VTK (docs/command-line.md, Export): for each kind of part a file of each instant, `beams_0042.vtp`, and their list, `beams.pvd`.
+//! Writes a simulation as files of VTK (docs/command-line.md, ParaView): one file per kind of part and instant, `beams_0042.vtp`, and a list of them, `beams.pvd`.
 //!
-//! Nothing here prints or writes files.
+//! The files are bytes here; the caller writes them to the disk.
 
 mod export;
 mod parts;

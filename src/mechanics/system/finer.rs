@@ -18,11 +18,13 @@ use std::f64::consts::TAU;
 const SAME_LENGTH: f64 = 1e-9;
 
 impl System {
-    /// Sets `state`, one of this system as drawn, to the shape of `from`, a state of `coarse`: the same mechanism with half the elements in every beam. Returns whether
-    /// it could; elements other than ANCF14's have no such shape, nor have beams whose nodes are at other places.
+    /// Sets `state`, one of this system as drawn, to the shape of `from`, a state of `coarse`: the same mechanism with half the elements in every beam. Returns false for
+    /// elements other than ANCF14, for beams whose finer mesh moves the nodes, and where positions count from another origin.
     pub fn take_shape(&self, state: &mut State, coarse: &Self, from: &State) -> bool {
         let (own, other) = (self.mesh.coordinates(), coarse.mesh.coordinates());
-        let fits = self.beams.len() == coarse.beams.len() && state.q.len() - own == from.q.len() - other;
+        let fits = self.origin == coarse.origin
+            && self.beams.len() == coarse.beams.len()
+            && state.q.len() - own == from.q.len() - other;
         if !fits || state.multipliers.len() != from.multipliers.len() {
             return false;
         }
@@ -43,7 +45,7 @@ impl System {
                 divide([first, second], (number, element), &c, (state, from));
             }
         }
-        copy_what_has_no_mesh(state, from);
+        copy_all_but_the_mesh(state, from);
         true
     }
 }
@@ -83,7 +85,7 @@ fn divide(
 }
 
 /// Takes what drives, loads and joints have in `from`.
-fn copy_what_has_no_mesh(state: &mut State, from: &State) {
+fn copy_all_but_the_mesh(state: &mut State, from: &State) {
     state.time = from.time;
     state.multipliers.clone_from(&from.multipliers);
     state.relative_values.clone_from(&from.relative_values);

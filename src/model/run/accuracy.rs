@@ -305,12 +305,12 @@ impl Inexact {
         self.error / if self.is_rough { EXPECTED_OF_FORCES } else { EXPECTED }
     }
 
-    /// The warning about a run whose results are off by more than a reader expects because of the mesh.
-    pub fn warning_of_mesh(&self) -> Option<String> {
+    /// The warning about a run whose results are off by more than a reader expects because of the mesh; `twists`: a beam has linear twist.
+    pub fn warning_of_mesh(&self, twists: bool) -> Option<String> {
+        let or_twist = if twists { ", or twist = \"quadratic\"" } else { "" };
         (self.excess() > 1.0).then(|| {
             format!(
-                "{} is off by {} of its range because of the mesh, as estimated at the end from a mesh twice as fine; take more elements, or twist = \"quadratic\" \
-                 where beams are twisted; --verify tells for which beams, and how many",
+                "{} is off by {} of its range because of the mesh, as estimated from a mesh twice as fine. Take more elements{or_twist}; --verify names the beams and the numbers",
                 self.name,
                 self.size()
             )

@@ -1,4 +1,4 @@
-//! How far equilibria are off because of the mesh: they are found again on a mesh twice as fine, with quadratic twist.
+//! The mesh error of equilibria: Newton finds them again on a mesh twice as fine, with quadratic twist.
 
 use super::levels::{self, Level, Override};
 use crate::error::Error;
@@ -25,13 +25,13 @@ pub struct Finer {
 }
 
 impl Finer {
-    /// That of `document`, which was read with `overrides`, as drawn at `start`, s; none where its beams have no such mesh.
+    /// Builds the mechanism of `document`, which was read with `overrides`, with twice the elements, as drawn at `start`, s; none if a beam has no such mesh.
     pub fn new(document: &Document, overrides: &[Override], start: f64) -> Option<Self> {
         let finer = Level::DoubleElements.overrides(document)?;
         let elements: Vec<String> = finer.iter().map(|(key, _)| key.clone()).collect();
         let overrides = levels::merged(&document.remaining(overrides), finer);
         let mut other = Document::parse(&document.model.name, document.text(), &overrides).ok()?;
-        // What a host has set since.
+        // Copies the parameters that a host has set.
         for index in 0..other.parameters().len() {
             let parameter = &other.parameters()[index];
             let name = &parameter.variable.name;

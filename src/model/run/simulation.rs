@@ -189,6 +189,8 @@ impl Simulation {
                 self.last.settings = settings;
             }
             self.runner.stale = true;
+            // It is an equilibrium of other parameters.
+            self.peak = None;
             self.derived.forget_rates();
         }
         Ok(())
@@ -356,7 +358,7 @@ impl Model for Simulation {
         self.forget_step();
         self.watch = Watch::new(&self.document);
         self.accuracy = Accuracy::default();
-        self.peak = None;
+        self.forget_mesh_errors();
         let outcome = self.measure();
         if outcome.is_err() {
             self.runner = before;
@@ -422,6 +424,7 @@ impl Model for Simulation {
         self.warned_of_quaternion = false;
         self.inputs = Inputs::new(&self.document);
         self.forget_step();
+        self.forget_mesh_errors();
         // Nothing is solved for before the initialization, so that nothing can fail.
         let _ = self.read_results();
     }

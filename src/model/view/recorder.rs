@@ -118,7 +118,7 @@ impl Recording {
         self.times.push(state.time);
     }
 
-    /// Forgets all instants but the last one: whoever has written them down needs no more memory for more of them.
+    /// Drops all instants except the last, so that a long export needs constant memory.
     pub fn keep_last(&mut self) {
         for track in &mut self.tracks {
             let rest = track.values.len().saturating_sub(track.components * track.things);

@@ -1,6 +1,7 @@
 //! The files of a model, and whether one of them has been saved since.
 //!
-//! Times and lengths are compared again and again: that works on every file system, and an editor that replaces a file, writes it in pieces, or makes a missing one is no special case.
+//! The watch polls modification times and lengths, which needs no support of the file system. It misses a save of equal length within the resolution of these times. An editor that replaces
+//! a file, writes it in pieces, or makes a missing one is no special case.
 
 use super::super::ModelArguments;
 use ancf14::model::document::Document;
@@ -27,13 +28,13 @@ fn stamp(path: &Path) -> Stamp {
 }
 
 impl Files {
-    /// Those of a model, before it is loaded. What a mistake hides, an include below it, was known `before`.
-    pub fn of(model: &ModelArguments, before: &Self) -> Self {
+    /// Lists the files of a model before it is loaded, and those that a mistake may hide, such as an include below it: `hidden` has the files before the mistake.
+    pub fn of(model: &ModelArguments, hidden: &Self) -> Self {
         let own = stamp(&model.file);
         let folder = model.file.parent().unwrap_or(Path::new(""));
         let text = file::text(&model.file).unwrap_or_default();
         let others = Document::files_in(folder, &model.name(), &text, &model.overrides);
-        let paths = others.into_iter().chain(before.0.keys().cloned());
+        let paths = others.into_iter().chain(hidden.0.keys().cloned());
         let mut stamps: BTreeMap<_, _> = paths.map(|path| (path.clone(), stamp(&path))).collect();
         stamps.insert(model.file.clone(), own);
         Self(stamps)

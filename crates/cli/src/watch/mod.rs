@@ -9,6 +9,7 @@ use super::view::filmed;
 use super::{ModelArguments, Stop, complain, is_piped, say, voice};
 use files::Files;
 use news::News;
+use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 /// How often a run looks whether its files have changed.
@@ -22,9 +23,7 @@ pub fn watch(model: &ModelArguments, modes: Option<u16>) -> Result<(), Stop> {
         ));
     }
     if voice::is_json() {
-        return Err(Stop::Bad(
-            "error: --watch answers in the browser and never ends, so that it has no document for --json".to_owned(),
-        ));
+        return Err(Stop::Bad("error: --watch writes no document; leave out --json".to_owned()));
     }
     let impossible =
         |what: &str, reason: &dyn std::fmt::Display| Stop::Failed(format!("error: cannot {what}: {reason}"));
@@ -33,24 +32,31 @@ pub fn watch(model: &ModelArguments, modes: Option<u16>) -> Result<(), Stop> {
     let address =
         server::start(&model.name(), news.clone()).map_err(|reason| impossible("serve the page", &*reason))?;
     voice::print(&format!("{}: open {address} in a browser on this computer; Ctrl-C ends it", model.name()))?;
-    let mut files = Files::default();
+    let mut hidden = Files::default();
     loop {
-        files = Files::of(model, &files);
+        let files = Files::of(model, &hidden);
         news.begin();
         match shown(model, modes, &files, &news) {
-            Ok(instants) => say(&format!("{instants} instants; waiting for changes"))?,
-            Err(_) if files.have_changed() => {}
+            Ok(Some(instants)) => {
+                say(&format!("{instants} instants; waiting for changes"))?;
+                files.wait();
+                hidden = Files::default();
+                continue;
+            }
+            Ok(None) => {}
             Err(stop) => complain(&stop.to_string()),
         }
         files.wait();
+        hidden = files;
     }
 }
 
-/// Simulates, and brings the run into the page; the number of its instants.
-fn shown(model: &ModelArguments, modes: Option<u16>, files: &Files, news: &News) -> Result<usize, Stop> {
-    // Those of a run that was given up.
+/// Simulates, and brings the run into the page; the number of its instants, none of a run that was abandoned because its files have changed.
+fn shown(model: &ModelArguments, modes: Option<u16>, files: &Files, news: &News) -> Result<Option<usize>, Stop> {
+    // Those of an abandoned run.
     drop(voice::take_warnings());
     let mut looked = Instant::now();
+    let is_abandoned = Cell::new(false);
     // A run of files that have changed in the meantime ends at once.
     let look = |share: f64| {
         if looked.elapsed() < LOOK {
@@ -58,13 +64,17 @@ fn shown(model: &ModelArguments, modes: Option<u16>, files: &Files, news: &News)
         }
         looked = Instant::now();
         news.proceed(share);
-        if files.have_changed() { Err(Stop::Failed(String::new())) } else { Ok(()) }
+        is_abandoned.set(files.have_changed());
+        if is_abandoned.get() { Err(Stop::Failed(String::new())) } else { Ok(()) }
     };
-    match simulated(model, modes, look) {
-        Ok((_, _, Err(stop))) if files.have_changed() => Err(stop),
+    let outcome = simulated(model, modes, look);
+    if is_abandoned.get() {
+        return Ok(None);
+    }
+    match outcome {
         Ok((instants, data, outcome)) => {
             news.end(Some(data), outcome.as_ref().err().map(Stop::to_string), voice::take_warnings());
-            outcome.map(|()| instants)
+            outcome.map(|()| Some(instants))
         }
         Err(stop) => {
             news.end(None, Some(stop.to_string()), voice::take_warnings());

@@ -25,17 +25,17 @@ impl News {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A run begins.
+    /// Tells the page that a run begins.
     pub fn begin(&self) {
         self.proceed(0.0);
     }
 
-    /// A share of the run is done.
+    /// Tells the page the share of the run that is done.
     pub fn proceed(&self, share: f64) {
         self.state().share = Some(share);
     }
 
-    /// A run has ended; without data the one before is still shown.
+    /// Tells the page that a run has ended; without data the page keeps the one before.
     pub fn end(&self, data: Option<String>, error: Option<String>, warnings: Vec<String>) {
         let mut state = self.state();
         if let Some(data) = data {
@@ -47,13 +47,13 @@ impl News {
         state.warnings = warnings;
     }
 
-    /// All but the data, as JSON.
+    /// Returns all but the data, as JSON.
     pub fn text(&self) -> Arc<[u8]> {
         let State { run, share, error, warnings, .. } = &*self.state();
         json!({ "run": run, "share": share, "error": error, "warnings": warnings }).to_string().into_bytes().into()
     }
 
-    /// The data of the run, as JSON.
+    /// Returns the data of the run, as JSON.
     pub fn data(&self) -> Arc<[u8]> {
         Arc::clone(&self.state().data)
     }

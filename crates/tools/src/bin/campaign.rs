@@ -31,7 +31,12 @@ struct Arguments {
 
 fn main() -> ExitCode {
     let Arguments { only, update, write, jobs } = Arguments::parse();
-    let machines: Vec<Machine> = catalogue::machines()
+    let known = catalogue::machines();
+    if let Some(name) = update.iter().find(|name| known.iter().all(|machine| machine.name != **name)) {
+        println!("error: no machine is called {name}");
+        return ExitCode::FAILURE;
+    }
+    let machines: Vec<Machine> = known
         .into_iter()
         .filter(|machine| only.as_ref().is_none_or(|only| machine.name.contains(only) || machine.group.contains(only)))
         .filter(|machine| update.is_empty() || update.contains(&machine.name))

@@ -202,6 +202,9 @@ pub fn read(page: &str, machines: &[Machine]) -> Option<Vec<Judged>> {
     let letters = page.split("```").nth(1)?;
     let judged = machines.iter().map(|machine| {
         let own = letters.lines().find_map(|line| line.strip_suffix(&machine.name)?.strip_suffix(' '))?;
+        if own.chars().count() != SETTINGS.len() {
+            return None;
+        }
         let row =
             page.lines().find_map(|line| line.strip_prefix(&format!("| {} | ", machine.name))?.strip_suffix(" |"));
         let mut cells = row.into_iter().flat_map(|row| row.split(" | "));

@@ -137,6 +137,7 @@ pub fn peer(section: &mut Section) {
         .current_dir(root.join("crates/tools/benches/peer"))
         .output()
         .expect("the peer is installed: scripts/peer-env.sh");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let text = String::from_utf8(output.stdout).expect("the peer prints text");
     let case = Case::lee(10, false);
     let limit = number_behind(&case.equilibria().1, "t has a maximum of ");
@@ -149,6 +150,7 @@ pub fn peer(section: &mut Section) {
             [_, factor, _] => last = factor.parse().expect("a number"),
             [steps, end] => {
                 let _ = writeln!(table, "| {steps} | {end} | {:.3} | {:.3} |", last * scale, limit * scale);
+                last = 0.0;
             }
             _ => panic!("the peer printed {line}"),
         }

@@ -7,8 +7,9 @@ use crate::mechanics::state::State;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::run::accuracy::Inexact;
 use crate::model::run::finer::Finer;
+use crate::model::run::levels;
 
-/// A mesh twice as fine has a sixteenth of the error left: of order 4.
+/// The mesh error over the difference between both meshes: the finer one keeps a sixteenth of the error (order 4).
 const FINER: f64 = 16.0 / 15.0;
 
 /// An equilibrium of a run.
@@ -27,8 +28,14 @@ impl Simulation {
     }
 
     /// The family of results with the largest error because of the mesh.
-    pub fn coarsest(&self) -> Option<&Inexact> {
+    pub fn largest_mesh_error(&self) -> Option<&Inexact> {
         self.mesh_errors.iter().max_by(|a, b| a.error.total_cmp(&b.error))
+    }
+
+    /// Forgets the mesh errors and what they would be found from: another run begins.
+    pub(super) fn forget_mesh_errors(&mut self) {
+        self.peak = None;
+        self.mesh_errors.clear();
     }
 
     /// Keeps an equilibrium that has more strain energy than all before.
@@ -58,25 +65,32 @@ impl Simulation {
         let Runner { system, state: last, start, .. } = &self.runner;
         let Some(mut finer) = Finer::new(&self.document, &self.overrides, *start) else { return };
         let mut errors = vec![0.0_f64; self.results.len()];
+        let mut is_known = false;
         let is_last = state.time == last.time;
         for (state, results) in [(state, results), (last, &self.results)].into_iter().skip(usize::from(is_last)) {
             let finer = match finer.results(system, state) {
                 Ok(Some(finer)) if finer.len() == results.len() => finer,
                 Ok(_) => return,
-                Err(_) => return self.warnings.push(format!(
-                    "the mesh error is not known: on a mesh twice as fine there is no equilibrium near that of t = {} s, so that the mesh may be too coarse; take more elements",
-                    decimal(state.instant())
-                )),
+                Err(_) => {
+                    self.warnings.push(format!(
+                        "the mesh error is not known: on a mesh twice as fine, Newton found no equilibrium near the one at t = {} s. The mesh may be too coarse; take more elements",
+                        decimal(state.instant())
+                    ));
+                    continue;
+                }
             };
-            if finer.iter().any(|result| !result.is_finite()) {
-                return;
-            }
+            is_known = true;
             for (error, (finer, own)) in errors.iter_mut().zip(finer.iter().zip(results)) {
-                *error = error.max(FINER * (finer - own).abs());
+                let difference = FINER * (finer - own).abs();
+                *error = if difference.is_nan() { f64::INFINITY } else { error.max(difference) };
             }
+        }
+        if !is_known {
+            return;
         }
         self.mesh_errors = self.accuracy.errors_of_mesh(&self.columns, system, last.time - start, &errors);
         let worst = self.mesh_errors.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()));
-        self.warnings.extend(worst.and_then(Inexact::warning_of_mesh));
+        let twists = self.document.beams.iter().any(levels::has_linear_twist);
+        self.warnings.extend(worst.and_then(|worst| worst.warning_of_mesh(twists)));
     }
 }

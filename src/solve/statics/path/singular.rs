@@ -101,9 +101,9 @@ impl Statics {
                 format!("the path passes a limit point at the arc length {at}: t has a {extremum} of {parameter} there")
             }
             None => {
-                let [first, last] = stretch.ends();
+                let [first, last] = [0.0, stretch.length].map(|length| decimal(stretch.from.time + length));
                 format!(
-                    "the path passes a limit point between t = {first} and {last}: Newton could not locate the {extremum} of t"
+                    "the path passes a limit point between the arc lengths {first} and {last}: Newton did not locate the {extremum} of t; take a smaller step"
                 )
             }
         }
