@@ -190,7 +190,7 @@ fn only_files_are_watched() {
     let cantilever = model("cantilever");
     let cases: [(&[&str], &str); 4] = [
         (&["view", "-", "--watch"], "--watch needs a file"),
-        (&["view", &cantilever, "--watch", "--json"], "no document for --json"),
+        (&["view", &cantilever, "--watch", "--json"], "leave out --json"),
         (&["view", &cantilever, "--watch", "-o", "page.html"], "cannot be used with"),
         (&["view", &cantilever, "--watch", "--live"], "cannot be used with"),
     ];
