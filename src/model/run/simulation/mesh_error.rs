@@ -22,7 +22,7 @@ pub(super) struct Peak {
 }
 
 impl Simulation {
-    /// How far results of equilibria are off because of the mesh, a family each, as [`Model::conclude`] has found; empty where that is not known.
+    /// How far results of equilibria are off because of the mesh, a family each, as [`crate::fmi::Model::conclude`] has found; empty where that is not known.
     pub fn mesh_errors(&self) -> &[Inexact] {
         &self.mesh_errors
     }
