@@ -4,6 +4,7 @@
 
 pub mod curves;
 pub mod golden;
+pub mod integrate;
 pub mod pages;
 pub mod paths;
 pub mod planar_rod;

@@ -2,6 +2,7 @@
 //!
 //! The plane is that of x and z; angles go from x to z, against turns about y.
 
+use crate::integrate::runge_kutta;
 use nalgebra::{Matrix4, Vector4};
 
 /// A rod from one support to another.
@@ -177,14 +178,7 @@ impl Rod {
         };
         let step = piece.length / STEPS as f64;
         for _ in 0..STEPS {
-            let moved = |slope: &State, by: f64| -> State { std::array::from_fn(|k| state[k] + by * slope[k]) };
-            let first = slope(state);
-            let second = slope(&moved(&first, 0.5 * step));
-            let third = slope(&moved(&second, 0.5 * step));
-            let fourth = slope(&moved(&third, step));
-            *state = std::array::from_fn(|k| {
-                state[k] + step / 6.0 * (first[k] + 2.0 * second[k] + 2.0 * third[k] + fourth[k])
-            });
+            *state = runge_kutta(state, step, slope);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A round rod in space, straight without stress and clamped at its start, whose end is turned about its tangent: integrated by Runge and Kutta's method and shot at the end.
 
+use crate::integrate::runge_kutta;
 use ancf14::math::Vec3;
 use nalgebra::{SMatrix, SVector};
 
@@ -128,12 +129,6 @@ impl TwistedRod {
             let along = tangent * (1.0 + force.dot(tangent) / self.stretching);
             [along, turn.cross(tangent), turn.cross(normal), force.cross(&along)]
         };
-        let step = self.length / STEPS as f64;
-        let moved = |slope: &State, by: f64| -> State { std::array::from_fn(|k| state[k] + slope[k] * by) };
-        let first = slope(state);
-        let second = slope(&moved(&first, 0.5 * step));
-        let third = slope(&moved(&second, 0.5 * step));
-        let fourth = slope(&moved(&third, step));
-        std::array::from_fn(|k| state[k] + (first[k] + second[k] * 2.0 + third[k] * 2.0 + fourth[k]) * (step / 6.0))
+        runge_kutta(state, self.length / STEPS as f64, slope)
     }
 }

@@ -108,7 +108,7 @@ fn beams(at: Instant<'_>) -> PolyData {
         let mut values = at.track(result.word).unwrap_or_default().to_vec();
         if result.word == "stress" {
             for beam in scene.beams.iter().filter(|beam| !beam.has_stress) {
-                values[beam.stations.clone()].fill(f64::NAN);
+                values.get_mut(beam.stations.clone()).into_iter().for_each(|own| own.fill(f64::NAN));
             }
         }
         on_points.push(Array::reals(result.word, result.unit, 1, values));

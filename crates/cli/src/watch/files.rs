@@ -27,17 +27,27 @@ fn stamp(path: &Path) -> Stamp {
     Some((there.modified().ok()?, there.len()))
 }
 
+/// The files that a model reads, itself left out, as far as its text can be read.
+fn listed(model: &ModelArguments) -> Vec<PathBuf> {
+    let folder = model.file.parent().unwrap_or(Path::new(""));
+    let text = file::text(&model.file).unwrap_or_default();
+    Document::files_in(folder, &model.name(), &text, &model.overrides)
+}
+
 impl Files {
-    /// Lists the files of a model before it is loaded, and those that a mistake may hide, such as an include below it: `hidden` has the files before the mistake.
-    pub fn of(model: &ModelArguments, hidden: &Self) -> Self {
+    /// Lists the files of a model before it is loaded, and the files `before`: a mistake may hide some of them, such as an include below it.
+    pub fn of(model: &ModelArguments, before: &Self) -> Self {
         let own = stamp(&model.file);
-        let folder = model.file.parent().unwrap_or(Path::new(""));
-        let text = file::text(&model.file).unwrap_or_default();
-        let others = Document::files_in(folder, &model.name(), &text, &model.overrides);
-        let paths = others.into_iter().chain(hidden.0.keys().cloned());
+        let paths = listed(model).into_iter().chain(before.0.keys().cloned());
         let mut stamps: BTreeMap<_, _> = paths.map(|path| (path.clone(), stamp(&path))).collect();
         stamps.insert(model.file.clone(), own);
         Self(stamps)
+    }
+
+    /// Forgets the files that the model, which has just been loaded without a mistake, does not list any more.
+    pub fn forget_unlisted(&mut self, model: &ModelArguments) {
+        let listed = listed(model);
+        self.0.retain(|path, _| *path == model.file || listed.contains(path));
     }
 
     /// Whether one of them has been saved, made or removed.
@@ -99,5 +109,14 @@ mod tests {
         assert_eq!(names(&files), ["f.csv", "m.toml", "part.toml"]);
         fs::remove_file(at("f.csv")).unwrap();
         assert!(files.have_changed());
+        // A mistake in the model itself hides all others; without it, those that are left out are forgotten.
+        write("m.toml", "[[");
+        let mut files = Files::of(&model, &files);
+        assert_eq!(names(&files), ["f.csv", "m.toml", "part.toml"]);
+        write("m.toml", "[include.part]\nfile = \"other.toml\"\n");
+        files = Files::of(&model, &files);
+        assert_eq!(names(&files), ["f.csv", "m.toml", "other.toml", "part.toml"]);
+        files.forget_unlisted(&model);
+        assert_eq!(names(&files), ["m.toml", "other.toml"]);
     }
 }

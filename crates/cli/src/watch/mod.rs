@@ -32,22 +32,19 @@ pub fn watch(model: &ModelArguments, modes: Option<u16>) -> Result<(), Stop> {
     let address =
         server::start(&model.name(), news.clone()).map_err(|reason| impossible("serve the page", &*reason))?;
     voice::print(&format!("{}: open {address} in a browser on this computer; Ctrl-C ends it", model.name()))?;
-    let mut hidden = Files::default();
+    let mut files = Files::default();
     loop {
-        let files = Files::of(model, &hidden);
+        files = Files::of(model, &files);
         news.begin();
         match shown(model, modes, &files, &news) {
             Ok(Some(instants)) => {
+                files.forget_unlisted(model);
                 say(&format!("{instants} instants; waiting for changes"))?;
-                files.wait();
-                hidden = Files::default();
-                continue;
             }
             Ok(None) => {}
             Err(stop) => complain(&stop.to_string()),
         }
         files.wait();
-        hidden = files;
     }
 }
 

@@ -33,13 +33,14 @@ fn rows(name: &str, meshes: &[usize], case: impl Fn(usize) -> Case) -> String {
         let case = case(elements);
         let (points, told) = case.equilibria();
         let worst = case.rod.distance_from(&points);
-        let order = before.map_or(String::new(), |before: f64| format!("{:.2}", (before / worst).log2()));
+        let size = elements as f64;
+        let order = before.map_or(String::new(), |(from, coarse)| study::order([from, size], [coarse, worst]));
         let limit = case.load * number_behind(&told, "t has a maximum of ");
         // In units of the rigidity and the size of the rod: length of a leg, radius.
         let power = if matches!(case.rod.load, ancf14_testing::planar_rod::Load::At(_)) { 2 } else { 3 };
         let limit = limit * case.rod.scales[0].powi(power) / case.rod.bending;
         let _ = writeln!(text, "| {name} | {elements} | {limit:.4} | {} | {order} |", study::small(worst));
-        before = Some(worst);
+        before = Some((size, worst));
     }
     text
 }
@@ -114,10 +115,11 @@ fn twisted(section: &mut Section) {
             }
             let buckled: Vec<_> = points.into_iter().skip_while(|point| point.middle.norm() < BUCKLED).collect();
             let worst = case.rod.distance_from(&buckled);
-            let order = before.map_or(String::new(), |before: f64| format!("{:.2}", (before / worst).log2()));
+            let size = elements as f64;
+            let order = before.map_or(String::new(), |(from, coarse)| study::order([from, size], [coarse, worst]));
             let [leaves, off] = [leaves, worst].map(study::small);
             let _ = writeln!(table, "| {name} | {elements} | {leaves} | {off} | {order} |");
-            before = Some(worst);
+            before = Some((size, worst));
         }
     }
     section.say(&table);

@@ -40,7 +40,8 @@ pub fn small(error: f64) -> String {
     if error.abs() < ROUND_OFF { String::from("round-off") } else { format!("{error:.1e}") }
 }
 
-fn order([from, to]: [f64; 2], [coarse, fine]: [f64; 2]) -> String {
+/// The order by which an error falls from `coarse` to `fine` with twice, or any multiple, of the elements.
+pub fn order([from, to]: [f64; 2], [coarse, fine]: [f64; 2]) -> String {
     if fine < ROUND_OFF || coarse < ROUND_OFF {
         return String::new();
     }
