@@ -170,17 +170,19 @@ fn an_equilibrium_before_the_end_counts() {
 /// A mesh so coarse that the run has warned of all that the energy and the readings tell, before the most energy is reached.
 #[test]
 fn regression_an_equilibrium_after_the_warnings_counts() {
-    let text = PORTAL
-        .replace("\"rotation\"]", "\"rotation\", \"section_moment\"]")
-        .replace("elements = 6", "elements = 1")
-        .replace("node[6]", "node[1]");
+    let text =
+        PORTAL.replace("\"rotation\"]", "\"rotation\", \"section_moment\"]").replace("elements = 6", "elements = 2");
     let there_and_back = text.replace("*t\"", "*sin(pi*t)\"");
     let [(gone, told), (loaded, _)] = [&there_and_back, &text].map(|text| {
         let (mut simulation, _) = concluded(text, &[]);
         let told = simulation.take_warnings();
         (simulation, told)
     });
-    assert_eq!(told.iter().filter(|warning| warning.contains("the mesh is too coarse")).count(), 2, "{told:?}");
+    for words in
+        ["the mesh is too coarse: at t = 0 s", "the mesh is too coarse for the section_moment at top@0: at t = 0 s"]
+    {
+        assert!(told.iter().any(|warning| warning.contains(words)), "{words}: {told:?}");
+    }
     let [gone, loaded] = [gone, loaded].map(|simulation| error(&simulation, "knee.rotation").error);
     assert!((gone / loaded - 1.0).abs() < 1e-6, "{gone} {loaded}");
 }
