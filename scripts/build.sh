@@ -8,11 +8,19 @@ set -eu
 
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
+case $(uname -s) in
+    Darwin) suffix=dylib ;;
+    *) suffix=so ;;
+esac
+library=libancf14.$suffix
+built_library=libancf14_library.$suffix
 case ${1:-} in
     "") ;;
     --quick)
         # One command, so that both share all that is compiled.
-        exec cargo build --locked --profile quick --package ancf14 --package ancf14-cli
+        cargo build --locked --profile quick --package ancf14-library --package ancf14-cli
+        cp "$target/quick/$built_library" "$target/quick/$library"
+        exit
         ;;
     *)
         echo "usage: sh scripts/build.sh [--quick]" >&2
@@ -20,28 +28,23 @@ case ${1:-} in
         ;;
 esac
 . scripts/target.sh
-case $(uname -s) in
-    Darwin) library=libancf14.dylib ;;
-    *) library=libancf14.so ;;
-esac
 fmu=$target/fmu
 mkdir -p "$fmu"
-# deliver FILE: copies it into target/fmu. What was built from other sources is not delivered with it: the libraries for other platforms (scripts/build-platforms.sh) if the
+# deliver BUILT FILE: copies what was built into target/fmu. What was built from other sources is not delivered with it: the libraries for other platforms (scripts/build-platforms.sh) if the
 # library changes, and the solver of pages (scripts/build-wasm.sh) if library or program change.
 deliver() {
-    if [ -f "$fmu/$1" ] && ! cmp -s "$built/$1" "$fmu/$1"; then
+    if [ -f "$fmu/$2" ] && ! cmp -s "$built/$1" "$fmu/$2"; then
         rm -f "$fmu/ancf14.wasm"
-        if [ "$1" = "$library" ]; then
+        if [ "$2" = "$library" ]; then
             rm -rf "$fmu/aarch64-linux" "$fmu/x86_64-windows"
         fi
     fi
-    install -m 755 "$built/$1" "$fmu/$1"
+    install -m 755 "$built/$1" "$fmu/$2"
 }
 
-# On its own: together with the rlib, cargo would silently drop the link-time optimization. First, and delivered at once, because the builds of the program and of the
-# wheel put a library without that in its place.
-cargo rustc --locked --profile fmu --package ancf14 --lib --crate-type cdylib
-deliver "$library"
+# On its own: together with its rlib, cargo would silently drop the link-time optimization of the library.
+cargo rustc --locked --profile fmu --package ancf14-library --lib --crate-type cdylib
+deliver "$built_library" "$library"
 # The Python package is selected too, so that cargo chooses the features of scripts/wheel.sh, which then finds all but the module compiled; only the program is built.
 cargo build --locked --profile fmu --package ancf14-cli --package ancf14-python --bin ancf14
-deliver ancf14
+deliver ancf14 ancf14

@@ -10,11 +10,18 @@ use super::error::Error;
 /// The model file inside `resources`.
 pub const MODEL_FILE: &str = "model.toml";
 
-/// The shared library for the machine this was built for, as cargo names it.
+/// The shared library for the machine this was built for, as `scripts/build.sh` delivers it.
 pub const LIBRARY: &str = match () {
     () if cfg!(windows) => "ancf14.dll",
     () if cfg!(target_os = "macos") => "libancf14.dylib",
     () => "libancf14.so",
+};
+
+/// The same library as cargo names it, after its package.
+pub const CARGO_LIBRARY: &str = match () {
+    () if cfg!(windows) => "ancf14_library.dll",
+    () if cfg!(target_os = "macos") => "libancf14_library.dylib",
+    () => "libancf14_library.so",
 };
 
 /// The directory that a resource location means; none where it is empty, which stands for the library's own resources.

@@ -1,7 +1,7 @@
 //! The shared libraries that an FMU brings: for which machine each is, and where they are found.
 
 use crate::error::Error;
-use ancf14::fmi::location::LIBRARY;
+use ancf14::fmi::location::{CARGO_LIBRARY, LIBRARY};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -107,7 +107,7 @@ impl Platform {
     }
 }
 
-/// The library that goes into an FMU: `given` by the user, else beside the executable, else in `../lib`.
+/// The library that goes into an FMU: `given` by the user, else beside the executable, as cargo has just built it or as it is installed, else in `../lib`.
 ///
 /// # Errors
 /// It is in none of these places; the message says how to build it.
@@ -115,7 +115,7 @@ pub fn find_library(given: Option<&Path>, executable: &Path) -> Result<PathBuf, 
     let beside = executable.parent().unwrap_or(Path::new("."));
     let places = match given {
         Some(path) => vec![path.to_owned()],
-        None => vec![beside.join(LIBRARY), beside.join("../lib").join(LIBRARY)],
+        None => vec![beside.join(CARGO_LIBRARY), beside.join(LIBRARY), beside.join("../lib").join(LIBRARY)],
     };
     match places.iter().find(|place| place.is_file()) {
         Some(place) => Ok(place.clone()),

@@ -13,7 +13,7 @@ pub mod running;
 pub mod spatial_rod;
 pub mod toy;
 
-use ancf14::fmi::location::LIBRARY;
+use ancf14::fmi::location::CARGO_LIBRARY;
 use std::path::{Path, PathBuf};
 
 /// The root of the repository.
@@ -24,7 +24,7 @@ pub fn root() -> &'static Path {
 
 /// The library as cargo built it for a test: beside the test's executable.
 pub fn library_path() -> PathBuf {
-    let path = std::env::current_exe().unwrap().parent().unwrap().join(LIBRARY);
+    let path = std::env::current_exe().unwrap().parent().unwrap().join(CARGO_LIBRARY);
     assert!(path.is_file(), "{} was not built", path.display());
     path
 }

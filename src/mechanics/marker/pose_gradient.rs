@@ -138,36 +138,35 @@ impl PoseGradient {
     /// Sets `block` to the second derivative by the coordinates of this pose (rows) and of `other` (columns) of what has the second derivatives
     /// `scalars` times the identity by their vectors.
     fn pull_back_scalars(&self, scalars: &SMatrix<f64, VECTORS, VECTORS>, other: &Self, block: &mut MarkerMatrix) {
-        if self.count() == 0 {
-            return;
-        }
         let is_zero = scalars.as_slice().iter().all(|value| *value == 0.0);
-        if is_zero || matches!((self, other), (Self::Body(_), Self::Body(_))) {
-            (0..other.count()).for_each(|column| block.column_mut(column).rows_mut(0, self.count()).fill(0.0));
-        }
-        if is_zero {
-            return;
-        }
-        if let (Self::Body(left), Self::Body(right)) = (self, other) {
-            let own = left * scalars * right.transpose();
-            for (row, column, axis) in
-                (0..BODY).flat_map(|row| (0..VECTORS).map(move |column| (row / 3, column, row % 3)))
-            {
-                block[(3 * row + axis, 3 * column + axis)] = own[(row, column)];
+        let mut clear =
+            || (0..other.count()).for_each(|column| block.column_mut(column).rows_mut(0, self.count()).fill(0.0));
+        match (self, other) {
+            (Self::Fixed, _) | (_, Self::Fixed) => {}
+            _ if is_zero => clear(),
+            (Self::Body(left), Self::Body(right)) => {
+                clear();
+                let own = left * scalars * right.transpose();
+                for (row, column, axis) in
+                    (0..BODY).flat_map(|row| (0..VECTORS).map(move |column| (row / 3, column, row % 3)))
+                {
+                    block[(3 * row + axis, 3 * column + axis)] = own[(row, column)];
+                }
             }
-            return;
-        }
-        if matches!((self, other), (Self::Beam(_), Self::Body(_))) {
-            for row in 0..self.count() {
-                let force: PoseVector = self.column(row) * scalars;
-                other.pull_back(&force, |column, value| block[(row, column)] = value);
+            // Whole rows: a body takes a force for less than a beam does.
+            (Self::Beam(_), Self::Body(_)) => {
+                for row in 0..self.count() {
+                    let force: PoseVector = self.column(row) * scalars;
+                    other.pull_back(&force, |column, value| block[(row, column)] = value);
+                }
             }
-            return;
-        }
-        let transposed = scalars.transpose();
-        for column in 0..other.count() {
-            let force: PoseVector = other.column(column) * transposed;
-            self.pull_back(&force, |row, value| block[(row, column)] = value);
+            (_, Self::Beam(_)) => {
+                let transposed = scalars.transpose();
+                for column in 0..other.count() {
+                    let force: PoseVector = other.column(column) * transposed;
+                    self.pull_back(&force, |row, value| block[(row, column)] = value);
+                }
+            }
         }
     }
 

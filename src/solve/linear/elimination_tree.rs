@@ -153,6 +153,62 @@ impl Groups {
     fn within(&self, range: Range<usize>) -> Range<usize> {
         if range.is_empty() { 0..0 } else { self.of[range.start]..self.of[range.end - 1] + 1 }
     }
+
+    /// For each group, in order, the other groups that share a block with it.
+    fn links(&self, blocks: &Blocks) -> Vec<Vec<usize>> {
+        let mut links: Vec<Vec<usize>> = vec![Vec::new(); self.count()];
+        for block in blocks.layout() {
+            for row in self.within(block.row..block.row + block.rows) {
+                for column in self.within(block.column..block.column + block.columns) {
+                    if row != column {
+                        links[row].push(column);
+                        links[column].push(row);
+                    }
+                }
+            }
+        }
+        sort_each(&mut links);
+        links
+    }
+}
+
+/// The neighbors of each of the first `coordinates` groups among them: those that share a block with it, and those that a multiplier ties to it. None where a multiplier
+/// acts on nothing, or on another multiplier.
+fn coordinate_graph(links: &[Vec<usize>], coordinates: usize) -> Option<Vec<Vec<usize>>> {
+    let (of_coordinates, of_multipliers) = links.split_at(coordinates);
+    let among = |list: &Vec<usize>| list.iter().copied().filter(|other| *other < coordinates).collect();
+    let mut graph: Vec<Vec<usize>> = of_coordinates.iter().map(among).collect();
+    for tied in of_multipliers {
+        if tied.is_empty() || tied.iter().any(|group| *group >= coordinates) {
+            return None;
+        }
+        for group in tied {
+            graph[*group].extend(tied.iter().filter(|other| *other != group));
+        }
+    }
+    sort_each(&mut graph);
+    Some(graph)
+}
+
+/// Lets each of the groups from `bodies` on count for many, by vertices with the same neighbors: the groups tied to a body stay in the borders up to it, so that it should
+/// come late.
+fn weigh_bodies(graph: &mut Vec<Vec<usize>>, bodies: usize) {
+    for body in bodies..graph.len() {
+        for _ in 1..BODY_WEIGHT {
+            let (own, tied) = (graph.len(), graph[body].clone());
+            tied.iter().for_each(|group| graph[*group].push(own));
+            graph[body].push(own);
+            graph.push([tied, vec![body]].concat());
+        }
+    }
+    sort_each(graph);
+}
+
+fn sort_each(lists: &mut [Vec<usize>]) {
+    for list in lists {
+        list.sort_unstable();
+        list.dedup();
+    }
 }
 
 impl Fronts {
@@ -162,48 +218,10 @@ impl Fronts {
         let groups = Groups::new(kinds.count(), blocks);
         let multipliers = groups.starts.partition_point(|start| *start < kinds.coordinates())..groups.count();
         let bodies = groups.starts.partition_point(|start| *start < kinds.nodes);
-        let mut links: Vec<Vec<usize>> = vec![Vec::new(); groups.count()];
-        for block in blocks.layout() {
-            for row in groups.within(block.row..block.row + block.rows) {
-                for column in groups.within(block.column..block.column + block.columns) {
-                    if row != column {
-                        links[row].push(column);
-                        links[column].push(row);
-                    }
-                }
-            }
-        }
-        for list in &mut links {
-            list.sort_unstable();
-            list.dedup();
-        }
-        // Coordinates alone: those that a multiplier ties together are neighbors.
+        let links = groups.links(blocks);
         let coordinates = multipliers.start;
-        let mut graph: Vec<Vec<usize>> = (0..coordinates)
-            .map(|group| links[group].iter().copied().filter(|other| *other < coordinates).collect())
-            .collect();
-        for multiplier in multipliers.clone() {
-            let tied = &links[multiplier];
-            if tied.is_empty() || tied.iter().any(|group| *group >= coordinates) {
-                return None;
-            }
-            for group in tied {
-                graph[*group].extend(tied.iter().filter(|other| *other != group));
-            }
-        }
-        // What is tied to bodies, which come last, stays in the borders up to them: it should come late. Bodies count for many.
-        for body in bodies..coordinates {
-            for _ in 1..BODY_WEIGHT {
-                let (own, tied) = (graph.len(), graph[body].clone());
-                tied.iter().for_each(|group| graph[*group].push(own));
-                graph[body].push(own);
-                graph.push([tied, vec![body]].concat());
-            }
-        }
-        for list in &mut graph {
-            list.sort_unstable();
-            list.dedup();
-        }
+        let mut graph = coordinate_graph(&links, coordinates)?;
+        weigh_bodies(&mut graph, bodies);
         let mut order = minimum_degree(&graph)?;
         order.retain(|group| *group < coordinates);
         let in_order = |list: &[usize]| Order::new(&groups, &links, list, multipliers.clone());

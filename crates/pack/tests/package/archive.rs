@@ -8,7 +8,7 @@ use std::{
 };
 
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::fmi::location::LIBRARY;
+use ancf14::fmi::location::{CARGO_LIBRARY, LIBRARY};
 use ancf14_pack::contents::Contents;
 use ancf14_pack::libraries::{Platform, find_library, find_others, read};
 use ancf14_pack::package::fmu;
@@ -123,7 +123,7 @@ fn contents_come_back() {
     assert!(page.contains("Toy &amp; &quot;friends&quot;") && page.contains("a &lt; b"));
 }
 
-/// Given, beside the executable, in ../lib: in this order; otherwise an error that says how to make one.
+/// Given, just built, beside the executable, in ../lib: in this order; otherwise an error that says how to make one.
 #[test]
 fn the_library_is_found() {
     let directory = tempfile::tempdir().unwrap();
@@ -142,6 +142,8 @@ fn the_library_is_found() {
     assert_eq!(found.canonicalize().unwrap(), in_lib.canonicalize().unwrap());
     let beside = place(&format!("bin/{LIBRARY}"));
     assert_eq!(find_library(None, &executable).unwrap(), beside);
+    let built = place(&format!("bin/{CARGO_LIBRARY}"));
+    assert_eq!(find_library(None, &executable).unwrap(), built);
     let given = place("else/where.so");
     assert_eq!(find_library(Some(&given), &executable).unwrap(), given);
     assert!(find_library(Some(Path::new("/nowhere.so")), &executable).is_err());
