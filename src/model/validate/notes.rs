@@ -66,7 +66,8 @@ pub fn notes(document: &Document) -> Vec<String> {
             is_new
         }));
     }
-    notes.iter().map(|note| format!("{}: {}", document.origin(note.place), note.text)).collect()
+    let notes = notes.iter().map(|note| format!("{}: {}", document.origin(note.place), note.text));
+    document.remarks().iter().cloned().chain(notes).collect()
 }
 
 /// `beam a, beam b and 3 more`.
