@@ -4,7 +4,7 @@ mod breaks;
 pub mod builder;
 mod dampers;
 mod efforts;
-mod energy;
+pub mod energy;
 mod equations;
 mod finer;
 pub mod frame_cache;

@@ -106,7 +106,7 @@ const KEYS: [(&str, &[&str]); 17] = [
     ("stop", &["joint", "coordinate", "lower", "upper", "stiffness", "damping"]),
     ("lock", &["joint", "coordinate", "active", "input"]),
     ("load", &["at", "on", "force", "moment", "follower", "input"]),
-    ("output", &["at", "on", "stations", "in", "quantities"]),
+    ("output", &["at", "on", "of", "stations", "in", "quantities"]),
 ];
 
 /// The keys of a section.

@@ -126,6 +126,8 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         | output::Target::Friction(_)
         | output::Target::Stop(_)
         | output::Target::Lock(_)
+        | output::Target::Beam(_)
+        | output::Target::Body(_)
         | output::Target::On { .. } => None,
     });
     let observers = document.outputs.iter().filter_map(|output| Some(&output.observer.as_ref()?.anchor));
