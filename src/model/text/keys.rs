@@ -100,7 +100,7 @@ const KEYS: [(&str, &[&str]); 17] = [
     ),
     ("drive", &["joint", "coordinate", "value", "rate", "active", "input"]),
     ("actuator", &["joint", "coordinate", "a", "b", "effort", "input"]),
-    ("gear", &["a", "a_coordinate", "b", "b_coordinate", "ratio"]),
+    ("gear", &["a", "a_coordinate", "b", "b_coordinate", "ratio", "law"]),
     ("spring", &["a", "b", "joint", "coordinate", "stiffness", "damping", "length", "rest", "only", "force"]),
     ("friction", &["joint", "coordinate", "coulomb", "viscous", "speed"]),
     ("stop", &["joint", "coordinate", "lower", "upper", "stiffness", "damping"]),
