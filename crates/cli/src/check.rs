@@ -1,11 +1,12 @@
 //! `check`: a model is without mistakes if it can be loaded and brought to its initial state; its variables as an aligned table.
 
 use super::picture::Target;
-use super::{Stop, progress, say, start, voice};
+use super::{Stop, complain, progress, say, start, voice};
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::model::drawing::Drawing;
 use ancf14::model::simulation::Simulation;
+use ancf14::model::step_length;
 use ancf14_report::numbers::shortest;
 use serde_json::{Value, json};
 
@@ -19,6 +20,9 @@ pub fn check(mut simulation: Simulation, name: &str, picture: Option<Target<'_>>
     let drawn = picture.map(|picture| picture.draw(&Drawing::new(simulation.document()), &about.name)).transpose()?;
     progress::last_row(&simulation)?;
     start(&mut simulation)?;
+    if let Some(note) = step_length::long_step(&simulation) {
+        complain(&format!("warning: {note}"));
+    }
     if voice::is_json() {
         voice::deliver(document(&simulation));
         return Ok(());

@@ -115,7 +115,7 @@ impl Joint {
 
     /// Whether its part is added to the condition of the joint before it: it is the second side of a gear.
     pub fn shares_condition(&self) -> bool {
-        self.gear.is_some_and(|side| side.is_second)
+        self.gear.as_ref().is_some_and(|side| side.is_second)
     }
 
     /// What its drive prescribes, with its rate and acceleration, from where it engaged; of a lock where it engaged; else 0.
@@ -135,8 +135,8 @@ impl Joint {
         }
         let carried = self.carried(c);
         let [a, b] = self.sides(&carried).map(|side| side.pose(c));
-        if let (Some(side), [Primitive::Measured(measure)]) = (&self.gear, self.primitives) {
-            phi[0] = side.factor * measure.value(&a, &b, side.previous(c));
+        if let Some(part) = self.gear_part(c, &a, &b) {
+            phi[0] = part.value;
             return;
         }
         let prescribed = self.prescribed(c).value;
@@ -147,15 +147,23 @@ impl Joint {
         }
     }
 
-    /// Gradients of all rows by the vectors of both poses, in order.
-    fn rows_x(&self, a: &Pose, b: &Pose) -> ([PairVector; MOST_CONDITIONS], usize) {
+    /// What its only primitive adds to the condition of a gear, with derivatives by the measure; none: it is no side of one.
+    fn gear_part(&self, c: &Configuration, a: &Pose, b: &Pose) -> Option<Jet> {
+        match (&self.gear, self.primitives) {
+            (Some(side), [Primitive::Measured(measure)]) => Some(side.part(measure.value(a, b, side.previous(c)))),
+            _ => None,
+        }
+    }
+
+    /// Gradients of all rows by the vectors of both poses, in order; `part` is [`Self::gear_part`].
+    fn rows_x(&self, a: &Pose, b: &Pose, part: Option<Jet>) -> ([PairVector; MOST_CONDITIONS], usize) {
         let mut gradients = [PairVector::zeros(); MOST_CONDITIONS];
         let mut row = 0;
         for primitive in self.primitives {
             for local in 0..primitive.rows() {
                 gradients[row] = primitive.phi_x(a, b, local);
-                if let Some(side) = self.gear {
-                    gradients[row] *= side.factor;
+                if let Some(part) = part {
+                    gradients[row] *= part.first;
                 }
                 row += 1;
             }
@@ -172,20 +180,24 @@ impl Joint {
         gradient.is_released = false;
         let carried = self.carried(c);
         let [a, b] = self.sides(&carried);
-        let (rows_x, rows) = self.rows_x(&a.pose(c), &b.pose(c));
+        let poses = [a.pose(c), b.pose(c)];
+        let (rows_x, rows) = self.rows_x(&poses[0], &poses[1], self.gear_part(c, &poses[0], &poses[1]));
         gradient.set(&[a.pose_q(c), b.pose_q(c)], &rows_x[..rows]);
     }
 
-    /// Second derivative of `lambda·phi` by the vectors of both poses.
-    fn stiffness_x(&self, a: &Pose, b: &Pose, lambda: &[f64]) -> PairHessian {
+    /// Second derivative of `lambda·phi` by the vectors of both poses; `part` is [`Self::gear_part`].
+    fn stiffness_x(&self, a: &Pose, b: &Pose, part: Option<Jet>, lambda: &[f64]) -> PairHessian {
         let mut hessian = PairHessian::default();
         let mut row = 0;
         for primitive in self.primitives {
             debug_assert!(primitive.rows() <= MOST_ROWS);
             let own = &lambda[row..row + primitive.rows()];
-            match self.gear {
-                Some(side) => primitive.add_phi_xx(a, b, &[side.factor * own[0]], &mut hessian),
-                None => primitive.add_phi_xx(a, b, own, &mut hessian),
+            match (part, *primitive) {
+                (Some(part), Primitive::Measured(measure)) => {
+                    measure.add_hessian(a, b, part.first * own[0], &mut hessian);
+                    measure.add_square(a, b, part.second * own[0], &mut hessian);
+                }
+                _ => primitive.add_phi_xx(a, b, own, &mut hessian),
             }
             row += primitive.rows();
         }
@@ -210,10 +222,11 @@ impl Joint {
         let carried = self.carried(c);
         let own = self.sides(&carried);
         let [a, b] = own.map(|side| side.pose(c));
-        let (rows_x, rows) = self.rows_x(&a, &b);
+        let part = self.gear_part(c, &a, &b);
+        let (rows_x, rows) = self.rows_x(&a, &b, part);
         let sides = own.map(|side| side.pose_q(c));
         gradient.set(&sides, &rows_x[..rows]);
-        let (force, stiffness) = (weighted(&rows_x[..rows], lambda), self.stiffness_x(&a, &b, lambda));
+        let (force, stiffness) = (weighted(&rows_x[..rows], lambda), self.stiffness_x(&a, &b, part, lambda));
         pull_back(c, own, &sides, &force, &stiffness, blocks);
     }
 
@@ -235,11 +248,12 @@ impl Joint {
             let convective = pose_q.convective(marker, c, &own);
             acceleration.fixed_columns_mut::<VECTORS>(start).copy_from(&(convective + second));
         }
-        let (rows_x, rows) = self.rows_x(&a, &b);
+        let part = self.gear_part(c, &a, &b);
+        let (rows_x, rows) = self.rows_x(&a, &b, part);
         for (row, phi_tt) in phi_tt.iter_mut().enumerate() {
             let mut unit = [0.0; MOST_CONDITIONS];
             unit[row] = 1.0;
-            let stiffness = self.stiffness_x(&a, &b, &unit[..rows]);
+            let stiffness = self.stiffness_x(&a, &b, part, &unit[..rows]);
             *phi_tt = stiffness.times(&rate).dot(&rate) + rows_x[row].dot(&acceleration) - self.prescribed(c).second;
         }
     }
@@ -258,7 +272,7 @@ impl Joint {
         let sides = self.sides(&carried);
         let moving = sides.map(|marker| marker.pose_t(c)[0].vectors());
         let [a, b] = sides.map(|side| side.pose(c));
-        let (gradients, rows) = self.rows_x(&a, &b);
+        let (gradients, rows) = self.rows_x(&a, &b, self.gear_part(c, &a, &b));
         for (phi_t, gradient) in phi_t.iter_mut().zip(&gradients[..rows]) {
             let by_frames: f64 = (0..2).map(|side| of_side(gradient, side).dot(&moving[side])).sum();
             *phi_t = by_frames - self.prescribed(c).first;
@@ -272,7 +286,7 @@ impl Joint {
         }
         let carried = self.carried(c);
         let [a, b] = self.sides(&carried).map(|side| side.pose(c));
-        let (rows_x, rows) = self.rows_x(&a, &b);
+        let (rows_x, rows) = self.rows_x(&a, &b, self.gear_part(c, &a, &b));
         weighted(&rows_x[..rows], lambda)
     }
 

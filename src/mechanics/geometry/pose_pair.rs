@@ -38,6 +38,11 @@ impl PairHessian {
         (self.vectors, self.weights) = (vectors, weights);
     }
 
+    /// Adds to the weights of the products of first derivatives that are set.
+    pub fn add_weights(&mut self, weights: [f64; 3]) {
+        self.weights.iter_mut().zip(weights).for_each(|(own, weight)| *own += weight);
+    }
+
     /// Whether there are products of first derivatives.
     pub fn has_products(&self) -> bool {
         self.weights != [0.0; 3]

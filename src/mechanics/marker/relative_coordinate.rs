@@ -157,6 +157,25 @@ impl Measure {
         }
     }
 
+    /// Adds `factor` times the product of its derivative with itself to what [`Self::add_hessian`] has added: the bend of a function of it.
+    pub fn add_square(self, a: &Pose, b: &Pose, factor: f64, sum: &mut PairHessian) {
+        if factor == 0.0 {
+            return;
+        }
+        match self {
+            Self::Angle(axis) => {
+                // Its derivative is a sum of those of cosine and sine, whose products are there.
+                let (sine, cosine) = turn(axis);
+                let (s, c) = (sine.value(a, b), cosine.value(a, b));
+                let over = factor / ((s * s + c * c) * (s * s + c * c));
+                sum.add_weights([s * s, -s * c, c * c].map(|weight| weight * over));
+            }
+            Self::Distance(_) | Self::Length | Self::Rotation(_) => {
+                sum.set_products([self.gradient(a, b), PairVector::zeros()], [factor, 0.0, 0.0]);
+            }
+        }
+    }
+
     /// Adds `factor` times its second derivative by the vectors of both poses.
     pub fn add_hessian(self, a: &Pose, b: &Pose, factor: f64, sum: &mut PairHessian) {
         match self {

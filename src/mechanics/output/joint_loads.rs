@@ -142,7 +142,8 @@ impl JointLoads<'_> {
 
     /// The number among the joints of a side of a gear.
     fn gear(&self, gear: usize, is_second: bool) -> usize {
-        let is_own = |joint: &Joint| joint.gear.is_some_and(|side| side.gear == gear && side.is_second == is_second);
+        let is_own =
+            |joint: &Joint| joint.gear.as_ref().is_some_and(|side| side.gear == gear && side.is_second == is_second);
         self.system.joints.iter().position(is_own).expect("every gear has both its sides")
     }
 

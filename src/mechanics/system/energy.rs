@@ -2,10 +2,20 @@
 
 use crate::math::Vec3;
 use crate::math::vectors::vec3;
+use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::geometry::pose::axis_place;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
+
+/// A part that has mass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A beam, by its number.
+    Beam(usize),
+    /// A body, by its number.
+    Body(usize),
+}
 
 impl System {
     /// Strain energy of beams and energy of springs, J.
@@ -33,6 +43,56 @@ impl System {
         let energy =
             self.bodies.iter().fold(beams, |sum, body| sum - body.mass * self.gravity.dot(&vec3(q, body.start)));
         if self.is_near() { energy } else { energy - self.mass * self.gravity.dot(&self.origin) }
+    }
+
+    /// Strain energy of a part, J: a body has none.
+    pub fn elastic_energy_of(&self, part: Part, c: &Configuration) -> f64 {
+        self.elements_of(part).iter().fold(0.0, |sum, element| sum + element.energy(&c.beams))
+    }
+
+    /// The share of a part in [`System::kinetic_energy`], J.
+    pub fn kinetic_energy_of(&self, part: Part, velocity: &[f64]) -> f64 {
+        let beam = self.elements_of(part).iter().fold(0.0, |sum, element| sum + element.mass_form(velocity));
+        let Part::Body(body) = part else { return 0.5 * beam };
+        let body = &self.bodies[body];
+        let own = velocity[body.start..body.start + BODY].iter().enumerate();
+        0.5 * own.fold(0.0, |sum, (local, velocity)| sum + body.inertia(local) * velocity * velocity)
+    }
+
+    /// The share of a part in [`System::gravity_energy`], J; zero at the origin.
+    pub fn gravity_energy_of(&self, part: Part, q: &[f64]) -> f64 {
+        let energy = match part {
+            Part::Beam(_) => {
+                self.elements_of(part).iter().fold(0.0, |sum, element| sum - element.weight_form(&self.gravity, q))
+            }
+            Part::Body(body) => {
+                let body = &self.bodies[body];
+                0.0 - body.mass * self.gravity.dot(&vec3(q, body.start))
+            }
+        };
+        if self.is_near() { energy } else { energy - self.mass_of(part) * self.gravity.dot(&self.origin) }
+    }
+
+    /// Mass of a part, kg.
+    fn mass_of(&self, part: Part) -> f64 {
+        match part {
+            Part::Body(body) => self.bodies[body].mass,
+            Part::Beam(beam) => {
+                // The work of a unit acceleration along x.
+                let mut forces = vec![0.0; self.coordinates()];
+                self.elements_of(part).iter().for_each(|element| element.add_weight(&Vec3::x(), 1.0, &mut forces));
+                let nodes = &self.mesh.nodes[self.beams[beam].node_range()];
+                nodes.iter().fold(0.0, |sum, node| sum + forces[node.coordinates().start])
+            }
+        }
+    }
+
+    /// The elements of a part.
+    fn elements_of(&self, part: Part) -> &[AnyElement] {
+        match part {
+            Part::Beam(beam) => &self.mesh.elements[self.beams[beam].element_range()],
+            Part::Body(_) => &[],
+        }
     }
 
     /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s): `Σ P_r`, `Σ r × P_r` and what nodes add by their

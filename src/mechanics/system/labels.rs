@@ -91,8 +91,21 @@ impl System {
         self.beams.iter().find(is_heated).map_or("", |beam| &beam.name)
     }
 
-    /// The first spring whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its last accepted value.
+    /// The first spring or gear whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its last accepted value.
     pub fn undefined_law(&self, c: &Configuration, rate: impl Fn(&RelativeCoordinate, f64) -> f64) -> Option<String> {
+        let of_springs = self.undefined_spring(c, rate);
+        of_springs.or_else(|| {
+            self.joints.iter().find_map(|joint| {
+                let side = joint.gear.as_ref().filter(|side| side.law.is_some())?;
+                let x = self.relative_coordinates[side.coordinate].value(c, side.previous(c));
+                (!side.part(x).is_finite())
+                    .then(|| format!("the law of {} or its derivative, at x = {x:.5},", joint.name))
+            })
+        })
+    }
+
+    /// The first spring whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its last accepted value.
+    fn undefined_spring(&self, c: &Configuration, rate: impl Fn(&RelativeCoordinate, f64) -> f64) -> Option<String> {
         self.springs.iter().filter(|spring| spring.law.is_some()).find_map(|spring| {
             let coordinate = &self.relative_coordinates[spring.coordinate];
             spring.undefined(coordinate, c, rate(coordinate, c.relative_values[spring.coordinate]))

@@ -4,7 +4,7 @@ mod breaks;
 pub mod builder;
 mod dampers;
 mod efforts;
-mod energy;
+pub mod energy;
 mod equations;
 mod finer;
 pub mod frame_cache;
@@ -199,7 +199,7 @@ impl System {
 
     /// The relative coordinate of the first side of a gear.
     pub fn gear_coordinate(&self, gear: usize) -> usize {
-        let mut sides = self.joints.iter().filter_map(|joint| joint.gear);
+        let mut sides = self.joints.iter().filter_map(|joint| joint.gear.as_ref());
         sides.find(|side| side.gear == gear).expect("every gear has both its sides").coordinate
     }
 

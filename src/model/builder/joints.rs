@@ -5,6 +5,7 @@ use super::{Builder, signal, vector};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::constraint::cylindrical;
 use crate::mechanics::constraint::driven::Driven;
+use crate::mechanics::constraint::gear::CamLaw;
 use crate::mechanics::constraint::inline;
 use crate::mechanics::constraint::inplane;
 use crate::mechanics::constraint::joint::{self, Held, Holding};
@@ -26,12 +27,16 @@ use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::joint_parts::JointParts;
 use crate::model::file::entries::actuator::{Action, ActuatorSpec};
 use crate::model::file::entries::drive::{DriveSpec, Motion};
-use crate::model::file::entries::gear::GearSpec;
+use crate::model::file::entries::gear::{GearSpec, Relation};
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
 use crate::model::file::entries::reading::Reading;
 use crate::model::file::entries::spring::SpringLaw;
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::Anchor;
+use std::sync::Arc;
+
+/// How far the law of a gear may be from 0 as drawn, rad or m: below the tolerance of the constraints, above the round-off of an expression.
+const AS_DRAWN: f64 = 1e-9;
 
 impl Builder<'_> {
     pub(super) fn add_joint(&mut self, written: &JointSpec) {
@@ -155,10 +160,27 @@ impl Builder<'_> {
 
     pub(super) fn add_gear(&mut self, written: &GearSpec) {
         let coordinates = written.sides.map(|(joint, coordinate)| self.coordinate(joint, coordinate));
-        let gear = self.system.add_gear(&written.name, coordinates, self.document.value(written.ratio));
+        let (ratio, law) = match written.relation {
+            Relation::Ratio(ratio) => (self.document.value(ratio), None),
+            Relation::Law(number) => (1.0, Some(self.cam_law(&written.name, number))),
+        };
+        let gear = self.system.add_gear(&written.name, coordinates, ratio, law);
         for ((joint, _), is_second) in written.sides.into_iter().zip([false, true]) {
             self.system.add_gear_of(joint, gear, is_second);
         }
+    }
+
+    /// The law of a gear, which must agree with the drawing.
+    fn cam_law(&mut self, name: &str, number: Number) -> CamLaw {
+        let function = self.document.function(number);
+        let drawn = function.value(0.0);
+        if drawn.is_nan() || drawn.abs() > AS_DRAWN {
+            let message = format!("the law of gear {name} is {drawn} at x = 0");
+            let label = "0 was expected: both coordinates are 0 as drawn";
+            let help = "subtract that value from the law, or draw the mechanism where the law is 0";
+            self.mistakes.push(self.document.diagnostic(self.document.place(number), &message, label, help));
+        }
+        CamLaw(Arc::new(move |x| function.jet(x)))
     }
 
     /// The distance between two points that must be apart, as a relative coordinate with its value as drawn, m.

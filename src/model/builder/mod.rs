@@ -211,7 +211,9 @@ impl Builder<'_> {
             | output::Target::Spring(_)
             | output::Target::Friction(_)
             | output::Target::Stop(_)
-            | output::Target::Lock(_) => {}
+            | output::Target::Lock(_)
+            | output::Target::Beam(_)
+            | output::Target::Body(_) => {}
         }
         if let Some(marker) = observer {
             (first..self.system.sensors()).for_each(|sensor| self.system.observe(sensor, marker));

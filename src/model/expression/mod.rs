@@ -30,6 +30,8 @@ pub enum Variable {
     Control,
     /// `x`, the elongation of a spring, with its rate `v` as a second variable.
     Elongation,
+    /// `x`, the coordinate that a gear with a law follows.
+    Followed,
 }
 
 impl Variable {
@@ -39,7 +41,7 @@ impl Variable {
             Self::None => "",
             Self::Time | Self::Control => "t",
             Self::Curve => "s",
-            Self::Elongation => "x",
+            Self::Elongation | Self::Followed => "x",
         }
     }
 

@@ -412,7 +412,7 @@ impl Parser<'_> {
         let range = start..self.at;
         self.skip_space();
         let Some(lookup) = self.scope.reading else {
-            let label = "coordinates of joints are known in the effort of an actuator only; a [gear] ties two of them";
+            let label = "coordinates of joints are known in the effort of an actuator only; a [gear] ties two of them, by a ratio or a law";
             return Err(error(format!("`{name}.{key}` is not known here"), label, range));
         };
         let number = lookup(name, key).map_err(|[message, label]| error(message, label, range))?;

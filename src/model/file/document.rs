@@ -327,11 +327,12 @@ impl Document {
 
     /// Where something is written, for messages: `m.toml, line 7`, or the override.
     pub fn origin(&self, place: Place) -> String {
-        let told = self.source.told(place);
-        match told.source.file_name(told.place.source) {
-            Some(file_name) => format!("{file_name}, line {}", self.source.line(place)),
-            None => String::from("--set"),
-        }
+        self.source.line_of(place)
+    }
+
+    /// What is probably a mistake in copies and includes, which the text no longer has.
+    pub fn remarks(&self) -> &[String] {
+        self.source.remarks()
     }
 
     /// Where the text of something comes from: copies of one text have one origin.
@@ -481,9 +482,8 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
         } else if is_reserved(kind, name) {
             report.error(thing.key_place, &format!("the name `{name}` is reserved"), "another name was expected", "");
         } else if let Some(first) = names.clash(kind, name) {
-            let line = report.source.line(first.place);
             let message = format!("the name `{name}` is used twice");
-            let label = format!("line {line} has a {} of this name", first.kind.word());
+            let label = format!("line {} has a {} of this name", report.source.line(first.place), first.kind.word());
             report.error(thing.key_place, &message, &label, SHARED);
             names.unclear.push(name.clone());
         }

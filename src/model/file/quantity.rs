@@ -57,8 +57,14 @@ pub enum Quantity {
     Power,
     /// Tension of a spring.
     Force,
-    /// Elastic energy of a spring or a stop.
+    /// Elastic energy of a spring, of a stop, or of the springs of a joint.
     Energy,
+    /// Kinetic energy of a whole beam or body.
+    KineticEnergy,
+    /// Strain energy of a whole beam.
+    ElasticEnergy,
+    /// Potential energy of gravity of a whole beam or body.
+    GravityEnergy,
 }
 
 /// What an output looks at.
@@ -88,6 +94,10 @@ pub enum Site {
     Stop,
     /// A lock.
     Lock,
+    /// A whole beam, without its points.
+    WholeBeam,
+    /// A whole body, without its motion.
+    WholeBody,
 }
 
 impl Site {
@@ -106,6 +116,8 @@ impl Site {
             Self::Friction => "a [friction]",
             Self::Stop => "a stop",
             Self::Lock => "a lock",
+            Self::WholeBeam => "a whole beam (of = \"BEAM\")",
+            Self::WholeBody => "a whole body (of = \"BODY\")",
         }
     }
 }
@@ -150,10 +162,12 @@ const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Spring, Si
 const EFFORT: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Gear, Site::Friction, Site::Stop, Site::Lock]);
 const POWER: At = At(&[Site::Drive, Site::Actuator, Site::Gear, Site::Spring, Site::Friction, Site::Stop]);
 const SPRING: At = At(&[Site::Spring]);
-const STORE: At = At(&[Site::Spring, Site::Stop]);
+const STORE: At = At(&[Site::Spring, Site::Stop, Site::Joint]);
+const MASS: At = At(&[Site::WholeBeam, Site::WholeBody]);
+const WHOLE_BEAM: At = At(&[Site::WholeBeam]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 28] = [
+pub const QUANTITIES: [Row; 31] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -248,6 +262,15 @@ pub const QUANTITIES: [Row; 28] = [
     POWER.row(Quantity::Power, "power", 1, "W", "power of the drive or actuator: its effort times the rate of its coordinate"),
     SPRING.row(Quantity::Force, "force", 1, "N", "force or torque of the spring, positive where it pulls its sides together"),
     STORE.row(Quantity::Energy, "energy", 1, "J", "elastic energy of the spring or stop"),
+    MASS.row(Quantity::KineticEnergy, "kinetic_energy", 1, "J", "kinetic energy of the whole part"),
+    WHOLE_BEAM.row(Quantity::ElasticEnergy, "elastic_energy", 1, "J", "strain energy of the whole beam"),
+    MASS.row(
+        Quantity::GravityEnergy,
+        "gravity_energy",
+        1,
+        "J",
+        "potential energy of gravity of the whole part, zero at the origin",
+    ),
 ];
 
 impl Quantity {
@@ -307,6 +330,10 @@ mod tests {
         for row in &QUANTITIES {
             assert_eq!(row.quantity.row(), row);
         }
-        assert_eq!(Quantity::Energy as usize, QUANTITIES.len() - 1, "the last of the enum is the last of the table");
+        assert_eq!(
+            Quantity::GravityEnergy as usize,
+            QUANTITIES.len() - 1,
+            "the last of the enum is the last of the table"
+        );
     }
 }

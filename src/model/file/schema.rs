@@ -72,6 +72,11 @@ impl Rule {
         self
     }
 
+    const fn over_coordinate(mut self) -> Self {
+        self.variable = Variable::Followed;
+        self
+    }
+
     const fn along_beam(mut self) -> Self {
         self.variable = Variable::Curve;
         self
@@ -214,6 +219,9 @@ pub const SPRING_TORQUE: Rule =
 pub const RATIO: Rule = rule("ratio", "coordinate of joint a over that of joint b", "");
 pub const RATIO_ANGLE_DISTANCE: Rule = rule("ratio", "angle of joint a over the distance of joint b", "rad/m");
 pub const RATIO_DISTANCE_ANGLE: Rule = rule("ratio", "distance of joint a over the angle of joint b", "m/rad");
+pub const LAW_OF_ANGLE: Rule = rule("law", "angle of joint a, by the coordinate x of joint b", "rad").over_coordinate();
+pub const LAW_OF_DISTANCE: Rule =
+    rule("law", "distance of joint a, by the coordinate x of joint b", "m").over_coordinate();
 
 pub const COULOMB_TORQUE: Rule = rule("coulomb", "torque of dry friction", "N.m").from(0.0).tunable();
 pub const COULOMB_FORCE: Rule = rule("coulomb", "force of dry friction", "N").from(0.0).tunable();

@@ -8,6 +8,7 @@ use super::tables::{COPY, INCLUDE, PARAMETERS, names_of};
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::{Kind, SECTIONS, is_legal, is_reserved, suggestion};
 use crate::model::text::tree::{Entry, Item, Node};
+use std::f64::consts::TAU;
 
 /// The keys of a copy besides its sections.
 const KEYS: [&str; 5] = ["count", "over", "index", "turn", "move"];
@@ -21,6 +22,9 @@ const MOST: f64 = 10_000.0;
 const DEEPEST: usize = 20;
 /// The name of the index where the file does not say one.
 const INDEX: &str = "k";
+
+/// Relative round-off of an angle that an expression gives.
+const ROUND_OFF: f64 = 1e-9;
 
 /// What differs from copy to copy besides the index: a name and a text for each.
 type Row = Vec<(String, String)>;
@@ -40,6 +44,7 @@ impl Flattener<'_> {
         let Some(index) = self.index(outer, body) else { return };
         let Some(rows) = self.rows(outer, copy, body, &index) else { return };
         let mut first = None;
+        let (count, mut before) = (rows.len(), None);
         for (number, row) in rows.into_iter().enumerate() {
             // Copies without parts count too: they take time.
             if !self.spend(0, 1, copy.key_place) {
@@ -61,7 +66,11 @@ impl Flattener<'_> {
                 note,
                 depth: outer.depth + 1,
             };
-            let Some(own) = self.motion(&scope, body) else { return };
+            let Some((own, angle)) = self.motion(&scope, body, Some(even_share(number, count))) else { return };
+            if let (Some(angle), Some(before)) = (angle, before) {
+                self.suspect(body, &title, angle - before, count);
+            }
+            before = angle;
             if number == 0 {
                 first = Some(own.clone());
             } else if number == 1 && own != Motion::none() && first.as_ref() == Some(&own) {
@@ -116,7 +125,10 @@ impl Flattener<'_> {
             let place = named.map_or(include.key_place, |entry| entry.item.place);
             self.error(outer, place, &message, "", "the first line of every model file is: format = 1");
         }
-        let Some(own) = self.motion(outer, keys) else { return };
+        let Some((own, angle)) = self.motion(outer, keys, None) else { return };
+        if let Some(angle) = angle {
+            self.suspect(keys, &title, angle, 1);
+        }
         let name = outer.flat_name(&include.key);
         let note = self.note(outer, &format!("included as {name}"));
         self.fill(&Scope {
@@ -281,9 +293,10 @@ impl Flattener<'_> {
         Some(rows)
     }
 
-    /// The motion by `turn` and `move`; none: a mistake, which is reported.
-    fn motion(&mut self, scope: &Scope<'_>, keys: &[Entry]) -> Option<Motion> {
-        let mut motion = Motion::none();
+    /// The motion by `turn` and `move`, and the angle of the turn, rad, where it is known; none: a mistake, which is reported. A turn without an angle is by
+    /// `share`.
+    fn motion(&mut self, scope: &Scope<'_>, keys: &[Entry], share: Option<f64>) -> Option<(Motion, Option<f64>)> {
+        let (mut motion, mut known) = (Motion::none(), None);
         if let Some(turn) = keys.iter().find(|entry| entry.key == "turn") {
             let Some(entries) = entries_of(&turn.item) else {
                 let message = format!("`turn` is {}", turn.item.node.describe());
@@ -295,9 +308,12 @@ impl Flattener<'_> {
                 return None;
             }
             let key = |key: &str| entries.iter().find(|entry| entry.key == key).map(|entry| &entry.item);
-            let (Some(axis), Some(angle)) = (key("axis"), key("angle")) else {
-                let label = "`axis` and `angle` were expected";
-                self.error(scope, turn.key_place, "`turn` needs an axis and an angle", label, "");
+            let (Some(axis), true) = (key("axis"), share.is_some() || key("angle").is_some()) else {
+                let (message, label) = match share {
+                    Some(_) => ("`turn` needs an axis", "`axis` was expected"),
+                    None => ("`turn` needs an axis and an angle", "`axis` and `angle` were expected"),
+                };
+                self.error(scope, turn.key_place, message, label, "");
                 return None;
             };
             let place = axis.place;
@@ -306,10 +322,20 @@ impl Flattener<'_> {
                 self.error(scope, place, "the axis of a turn depends on parameters", "numbers were expected", "");
                 return None;
             };
-            let Some(angle) = Scalar::of(&self.numbers(scope, angle)) else {
-                let message = format!("`angle` is {}", angle.node.describe());
-                self.error(scope, angle.place, &message, "a number, or an expression in quotes, was expected", "");
-                return None;
+            let angle = match key("angle") {
+                None => Scalar::Number(share.unwrap_or_default()),
+                Some(written) => {
+                    let Some(angle) = Scalar::of(&self.numbers(scope, written)) else {
+                        let message = format!("`angle` is {}", written.node.describe());
+                        let label = "a number, or an expression in quotes, was expected";
+                        self.error(scope, written.place, &message, label, "");
+                        return None;
+                    };
+                    if let Scalar::Number(angle) = angle {
+                        known = Some(angle);
+                    }
+                    angle
+                }
             };
             let center = match key("center") {
                 Some(center) => self.vector(scope, center)?,
@@ -324,7 +350,30 @@ impl Flattener<'_> {
         if let Some(shift) = keys.iter().find(|entry| entry.key == "move") {
             motion = Motion::shifted(self.vector(scope, &shift.item)?).after(&motion);
         }
-        Some(motion)
+        Some((motion, known))
+    }
+
+    /// Remarks that an angle, of an include or from each of `count` copies to the next, is one in degrees: it is more than a whole turn, or `count` of it are
+    /// 360.
+    fn suspect(&mut self, keys: &[Entry], title: &str, angle: f64, count: usize) {
+        let angle = angle.abs();
+        let is_share = count > 1 && (angle * count as f64 - 360.0).abs() <= ROUND_OFF * 360.0;
+        if angle <= TAU * (1.0 + ROUND_OFF) && !is_share {
+            return;
+        }
+        let Some(turn) = keys.iter().find(|entry| entry.key == "turn") else { return };
+        // Of an expression with an index, 60 may be 59.99999999999999.
+        let round = angle.round();
+        let shown = if (angle - round).abs() <= ROUND_OFF * angle { round } else { angle };
+        let (what, remedy) = match count {
+            1 => ("turns", ""),
+            _ => ("turns from copy to copy", "; without `angle`, the copies are spread evenly over a whole turn"),
+        };
+        let text = format!(
+            "{title} {what} by {shown} rad, {:.1} turns. Angles are in radians: {shown} degrees are \"{shown}*pi/180\"{remedy}",
+            angle / TAU
+        );
+        self.remark(turn.key_place, text);
     }
 
     fn vector(&mut self, scope: &Scope<'_>, item: &Item) -> Option<[Scalar; 3]> {
@@ -339,4 +388,9 @@ impl Flattener<'_> {
         self.error(scope, item.place, &message, "a list of 3 numbers was expected", "");
         None
     }
+}
+
+/// The angle of copy `number`, from 0, of `count` copies that are spread evenly over a whole turn, rad.
+fn even_share(number: usize, count: usize) -> f64 {
+    TAU * number as f64 / count as f64
 }

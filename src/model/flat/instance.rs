@@ -36,6 +36,8 @@ pub(super) struct Flattener<'a> {
     /// The parameters that decide what there is, with their values: as an earlier pass found them, and as this one does.
     pub known: BTreeMap<String, f64>,
     pub decisive: BTreeMap<String, f64>,
+    /// What is legal and probably a mistake, and where it is written.
+    pub remarks: Vec<(Place, String)>,
     values: Vec<Entry>,
     sections: Vec<Section>,
     parts: usize,
@@ -52,6 +54,7 @@ impl<'a> Flattener<'a> {
             notes: vec![String::new()],
             known,
             decisive: BTreeMap::new(),
+            remarks: Vec::new(),
             values: Vec::new(),
             sections: Vec::new(),
             parts: 0,
@@ -72,6 +75,13 @@ impl<'a> Flattener<'a> {
             let note = &self.notes[scope.note];
             let message = if note.is_empty() { message.to_owned() } else { format!("{message}, {note}") };
             self.report.error(place, &message, label, help);
+        }
+    }
+
+    /// Remarks something, once at each place.
+    pub fn remark(&mut self, place: Place, text: String) {
+        if self.remarks.iter().all(|(told, _)| *told != place) {
+            self.remarks.push((place, text));
         }
     }
 

@@ -65,7 +65,7 @@ pub fn flat(
             continue;
         }
         let (text, spans) = flattener.print(&source);
-        let Flattener { mut report, notes, .. } = flattener;
+        let Flattener { mut report, notes, remarks, .. } = flattener;
         if report.is_empty() && text.len() > LARGEST {
             let message = format!("the model without copies and includes has {} MB", text.len() >> 20);
             let label = format!("the limit is {} MB", LARGEST >> 20);
@@ -74,7 +74,9 @@ pub fn flat(
         if !report.is_empty() {
             return Err(report.finish());
         }
-        return Ok(source.resolved(&text, spans, notes, applied));
+        let told = |(place, text): &(_, String)| format!("{}: {text}", source.line_of(*place));
+        let remarks = remarks.iter().map(told).collect();
+        return Ok(source.resolved(&text, spans, notes, applied).with_remarks(remarks));
     }
 }
 

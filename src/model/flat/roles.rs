@@ -26,7 +26,7 @@ pub(super) enum Role {
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 107] = [
+const ROLES: [(&str, &str, Role); 109] = [
     ("function", "argument", Role::Word),
     ("function", "table", Role::Number),
     ("function", "file", Role::Word),
@@ -88,6 +88,7 @@ const ROLES: [(&str, &str, Role); 107] = [
     ("gear", "a_coordinate", Role::Word),
     ("gear", "b_coordinate", Role::Word),
     ("gear", "ratio", Role::Number),
+    ("gear", "law", Role::Number),
     ("spring", "force", Role::Number),
     ("spring", "rest", Role::Number),
     ("spring", "only", Role::Word),
@@ -100,6 +101,7 @@ const ROLES: [(&str, &str, Role); 107] = [
     ("load", "moment", Role::Direction),
     ("load", "follower", Role::Word),
     ("output", "in", Role::Part),
+    ("output", "of", Role::Part),
     ("output", "quantities", Role::Word),
     ("material", "mass_damping", Role::Number),
     ("material", "damping_ratios", Role::Number),

@@ -167,6 +167,8 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
         | output::Target::Friction(_)
         | output::Target::Stop(_)
         | output::Target::Lock(_)
+        | output::Target::Beam(_)
+        | output::Target::Body(_)
         | output::Target::On { .. } => None,
     });
     let observers = document.outputs.iter().filter_map(|output| {

@@ -7,4 +7,5 @@ pub mod levels;
 pub mod rows;
 pub(super) mod scale;
 pub mod simulation;
+pub mod step_length;
 pub mod watch;

@@ -408,6 +408,8 @@ impl Model for Simulation {
         };
         self.warnings.extend(self.least_accurate().and_then(|worst| worst.warning(setting)));
         self.find_mesh_errors();
+        let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
+        self.warnings.extend(Watch::conclude(&self.runner.system, [begin, end]));
     }
 
     fn take_warnings(&mut self) -> Vec<String> {

@@ -4,6 +4,7 @@ mod alternation;
 mod ends;
 mod mesh;
 mod stops;
+mod switches;
 
 use self::alternation::AlternationWatch;
 use self::ends::EndWatch;
@@ -68,6 +69,11 @@ impl Watch {
         let stops = self.stops.look(system, state);
         let all = twist.into_iter().chain(axial).chain(mesh).chain(ends).chain(alternation).chain(stops);
         all.chain(self.energy(state)).collect()
+    }
+
+    /// What the user should know at the end of a run over `span`, s.
+    pub fn conclude(system: &System, span: [f64; 2]) -> Vec<String> {
+        switches::idle(system, span)
     }
 
     /// Strain energy of the last state that was looked at, J; 0: none was.

@@ -100,13 +100,13 @@ const KEYS: [(&str, &[&str]); 17] = [
     ),
     ("drive", &["joint", "coordinate", "value", "rate", "active", "input"]),
     ("actuator", &["joint", "coordinate", "a", "b", "effort", "input"]),
-    ("gear", &["a", "a_coordinate", "b", "b_coordinate", "ratio"]),
+    ("gear", &["a", "a_coordinate", "b", "b_coordinate", "ratio", "law"]),
     ("spring", &["a", "b", "joint", "coordinate", "stiffness", "damping", "length", "rest", "only", "force"]),
     ("friction", &["joint", "coordinate", "coulomb", "viscous", "speed"]),
     ("stop", &["joint", "coordinate", "lower", "upper", "stiffness", "damping"]),
     ("lock", &["joint", "coordinate", "active", "input"]),
     ("load", &["at", "on", "force", "moment", "follower", "input"]),
-    ("output", &["at", "on", "stations", "in", "quantities"]),
+    ("output", &["at", "on", "of", "stations", "in", "quantities"]),
 ];
 
 /// The keys of a section.

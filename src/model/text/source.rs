@@ -33,6 +33,8 @@ pub struct Source {
     texts: Vec<String>,
     /// The names of the included files: their texts are the last ones.
     included: Vec<String>,
+    /// What is probably a mistake in how it was resolved, each with file and line.
+    remarks: Vec<String>,
     /// What the text of the file was resolved from; none: it is as written.
     origin: Option<Arc<Origin>>,
 }
@@ -78,7 +80,7 @@ impl Source {
     pub fn new(file_name: &str, text: &str, overrides: &[(String, String)]) -> Self {
         let quoted = overrides.iter().map(|(key, value)| format!("{OVERRIDE}{key}={value}"));
         let texts = std::iter::once(text.to_owned()).chain(quoted).collect();
-        Self { file_name: file_name.to_owned(), texts, included: Vec::new(), origin: None }
+        Self { file_name: file_name.to_owned(), texts, included: Vec::new(), remarks: Vec::new(), origin: None }
     }
 
     /// Adds an included file; returns its number.
@@ -96,7 +98,18 @@ impl Source {
         texts.truncate(texts.len() - self.included.len());
         let file_name = self.file_name.clone();
         let origin = Some(Arc::new(Origin { source: self, spans, notes, applied }));
-        Self { file_name, texts, included: Vec::new(), origin }
+        Self { file_name, texts, included: Vec::new(), remarks: Vec::new(), origin }
+    }
+
+    /// The same with these remarks.
+    #[must_use]
+    pub fn with_remarks(self, remarks: Vec<String>) -> Self {
+        Self { remarks, ..self }
+    }
+
+    /// What is probably a mistake in how it was resolved, each with file and line.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     /// Text number `source`.
@@ -160,6 +173,15 @@ impl Source {
         let told = self.told(place);
         let text = told.source.text(told.place.source);
         text.get(..told.place.start).map_or(1, |before| before.matches('\n').count() + 1)
+    }
+
+    /// Where something is written, for messages: `m.toml, line 7`, or the override.
+    pub fn line_of(&self, place: Place) -> String {
+        let told = self.told(place);
+        match told.source.file_name(told.place.source) {
+            Some(file_name) => format!("{file_name}, line {}", self.line(place)),
+            None => String::from("--set"),
+        }
     }
 
     /// The place of a part of a string value: `range` counts in the decoded string. The whole value where that cannot be said.

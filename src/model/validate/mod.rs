@@ -17,7 +17,7 @@ use super::file::entries::actuator::Action;
 use super::file::entries::beam::BeamSpec;
 use super::file::entries::body::{BodySpec, Inertia};
 use super::file::entries::curve::Line;
-use super::file::entries::gear::GearSpec;
+use super::file::entries::gear::{GearSpec, Relation};
 use super::file::entries::joint::JointSpec;
 use super::file::entries::material::Lateral;
 use super::file::entries::stop::StopSpec;
@@ -126,6 +126,8 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         | output::Target::Friction(_)
         | output::Target::Stop(_)
         | output::Target::Lock(_)
+        | output::Target::Beam(_)
+        | output::Target::Body(_)
         | output::Target::On { .. } => None,
     });
     let observers = document.outputs.iter().filter_map(|output| Some(&output.observer.as_ref()?.anchor));
@@ -273,10 +275,11 @@ impl Checker<'_> {
 
     /// The ratio of a gear, which must not be 0.
     fn check_ratio(&mut self, gear: &GearSpec) {
-        if self.document.value(gear.ratio) == 0.0 {
+        let Relation::Ratio(ratio) = gear.relation else { return };
+        if self.document.value(ratio) == 0.0 {
             let message = format!("the ratio of gear {} is 0", gear.name);
             let help = "to hold a joint, use a drive with value = 0";
-            self.mistake(self.document.place(gear.ratio), &message, "joint a would not move at all", help);
+            self.mistake(self.document.place(ratio), &message, "joint a would not move at all", help);
         }
     }
 

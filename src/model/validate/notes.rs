@@ -1,7 +1,8 @@
 //! Legal models that are hardly ever meant: parts that nothing holds, materials in other units than SI, stubby beams, angles in degrees, motions that
-//! begin with a blow, loads with a pole, steps almost as long as the motion, forces that do not do what they should, copies in one place.
+//! begin with a blow, loads with a pole, steps almost as long as the motion or as an oscillation of what acts, forces that do not do what they should, copies in one place.
 
 mod angles;
+mod fast_signals;
 mod forces;
 mod groups;
 mod hidden_jumps;
@@ -55,6 +56,7 @@ pub fn notes(document: &Document) -> Vec<String> {
         forces::violated_stops(document),
         forces::stacked_copies(document),
         long_step(document).into_iter().collect(),
+        fast_signals::fast_signals(document),
     ];
     let mut notes = Vec::new();
     for kind in kinds {
@@ -66,7 +68,8 @@ pub fn notes(document: &Document) -> Vec<String> {
             is_new
         }));
     }
-    notes.iter().map(|note| format!("{}: {}", document.origin(note.place), note.text)).collect()
+    let notes = notes.iter().map(|note| format!("{}: {}", document.origin(note.place), note.text));
+    document.remarks().iter().cloned().chain(notes).collect()
 }
 
 /// `beam a, beam b and 3 more`.

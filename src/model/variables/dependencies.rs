@@ -87,7 +87,7 @@ impl Givens {
             _ if !self.as_drawn => Found::All,
             (quantity, _) if quantity.is_acceleration() => Found::All,
             (ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => Found::All,
-            (Velocity | AngularVelocity | AngleRate | DistanceRate | Force, _) => Found::Motion,
+            (Velocity | AngularVelocity | AngleRate | DistanceRate | Force | KineticEnergy, _) => Found::Motion,
             _ => Found::Drawing,
         }
     }

@@ -2,8 +2,10 @@
 
 mod dependencies;
 pub mod inputs;
+mod measure;
 mod reading;
 mod table;
 
+pub use measure::{Measure, is_of_account};
 pub use reading::Moment;
-pub use table::{Measure, Source, Table, is_of_account};
+pub use table::{Source, Table};

@@ -6,6 +6,7 @@ use crate::mechanics::force::spring::Spring;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::energy::Part;
 use crate::model::file::quantity::Quantity;
 use crate::solve::step::response::Response;
 
@@ -65,7 +66,10 @@ pub(super) fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configurati
         | Quantity::Effort
         | Quantity::Power
         | Quantity::Force
-        | Quantity::Energy => unreachable!("the file is refused: these belong to joints, forces, drives and frames"),
+        | Quantity::Energy
+        | Quantity::KineticEnergy
+        | Quantity::ElasticEnergy
+        | Quantity::GravityEnergy => unreachable!("the file is refused: these belong to whole parts"),
     }
 }
 
@@ -94,6 +98,16 @@ pub(super) fn of_spring(spring: &Spring, quantity: Quantity, moment: &Moment, c:
         Quantity::Energy => spring.energy(coordinate, c),
         Quantity::Power => spring.dissipation(coordinate, c, &state.velocity),
         _ => coordinate_of(spring.coordinate, quantity, moment, c),
+    }
+}
+
+/// An energy of a beam or a body, J.
+pub(super) fn of_part(part: Part, quantity: Quantity, moment: &Moment, c: &Configuration) -> f64 {
+    let Moment { system, state, .. } = moment;
+    match quantity {
+        Quantity::KineticEnergy => system.kinetic_energy_of(part, &state.velocity),
+        Quantity::GravityEnergy => system.gravity_energy_of(part, &state.q),
+        _ => system.elastic_energy_of(part, c),
     }
 }
 

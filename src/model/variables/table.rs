@@ -3,7 +3,8 @@
 
 use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
-use super::reading::{Moment, coordinate_of, of_effort, of_spring, push_point, push_wrench};
+use super::measure::{ACCOUNT, Measure};
+use super::reading::{Moment, coordinate_of, of_effort, of_part, of_spring, push_point, push_wrench};
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
@@ -11,6 +12,7 @@ use crate::mechanics::beam::resultants::Fiber;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::energy_account::EnergyAccount;
+use crate::mechanics::system::energy::Part;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
 use crate::model::file::entries::output::{OutputSpec, Target};
@@ -31,77 +33,8 @@ pub enum Source {
     Result(usize),
 }
 
-/// What the results are made of, in their order.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Measure {
-    /// A quantity at sensors: one of a point, several of a whole beam.
-    Sensors(Range<usize>, Quantity),
-    /// What a moving frame must supply, by its number.
-    Frame(usize, Quantity),
-    /// A quantity of a joint, by its place in the file.
-    Joint(usize, Quantity),
-    /// A quantity of a drive, by its place in the file.
-    Drive(usize, Quantity),
-    /// A quantity of an actuator, by its place in the file.
-    Actuator(usize, Quantity),
-    /// A quantity of a gear, by its place in the file.
-    Gear(usize, Quantity),
-    /// A quantity of a lock, by its place in the file.
-    Lock(usize, Quantity),
-    /// A quantity of a spring, friction or a stop, by its place in the system: they are built in the order of the file, one kind after the other.
-    Spring(usize, Quantity),
-    /// Kinetic, elastic, gravity and total energy.
-    Energy,
-    /// Work of loads, actuators and drives, and energy that dampers and the integrator take.
-    Account,
-    /// Linear and angular momentum.
-    Momentum,
-    /// Parameter of a path of equilibria, and motions that release energy.
-    Path,
-    /// Steps, iterations, rejected steps.
-    Statistics,
-}
-
-/// The results of an account of energy.
-const ACCOUNT: [(&str, &str); 5] = [
-    ("work.loads", "Work of loads since the start"),
-    ("work.actuators", "Work of actuators since the start"),
-    ("work.drives", "Work of drives and moving frames since the start"),
-    (
-        "work.dissipated",
-        "Energy that dampers, friction, stops, engaging locks and material damping have taken since the start",
-    ),
-    ("work.drift", "Energy that the integrator has added since the start; it has taken what is negative"),
-];
-
 /// The result that counts motions along a path.
 const UNSTABLE_MOTIONS: &str = "path.unstable_motions";
-
-/// Whether a result of this name is one of the account of energy.
-pub fn is_of_account(name: &str) -> bool {
-    ACCOUNT.iter().any(|(own, _)| *own == name)
-}
-
-impl Measure {
-    /// Number of its results.
-    fn results(&self) -> usize {
-        match self {
-            Self::Sensors(sensors, quantity) => sensors.len() * quantity.row().components,
-            Self::Frame(_, quantity)
-            | Self::Joint(_, quantity)
-            | Self::Drive(_, quantity)
-            | Self::Actuator(_, quantity)
-            | Self::Gear(_, quantity)
-            | Self::Lock(_, quantity)
-            | Self::Spring(_, quantity) => quantity.row().components,
-            Self::Energy => 4,
-            Self::Account => ACCOUNT.len(),
-            Self::Momentum => 6,
-            Self::Path => 2,
-            Self::Statistics => 3,
-        }
-    }
-}
 
 /// The variable table, and where each row's value comes from.
 #[derive(Clone, Debug)]
@@ -116,6 +49,8 @@ pub struct Table {
     pub results: Vec<(String, String)>,
     /// The measures of forces and moments that a moving observer sees, by their places in the list, with the sensor that the observer looks at.
     seen: Vec<(usize, usize)>,
+    /// The first spring of the system that belongs to a joint: those before it are the springs, friction and stops of the file.
+    first_of_joints: usize,
 }
 
 impl Table {
@@ -127,6 +62,7 @@ impl Table {
             measures: Vec::new(),
             results: Vec::new(),
             seen: Vec::new(),
+            first_of_joints: document.springs.len() + document.frictions.len() + document.stops.len(),
         };
         let inputs = Inputs::new(document);
         for (index, parameter) in document.parameters().iter().enumerate() {
@@ -226,6 +162,8 @@ impl Table {
             Target::Stop(number) => {
                 Measure::Spring(document.springs.len() + document.frictions.len() + number, quantity)
             }
+            Target::Beam(beam) => Measure::Beam(beam, quantity),
+            Target::Body(body) => Measure::Body(body, quantity),
             Target::On { stations, .. } => {
                 for station in 1..=stations {
                     for component in 1..=row.components {
@@ -265,6 +203,7 @@ impl Table {
             }
             // An effort is given, and a spring follows from positions and velocities.
             Measure::Actuator(_, quantity) | Measure::Spring(_, quantity) => quantity.is_acceleration(),
+            Measure::Beam(..) | Measure::Body(..) => false,
             Measure::Energy | Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => false,
         })
     }
@@ -277,7 +216,7 @@ impl Table {
             | Measure::Drive(_, quantity)
             | Measure::Actuator(_, quantity)
             | Measure::Lock(_, quantity) => quantity.is_coordinate(),
-            Measure::Energy => true,
+            Measure::Beam(..) | Measure::Body(..) | Measure::Energy => true,
             Measure::Frame(..)
             | Measure::Gear(..)
             | Measure::Account
@@ -297,6 +236,8 @@ impl Table {
             | Measure::Gear(_, quantity)
             | Measure::Lock(_, quantity)
             | Measure::Spring(_, quantity)
+            | Measure::Beam(_, quantity)
+            | Measure::Body(_, quantity)
             | Measure::Frame(_, quantity) => Some(*quantity),
             Measure::Energy | Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => None,
         }
@@ -397,6 +338,13 @@ impl Table {
                         quantity if quantity.is_transmitted() => {
                             push_wrench(values, loads.reaction(parts), *quantity);
                         }
+                        Quantity::Energy => {
+                            let own = parts.springs.iter().filter(|spring| **spring >= self.first_of_joints);
+                            let own = own.map(|spring| &system.springs[*spring]);
+                            let energies = own.map(|spring| of_spring(spring, *quantity, moment, &configuration));
+                            // From +0: of no spring 0, not -0.
+                            values.push(energies.fold(0.0, |sum, energy| sum + energy));
+                        }
                         Quantity::Effort => {
                             let drives = parts.drives.iter().map(|drive| loads.effort(*drive));
                             let actuators = parts.actuators.iter().map(|actuator| loads.actuator_effort(*actuator));
@@ -434,6 +382,12 @@ impl Table {
                 }
                 Measure::Spring(number, quantity) => {
                     values.push(of_spring(&system.springs[*number], *quantity, moment, &configuration));
+                }
+                Measure::Beam(beam, quantity) => {
+                    values.push(of_part(Part::Beam(*beam), *quantity, moment, &configuration))
+                }
+                Measure::Body(body, quantity) => {
+                    values.push(of_part(Part::Body(*body), *quantity, moment, &configuration))
                 }
                 Measure::Energy => {
                     let parts = [

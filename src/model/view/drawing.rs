@@ -223,8 +223,11 @@ impl Drawing {
                 output::Target::Friction(number) => document.frictions.get(number).and_then(|own| acting(own.action)),
                 output::Target::Stop(number) => document.stops.get(number).and_then(|own| acting(own.action)),
                 output::Target::Lock(number) => document.locks.get(number).and_then(|own| joint(own.joint)),
+                output::Target::Body(number) => document.bodies.get(number).map(|body| document.vector(body.position)),
                 // The whole beam: its name stands at the middle.
-                output::Target::On { beam, .. } => lines.line(beam).map(|line| line.place(0.5).into()),
+                output::Target::On { beam, .. } | output::Target::Beam(beam) => {
+                    lines.line(beam).map(|line| line.place(0.5).into())
+                }
             };
             drawing.marks.extend(at.map(|at| Mark { name: output.name.clone(), kind: MarkKind::Output, at }));
         }

@@ -4,9 +4,10 @@
 use crate::random::Random;
 use crate::support::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};
 use crate::support::oracle::{self, Scalar};
+use ancf14::math::jet::Jet;
 use ancf14::mechanics::constraint::cylindrical;
 use ancf14::mechanics::constraint::driven::Driven;
-use ancf14::mechanics::constraint::gear::GearSide;
+use ancf14::mechanics::constraint::gear::{CamLaw, GearSide};
 use ancf14::mechanics::constraint::inline;
 use ancf14::mechanics::constraint::inplane;
 use ancf14::mechanics::constraint::joint::{Joint, JointGradient};
@@ -20,6 +21,7 @@ use ancf14::mechanics::constraint::weld;
 use ancf14::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use ancf14::mechanics::marker::relative_coordinate::Measure;
 use nalgebra::SVector;
+use std::sync::Arc;
 
 /// lambda · phi of a joint over any dual number.
 fn weighted_conditions<D: Scalar>(machine: &Machine, joint: &Joint, lambda: &[f64], q: &[D]) -> D {
@@ -42,8 +44,12 @@ fn weighted_conditions<D: Scalar>(machine: &Machine, joint: &Joint, lambda: &[f6
                 // Angles are compared within half a turn.
                 let turns =
                     if matches!(kind, Measure::Angle(_)) { (value.re() / std::f64::consts::TAU).round() } else { 0.0 };
-                let factor = joint.gear.map_or(1.0, |side| side.factor);
-                rows.push((value - std::f64::consts::TAU * turns) * factor);
+                let value = value - std::f64::consts::TAU * turns;
+                rows.push(match &joint.gear {
+                    None => value,
+                    Some(GearSide { factor, law: None, .. }) => value * *factor,
+                    Some(GearSide { factor, .. }) => cam(value) * *factor,
+                });
             }
             Primitive::Rigid(i, j) if i == j => rows.push((oracle::dot(&b[1 + i], &b[1 + i]) - 1.0) * 0.5),
             Primitive::Rigid(i, j) => rows.push(oracle::dot(&b[1 + i], &b[1 + j])),
@@ -51,6 +57,24 @@ fn weighted_conditions<D: Scalar>(machine: &Machine, joint: &Joint, lambda: &[f6
     }
     assert_eq!(rows.len(), lambda.len());
     rows.into_iter().zip(lambda).fold(D::from(0.0), |sum, (row, lambda)| sum + row * *lambda)
+}
+
+/// The law of a cam, over any dual number.
+fn cam<D: Scalar>(x: D) -> D {
+    x * CAM[0] + x * x * CAM[1] + x * x * x * CAM[2]
+}
+
+/// Its coefficients.
+const CAM: [f64; 3] = [0.3, 0.7, -0.2];
+
+/// The same with two derivatives.
+fn cam_law() -> CamLaw {
+    let [a, b, c] = CAM;
+    CamLaw(Arc::new(move |x| Jet {
+        value: x * (a + x * (b + x * c)),
+        first: a + x * (2.0 * b + x * 3.0 * c),
+        second: 2.0 * b + x * 6.0 * c,
+    }))
 }
 
 fn check_joint(machine: &Machine, joint: &Joint, random: &mut Random) {
@@ -150,7 +174,7 @@ fn check_drive_derivatives() {
     }
 }
 
-/// Sides of gears: a coordinate times a factor.
+/// Sides of gears: a coordinate, or a function of it, times a factor.
 #[test]
 fn gear_derivatives() {
     deep(check_gear_derivatives);
@@ -159,10 +183,10 @@ fn gear_derivatives() {
 fn check_gear_derivatives() {
     let mut random = Random(27);
     for measure in [Measure::Angle(0), Measure::Distance(0)] {
-        for sides in SIDES {
+        for (sides, law) in SIDES.into_iter().flat_map(|sides| [(sides, None), (sides, Some(cam_law()))]) {
             let machine = Machine::new(&mut random);
             let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
-            let gear = Some(GearSide { gear: 0, coordinate: 0, factor: -2.5, is_second: true });
+            let gear = Some(GearSide { gear: 0, coordinate: 0, factor: -2.5, law, is_second: true });
             let primitives = GearSide::primitives(measure);
             check_joint(
                 &machine,

@@ -1,5 +1,6 @@
 //! Joints, drives and frames: conditions, freedoms, reactions.
 
+pub mod cams;
 pub mod closed_loops;
 pub mod drives;
 pub mod gears;

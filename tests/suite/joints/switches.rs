@@ -465,3 +465,31 @@ fn the_example_of_the_page_shoots() {
         "{angle:?}"
     );
 }
+
+/// A lock that never engages in a run, and one that never lets go, are told at its end, with the times. One that switches is not, however short its pulse; neither are numbers, parameters and
+/// what an equilibrium before the start has released.
+#[test]
+fn switches_that_never_switch_are_told() {
+    let remedy = "0.5 all the time; correct the times in `active`, or run until it switches (simulation.stop)";
+    let never = format!("lock brake never engages between t = 0 s and t = 1.2 s: `active` is below {remedy}");
+    let always = format!("lock brake is never released between t = 0 s and t = 1.2 s: `active` is at least {remedy}");
+    let preload = format!("{FIXED}\ninitial = \"equilibrium\"\npreload = 1");
+    for (active, more, expected) in [
+        ("\"t >= 1.5\"", FIXED, Some(&never)),
+        ("\"t < 1.5\"", FIXED, Some(&always)),
+        ("\"t >= 0.5\"", FIXED, None),
+        ("\"t >= 0.50001 and t < 0.50002\"", FIXED, None),
+        ("1", FIXED, None),
+        ("\"on\"", &format!("{FIXED}\n[parameters]\non = 0"), None),
+        ("0\ninput = true", FIXED, None),
+        ("\"t < 0\"", &preload, None),
+    ] {
+        let mut simulation = start(&pendulum(active, more));
+        run(&mut simulation, 0.1, 1.2, |_| ());
+        simulation.take_warnings();
+        simulation.conclude();
+        let told = simulation.take_warnings();
+        let told: Vec<_> = told.iter().filter(|warning| warning.contains("active")).collect();
+        assert_eq!(told, Vec::from_iter(expected), "{active}");
+    }
+}

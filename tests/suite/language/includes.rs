@@ -155,3 +155,23 @@ fn mistakes_in_included_files_are_told_there() {
     let tip = "format = 1\n[include.blade]\nfile = \"../parts/blade.toml\"\n";
     case("circle", &[rotor, ("parts/blade.toml", &wrong), ("parts/tip.toml", tip)], &["includes itself"]);
 }
+
+/// The turn of an include needs its angle, which is in radians: 90 is told.
+#[test]
+fn the_turn_of_an_include_has_its_angle() {
+    let main = |turn: &str| {
+        format!(
+            "format = 1\nmodel.name = \"M\"\n[include.left]\nfile = \"blade.toml\"\nturn = {{ {turn} }}\n[joint.root]\ntype = \"weld\"\na = \"ground\"\n\
+             b = \"left_spar_1.start\"\n[simulation]\nstop = 1\nstep = 0.01\n"
+        )
+    };
+    let notes_of = |turn: &str| {
+        let folder = folder("angle", &[("m.toml", &main(turn)), ("blade.toml", BLADE)]);
+        parse(&folder, &[]).map(|document| ancf14::model::notes::notes(&document))
+    };
+    assert_eq!(notes_of("axis = [0, 0, 1], angle = \"pi/2\""), Ok(Vec::new()));
+    let note = "m.toml, line 5: [include.left] turns by 90 rad, 14.3 turns. Angles are in radians: 90 degrees are \"90*pi/180\"";
+    assert_eq!(notes_of("axis = [0, 0, 1], angle = 90"), Ok(vec![note.to_owned()]));
+    let message = notes_of("axis = [0, 0, 1]").unwrap_err();
+    assert!(message.contains("`turn` needs an axis and an angle"), "{message}");
+}

@@ -11,6 +11,7 @@ pub mod model_parts;
 pub mod names;
 pub mod notes;
 pub mod odd_machines;
+pub mod step_notes;
 pub mod totals;
 pub mod turned_copies;
 pub mod view;

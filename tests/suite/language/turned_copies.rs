@@ -7,6 +7,8 @@
 
 use ancf14::math::rotation::rotation_matrix;
 use ancf14::math::{Mat3, Vec3};
+use ancf14::model::document::Document;
+use ancf14::model::notes::notes;
 use ancf14::model::simulation::Simulation;
 use ancf14_testing::running::{run, start, vector};
 
@@ -225,4 +227,47 @@ fn a_turned_copy_moves_as_its_original_does() {
 #[test]
 fn a_copy_turned_by_a_parameter_moves_as_its_original_does() {
     check(&copies("phi", &format!("[parameters]\nphi = {ANGLE}")));
+}
+
+/// Three bodies on springs, in copies with this `turn`.
+fn turned(turn: &str) -> String {
+    format!(
+        "format = 1\nmodel.name = \"M\"\n[copy.arms]\ncount = 3\nturn = {{ {turn} }}\n[copy.arms.body.arm]\nmass = 1\nposition = [1, 2, 3]\n\
+         inertia = [1, 1, 1]\n[copy.arms.spring.tie]\na = \"ground\"\nb = \"arm\"\nstiffness = 1\n[simulation]\nstop = 1\nstep = 0.01\n"
+    )
+}
+
+/// Without an angle the copies stand where the angle of an even share puts them, in every bit.
+#[test]
+fn copies_without_an_angle_share_a_whole_turn() {
+    let text = |turn: &str| Document::parse("m.toml", &turned(turn), &[]).unwrap().text().to_owned();
+    let shared = text("axis = [1, 2, 2], center = [0, 1, 0]");
+    assert_eq!(shared, text("axis = [1, 2, 2], angle = \"2*pi*(k - 1)/3\", center = [0, 1, 0]"));
+    assert_ne!(shared, text("axis = [1, 2, 2], angle = \"2*pi*(k - 1)/4\", center = [0, 1, 0]"));
+}
+
+/// Angles of copies in degrees are told once with the number to write; those in radians, and a star of more than a whole turn in all, are not.
+#[test]
+fn angles_of_copies_in_degrees_are_told() {
+    let remedy = "; without `angle`, the copies are spread evenly over a whole turn";
+    let many = |angle: &str, turns: &str| {
+        format!(
+            "m.toml, line 5: [copy.arms] turns from copy to copy by {angle} rad, {turns} turns. Angles are in radians: {angle} degrees are \
+             \"{angle}*pi/180\"{remedy}"
+        )
+    };
+    for (angle, expected) in [
+        ("\"2*pi*(k - 1)/3\"", None),
+        ("\"2*pi*2*(k - 1)/3\"", None),
+        ("\"-10 - pi*k\"", None),
+        ("\"120*(k - 1)\"", Some(many("120", "19.1"))),
+        ("\"90 - 10*k\"", Some(many("10", "1.6"))),
+    ] {
+        let text = turned(&format!("axis = [0, 0, 1], angle = {angle}"));
+        let found = notes(&Document::parse("m.toml", &text, &[]).unwrap());
+        assert_eq!(found, Vec::from_iter(expected), "{angle}");
+    }
+    // An angle below a whole turn, of which all copies together make 360.
+    let text = turned("axis = [0, 0, 1], angle = \"5*k\"").replace("count = 3", "count = 72");
+    assert_eq!(notes(&Document::parse("m.toml", &text, &[]).unwrap()), [many("5", "0.8")]);
 }

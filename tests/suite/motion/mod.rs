@@ -5,6 +5,7 @@ pub mod chosen_steps;
 pub mod constrained_mass;
 pub mod direct_solver;
 pub mod dynamics;
+pub mod energies_of_parts;
 pub mod energy_account;
 pub mod generalized_alpha;
 pub mod generalized_alpha_steps;

@@ -2,7 +2,7 @@
 
 use super::SystemBuilder;
 use crate::mechanics::constraint::driven::Driven;
-use crate::mechanics::constraint::gear::GearSide;
+use crate::mechanics::constraint::gear::{CamLaw, GearSide};
 use crate::mechanics::constraint::joint::{Held, Holding, Joint};
 use crate::mechanics::input::guide::{Drive, Guide};
 use crate::mechanics::input::switch::Switch;
@@ -70,12 +70,13 @@ impl SystemBuilder {
         self.system.joint_parts[joint].locks.push(lock);
     }
 
-    /// Adds a gear between relative coordinates, `x_first − ratio·x_second = 0`, and returns its number.
-    pub fn add_gear(&mut self, name: &str, coordinates: [usize; 2], ratio: f64) -> usize {
+    /// Adds a gear between relative coordinates, `x_first − ratio·x_second = 0`, or with a law `x_first − f(x_second) = 0`, and returns its number.
+    pub fn add_gear(&mut self, name: &str, coordinates: [usize; 2], ratio: f64, law: Option<CamLaw>) -> usize {
         let gear = self.gear_joints.len() / 2;
-        for (coordinate, factor, is_second) in [(coordinates[0], 1.0, false), (coordinates[1], -ratio, true)] {
+        let sides = [(coordinates[0], 1.0, None, false), (coordinates[1], -ratio, law, true)];
+        for (coordinate, factor, law, is_second) in sides {
             let RelativeCoordinate { a, b, measure } = self.system.relative_coordinates[coordinate].clone();
-            let side = GearSide { gear, coordinate, factor, is_second };
+            let side = GearSide { gear, coordinate, factor, law, is_second };
             self.gear_joints.push(Joint {
                 name: format!("gear {name}"),
                 a,

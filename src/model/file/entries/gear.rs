@@ -1,4 +1,4 @@
-//! `[gear.NAME]`: the coordinates of two joints are proportional.
+//! `[gear.NAME]`: the coordinates of two joints are proportional, or the first one follows the second one by a law.
 
 use super::drive::check_coordinate;
 use super::joint::{self, Coordinate, JointSpec};
@@ -17,8 +17,17 @@ pub struct GearSpec {
     pub place: Place,
     /// The two joints, by their places in the list, each with a coordinate that it has.
     pub sides: [(usize, Coordinate); 2],
-    /// The coordinate of the first joint over that of the second one; 1, rad/m or m/rad. Not 0.
-    pub ratio: Number,
+    /// How the first coordinate follows the second one.
+    pub relation: Relation,
+}
+
+/// How the coordinate of the first joint of a gear follows that of the second one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Relation {
+    /// It is so many times as large; 1, rad/m or m/rad. Not 0.
+    Ratio(Number),
+    /// It is this function of it, rad or m.
+    Law(Number),
 }
 
 /// The keys of a side: the joint, its coordinate.
@@ -38,10 +47,18 @@ impl GearSpec {
             let message = format!("{} connects a coordinate with itself", reader.title);
             reader.context.report.error(place, &message, "`a` and `b` are the same", "name two joints");
         }
-        let ratio = reader.number(rule(a.1, b.1));
+        let relation = if reader.has("law") {
+            reader.exclude("ratio", "law");
+            Relation::Law(reader.number(match a.1 {
+                Coordinate::Angle => &schema::LAW_OF_ANGLE,
+                Coordinate::Distance => &schema::LAW_OF_DISTANCE,
+            }))
+        } else {
+            Relation::Ratio(reader.number(rule(a.1, b.1)))
+        };
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, sides: [a, b], ratio })
+        Some(Self { name: name.to_owned(), place, sides: [a, b], relation })
     }
 }
 

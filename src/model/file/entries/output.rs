@@ -1,4 +1,4 @@
-//! `[output.NAME]`: what is measured at a point, a body, a joint, a drive, an actuator, a gear, a spring, friction, a stop, a lock or a frame, or along a beam.
+//! `[output.NAME]`: what is measured at a point, of a whole beam or body, at a body, a joint, a drive, an actuator, a gear, a spring, friction, a stop, a lock or a frame, or along a beam.
 
 use super::actuator::ActuatorSpec;
 use super::beam::BeamSpec;
@@ -70,6 +70,10 @@ pub enum Target {
         /// Number of equally spaced points, both ends included.
         stations: usize,
     },
+    /// All of a beam at once, by its place in the list.
+    Beam(usize),
+    /// All of a body at once, by its place in the list.
+    Body(usize),
 }
 
 impl Target {
@@ -85,7 +89,9 @@ impl Target {
             | Self::Spring(_)
             | Self::Friction(_)
             | Self::Stop(_)
-            | Self::Lock(_) => 0,
+            | Self::Lock(_)
+            | Self::Beam(_)
+            | Self::Body(_) => 0,
         }
     }
 }
@@ -154,6 +160,7 @@ impl OutputSpec {
             (Quantity::Effort, Target::Friction(_)) => "torque or force of the friction on side b",
             (Quantity::Effort, Target::Stop(_)) => "torque or force of the stop on side b",
             (Quantity::Effort, Target::Lock(_)) => "torque or force of the lock on side b",
+            (Quantity::Energy, Target::Joint(_)) => "elastic energy of the joint's own springs",
             (Quantity::Distance, Target::Spring(_)) => "distance of b from a; on a joint along the axis, 0 as drawn",
             _ => quantity.row().meaning,
         };
@@ -191,6 +198,16 @@ impl ObserverSpec {
 }
 
 fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
+    if reader.has("of") {
+        ["at", "on"].into_iter().for_each(|key| reader.exclude(key, "of"));
+        reader.refuse(
+            "stations",
+            "`stations` belong to points along a beam",
+            "they need on = \"BEAM\" instead of `of`",
+        );
+        let (kind, index) = reader.reference_among("of", &[Kind::Beam, Kind::Body])?;
+        return Some(if kind == Kind::Beam { Target::Beam(index) } else { Target::Body(index) });
+    }
     if reader.has("on") {
         reader.exclude("at", "on");
         let stations = reader.count_or(&schema::STATIONS, STATIONS);
@@ -306,7 +323,7 @@ impl Target {
             Self::Friction(index) => Some((Kind::Friction, index, "friction")),
             Self::Stop(index) => Some((Kind::Stop, index, "stop")),
             Self::Lock(index) => Some((Kind::Lock, index, "lock")),
-            Self::At(_) | Self::Joint(_) | Self::On { .. } => None,
+            Self::At(_) | Self::Joint(_) | Self::On { .. } | Self::Beam(_) | Self::Body(_) => None,
         }
     }
 
@@ -325,6 +342,8 @@ impl Target {
             Self::Friction(_) => Site::Friction,
             Self::Stop(_) => Site::Stop,
             Self::Lock(_) => Site::Lock,
+            Self::Beam(_) => Site::WholeBeam,
+            Self::Body(_) => Site::WholeBody,
         }
     }
 }
@@ -363,10 +382,12 @@ impl<'a> Things<'a> {
         if !measurable(&row) {
             let words = QUANTITIES.iter().filter(measurable).map(|row| row.word);
             let sites: Vec<_> = row.sites.iter().map(|site| site.words()).collect();
+            let whole = row.sites.contains(&Site::WholeBeam) && matches!(site, Site::Beam | Site::Body);
+            let help = if whole { "write `of` instead of `at` and `on`, in an output of its own; " } else { "" };
             return Some(Mistake {
                 message: format!("\"{}\" cannot be measured at {}", row.word, site.words()),
                 label: format!("it belongs to {}", either(&sites)),
-                help: format!("possible here: {}", listing(words)),
+                help: format!("{help}possible here: {}", listing(words)),
             });
         }
         match (row.quantity, target) {

@@ -4,6 +4,7 @@ pub mod anchor;
 pub mod input;
 mod lists;
 pub mod readings;
+mod references;
 
 use self::anchor::Anchor;
 use super::number::{Meta, Number, Numbers, Slot, Written};
@@ -452,30 +453,6 @@ impl<'c, 'a> Reader<'c, 'a> {
                 None
             }
         }
-    }
-
-    /// The name of another thing of the file: its place among its kind; none: a mistake, which is reported.
-    pub fn reference(&mut self, key: &'static str, kind: Kind) -> Option<usize> {
-        let known = self.has(key);
-        let Some((name, place)) = self.text(key) else {
-            if !known {
-                self.missing(key, &format!("the name of a {}", kind.word()));
-            }
-            return None;
-        };
-        let message = match self.context.names.find_among(&name, &[kind]) {
-            Some(named) if named.kind == kind => return Some(named.index),
-            _ if self.context.names.is_unclear(&name) => return None,
-            Some(named) => format!("`{name}` is a {}", named.kind.word()),
-            None => format!("unknown {} `{name}`", kind.word()),
-        };
-        let is_full = self.context.report.is_full();
-        let near = if is_full { String::new() } else { suggestion(&name, self.context.names.of(kind)) };
-        let label = if near.is_empty() { format!("the name of a {} was expected", kind.word()) } else { near };
-        let names: Vec<_> = self.context.names.of(kind).collect();
-        let help = if names.is_empty() { String::new() } else { format!("known: {}", names.join(", ")) };
-        self.context.report.error(place, &message, &label, &help);
-        None
     }
 }
 

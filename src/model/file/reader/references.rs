@@ -1,0 +1,36 @@
+//! Keys that name other things of the file.
+
+use super::{Reader, either};
+use crate::model::text::names::{Kind, suggestion};
+
+impl Reader<'_, '_> {
+    /// The name of another thing of the file: its place among its kind; none: a mistake, which is reported.
+    pub fn reference(&mut self, key: &'static str, kind: Kind) -> Option<usize> {
+        self.reference_among(key, &[kind]).map(|(_, index)| index)
+    }
+
+    /// The name of another thing of the file, of one of these kinds: its kind and its place among it; none: a mistake, which is reported.
+    pub fn reference_among(&mut self, key: &'static str, kinds: &[Kind]) -> Option<(Kind, usize)> {
+        let known = self.has(key);
+        let words = either(&kinds.iter().map(|kind| kind.word()).collect::<Vec<_>>());
+        let Some((name, place)) = self.text(key) else {
+            if !known {
+                self.missing(key, &format!("the name of a {words}"));
+            }
+            return None;
+        };
+        let message = match self.context.names.find_among(&name, kinds) {
+            Some(named) if kinds.contains(&named.kind) => return Some((named.kind, named.index)),
+            _ if self.context.names.is_unclear(&name) => return None,
+            Some(named) => format!("`{name}` is a {}", named.kind.word()),
+            None => format!("unknown {words} `{name}`"),
+        };
+        let is_full = self.context.report.is_full();
+        let names: Vec<_> = kinds.iter().flat_map(|kind| self.context.names.of(*kind)).collect();
+        let near = if is_full { String::new() } else { suggestion(&name, names.iter().copied()) };
+        let label = if near.is_empty() { format!("the name of a {words} was expected") } else { near };
+        let help = if names.is_empty() { String::new() } else { format!("known: {}", names.join(", ")) };
+        self.context.report.error(place, &message, &label, &help);
+        None
+    }
+}

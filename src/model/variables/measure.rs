@@ -1,0 +1,79 @@
+//! What the results are made of, and how many each has.
+
+use crate::model::file::quantity::Quantity;
+use std::ops::Range;
+
+/// What the results are made of, in their order.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Measure {
+    /// A quantity at sensors: one of a point, several of a whole beam.
+    Sensors(Range<usize>, Quantity),
+    /// What a moving frame must supply, by its number.
+    Frame(usize, Quantity),
+    /// A quantity of a joint, by its place in the file.
+    Joint(usize, Quantity),
+    /// A quantity of a drive, by its place in the file.
+    Drive(usize, Quantity),
+    /// A quantity of an actuator, by its place in the file.
+    Actuator(usize, Quantity),
+    /// A quantity of a gear, by its place in the file.
+    Gear(usize, Quantity),
+    /// A quantity of a lock, by its place in the file.
+    Lock(usize, Quantity),
+    /// A quantity of a spring, friction or a stop, by its place in the system: they are built in the order of the file, one kind after the other.
+    Spring(usize, Quantity),
+    /// A quantity of a whole beam, by its place in the file.
+    Beam(usize, Quantity),
+    /// A quantity of a whole body, by its place in the file.
+    Body(usize, Quantity),
+    /// Kinetic, elastic, gravity and total energy.
+    Energy,
+    /// Work of loads, actuators and drives, and energy that dampers and the integrator take.
+    Account,
+    /// Linear and angular momentum.
+    Momentum,
+    /// Parameter of a path of equilibria, and motions that release energy.
+    Path,
+    /// Steps, iterations, rejected steps.
+    Statistics,
+}
+
+/// The results of an account of energy.
+pub(super) const ACCOUNT: [(&str, &str); 5] = [
+    ("work.loads", "Work of loads since the start"),
+    ("work.actuators", "Work of actuators since the start"),
+    ("work.drives", "Work of drives and moving frames since the start"),
+    (
+        "work.dissipated",
+        "Energy that dampers, friction, stops, engaging locks and material damping have taken since the start",
+    ),
+    ("work.drift", "Energy that the integrator has added since the start; it has taken what is negative"),
+];
+
+/// Whether a result of this name is one of the account of energy.
+pub fn is_of_account(name: &str) -> bool {
+    ACCOUNT.iter().any(|(own, _)| *own == name)
+}
+
+impl Measure {
+    /// Number of its results.
+    pub fn results(&self) -> usize {
+        match self {
+            Self::Sensors(sensors, quantity) => sensors.len() * quantity.row().components,
+            Self::Frame(_, quantity)
+            | Self::Joint(_, quantity)
+            | Self::Drive(_, quantity)
+            | Self::Actuator(_, quantity)
+            | Self::Gear(_, quantity)
+            | Self::Lock(_, quantity)
+            | Self::Spring(_, quantity)
+            | Self::Beam(_, quantity)
+            | Self::Body(_, quantity) => quantity.row().components,
+            Self::Energy => 4,
+            Self::Account => ACCOUNT.len(),
+            Self::Momentum => 6,
+            Self::Path => 2,
+            Self::Statistics => 3,
+        }
+    }
+}
