@@ -79,6 +79,7 @@ export class Play {
         frames.take(numbers);
         player.showLive(frames);
         this.drag?.update();
+        if (this.state === "paused") return;
         const late = rate < 0.95 * pace ? `; the solver is slower than the chosen speed, ${pace} ×` : "";
         this.status.textContent = `t = ${frames.time.toFixed(2)} s, ${Number(rate.toPrecision(2))} × real time${late}. Drag a beam or a body; Escape ends.`;
       },
