@@ -11,7 +11,7 @@ const SET = ["--set", "simulation.stop=0.1"];
 
 before(async () => {
   await begin();
-  ancf14("view", model("pendulum"), "--live", "-o", "pendulum.html", ...SET);
+  ancf14("view", model("pendulum"), "--live", "-o", "pendulum.html");
 });
 
 after(end);
@@ -35,6 +35,8 @@ const tip = (page) => page.evaluate(() => {
 
 test("a point that is dragged follows the pointer and swings back when it is released", async () => {
   const { page, close } = await open("pendulum.html");
+  // Slow motion: at real time the point would have fallen away before the mouse is pressed.
+  await page.evaluate(() => (window.ancf14.player.run.speed = 0.02));
   await interact(page);
   await settle(page);
   await page.evaluate(() => {
@@ -49,19 +51,19 @@ test("a point that is dragged follows the pointer and swings back when it is rel
   // Up, where gravity would not bring it, in steps as a hand does.
   const target = { x: from.x - 60, y: from.y - 40 };
   await page.mouse.move(target.x, target.y, { steps: 8 });
-  await page.waitForFunction((since) => window.ancf14.player.time > since + 2, from.time, { timeout: 60000 });
+  await page.waitForFunction((since) => window.ancf14.player.time > since + 0.04, from.time, { timeout: 60000 });
   const held = await tip(page);
   const apart = Math.hypot(held.x - target.x, held.y - target.y);
   const moved = Math.hypot(from.x - target.x, from.y - target.y);
   const status = await page.textContent(".interacting");
   assert.match(status, /^t = [\d.]+ s, [\d.e-]+ × real time.*Escape ends\.$/);
-  // The stretch that lifts the weight is at most 2 x 5 % of the size (crates/live/src/session.rs).
-  assert.ok(apart < 0.7 * moved, `${apart} pixels apart, ${moved} at first`);
+  // Slow motion has a stiff spring, which the weight does not stretch by a pixel; the point may still swing by some pixels.
+  assert.ok(apart < 0.2 * moved, `${apart} pixels apart, ${moved} at first`);
   assert.equal(await camera(), pose, "the drag has turned the camera");
   await page.mouse.up();
-  await page.waitForFunction((since) => window.ancf14.player.time > since + 0.3, held.time, { timeout: 60000 });
+  await page.waitForFunction((since) => window.ancf14.player.time > since + 0.2, held.time, { timeout: 60000 });
   const fallen = await tip(page);
-  assert.ok(fallen.z < held.z - 0.1, `${held.z} m, then ${fallen.z} m`);
+  assert.ok(fallen.z < held.z - 0.05, `${held.z} m, then ${fallen.z} m`);
   const longest = await page.evaluate(() => window.longest);
   console.log(`${status}\nlongest task of the page while it is dragged: ${longest ? `${longest.toFixed(0)} ms` : "below 50 ms"}`);
   assert.ok(longest <= 50, `${longest} ms`);
@@ -78,6 +80,8 @@ test("a run that cannot go on pauses and says why", async () => {
   writeFileSync(join(folder, "late.toml"), `${text}\n[load.late]\nat = "lower.end"\nforce = [0, 0, "sqrt(0.2 - t)"]\n`);
   ancf14("view", "late.toml", "--live", "-o", "late.html", ...SET);
   const { page, close } = await open("late.html");
+  // A short run is slow motion.
+  await page.evaluate(() => (window.ancf14.player.run.speed = 1));
   await interact(page);
   await page.waitForSelector(".told .error", { timeout: 30000 });
   assert.equal(await page.textContent("button.interact"), "Continue");
