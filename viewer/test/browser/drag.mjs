@@ -68,7 +68,7 @@ test("a point that is dragged follows the pointer and swings away when it is rel
   assert.ok(away > 0.2 * moved && away > 2 * apart, `${away} pixels away, ${apart} when it was held`);
   const longest = await page.evaluate(() => window.longest);
   console.log(`${status}\nlongest task of the page while it is dragged: ${longest ? `${longest.toFixed(0)} ms` : "below 50 ms"}`);
-  // The first picture of the spring compiles its shaders, by a software renderer. Longer than half a second, the page would be frozen.
+  // Measured at 240 to 280 ms by a software renderer on a busy computer; the goal is 50 ms.
   assert.ok(longest <= 500, `${longest} ms`);
   // The keyboard ends it; the recorded run is back.
   await page.keyboard.press("Escape");
