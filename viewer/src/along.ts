@@ -29,8 +29,8 @@ export class Along {
 
   constructor(private readonly data: Data) {}
 
-  /** Shows `quantity` along beam number `beam` at an instant; hides itself without one. */
-  update(beam: number | undefined, quantity: Quantity | undefined, at: Between): void {
+  /** Shows `quantity` along beam number `beam` at an instant of `seen`; hides itself without one. */
+  update(beam: number | undefined, quantity: Quantity | undefined, at: Between, seen: Data): void {
     const wanted = beam === undefined || !quantity ? "" : `${beam} ${quantity.word} ${this.element.parentElement?.clientWidth}`;
     this.element.hidden = wanted === "";
     if (beam === undefined || !quantity) return;
@@ -43,7 +43,7 @@ export class Along {
       this.plot = this.chart(`${name}: ${quantity.label} along the beam`, quantity);
     }
     const { low, high } = this.extremes!;
-    this.plot!.setData([fractions, own(low), own(high), own(values(this.data, quantity, at))]);
+    this.plot!.setData([fractions, own(low), own(high), own(values(seen, quantity, at))]);
   }
 
   dispose(): void {

@@ -3,6 +3,7 @@
 import { Controls } from "./controls";
 import { h, tick } from "./dom";
 import type { PageInfo } from "./format";
+import { Play } from "./play";
 import { Solver, type Outcome, type Request } from "./solver";
 
 /** From this width on the model is open from the start. */
@@ -20,6 +21,9 @@ export class Live {
   private readonly told = h("div", { class: "told", role: "status" });
   private readonly command = h("code");
   private readonly commandBox: HTMLElement;
+  private readonly play: Play;
+  /** What the run that is shown was asked for with. */
+  private shown: Request;
   private automatic = false;
   private running = false;
   private waiting = false;
@@ -29,6 +33,8 @@ export class Live {
   /** `show` shows the data of a run. */
   constructor(private readonly model: Request, packed: string, private readonly show: (data: PageInfo) => Promise<void>) {
     this.solver = new Solver(packed);
+    this.shown = model;
+    this.play = new Play(this.solver, () => this.shown, (error) => this.tell(error), () => this.switch());
     this.text = h("textarea", {
       spellcheck: "false", rows: 18, wrap: "off", "aria-label": "Text of the model file",
       onchange: () => this.changed(),
@@ -38,8 +44,8 @@ export class Live {
     this.commandBox = h("p", { class: "command" }, "On the command line: ", this.command);
     const details = h("details", { class: "live" },
       h("summary", {}, "Model"),
-      h("div", { class: "run-bar" }, this.start, this.stop, tick("Run at each change", false, (on) => ((this.automatic = on), on && this.controls.changes.length > 0 && void this.run())), this.progress),
-      this.told, this.controls.element, this.source, this.commandBox);
+      h("div", { class: "run-bar" }, this.start, this.stop, this.play.button, tick("Run at each change", false, (on) => ((this.automatic = on), on && this.controls.changes.length > 0 && void this.run())), this.progress),
+      this.play.status, this.told, this.controls.element, this.source, this.commandBox);
     details.open = innerWidth >= WIDE;
     this.element = h("aside", { class: "model", "aria-label": "Model" }, details);
     this.tellCommand();
@@ -85,6 +91,7 @@ export class Live {
 
   /** Simulates; a change in the meantime simulates once more. */
   async run(): Promise<void> {
+    this.play.end();
     if (this.running) {
       this.waiting = true;
       this.solver.stop();
@@ -106,12 +113,16 @@ export class Live {
     const outcome = await this.solver.run(request, (share) => (this.progress.value = share));
     // Another text has other numbers to set.
     if (request.text !== this.described && !outcome.error) outcome.error = await this.describe();
-    if (outcome.data && !this.waiting) await this.show(outcome.data);
+    if (outcome.data && !this.waiting) {
+      await this.show(outcome.data);
+      this.shown = request;
+    }
     return outcome;
   }
 
   private switch(): void {
     this.start.disabled = this.running && !this.automatic;
+    this.play.button.disabled = this.running;
     this.stop.hidden = this.progress.hidden = !this.running;
     this.progress.value = 0;
   }

@@ -61,8 +61,8 @@ export class Moment {
   }
 
   /** Takes the instant, with displacements of beams and bodies from the drawing magnified. */
-  set(at: Between, magnification: number): void {
-    for (const name of NAMES) this.parts[name] = mix(this.data.tracks.get(name), at, this.parts[name]);
+  set(at: Between, magnification: number, tracks = this.data.tracks): void {
+    for (const name of NAMES) this.parts[name] = mix(tracks.get(name), at, this.parts[name]);
     if (magnification !== 1) magnify(this.parts["station.place"], this.data.drawn.place, magnification);
   }
 

@@ -54,7 +54,7 @@ export class PickPanel {
     const where = placeAt(moment.parts["station.place"], spot).toArray().map((part, axis) => quantityText(part + origin[axis], "m"));
     const rows = [["position", where.join(", ")]];
     if (mode === undefined) {
-      for (const { word, value, unit } of told(data, spot, this.player.at())) rows.push([LABELS[word] ?? word, quantityText(value, unit)]);
+      for (const { word, value, unit } of told(this.player.seen, spot, this.player.at())) rows.push([LABELS[word] ?? word, quantityText(value, unit)]);
     }
     this.rows.replaceChildren(...rows.map(([name, value]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, value))));
   }

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { Beams } from "./beams";
 import { QUANTITIES, range, values, type Quantity } from "./color";
-import type { Data } from "./data";
+import type { Data, Track } from "./data";
 import { between, Moment, type Between } from "./moment";
 import { nearest, placeAt, under, type Spot } from "./pick";
 import { Signs } from "./signs";
@@ -63,6 +63,29 @@ export class Player {
     requestAnimationFrame((now) => this.tick(now));
   }
 
+  /** The state of a run that goes on while a reader drags the mechanism; it is shown instead of the recorded one. */
+  private live?: { tracks: Map<string, Track>; time: number };
+
+  /** Shows the present state of a run that goes on, until it is called without one. */
+  showLive(live: { tracks: Map<string, Track>; time: number } | undefined): void {
+    this.live = live;
+    this.refresh();
+  }
+
+  get isLive(): boolean {
+    return this.live !== undefined;
+  }
+
+  /** The data of what is shown. */
+  get seen(): Data {
+    return this.live ? { ...this.data, tracks: this.live.tracks } : this.data;
+  }
+
+  /** The time of what is shown, s. */
+  get time(): number {
+    return this.live?.time ?? this.timeline.time;
+  }
+
   /** The timeline of what is shown. */
   get timeline(): Timeline {
     return this.mode === undefined ? this.run : this.swing;
@@ -70,6 +93,7 @@ export class Player {
 
   /** The instant that is shown, as a place between two recorded ones. */
   at(): Between {
+    if (this.live) return { first: 0, second: 0, share: 0 };
     return this.mode === undefined ? between(this.data.times, this.run.time) : { first: 0, second: 0, share: 0 };
   }
 
@@ -115,14 +139,14 @@ export class Player {
     this.dirty = false;
     this.needsPicture = true;
     const at = this.at();
-    const mode = this.mode === undefined ? undefined : this.data.modes[this.mode];
+    const mode = this.mode === undefined || this.live ? undefined : this.data.modes[this.mode];
     if (mode) {
       // What is unstable or free moves there and back as well: to be seen, not to be timed.
       this.moment.setMode(mode, this.amplitude * this.unit() * Math.sin((2 * Math.PI * this.swing.time) / PERIOD));
-    } else this.moment.set(at, this.magnification);
+    } else this.moment.set(at, this.magnification, this.live?.tracks);
     this.beams.update(this.moment.parts["station.place"], this.moment.parts["station.turn"]);
     this.signs.update(this.moment);
-    this.trails.update(mode ? -1 : at.second);
+    this.trails.update(mode || this.live ? -1 : at.second);
     this.paint(at, mode !== undefined);
     this.place();
   }
@@ -146,9 +170,10 @@ export class Player {
       return;
     }
     const { quantity, limit } = this;
+    const data = this.seen;
     if (this.ranging === "fixed") this.range = [quantity.signed ? -limit : 0, limit];
-    else this.range = this.ranging === "instant" ? range(this.data, quantity, at) : this.wholeRange(quantity);
-    this.beams.paint(values(this.data, quantity, at), this.range, quantity);
+    else this.range = this.ranging === "instant" ? range(data, quantity, at) : this.wholeRange(quantity);
+    this.beams.paint(values(data, quantity, at), this.range, quantity);
   }
 
   private wholeRange(quantity: Quantity): [number, number] {

@@ -34,6 +34,30 @@ export interface Description {
   controls: ControlInfo[];
 }
 
+/** A point that can be dragged: on a beam or a body of the scene. */
+export interface GripInfo {
+  beam?: number;
+  body?: number;
+  at: string;
+}
+
+/** What a run for a reader who drags the mechanism consists of (crates/live/src/session.rs). */
+export interface SessionInfo {
+  grips: GripInfo[];
+  /** Name, components and things of each track of a frame. */
+  tracks: [string, number, number][];
+  /** Length of a communication step, s. */
+  step: number;
+}
+
+/** What the page does with the news of such a run. */
+export interface Audience {
+  begun(info: SessionInfo): void;
+  /** The numbers of a frame, and how many seconds of the run pass in one of the clock. */
+  frame(numbers: Float32Array, rate: number): void;
+  paused(error: string): void;
+}
+
 /** How a run has ended. */
 export interface Outcome {
   /** Without where there is nothing to show. */
@@ -47,6 +71,7 @@ export interface Outcome {
 
 interface Job {
   progress?: (share: number) => void;
+  audience?: Audience;
   settle: (reply: any) => void;
 }
 
@@ -70,6 +95,16 @@ export class Solver {
     return this.post({ kind: "run", request }, progress);
   }
 
+  /** Simulates while a reader drags the mechanism, until it is stopped. */
+  async interact(request: Request, pace: number, audience: Audience): Promise<{ error?: string }> {
+    return this.post({ kind: "interact", request, pace }, undefined, audience);
+  }
+
+  /** Tells the worker something about the run that goes on. */
+  send(message: object): void {
+    this.worker?.postMessage(message);
+  }
+
   /** Ends the run as soon as possible: what it has is shown. */
   stop(): void {
     const { job, worker } = this;
@@ -81,18 +116,18 @@ export class Solver {
   }
 
   /** Jobs come one after another. */
-  private post(message: object, progress?: (share: number) => void): Promise<any> {
-    const next = this.last.then(() => this.send(message, progress));
+  private post(message: object, progress?: (share: number) => void, audience?: Audience): Promise<any> {
+    const next = this.last.then(() => this.begin(message, progress, audience));
     this.last = next.catch(() => undefined);
     return next;
   }
 
   private last: Promise<unknown> = Promise.resolve();
 
-  private async send(message: object, progress?: (share: number) => void): Promise<any> {
+  private async begin(message: object, progress?: (share: number) => void, audience?: Audience): Promise<any> {
     const worker = await this.ready();
     return new Promise((settle) => {
-      this.job = { progress, settle };
+      this.job = { progress, audience, settle };
       worker.postMessage(message);
     });
   }
@@ -102,7 +137,11 @@ export class Solver {
     const module = await this.module;
     const worker = (this.worker = new Worker(this.address));
     worker.onmessage = ({ data: { kind, ...reply } }) => {
+      const audience = this.job?.audience;
       if (kind === "progress") this.job?.progress?.(reply.share);
+      else if (kind === "frame") audience?.frame(reply.numbers, reply.rate);
+      else if (kind === "session") audience?.begun(reply.session);
+      else if (kind === "paused") audience?.paused(reply.error);
       else if (kind === "broken") this.break(reply);
       else if (kind !== "begun") this.settle(reply);
     };

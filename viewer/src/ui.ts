@@ -96,7 +96,7 @@ export class Page {
       ["1 2 3 4", "views: oblique, front, side, top"], ["F", "fit into the picture"], ["P", "perspective or parallel"], ["C", "next quantity to color by"],
       ["G", "as drawn, faintly"], ["N", "names"], ["T", "trails"], ["Esc", "forget the point"],
     ].flatMap(([key, words]) => [h("dt", {}, key), h("dd", {}, words)])),
-    h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant."),
+    h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant. With the solver in the page, Interact lets you drag the mechanism while it is simulated; Esc ends it."),
     h("form", { method: "dialog" }, h("button", {}, "Close")),
   );
 
@@ -218,10 +218,10 @@ export class Page {
   private update(): void {
     const { player } = this;
     const { timeline } = player;
-    if (timeline.duration > 0) this.scrub.value = String((1000 * (timeline.time - timeline.start)) / timeline.duration);
+    if (timeline.duration > 0 && !player.isLive) this.scrub.value = String((1000 * (timeline.time - timeline.start)) / timeline.duration);
     const isMode = player.mode !== undefined;
     const digits = Math.max(0, 2 - Math.floor(Math.log10(timeline.duration || 1)));
-    this.clock.textContent = isMode ? pace(this.data.modes[player.mode!]) : `t = ${timeline.time.toFixed(digits)} s`;
+    this.clock.textContent = isMode ? pace(this.data.modes[player.mode!]) : `t = ${player.time.toFixed(digits)} s`;
     this.scrub.setAttribute("aria-valuetext", this.clock.textContent);
     this.play.textContent = timeline.playing ? "⏸" : "▶";
     this.play.setAttribute("aria-label", timeline.playing ? "Pause" : "Play");
@@ -238,7 +238,7 @@ export class Page {
     // Of a single instant there is nothing to chart.
     this.side.hidden = this.data.times.length < 2 && !player.spot;
     this.panel.update();
-    this.along.update(player.spot?.beam, isMode ? undefined : player.quantity, player.at());
+    this.along.update(player.spot?.beam, isMode ? undefined : player.quantity, player.at(), player.seen);
     this.labels.update();
   }
 

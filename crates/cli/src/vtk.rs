@@ -9,9 +9,13 @@ use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
 use ancf14_vtk::{Export, File};
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 /// More instants than this are thousands of files for ParaView to open: whoever wants them says so.
 const MOST: u64 = 10_000;
+
+/// How often the lists are written during a run: an interrupted one can be looked at up to this time before the interrupt.
+const PACE: Duration = Duration::from_secs(1);
 
 /// Simulates and writes one row in `every`, and the last one, into the folder `directory`; none: each row of at most [`MOST`].
 pub fn export(
@@ -36,22 +40,31 @@ pub fn export(
     let mut folder = Folder::open(directory)?;
     folder.claim("export", &simulation.about().guid, &export.names(instants), inputs)?;
     start(&mut simulation)?;
-    let mut bytes = 0;
-    let mut write = |files: Vec<File>| {
-        files.into_iter().try_for_each(|(name, content)| {
-            bytes += content.len();
-            folder.write(&name, content)
+    // Each file replaces the one before as a whole, so that the lists are readable whenever a run is interrupted.
+    let write = |files: Vec<File>| {
+        files.into_iter().try_fold(0, |bytes, (name, content)| {
+            folder.write(&name, &content)?;
+            Ok(bytes + content.len())
         })
     };
-    write(export.look(&simulation))?;
+    let mut bytes = write(export.look(&simulation))?;
+    write(export.lists())?;
+    let mut listed = Instant::now();
     let outcome = advance(&mut simulation, last_row, |row, simulation| {
         let is_due = row.is_multiple_of(every) || row == last_row;
-        if is_due { write(export.look(simulation)) } else { Ok(()) }
+        if is_due {
+            bytes += write(export.look(simulation))?;
+            if listed.elapsed() >= PACE {
+                write(export.lists())?;
+                listed = Instant::now();
+            }
+        }
+        Ok(())
     });
     // A run that fails can be looked at up to the failure.
     let listed = write(export.lists());
     outcome?;
-    listed?;
+    bytes += listed?;
     let (parts, count, megabytes) = (export.parts().join(", "), export.instants(), bytes as f64 / 1e6);
     let list = directory.join(format!("{first}.pvd"));
     say(&format!("{count} instants of {parts}, {megabytes:.2} MB: open {} in ParaView", list.display()))

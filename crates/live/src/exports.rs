@@ -7,6 +7,7 @@
 
 use super::request::{Description, Request};
 use super::run::Run;
+use super::session::Session;
 use ancf14_view::SOLVER_MARK;
 use serde_json::json;
 use std::cell::RefCell;
@@ -17,6 +18,7 @@ use std::panic;
 struct Desk {
     request: Vec<u8>,
     run: Option<Run>,
+    session: Option<Session>,
 }
 
 thread_local! {
@@ -105,6 +107,76 @@ pub extern "C" fn finish(stopped: u32) {
         Some(run) => REPLY.set(run.finish(stopped != 0).into_bytes()),
         None => say(json!({ "error": "no run is under way" })),
     });
+}
+
+/// Reads the model of the request for a reader who drags it; `pace` is how many seconds of the run pass in a second of the clock. The reply tells what can be
+/// dragged and what a frame consists of, or what is wrong.
+#[unsafe(no_mangle)]
+pub extern "C" fn interact(pace: f64) {
+    guard();
+    DESK.with_borrow_mut(|desk| {
+        desk.session = None;
+        say(match Request::read(&desk.request).and_then(|request| Session::start(&request, pace)) {
+            Ok(session) => {
+                let told = json!({ "session": session.description() });
+                desk.session = Some(session);
+                told
+            }
+            Err(message) => json!({ "error": message }),
+        });
+    });
+}
+
+/// Takes hold of grip number `grip`. Returns 0, or 2 if that failed, with the error as the reply.
+#[unsafe(no_mangle)]
+pub extern "C" fn grab(grip: u32) -> u32 {
+    play(|session| session.grab(grip as usize))
+}
+
+/// Moves the pointer that drags.
+#[unsafe(no_mangle)]
+pub extern "C" fn pull(x: f64, y: f64, z: f64) {
+    play(|session| {
+        session.pull([x, y, z]);
+        Ok(())
+    });
+}
+
+/// Lets go of what is dragged.
+#[unsafe(no_mangle)]
+pub extern "C" fn release() {
+    play(|session| {
+        session.release();
+        Ok(())
+    });
+}
+
+/// Lets the mechanism that is dragged go on by a communication step. Returns 0, or 2 if that failed, with the error as the reply.
+#[unsafe(no_mangle)]
+pub extern "C" fn step() -> u32 {
+    play(Session::step)
+}
+
+/// The reply is where everything is now, in single precision.
+#[unsafe(no_mangle)]
+pub extern "C" fn frame() {
+    play(|session| {
+        REPLY.set(session.frame());
+        Ok(())
+    });
+}
+
+fn play(act: impl FnOnce(&mut Session) -> Result<(), String>) -> u32 {
+    DESK.with_borrow_mut(|desk| {
+        let Some(session) = &mut desk.session else { return FAILED };
+        match act(session) {
+            Ok(()) => GOES_ON,
+            Err(message) => {
+                say(json!({ "error": message }));
+                FAILED
+            }
+        }
+    })
 }
 
 fn say(reply: serde_json::Value) {

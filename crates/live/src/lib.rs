@@ -3,5 +3,7 @@
 //! The module imports nothing, so that any host of WebAssembly runs it. The page calls it in a worker, a few rows of results at a time.
 
 mod exports;
+mod grips;
 mod request;
 mod run;
+mod session;

@@ -8,7 +8,7 @@ use ancf14::model::{builder, rows};
 use serde::{Deserialize, Serialize};
 
 /// A model and its settings.
-#[derive(Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 pub struct Request {
     /// The model file as messages call it.
     pub file: String,

@@ -79,7 +79,7 @@ impl Run {
 }
 
 /// The message about a simulation that failed, with the line of the part that it names.
-fn told(simulation: &Simulation, failure: &Failure) -> String {
+pub fn told(simulation: &Simulation, failure: &Failure) -> String {
     let located = simulation.document().locate(&failure.message);
     located.map_or_else(|| format!("error: {}", failure.message), |mistake| mistake.to_string())
 }

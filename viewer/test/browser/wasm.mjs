@@ -1,6 +1,6 @@
 // The solver of the page against the program: WebAssembly in node, outside a browser. Does it give the numbers of `ancf14 view` for every model that is shipped,
 // does it need nothing from its host, and how much longer does it take? With ANCF14_BLESS=1 it runs
-// all models to their ends and writes the table of docs/viewer.md.
+// all models to their ends and writes the tables of docs/viewer.md: these figures, and the sizes of the pages.
 
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -88,10 +88,11 @@ function timed(simulate) {
   return { data, took };
 }
 
-/** The data of a page that the program writes. */
+/** The data of a page that the program writes, and its size, bytes. */
 function native(name, set = []) {
   ancf14("view", model(name), ...set.flatMap((pair) => ["--set", pair.join("=")]));
-  return dataOf(readFileSync(join(folder, `${name}.html`), "utf8"));
+  const page = readFileSync(join(folder, `${name}.html`), "utf8");
+  return { ...dataOf(page), size: Buffer.byteLength(page) };
 }
 
 /** The same of the solver of pages. */
@@ -119,7 +120,8 @@ function described(name) {
 test("every model gives the numbers of the program", { timeout: 900000 }, () => {
   const names = readdirSync(models).filter((name) => name.endsWith(".toml")).map((name) => name.slice(0, -5));
   assert.ok(names.length > 10);
-  const lines = ["| example | rows | time, of the program's | largest difference | of the program, with a stiffness changed by 1e-15 |", "|---|---|---|---|---|"];
+  const lines = ["| example | rows | time, s | of the run in a second, s | time, of the program's | largest difference | of the program, with a stiffness changed by 1e-15 |", "|---|---|---|---|---|---|---|"];
+  const sizes = ["| example | instants | stations | page, MB |", "|---|---|---|---|"];
   const wrong = [];
   const share = (number) => (number === undefined ? "" : number === 0 ? "0" : number.toExponential(0));
   for (const name of names) {
@@ -133,13 +135,21 @@ test("every model gives the numbers of the program", { timeout: 900000 }, () => 
     // How much the program's results change with the last digits of the first stiffness.
     const stiffness = value(".young");
     const nudged = found > BOUND ? difference(program.data, native(name, [...set, [stiffness.name, stiffness.value * (1 + NUDGE)]])) : undefined;
-    lines.push(`| ${name} | ${rows.toLocaleString("en")} | ${(page.took / program.took).toFixed(1)} | ${share(found)} | ${share(nudged)} |`);
+    const { scene, instants, size } = program.data;
+    const end = set.length > 0 ? set[0][1] : value("simulation.stop").value;
+    // The time of a static analysis is not that of a clock.
+    const pace = scene.dynamic ? Number((end / page.took).toPrecision(2)) : "";
+    const stations = scene.beams.reduce((most, beam) => Math.max(most, beam.stations[1]), 0);
+    sizes.push(`| ${name} | ${instants.toLocaleString("en")} | ${stations.toLocaleString("en")} | ${(size / 1e6).toFixed(2)} |`);
+    lines.push(`| ${name} | ${rows.toLocaleString("en")} | ${Number(page.took.toPrecision(2))} | ${pace} | ${(page.took / program.took).toFixed(1)} | ${share(found)} | ${share(nudged)} |`);
     if (!(found <= Math.max(BOUND, MOST * (nudged ?? 0)))) wrong.push(name);
   }
   console.log([`ancf14.wasm: ${(bytes.length / 1e6).toFixed(2)} MB, in a page ${((4 / 3) * deflateSync(bytes).length / 1e6).toFixed(2)} MB`, ...lines].join("\n"));
   assert.deepEqual(wrong, [], "these differ by more than their bound");
   if (isWhole) {
     const path = join(models, "../docs/viewer.md");
-    writeFileSync(path, readFileSync(path, "utf8").replace(/\| example \| rows \| time[^]*?(?=\n\n)/, lines.join("\n")));
+    const text = readFileSync(path, "utf8").replace(/\| example \| rows \| time[^]*?(?=\n\n)/, lines.join("\n"));
+    // The rows of pages that are not examples stay.
+    writeFileSync(path, text.replace(/\| example \| instants [^]*?(?=\n\| 20 beams)/, sizes.join("\n")));
   }
 });

@@ -4,7 +4,8 @@
 use ancf14_testing::root;
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
 
 fn export(directory: &Path, model: &str, arguments: &[&str]) -> Output {
     let model = format!("{}/models/{model}.toml", root().display());
@@ -69,6 +70,29 @@ fn failed_runs_are_written() {
     let list = listed(&found["beams.pvd"]);
     assert!(list.len() > 1 && list.len() < 101, "{} instants", list.len());
     assert!(list.iter().all(|(name, _)| found.contains_key(name)));
+}
+
+/// An export that is killed leaves lists that can be read, of files that are there.
+#[test]
+fn killed_exports_can_be_opened() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = format!("{}/models/cantilever.toml", root().display());
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ancf14"));
+    // More rows than any computer writes before it is killed.
+    command.args(["export", &model, "--vtk", "out", "--every=1", "--set", "simulation.stop=1000"]);
+    let mut child = command.current_dir(directory.path()).stderr(Stdio::null()).spawn().unwrap();
+    let list = directory.path().join("out/beams.pvd");
+    let instants = || std::fs::read(&list).map_or(0, |list| listed(&list).len());
+    let begin = Instant::now();
+    // The first list has one instant; the next one comes after a second.
+    while instants() < 2 && begin.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let list = listed(&std::fs::read(&list).unwrap());
+    assert!(list.len() > 1, "{} instants", list.len());
+    assert!(list.iter().all(|(name, _)| directory.path().join("out").join(name).exists()));
 }
 
 /// Nobody gets a hundred thousand files without asking for them, and nothing is touched before.
