@@ -3,4 +3,5 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod campaign;
+mod model_file;
 mod validation;
