@@ -63,6 +63,7 @@ export class Drag {
       part.visible = false;
       player.stage.scene.add(part);
     }
+    player.stage.compile();
     const { canvas } = player.stage;
     const { signal } = this.ending;
     // Before the camera takes the pointer.

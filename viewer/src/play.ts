@@ -7,6 +7,8 @@ import type { Page } from "./ui";
 
 /** Keys that end it. */
 const END = "Escape";
+/** Milliseconds between two words on how fast it is: a screen reader speaks them. */
+const PATIENCE = 1000;
 
 export class Play {
   readonly button = h("button", { type: "button", class: "interact", "aria-pressed": "false", title: "Simulate while you drag the mechanism with the mouse (Escape ends)", onclick: () => this.toggle() }, "Interact");
@@ -63,6 +65,7 @@ export class Play {
     }
     const pace = player.run.speed;
     let frames: Frames | undefined;
+    let told = -Infinity;
     addEventListener("keydown", this.keys, true);
     const outcome = await this.solver.interact(this.request(), pace, {
       begun: (info) => {
@@ -79,7 +82,8 @@ export class Play {
         frames.take(numbers);
         player.showLive(frames);
         this.drag?.update();
-        if (this.state === "paused") return;
+        if (this.state === "paused" || performance.now() - told < PATIENCE) return;
+        told = performance.now();
         const late = rate < 0.95 * pace ? `; the solver is slower than the chosen speed, ${pace} ×` : "";
         this.status.textContent = `t = ${frames.time.toFixed(2)} s, ${Number(rate.toPrecision(2))} × real time${late}. Drag a beam or a body; Escape ends.`;
       },

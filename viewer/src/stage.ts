@@ -316,6 +316,11 @@ export class Stage {
     this.renderer.render(this.gizmo, this.gizmoCamera);
   }
 
+  /** Makes everything ready to be drawn, also what is not visible yet: its first picture would take the time of several. */
+  compile(): void {
+    this.renderer.compile(this.scene, this.camera);
+  }
+
   /** The picture as it is, on a background. */
   png(background: string): string {
     this.renderer.setClearColor(new THREE.Color(background), 1);

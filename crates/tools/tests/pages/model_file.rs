@@ -1,5 +1,6 @@
 //! Every whole example of docs/model-file.md starts, and its drawing follows it: docs/model-file/NAME.svg.
 
+use ancf14::fmi::Model;
 use ancf14::model::drawing::Drawing;
 use ancf14_report::draw::{self, Projection};
 use ancf14_testing::golden;
