@@ -1,5 +1,5 @@
-// The mechanism is dragged by the mouse, while the solver in the page simulates, in a real browser from the disk: does the point follow the pointer, and swing back when it is released?
-// Does the page stay awake, tell what the solver says, and find back to the recorded run? Needs the program in the variable ANCF14, with ancf14.wasm next to it.
+// The mechanism is dragged by the mouse, while the solver in the page simulates, in a real browser from the disk: does the point follow the pointer, and leave it when it is released?
+// Does the page show the messages of the solver, and the recorded run again at the end? Needs the program in the variable ANCF14, with ancf14.wasm next to it.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -69,7 +69,7 @@ test("a point that is dragged follows the pointer and swings away when it is rel
   const away = Math.hypot(free.x - target.x, free.y - target.y);
   assert.ok(away > 0.2 * moved && away > 2 * apart, `${away} pixels away, ${apart} when it was held`);
   const longest = await page.evaluate(() => window.longest);
-  // Printed, not bounded: it depends on what else the computer does.
+  // Printed, not bounded: it includes the scripts of this test, and depends on what else the computer does.
   console.log(`${status}\nlongest task of the page while it is dragged: ${longest ? `${longest.toFixed(0)} ms` : "below 50 ms"}`);
   // The keyboard ends it; the recorded run is back.
   await page.keyboard.press("Escape");
