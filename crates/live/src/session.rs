@@ -88,7 +88,7 @@ impl Session {
             }
             references.push(own);
         }
-        let mass = simulation.system().whole_mass();
+        let mass = simulation.system().mass;
         let gravity = length(scene.gravity);
         let time = TIME_CONSTANT * pace;
         let stiffness = mass * (1.0 / (time * time)).max(gravity / (LIFT * scene.size));

@@ -455,7 +455,7 @@ impl SystemBuilder {
         system.collect_breaks();
         system.find_held_nodes();
         system.set_spread(&q);
-        system.mass = system.whole_mass();
+        system.set_masses();
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
         prescribed.holds = system.holds_at(start, &targets).map(Hold::drawn).collect();

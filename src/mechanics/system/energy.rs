@@ -76,14 +76,8 @@ impl System {
     /// Mass of a part, kg.
     fn mass_of(&self, part: Part) -> f64 {
         match part {
+            Part::Beam(beam) => self.beam_masses[beam],
             Part::Body(body) => self.bodies[body].mass,
-            Part::Beam(beam) => {
-                // The work of a unit acceleration along x.
-                let mut forces = vec![0.0; self.coordinates()];
-                self.elements_of(part).iter().for_each(|element| element.add_weight(&Vec3::x(), 1.0, &mut forces));
-                let nodes = &self.mesh.nodes[self.beams[beam].node_range()];
-                nodes.iter().fold(0.0, |sum, node| sum + forces[node.coordinates().start])
-            }
         }
     }
 

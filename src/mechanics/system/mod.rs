@@ -96,6 +96,8 @@ pub struct System {
     pub origin: Vec3,
     /// Mass of everything, kg.
     pub mass: f64,
+    /// Mass of each beam, kg.
+    pub beam_masses: Vec<f64>,
     /// Gravity, m/s².
     pub gravity: Vec3,
     /// The times at which pieces of loads, actuators, drives and frames meet, ascending, s: steps end there.

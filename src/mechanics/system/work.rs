@@ -1,6 +1,7 @@
 //! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the system may change by.
 
 use crate::math::Vec3;
+use crate::mechanics::beam::node::Node;
 use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::force::actuator;
 use crate::mechanics::force::spring::Spring;
@@ -43,13 +44,14 @@ impl System {
         LIFT_ROUND_OFF * self.mass * self.gravity.norm() * self.size
     }
 
-    /// Mass of everything, kg: the work of a unit acceleration along x.
-    pub fn whole_mass(&self) -> f64 {
+    /// Sets the mass of everything and of each beam: the work of a unit acceleration along x.
+    pub fn set_masses(&mut self) {
         let unit = Vec3::x();
         let mut forces = vec![0.0; self.coordinates()];
         self.mesh.elements.iter().for_each(|element| element.add_weight(&unit, 1.0, &mut forces));
-        let nodes: f64 = self.mesh.nodes.iter().map(|node| forces[node.coordinates().start]).sum();
-        self.bodies.iter().fold(nodes, |sum, body| sum + body.mass)
+        let of_nodes = |nodes: &[Node]| nodes.iter().map(|node| forces[node.coordinates().start]).sum::<f64>();
+        self.beam_masses = self.beams.iter().map(|beam| of_nodes(&self.mesh.nodes[beam.node_range()])).collect();
+        self.mass = self.bodies.iter().fold(of_nodes(&self.mesh.nodes), |sum, body| sum + body.mass);
     }
 
     /// [`System::forces`] over a step, and `strain_rates` set to the rates over it. Returns what the step does to the energies, as it

@@ -2,10 +2,9 @@
 
 use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::run::simulation::Simulation;
+use crate::model::validate::notes::{STEPS_PER_PERIOD, step_for};
 use crate::solve::modes::{Kind, modes};
 
-/// Steps that a vibration needs: the conserving integrator lengthens the period of one with ten steps by 3 %, `(2 pi/10)²/12`.
-const STEPS: f64 = 10.0;
 /// Modes that are asked for: the slowest, and one more for the iteration.
 const MODES: usize = 2;
 
@@ -20,17 +19,15 @@ pub fn long_step(simulation: &Simulation) -> Option<String> {
     let found = modes(simulation.system(), simulation.state(), MODES).ok()?;
     let slowest = found.modes.first().filter(|mode| mode.kind == Kind::Vibration)?;
     let (period, length) = (std::f64::consts::TAU / slowest.eigenvalue.sqrt(), document.value(step));
-    if period >= STEPS * length {
+    if period >= STEPS_PER_PERIOD * length {
         return None;
     }
-    // A tenth of the period, in two digits.
-    let unit = 10_f64.powf((period / STEPS).log10().floor() - 1.0);
-    let shorter = (period / STEPS / unit).floor() * unit;
     Some(format!(
         "{}: {} = {length} s resolves no vibration: the slowest one has a period of {period:.2e} s, {:.1} steps. The results are those of a motion without \
-         vibrations. If vibrations matter, set step = {shorter:.1e} or less, or leave `step` out, and the solver chooses its steps",
+         vibrations. If vibrations matter, set step = {:.1e} or less, or leave `step` out, and the solver chooses its steps",
         document.origin(document.place(step)),
         document.name(step),
-        period / length
+        period / length,
+        step_for(period)
     ))
 }

@@ -1,6 +1,6 @@
 //! Loads, actuators, drives and frames that oscillate too fast for a fixed step.
 
-use super::Note;
+use super::{Note, STEPS_PER_PERIOD, step_for};
 use crate::model::expression::function::Function;
 use crate::model::file::document::Document;
 use crate::model::file::entries::drive::Motion;
@@ -8,8 +8,6 @@ use crate::model::file::entries::frame::Orientation;
 use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::file::number::Number;
 
-/// Steps that an oscillation needs: the midpoint of a step misses 5 % of the amplitude then, `1 - cos(pi/10)`.
-const STEPS: f64 = 10.0;
 /// Samples of a function in a step, and in all.
 const PER_STEP: f64 = 4.0;
 const MOST: u32 = 100_000;
@@ -29,13 +27,11 @@ pub fn fast_signals(document: &Document) -> Vec<Note> {
     let (length, stop) = (document.value(step), document.value(document.simulation.stop));
     let note = |number: Number| {
         let period = shortest_period(&document.function(number), length, stop)?;
-        // A step that is a tenth of the period, in two digits.
-        let unit = 10_f64.powf((period / STEPS).log10().floor() - 1.0);
-        let shorter = (period / STEPS / unit).floor() * unit;
         let text = format!(
-            "oscillates with a period of {period:.2e} s, which is {:.1} steps of step = {length} s. An oscillation needs {STEPS} steps or more: set step = \
-             {shorter:.1e} or less, or leave `step` out, and the solver chooses its steps",
-            period / length
+            "oscillates with a period of {period:.2e} s, which is {:.1} steps of step = {length} s. An oscillation needs {STEPS_PER_PERIOD} steps or more: set step = \
+             {:.1e} or less, or leave `step` out, and the solver chooses its steps",
+            period / length,
+            step_for(period)
         );
         Some(Note::of(document, number, &text))
     };
@@ -58,7 +54,7 @@ fn signals(document: &Document) -> Vec<Number> {
     loads.chain(actuators).chain(drives).chain(frames).collect()
 }
 
-/// The shortest period below `STEPS` steps of length `step` with which a function oscillates up to `stop`, s. Where pieces meet, steps end: a swing across such an instant is resolved.
+/// The shortest period below `STEPS_PER_PERIOD` steps of length `step` with which a function oscillates up to `stop`, s. Where pieces meet, steps end: a swing across such an instant is resolved.
 fn shortest_period(function: &Function, step: f64, stop: f64) -> Option<f64> {
     if function.is_constant() || !function.readings().is_empty() {
         return None;
@@ -74,7 +70,7 @@ fn shortest_period(function: &Function, step: f64, stop: f64) -> Option<f64> {
     let breaks = function.breaks([0.0, stop]);
     let is_fast = |from: f64, to: f64| {
         let after = breaks.partition_point(|time| *time < from);
-        to - from < 0.5 * STEPS * step && breaks.get(after).is_none_or(|time| *time > to)
+        to - from < 0.5 * STEPS_PER_PERIOD * step && breaks.get(after).is_none_or(|time| *time > to)
     };
     let fast = turns.windows(IN_A_ROW + 1).filter(|row| row.windows(2).all(|pair| is_fast(pair[0], pair[1])));
     let periods = fast.map(|row| 2.0 * (row[IN_A_ROW] - row[0]) / IN_A_ROW as f64);
