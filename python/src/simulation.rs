@@ -129,6 +129,12 @@ impl Simulation {
         Ok(PyBytes::new(py, &bytes))
     }
 
+    /// Asks for the mesh error of motions, which a run tells at its end.
+    fn ask_for_mesh_error(&mut self) -> PyResult<()> {
+        self.get_mut()?.ask_for_mesh_error(ancf14_cli::background::start);
+        Ok(())
+    }
+
     /// Runs to the row `last`, or to the end, and takes the simulation away. The inputs called `names` have the values `inputs` from row to row: all of
     /// the first row, then all of the second one. With `film` there is a page that shows the mechanism move.
     #[pyo3(signature = (names, inputs, film=false, last=None))]

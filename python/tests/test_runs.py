@@ -128,6 +128,12 @@ def test_warnings_of_the_solver_are_warnings() -> None:
     assert len(told) == 1 and model.name == "Pushed"
 
 
+def test_a_coarse_mesh_of_a_motion_is_a_warning() -> None:
+    model = ancf14.Model(MODELS / "cantilever.toml")
+    with pytest.warns(ancf14.SolverWarning, match="because of the mesh, as estimated from a run with half the elements"):
+        model.run({"arm.elements": 4})
+
+
 def test_a_failed_run_leaves_its_rows() -> None:
     fails = PUSHED.replace("force = [0, 0, 0], input = true", 'force = [0, 0, "sqrt(0.0105-t)"]')
     with pytest.raises(ancf14.RunError) as caught:

@@ -138,6 +138,11 @@ impl<M: Model> Instance<M> {
         &self.model
     }
 
+    /// The model behind it, for what no host of an FMU can ask for.
+    pub(crate) fn model_mut(&mut self) -> &mut M {
+        &mut self.model
+    }
+
     /// The mode it is in.
     pub fn mode(&self) -> Mode {
         self.control.mode

@@ -19,6 +19,7 @@ use crate::fmi::lifecycle::{Call, Mode};
 use crate::fmi::variable::Variable as Row;
 use crate::fmi::{About, Model, Value};
 use crate::model::modes::Modes;
+use crate::model::simulation::Placement;
 use crate::model::{self, effort, file, names, notes};
 
 /// A model file that runs: load it, set parameters, initialize, advance, read results. All numbers are in SI units and radians.
@@ -204,6 +205,13 @@ impl Simulation {
         Ok(())
     }
 
+    /// Asks for the mesh error of motions, before [`Self::initialize`]: the model runs once more beside this run, with half the elements. `placement` says where, for
+    /// instance on a thread. [`Self::finish`] waits for it, and warns where the mesh is too coarse. Results do not change. [`Self::restore`], and parameters that are set
+    /// during the run, leave the error unknown.
+    pub fn ask_for_mesh_error(&mut self, placement: Placement) {
+        self.instance.model_mut().ask_for_mesh_error(placement);
+    }
+
     /// Advances to `time`, s. The internal steps are those of the model file: where `time` is a multiple of `simulation.step`, results
     /// have the bits of `ancf14 run`.
     ///
@@ -225,7 +233,7 @@ impl Simulation {
     }
 
     /// Ends the run, so that [`Self::take_warnings`] has those about the run as a whole: how far results are off because of the length
-    /// of the steps. Values can still be read.
+    /// of the steps, and of the mesh. Values can still be read.
     ///
     /// # Errors
     /// The simulation is not initialized, or the run has ended already.

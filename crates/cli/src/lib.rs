@@ -2,6 +2,7 @@
 //! of a signal that ended a run. The program and the Python package both call [`main`].
 
 mod advance;
+pub mod background;
 mod check;
 mod conclusion;
 mod demo;

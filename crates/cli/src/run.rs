@@ -1,5 +1,6 @@
 //! `run`: initialize, advance from row to row, write, plot, and say what it took.
 
+use super::background;
 use super::conclusion::{self, PAGE, SUMMARY};
 use super::folder::Folder;
 use super::inputs::Inputs;
@@ -77,6 +78,10 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
         .map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
     folder.claim("run", &simulation.about().guid, &names, read)?;
+    // The further runs of --verify tell it.
+    if wish.is_none() {
+        simulation.ask_for_mesh_error(background::start);
+    }
     let keeper = Keeper::start(Shared::clone(&rows))
         .map_err(|reason| Stop::Failed(format!("error: cannot watch for signals: {reason}")))?;
     say(&format!("rows go to {}, which becomes {COMPLETE} at the end", partial.display()))?;

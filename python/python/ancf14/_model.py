@@ -152,11 +152,12 @@ class Model:
 
         Other threads of Python can work during the run. Ctrl-C stops the run and raises Interrupted, whose ``results`` has the
         rows so far. A step that cannot be computed raises RunError, also with ``results``. Warnings of the solver are issued as
-        SolverWarning.
+        SolverWarning, among them those about errors of the steps and of the mesh that are larger than a reader expects. For the
+        mesh error of a motion the model runs once more on a second thread, with half the elements; studies leave it out.
         """
         told: list[str] = []
         try:
-            return self._run(parameters, stop=stop, output_step=output_step, inputs=inputs, told=told)
+            return self._run(parameters, stop=stop, output_step=output_step, inputs=inputs, told=told, mesh_error=True)
         finally:
             warn(told)
 
@@ -165,9 +166,16 @@ class Model:
         return [(key, _text(value)) for key, value in (parameters or {}).items()]
 
     def _run(
-        self, parameters: Parameters | None, *, stop: float | None, output_step: float | None, inputs: Inputs | None, told: list[str]
+        self,
+        parameters: Parameters | None,
+        *,
+        stop: float | None,
+        output_step: float | None,
+        inputs: Inputs | None,
+        told: list[str],
+        mesh_error: bool = False,
     ) -> Results:
-        """Simulate; the warnings go to ``told``."""
+        """Simulate; the warnings go to ``told``. With ``mesh_error`` a second run beside a motion, with half the elements, tells the mesh error."""
         changes = self._changes(parameters)
         changes += [
             (key, _text(float(value)))
@@ -175,6 +183,8 @@ class Model:
             if value is not None
         ]
         simulation = self._open(changes)
+        if mesh_error:
+            simulation.ask_for_mesh_error()
         with raising():
             times = simulation.times() if inputs else []
         names, values = self._table(inputs or {}, times)

@@ -296,6 +296,13 @@ impl Quantity {
         is_strain || is_force || self.is_acceleration()
     }
 
+    /// Whether it tells where the mechanism is, or an energy: neither how fast it moves nor which strains and forces there are.
+    pub fn is_configuration(self) -> bool {
+        use Quantity::*;
+        let is_place = matches!(self, Position | Displacement | Rotation | Quaternion | Twist | Angle | Distance);
+        is_place || matches!(self, Energy | KineticEnergy | ElasticEnergy | GravityEnergy)
+    }
+
     /// Whether it is a second derivative by time.
     pub fn is_acceleration(self) -> bool {
         use Quantity::*;

@@ -31,6 +31,12 @@ const ROUGH_SHARE: f64 = 0.05;
 const SMALL_FORCE: f64 = 0.1;
 /// An error below this share is told as that: of a model at rest it is round-off.
 const LEAST_TOLD: f64 = 1e-6;
+/// How fast the mesh error of positions and energies of a motion falls with the length of the elements. The elements have order 4; vibrations that a mesh does not resolve lower it.
+pub const ORDER: i32 = 3;
+/// The same of everything where torsion counts: the order of the linear twist.
+pub const ORDER_OF_TWIST: i32 = 2;
+/// The same of velocities, strains and forces.
+const ORDER_OF_RATES: i32 = 2;
 /// The share that a proposed step is chosen for.
 const PROPOSED: f64 = 0.002;
 
@@ -61,6 +67,16 @@ struct Family {
     is_rough: bool,
     /// It is told of; energies that are not among the results only say what is large.
     is_shown: bool,
+    /// How fast the error that a mesh causes falls with the length of the elements.
+    order: i32,
+}
+
+/// How far two runs of a model are apart.
+#[derive(Clone, Debug, Default)]
+pub struct Differences {
+    /// Those of each family, of each row the largest one among its columns.
+    families: Vec<Histogram>,
+    largest: Vec<f64>,
 }
 
 /// What has been seen of the results so far.
@@ -110,12 +126,40 @@ impl Columns {
             let family = families.iter().position(|own| own.name == name).unwrap_or_else(|| {
                 let is_rough = quantity.is_some_and(Quantity::is_rough);
                 let is_shown = table.is_shown(result);
-                families.push(Family { name: name.to_owned(), unit: unit.clone(), is_rough, is_shown });
+                let order = if quantity.is_none_or(Quantity::is_configuration) { ORDER } else { ORDER_OF_RATES };
+                families.push(Family { name: name.to_owned(), unit: unit.clone(), is_rough, is_shown, order });
                 families.len() - 1
             });
             columns.push(Column { result, family, from_zero: scale::counts_from_zero(own) });
         }
         Self { columns, families }
+    }
+
+    /// Sets `largest` to the largest of the errors of each family's results.
+    fn find_largest(&self, error: impl Fn(usize) -> f64, largest: &mut Vec<f64>) {
+        largest.clear();
+        largest.resize(self.families.len(), 0.0);
+        for column in &self.columns {
+            let (error, worst) = (error(column.result), &mut largest[column.family]);
+            *worst = if error.is_nan() { f64::INFINITY } else { error.max(*worst) };
+        }
+    }
+}
+
+impl Differences {
+    /// Includes a row of both runs.
+    pub fn include(&mut self, columns: &Columns, own: &[f64], other: &[f64]) {
+        let Self { families, largest } = self;
+        columns.find_largest(|result| (own[result] - other[result]).abs(), largest);
+        families.resize(largest.len(), Histogram::default());
+        families.iter_mut().zip(largest).for_each(|(differences, largest)| differences.add(*largest));
+    }
+}
+
+impl Family {
+    /// The share of its errors that may be larger than the one that is told.
+    fn left_out(&self) -> f64 {
+        if self.is_rough { ROUGH_SHARE } else { 0.0 }
     }
 }
 
@@ -152,13 +196,7 @@ impl Accuracy {
         }
         self.looked = state.statistics.steps;
         table.measure(&Moment { system, state: moved, response, fibers: &[] }, snapshot, values);
-        largest.clear();
-        largest.resize(columns.families.len(), 0.0);
-        for column in &columns.columns {
-            let error = (values[column.result] - results[column.result]).abs() / multiple;
-            let worst = &mut largest[column.family];
-            *worst = if error.is_nan() { f64::INFINITY } else { error.max(*worst) };
-        }
+        columns.find_largest(|result| (values[result] - results[result]).abs() / multiple, largest);
         self.errors.resize(columns.families.len(), Histogram::default());
         self.errors.iter_mut().zip(largest).for_each(|(errors, largest)| errors.add(*largest));
     }
@@ -184,18 +222,33 @@ impl Accuracy {
     pub fn errors(&self, columns: &Columns, system: &System, duration: f64) -> Vec<Inexact> {
         let error = |number: usize, family: &Family| {
             let errors = self.errors.get(number)?;
-            Some(errors.exceeded_by(if family.is_rough { ROUGH_SHARE } else { 0.0 }))
+            Some(errors.exceeded_by(family.left_out()))
         };
         self.shares(columns, system, duration, error)
     }
 
     /// All families of results with the largest of the `errors` of their results; none of quantities that are zero.
     pub fn errors_of_mesh(&self, columns: &Columns, system: &System, duration: f64, errors: &[f64]) -> Vec<Inexact> {
-        let mut largest = vec![0.0_f64; columns.families.len()];
-        for column in &columns.columns {
-            largest[column.family] = largest[column.family].max(errors[column.result]);
-        }
+        let mut largest = Vec::new();
+        columns.find_largest(|result| errors[result], &mut largest);
         self.shares(columns, system, duration, |number, _| Some(largest[number]))
+    }
+
+    /// All families of results with their errors because of the mesh, from the differences of this run and one whose elements are `ratio` times as long; `limit`: no
+    /// order is higher.
+    pub fn errors_beside(
+        &self,
+        columns: &Columns,
+        system: &System,
+        duration: f64,
+        differences: &Differences,
+        (ratio, limit): (f64, i32),
+    ) -> Vec<Inexact> {
+        let error = |number: usize, family: &Family| {
+            let difference = differences.families.get(number)?.exceeded_by(family.left_out());
+            Some(difference / (ratio.powi(family.order.min(limit)) - 1.0).abs())
+        };
+        self.shares(columns, system, duration, error)
     }
 
     /// All families of results with their errors, given in their units by number and family, as shares of their ranges; none of quantities that are zero.
@@ -292,7 +345,7 @@ impl Inexact {
                 percent(PROPOSED)
             ),
         };
-        (*error > EXPECTED).then(|| {
+        (self.excess_of_steps() > 1.0).then(|| {
             format!(
                 "{name} is off by {} of its range because of the length of the steps, as estimated during the run; {remedy}",
                 self.size(),
@@ -300,17 +353,34 @@ impl Inexact {
         })
     }
 
+    /// The warning about a run whose results are off by more than a reader expects because of both its steps and its mesh, whose error is `mesh`.
+    pub fn warning_with_mesh(&self, mesh: &Self, setting: Setting) -> String {
+        let sum = Self { error: self.error + mesh.error, ..self.clone() };
+        format!(
+            "{} is off by {} of its range because of the length of the steps and the mesh together, as estimated. Take a smaller {} and more elements; --verify names the \
+             numbers",
+            self.name,
+            sum.size(),
+            setting.name()
+        )
+    }
+
+    /// Its error because of the steps over what a reader expects.
+    pub fn excess_of_steps(&self) -> f64 {
+        self.error / EXPECTED
+    }
+
     /// Its error because of the mesh over what a reader expects.
     pub fn excess(&self) -> f64 {
         self.error / if self.is_rough { EXPECTED_OF_FORCES } else { EXPECTED }
     }
 
-    /// The warning about a run whose results are off by more than a reader expects because of the mesh; `twists`: a beam has linear twist.
-    pub fn warning_of_mesh(&self, twists: bool) -> Option<String> {
+    /// The warning about a run whose results are off by more than a reader expects because of the mesh, as `seen_from` another one; `twists`: a beam has linear twist.
+    pub fn warning_of_mesh(&self, seen_from: &str, twists: bool) -> Option<String> {
         let or_twist = if twists { ", or twist = \"quadratic\"" } else { "" };
         (self.excess() > 1.0).then(|| {
             format!(
-                "{} is off by {} of its range because of the mesh, as estimated from a mesh twice as fine. Take more elements{or_twist}; --verify names the beams and the numbers",
+                "{} is off by {} of its range because of the mesh, as estimated from {seen_from}. Take more elements{or_twist}; --verify names the beams and the numbers",
                 self.name,
                 self.size()
             )

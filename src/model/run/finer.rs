@@ -7,7 +7,6 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::builder;
 use crate::model::file::document::Document;
-use crate::model::file::parameter::Parameter;
 use crate::model::variables::{Moment, Table};
 use crate::solve::statics::Statics;
 use crate::solve::step::response::Response;
@@ -27,26 +26,7 @@ pub struct Finer {
 impl Finer {
     /// Builds the mechanism of `document`, which was read with `overrides`, with twice the elements, as drawn at `start`, s; none if a beam has no such mesh.
     pub fn new(document: &Document, overrides: &[Override], start: f64) -> Option<Self> {
-        let finer = Level::DoubleElements.overrides(document)?;
-        let elements: Vec<String> = finer.iter().map(|(key, _)| key.clone()).collect();
-        let overrides = levels::merged(&document.remaining(overrides), finer);
-        let mut other = Document::parse(&document.model.name, document.text(), &overrides).ok()?;
-        // Copies the parameters that a host has set.
-        for index in 0..other.parameters().len() {
-            let parameter = &other.parameters()[index];
-            let name = &parameter.variable.name;
-            let is_same = |own: &Parameter| own.variable.name == *name;
-            // Other anchors may shift them.
-            let own = match document.parameters().get(index).is_some_and(is_same) {
-                true => Some(index),
-                false => document.parameters().iter().position(is_same),
-            };
-            let value = own.map(|own| document.parameter_value(own));
-            let is_set = value.is_some_and(|value| value != other.parameter_value(index));
-            if is_set && !parameter.is_calculated() && !elements.contains(name) {
-                other.set_parameter(index, value?).ok()?;
-            }
-        }
+        let other = levels::changed(document, overrides, Level::DoubleElements.overrides(document)?)?;
         let built = builder::build(&other, document.drawn_at(start)).ok()?;
         let statics = Statics::new(&built.system, TOLERANCE);
         Some(Self { table: Table::new(&other), system: built.system, drawn: built.state, statics })

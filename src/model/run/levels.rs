@@ -9,6 +9,7 @@ use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
 use crate::model::file::entries::output::OutputSpec;
 use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::file::entries::{load, output};
+use crate::model::file::parameter::Parameter;
 use crate::model::file::reader::anchor::{Along, Anchor, Spot};
 use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::validate;
@@ -60,8 +61,11 @@ impl Level {
             Self::HalfStep => is_dynamic.then(|| vec![step(document, 0.5)]),
             Self::DoubleStep => is_dynamic.then(|| vec![step(document, 2.0)]),
             Self::QuadraticTwist => Some(quadratic_twist(document)),
-            Self::DoubleElements => mesh(document, |count| Some(2 * count)),
-            Self::HalfElements => mesh(document, |count| count.is_multiple_of(2).then_some(count / 2)),
+            Self::DoubleElements => {
+                mesh(document, |_, count| Some(2 * count)).map(|own| with_quadratic_twist(document, own))
+            }
+            Self::HalfElements => mesh(document, |_, count| count.is_multiple_of(2).then_some(count / 2))
+                .map(|own| with_quadratic_twist(document, own)),
         };
         let own = own.filter(|overrides| !overrides.is_empty())?;
         // The rows stay where they are, also where the file leaves their distance to the step.
@@ -122,20 +126,100 @@ pub fn elements(document: &Document, beam: &BeamSpec) -> usize {
     document.value(beam.elements) as usize
 }
 
-/// Other numbers of elements in all beams, with quadratic twist; none where one of them has no such number.
-fn mesh(document: &Document, other: impl Fn(usize) -> Option<usize>) -> Option<Vec<Override>> {
-    let mut overrides = quadratic_twist(document);
-    for beam in &document.beams {
-        let count = other(elements(document, beam))?;
+fn with_quadratic_twist(document: &Document, mesh: Vec<Override>) -> Vec<Override> {
+    quadratic_twist(document).into_iter().chain(mesh).collect()
+}
+
+/// Other numbers of elements in all beams, each from the beam's place and its own number; none where one of them has no such number.
+fn mesh(document: &Document, other: impl Fn(usize, usize) -> Option<usize>) -> Option<Vec<Override>> {
+    let mut overrides = Vec::new();
+    for (place, beam) in document.beams.iter().enumerate() {
+        let count = other(place, elements(document, beam))?;
         overrides.push((format!("{}.elements", beam.name), count.to_string()));
     }
     for (key, spot) in anchors(document) {
-        let Spot::Beam { beam, along: Along::Node(node) } = spot else { continue };
-        let beam = &document.beams[beam];
+        let Spot::Beam { beam: place, along: Along::Node(node) } = spot else { continue };
+        let beam = &document.beams[place];
         let count = elements(document, beam);
-        overrides.push((key, same_place(document, beam, node, [count, other(count)?])?));
+        overrides.push((key, same_place(document, beam, node, [count, other(place, count)?])?));
     }
     Some(overrides).filter(|_| !document.beams.is_empty())
+}
+
+/// A run with another mesh: about half the elements, and steps twice as long where the solver chooses them; or twice the elements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OtherMesh {
+    /// The elements of every beam, and what comes with them.
+    pub overrides: Vec<Override>,
+    /// The length of its elements over that of `document`'s, of the beam where both are most alike.
+    pub ratio: f64,
+}
+
+impl OtherMesh {
+    /// That to compare a run of `document` with; none if a beam has no such mesh.
+    pub fn beside(document: &Document) -> Option<Self> {
+        let own = Self::coarser(document).or_else(|| {
+            let overrides = mesh(document, |_, count| Some(2 * count))?;
+            Some(Self { overrides, ratio: 0.5 })
+        });
+        let Self { mut overrides, ratio } = own?;
+        overrides.push((String::from("simulation.output_step"), document.output_step().to_string()));
+        Some(Self { overrides, ratio })
+    }
+
+    /// Half the elements of each beam, or the fewest beyond that with which joints find their nodes; none if no beam can do with fewer.
+    fn coarser(document: &Document) -> Option<Self> {
+        let count = |place: usize, own: usize| {
+            let held = held_places(document, place, own);
+            let fits = |count: &usize| {
+                held.iter().all(|fraction| validate::fits(document, &document.beams[place], *count, *fraction))
+            };
+            (own.div_ceil(2)..own).find(fits).unwrap_or(own)
+        };
+        let counts = document.beams.iter().map(|beam| elements(document, beam)).enumerate();
+        let ratios = counts.map(|(place, own)| own as f64 / count(place, own) as f64);
+        let ratio = ratios.filter(|ratio| *ratio > 1.0).reduce(f64::min)?;
+        let mut overrides = mesh(document, |place, own| Some(count(place, own)))?;
+        if matches!(document.simulation.steps, Steps::ForAccuracy(_)) {
+            overrides.push(step(document, 2.0));
+        }
+        Some(Self { overrides, ratio })
+    }
+}
+
+/// Fractions of a beam of `elements` elements at which joints hold on to nodes between its ends.
+fn held_places(document: &Document, beam: usize, elements: usize) -> Vec<f64> {
+    let Some(division) = validate::division(document, &document.beams[beam], elements) else { return Vec::new() };
+    let joints = document.joints.iter().flat_map(|joint| [joint.a, joint.b]);
+    let places = joints.chain(document.points.iter().map(|point| point.on)).filter_map(|anchor| match anchor.spot {
+        Spot::Beam { beam: own, along: Along::Node(node) } if own == beam => division.fraction(node),
+        Spot::Beam { beam: own, along: Along::Fraction(fraction) } if own == beam => Some(document.value(fraction)),
+        _ => None,
+    });
+    places.filter(|fraction| division.end_at(*fraction).is_some()).collect()
+}
+
+/// `document`, which was read with `overrides`, with `changes`, and with the parameters that a host has set; none where it cannot be read.
+pub fn changed(document: &Document, overrides: &[Override], changes: Vec<Override>) -> Option<Document> {
+    let keys: Vec<String> = changes.iter().map(|(key, _)| key.clone()).collect();
+    let overrides = merged(&document.remaining(overrides), changes);
+    let mut other = Document::parse(&document.model.name, document.text(), &overrides).ok()?;
+    for index in 0..other.parameters().len() {
+        let parameter = &other.parameters()[index];
+        let name = &parameter.variable.name;
+        let is_same = |own: &Parameter| own.variable.name == *name;
+        // Other anchors may shift them.
+        let own = match document.parameters().get(index).is_some_and(is_same) {
+            true => Some(index),
+            false => document.parameters().iter().position(is_same),
+        };
+        let value = own.map(|own| document.parameter_value(own));
+        let is_set = value.is_some_and(|value| value != other.parameter_value(index));
+        if is_set && !parameter.is_calculated() && !keys.contains(name) {
+            other.set_parameter(index, value?).ok()?;
+        }
+    }
+    Some(other)
 }
 
 /// Everything that holds on to a place that it names itself, with its key.

@@ -1,5 +1,7 @@
 //! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
 
+mod companion;
+mod conclusion;
 mod derivatives;
 mod guid;
 mod mesh_error;
@@ -8,6 +10,7 @@ mod saved;
 mod start_derivatives;
 mod stepping;
 
+pub use companion::{Beside, Companion, Placement, Row};
 pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
@@ -15,8 +18,8 @@ use self::guid::guid;
 use self::mesh_error::Peak;
 use self::runner::Runner;
 use self::stepping::UnderWay;
-use super::accuracy::{Accuracy, Columns, Inexact, Looker, Setting};
-use super::levels::Override;
+use super::accuracy::{Accuracy, Columns, Inexact, Looker};
+use super::levels::{OtherMesh, Override};
 use super::watch::Watch;
 use crate::error::Error;
 use crate::fmi::variable::{Variability, Variable};
@@ -57,6 +60,10 @@ pub struct Simulation {
     overrides: Vec<Override>,
     /// The equilibrium of the most strain energy so far.
     peak: Option<Peak>,
+    /// Where the run that tells the mesh error of motions takes place; none: it is not asked for.
+    placement: Option<Placement>,
+    /// That run, with its mesh.
+    companion: Option<(Box<dyn Beside>, OtherMesh)>,
     /// How far results are off because of the mesh, a family each, as found at the end; empty: not known.
     mesh_errors: Vec<Inexact>,
     inputs: Inputs,
@@ -88,13 +95,18 @@ impl Simulation {
     ) -> Result<Self, Failure> {
         let document =
             Document::parse_in(folder, file_name, text, overrides).map_err(|mistakes| mistaken(&mistakes))?;
+        Self::of(document, overrides.to_vec())
+    }
+
+    /// Builds a model file that was read with `overrides`.
+    fn of(document: Document, overrides: Vec<Override>) -> Result<Self, Failure> {
         let built = builder::build(&document, 0.0).map_err(|mistakes| mistaken(&mistakes))?;
         let table = Table::new(&document);
         let about = About {
             name: document.model.name.clone(),
             identifier: document.model.identifier.clone(),
             description: document.model.description.clone(),
-            guid: guid(document.text(), &document.remaining(overrides), &table),
+            guid: guid(document.text(), &document.remaining(&overrides), &table),
             stop: document.value(document.simulation.stop),
             credits: document.model.credits.clone(),
             output_step: document.output_step(),
@@ -106,8 +118,10 @@ impl Simulation {
             columns: Arc::new(Columns::new(&table)),
             accuracy: Accuracy::default(),
             looker: Looker::default(),
-            overrides: overrides.to_vec(),
+            overrides,
             peak: None,
+            placement: None,
+            companion: None,
             mesh_errors: Vec::new(),
             table: Arc::new(table),
             runner: Runner::new(built, &document, 0.0),
@@ -151,23 +165,9 @@ impl Simulation {
         is_at_instant.then_some(&self.runner.response.multipliers)
     }
 
-    /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion; empty where that is not known.
-    pub fn estimated_errors(&self) -> Vec<Inexact> {
-        let Runner { system, state, start, .. } = &self.runner;
-        if !state.time_error.is_known() {
-            return Vec::new();
-        }
-        self.accuracy.errors(&self.columns, system, state.time - start)
-    }
-
     /// The largest range of an energy so far, J: also where the energies are not among the results.
     pub fn largest_energy(&self) -> f64 {
         self.accuracy.energy(&self.columns)
-    }
-
-    /// The family of results with the largest estimated error.
-    pub fn least_accurate(&self) -> Option<Inexact> {
-        self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
     }
 
     /// Sets parameter `index` of the file, and what follows from it; one that is tunable at once in a system that runs.
@@ -189,8 +189,8 @@ impl Simulation {
                 self.last.settings = settings;
             }
             self.runner.stale = true;
-            // It is an equilibrium of other parameters.
-            self.peak = None;
+            // They are of other parameters.
+            (self.peak, self.companion) = (None, None);
             self.derived.forget_rates();
         }
         Ok(())
@@ -360,8 +360,9 @@ impl Model for Simulation {
         self.accuracy = Accuracy::default();
         self.forget_mesh_errors();
         let outcome = self.measure();
-        if outcome.is_err() {
-            self.runner = before;
+        match outcome {
+            Ok(()) => self.start_companion(),
+            Err(_) => self.runner = before,
         }
         outcome
     }
@@ -400,16 +401,7 @@ impl Model for Simulation {
     }
 
     fn conclude(&mut self) {
-        self.look();
-        let Runner { pacing, state, .. } = &self.runner;
-        let setting = match pacing {
-            Some(pacing) => Setting::Accuracy(pacing.accuracy),
-            None => Setting::Step(state.time_error.step),
-        };
-        self.warnings.extend(self.least_accurate().and_then(|worst| worst.warning(setting)));
-        self.find_mesh_errors();
-        let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
-        self.warnings.extend(Watch::conclude(&self.runner.system, [begin, end]));
+        self.end_run();
     }
 
     fn take_warnings(&mut self) -> Vec<String> {

@@ -11,6 +11,7 @@ use self::ends::EndWatch;
 use self::mesh::MeshWatch;
 use self::stops::StopWatch;
 use crate::error::decimal;
+use crate::mechanics::output::mesh_error::Deformation;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::Alarm;
 use crate::mechanics::system::System;
@@ -79,6 +80,11 @@ impl Watch {
     /// Strain energy of the last state that was looked at, J; 0: none was.
     pub fn strain_energy(&self) -> f64 {
         self.mesh.strain_energy
+    }
+
+    /// Whether torsion is most of the energy that the mesh has left out where it left out most so far.
+    pub fn is_torsion(&self) -> bool {
+        self.mesh.most_left_out.1 == Some(Deformation::Torsion)
     }
 
     /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.

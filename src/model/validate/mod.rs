@@ -9,7 +9,7 @@ mod paths;
 mod places;
 pub mod sections;
 
-pub use lines::{Lines, division};
+pub use lines::{Lines, division, fits};
 
 use super::file;
 use super::file::document::Document;
@@ -252,7 +252,7 @@ impl Checker<'_> {
             };
             let label = format!("the nearest nodes are at {} and {}", nearest[0], nearest[1]);
             let closer = element + usize::from(nearest[1] - fraction < fraction - nearest[0]);
-            let fits = |count: &usize| lines::fits(document, written, *count, fraction);
+            let fits = |count: &usize| fits(document, written, *count, fraction);
             let counts: Vec<String> = (1..=100).filter(fits).take(5).map(|count| count.to_string()).collect();
             let help = match counts.is_empty() {
                 true => {

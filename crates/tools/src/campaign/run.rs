@@ -85,6 +85,10 @@ impl Record {
             Column { name: variable.name.clone(), unit: variable.quantity.unit.clone() }
         };
         self.columns = outputs.iter().map(column).collect();
+        // References are runs with finer meshes themselves.
+        if !matches!(setting, Setting::Finer(_)) {
+            simulation.ask_for_mesh_error(|companion| Box::new(companion));
+        }
         let begun = simulation.initialize(machine.start);
         self.warnings.extend(simulation.take_warnings());
         if let Err(failure) = begun {

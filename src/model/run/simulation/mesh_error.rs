@@ -1,13 +1,13 @@
-//! The error of equilibria because of the mesh, found at the end of a run.
+//! The error of a run because of the mesh, found at its end: that of equilibria from a finer mesh, that of motions from a run with another mesh.
 
 use super::Simulation;
+use super::companion::{Beside, Companion, Placement};
 use super::runner::Runner;
 use crate::error::decimal;
 use crate::mechanics::state::State;
 use crate::model::file::entries::simulation::Analysis;
-use crate::model::run::accuracy::Inexact;
+use crate::model::run::accuracy::{Inexact, ORDER, ORDER_OF_TWIST};
 use crate::model::run::finer::Finer;
-use crate::model::run::levels;
 
 /// The mesh error over the difference between both meshes: the finer one keeps a sixteenth of the error (order 4).
 const FINER: f64 = 16.0 / 15.0;
@@ -22,7 +22,19 @@ pub(super) struct Peak {
 }
 
 impl Simulation {
-    /// How far results of equilibria are off because of the mesh, a family each, as [`crate::fmi::Model::conclude`] has found; empty where that is not known.
+    /// Asks for the mesh error of motions: from the next initialization on, the model runs once more beside this run, with another mesh and where `placement` says, until
+    /// [`crate::fmi::Model::conclude`] compares. Restored states, and parameters that are set on the way, leave the error unknown. That of equilibria needs no such run.
+    pub fn ask_for_mesh_error(&mut self, placement: Placement) {
+        self.placement = Some(placement);
+    }
+
+    /// Whether the end of the run is to find the mesh error: that of equilibria always, that of motions where it is asked for.
+    pub fn seeks_mesh_error(&self) -> bool {
+        let is_sought = self.document.simulation.analysis == Analysis::Static || self.placement.is_some();
+        is_sought && !self.document.beams.is_empty()
+    }
+
+    /// How far results are off because of the mesh, a family each, as [`crate::fmi::Model::conclude`] has found; empty where that is not known.
     pub fn mesh_errors(&self) -> &[Inexact] {
         &self.mesh_errors
     }
@@ -34,8 +46,16 @@ impl Simulation {
 
     /// Forgets the mesh errors and what they would be found from: another run begins.
     pub(super) fn forget_mesh_errors(&mut self) {
-        self.peak = None;
+        (self.peak, self.companion) = (None, None);
         self.mesh_errors.clear();
+    }
+
+    /// Starts the companion, if one is asked for.
+    pub(super) fn start_companion(&mut self) {
+        let is_motion = self.document.simulation.analysis == Analysis::Dynamic;
+        let Some(placement) = self.placement.filter(|_| is_motion) else { return };
+        self.companion = Companion::new(self).map(|(companion, mesh)| (placement(companion), mesh));
+        self.hand_over(self.inputs.parts().map(<[f64]>::to_vec));
     }
 
     /// Keeps an equilibrium that has more strain energy than all before.
@@ -58,9 +78,45 @@ impl Simulation {
         }
     }
 
-    /// Finds how far the equilibrium of the most strain energy, and the last one, are off because of the mesh, and warns of it.
-    pub(super) fn find_mesh_errors(&mut self) {
+    /// Finds how far this run is off because of the mesh; returns what it is seen from, in words.
+    pub(super) fn find_mesh_errors(&mut self) -> &'static str {
         self.mesh_errors.clear();
+        match self.companion.take() {
+            Some((companion, mesh)) => {
+                let seen_from = match mesh.ratio {
+                    ratio if ratio > 1.0 => "a run with half the elements",
+                    _ => "a run with twice the elements",
+                };
+                self.compare_with_companion(companion, mesh.ratio, seen_from);
+                seen_from
+            }
+            None => {
+                self.compare_with_finer();
+                "a mesh twice as fine"
+            }
+        }
+    }
+
+    /// Finds how far the motion is off.
+    fn compare_with_companion(&mut self, companion: Box<dyn Beside>, ratio: f64, run: &str) {
+        let differences = match companion.finish() {
+            Ok(differences) => differences,
+            Err(reason) => {
+                let reason = reason.lines().next().unwrap_or("").trim_start_matches("error: ").trim_end_matches('.');
+                self.warnings.push(format!(
+                    "the mesh error is not known: {run}, beside this one, ended early: {reason}. The mesh may be too coarse; take more elements"
+                ));
+                return;
+            }
+        };
+        let Runner { system, state, start, .. } = &self.runner;
+        let limit = if self.watch.is_torsion() { ORDER_OF_TWIST } else { ORDER };
+        let duration = state.time - start;
+        self.mesh_errors = self.accuracy.errors_beside(&self.columns, system, duration, &differences, (ratio, limit));
+    }
+
+    /// Finds how far the equilibrium of the most strain energy, and the last one, are off.
+    fn compare_with_finer(&mut self) {
         let Some(Peak { state, results, .. }) = &self.peak else { return };
         let Runner { system, state: last, start, .. } = &self.runner;
         let Some(mut finer) = Finer::new(&self.document, &self.overrides, *start) else { return };
@@ -89,8 +145,5 @@ impl Simulation {
             return;
         }
         self.mesh_errors = self.accuracy.errors_of_mesh(&self.columns, system, last.time - start, &errors);
-        let worst = self.mesh_errors.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()));
-        let twists = self.document.beams.iter().any(levels::has_linear_twist);
-        self.warnings.extend(worst.and_then(|worst| worst.warning_of_mesh(twists)));
     }
 }

@@ -185,7 +185,7 @@ impl Simulation {
         self.results.clone_from(&snapshot.results);
         self.watch.clone_from(&snapshot.watch);
         self.accuracy.clone_from(&snapshot.accuracy);
-        self.peak = None;
+        (self.peak, self.companion) = (None, None);
         self.inputs.copy_from(&snapshot.inputs);
         self.derived = Derived::default();
         self.under_way = None;

@@ -106,6 +106,9 @@ impl Simulation {
             self.last.known = true;
             self.last.inputs.copy_from(&self.inputs);
             (self.last.end, self.last.stop) = (end, stop);
+            if self.companion.is_some() {
+                self.hand_over(self.last.inputs.parts().map(<[f64]>::to_vec));
+            }
         }
         self.inputs.end_step();
         outcome

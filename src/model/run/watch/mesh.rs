@@ -52,6 +52,9 @@ pub struct MeshWatch {
     /// Strain energy of the last state that was looked at, J; not saved with the others.
     #[serde(skip)]
     pub strain_energy: f64,
+    /// The largest energy that the elements left out so far, J, and the deformation that most of it was of; not saved with the others.
+    #[serde(skip)]
+    pub most_left_out: (f64, Option<Deformation>),
 }
 
 /// How often something was seen while its scale was about the same.
@@ -137,6 +140,9 @@ impl MeshWatch {
         self.strain_energy = error.energy;
         let Energies { kinetic, elastic } = state.balance.last.unwrap_or(Energies { kinetic: 0.0, elastic: 0.0 });
         self.largest_energy = self.largest_energy.max(kinetic + elastic.max(error.energy));
+        if error.left_out > self.most_left_out.0 {
+            self.most_left_out = (error.left_out, error.worst.as_ref().map(|worst| worst.deformation));
+        }
         self.largest_moment = self.largest_moment.max(error.largest_moment);
         self.largest_force = self.largest_force.max(error.largest_force);
         if has_warned || error.energy <= error.round_off {

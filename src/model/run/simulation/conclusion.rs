@@ -1,0 +1,56 @@
+//! The end of a run: how far its results are off because of its steps and its mesh, and what else the user should know of it as a whole.
+
+use super::Simulation;
+use super::runner::Runner;
+use crate::model::run::accuracy::{Inexact, Setting};
+use crate::model::run::levels;
+use crate::model::run::watch::Watch;
+
+impl Simulation {
+    /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion; empty where that is not known.
+    pub fn estimated_errors(&self) -> Vec<Inexact> {
+        let Runner { system, state, start, .. } = &self.runner;
+        if !state.time_error.is_known() {
+            return Vec::new();
+        }
+        self.accuracy.errors(&self.columns, system, state.time - start)
+    }
+
+    /// The family of results with the largest estimated error.
+    pub fn least_accurate(&self) -> Option<Inexact> {
+        self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
+    }
+
+    /// Looks a last time, and warns of errors that are larger than a reader expects, of each kind or together.
+    pub(super) fn end_run(&mut self) {
+        self.look();
+        let Runner { pacing, state, .. } = &self.runner;
+        let setting = match pacing {
+            Some(pacing) => Setting::Accuracy(pacing.accuracy),
+            None => Setting::Step(state.time_error.step),
+        };
+        let of_steps = self.least_accurate().and_then(|worst| worst.warning(setting));
+        let seen_from = self.find_mesh_errors();
+        let worst = self.mesh_errors.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()));
+        let twists = self.document.beams.iter().any(levels::has_linear_twist);
+        let of_mesh = worst.and_then(|worst| worst.warning_of_mesh(seen_from, twists));
+        if of_steps.is_none() && of_mesh.is_none() {
+            self.warnings.extend(self.warning_of_both(setting));
+        }
+        self.warnings.extend(of_steps.into_iter().chain(of_mesh));
+        let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
+        self.warnings.extend(Watch::conclude(&self.runner.system, [begin, end]));
+    }
+
+    /// Warns of results that are off by more than a reader expects because of the steps and the mesh together.
+    fn warning_of_both(&self, setting: Setting) -> Option<String> {
+        let steps = self.estimated_errors();
+        let pairs = steps.iter().filter_map(|steps| {
+            let mesh = self.mesh_errors.iter().find(|mesh| mesh.name == steps.name)?;
+            Some((steps, mesh))
+        });
+        let excess = |(steps, mesh): &(&Inexact, &Inexact)| steps.excess_of_steps() + mesh.excess();
+        let (steps, mesh) = pairs.max_by(|a, b| excess(a).total_cmp(&excess(b)))?;
+        (excess(&(steps, mesh)) > 1.0).then(|| steps.warning_with_mesh(mesh, setting))
+    }
+}
