@@ -23,6 +23,10 @@ ROOT = Path(__file__).resolve().parents[2]
 SOURCES = [*sorted(ROOT.glob("models/*.toml")), *sorted(ROOT.glob("tests/suite/fmi/*.toml"))]
 
 
+# Words of warnings about the mesh of a motion: the command tells them from a second run beside the first one, which an FMU does without.
+OF_THE_COMMAND = ["as estimated from a run with", "the mesh together", "the mesh error is not known: a run with"]
+
+
 def executable() -> Path:
     return Path(os.environ.get("ANCF14", ROOT / "target/fmu/ancf14"))
 
@@ -75,7 +79,8 @@ def results(fmu, tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp(fmu.stem)
     with zipfile.ZipFile(fmu) as archive:
         (folder / "model.toml").write_bytes(archive.read("resources/model.toml"))
-    warnings = run("run", folder / "model.toml", "--out", folder / "results")
+    told = run("run", folder / "model.toml", "--out", folder / "results")
+    warnings = [warning for warning in told if not any(words in warning for words in OF_THE_COMMAND)]
     (folder / "results" / "warnings.txt").write_text("".join(f"{warning}\n" for warning in warnings))
     return folder / "results" / "results.csv"
 

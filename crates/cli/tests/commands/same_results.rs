@@ -20,6 +20,7 @@ fn results_are_those_of_the_command() {
     assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
     let pairs: Vec<(&str, &str)> = overrides.iter().map(|one| one.split_once('=').unwrap()).collect();
     let mut simulation = Simulation::open_with(&file, &pairs).unwrap();
+    simulation.ask_for_mesh_error(|companion| Box::new(companion));
     let results = simulation.record(&[]).unwrap();
 
     let table = fs::read_to_string(folder.path().join("results/results.csv")).unwrap();
