@@ -133,6 +133,8 @@ fn error(simulation: &Simulation, name: &str) -> f64 {
 #[test]
 fn errors_of_motions_are_told() {
     let (mut compared, mut off) = (0, Vec::new());
+    // Torsion alone has order 2, which is the one assumed.
+    let bounds = |model| if model == "shaft" { 0.7..1.5 } else { 0.5..5.0 };
     for (model, text) in [("pendulum", PENDULUM), ("cantilever", CANTILEVER), ("shaft", SHAFT)] {
         let coarse = text.replace("elements = 8", "elements = 4");
         let (simulation, rows) = concluded(load(&coarse, &[]));
@@ -151,7 +153,7 @@ fn errors_of_motions_are_told() {
             println!("{model}: {name} told {error:.2e}, true {truth:.2e}");
             if truth > LEAST && COMPARED.iter().any(|quantity| name.ends_with(quantity)) {
                 compared += 1;
-                if !(0.5..5.0).contains(&(error / truth)) {
+                if !bounds(model).contains(&(error / truth)) {
                     off.push(format!("{model}: {name} told {error:e}, true {truth:e}"));
                 }
             }
