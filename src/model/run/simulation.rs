@@ -2,12 +2,14 @@
 
 mod derivatives;
 mod guid;
+mod kept;
 mod mesh_error;
 mod runner;
 mod saved;
 mod start_derivatives;
 mod stepping;
 
+pub use kept::Kept;
 pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
