@@ -8,7 +8,7 @@
 mod dependencies;
 mod derivatives;
 mod fmi3;
-mod serialized;
+pub mod serialized;
 mod state;
 mod values;
 

@@ -51,7 +51,7 @@ impl Value {
 }
 
 /// What the description says of a model as a whole.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct About {
     /// `modelName`: free text.
     pub name: String,

@@ -1,6 +1,6 @@
 //! `demo`: the double pendulum of the models, built in.
 
-use super::{Stop, output, run, say};
+use super::{Stop, output, progress, run, say};
 use ancf14::model::simulation::Simulation;
 use std::path::Path;
 
@@ -13,7 +13,8 @@ pub fn demo() -> Result<(), Stop> {
     let simulation = Simulation::load(FILE, MODEL, &[]).map_err(|failure| Stop::Bad(failure.message))?;
     say(&format!("a flexible double pendulum, released under gravity; the model and its results go to ./{DIRECTORY}"))?;
     let directory = Path::new(DIRECTORY);
-    run::run(simulation, directory, run::Order::default())?;
+    let plan = progress::plan(&simulation, None)?;
+    run::run(simulation, directory, run::Order { plan, ..run::Order::default() })?;
     let file = directory.join(FILE);
     match std::fs::read(&file) {
         Ok(there) if there != MODEL.as_bytes() => say(&format!("{} has been changed: it is kept", file.display())),

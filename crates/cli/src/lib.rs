@@ -19,6 +19,7 @@ mod progress;
 mod rows;
 mod run;
 mod shell;
+mod stages;
 mod verify;
 mod view;
 mod voice;
@@ -87,6 +88,13 @@ enum Command {
         /// Give the inputs of the model from a table: a column `time` and one for each input, linear between the rows
         #[arg(long, value_name = "FILE.csv", conflicts_with = "verify")]
         inputs: Option<PathBuf>,
+        /// Begin with the state that another run has left, instead of at t = 0. From a run of the same model, results continue with the same bits; another model with the same parts
+        /// brings its own loads, drives and switches
+        #[arg(long, value_name = "FILE", conflicts_with = "verify")]
+        from_state: Option<PathBuf>,
+        /// Write the state at the end of the run, from which another run can begin
+        #[arg(long, value_name = "FILE")]
+        save_state: Option<PathBuf>,
         /// Files of the table
         #[arg(long, value_enum, default_value_t)]
         format: run::Format,
@@ -306,7 +314,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
     match command {
         Command::New { name: Some(name), template, .. } => new::new(&name, &template),
         Command::New { name: None, .. } => new::list(),
-        Command::Run { model, verify, view, inputs, format, out } => {
+        Command::Run { model, verify, view, inputs, from_state, save_state, format, out } => {
             let (mut simulation, text) = model.load()?;
             let file_name = model.name();
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
@@ -314,16 +322,24 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
                 let reason = "error: a run with --inputs cannot be verified: simulation.verify = true asks for it";
                 return Err(Stop::Bad(format!("{reason}; add --set simulation.verify=false")));
             }
+            if is_wanted && from_state.is_some() {
+                let reason = "error: a run with --from-state cannot be verified: simulation.verify = true asks for it";
+                return Err(Stop::Bad(format!("{reason}; add --set simulation.verify=false")));
+            }
+            let from = from_state.as_deref().map(|path| stages::read(path, &simulation)).transpose()?;
             let table = inputs.as_deref().map(|path| Inputs::read(path, &mut simulation)).transpose()?;
             let accuracy = verify.flatten().unwrap_or(verify::ACCURACY);
             let overrides = simulation.document().remaining(&model.overrides);
             let wish = Wish { file_name: &file_name, text: &text, overrides: &overrides, accuracy };
-            let film = view.then(|| progress::last_row(&simulation).map(|last| Film::new(&simulation, last)));
+            let plan = progress::plan(&simulation, from.as_ref())?;
+            let film = view.then(|| Film::new(&simulation, plan.count));
             let (directory, wish) = (model.directory(out), is_wanted.then_some(wish));
-            let read: Vec<_> =
-                [model.input()].into_iter().chain(inputs.iter().map(|path| (INPUTS, path.as_path()))).collect();
-            let (inputs, settings, film) = (table.as_ref(), &*model.overrides, film.transpose()?);
-            run::run(simulation, &directory, run::Order { inputs, read: &read, settings, wish, film, format })
+            let read = [model.input()].into_iter().chain(inputs.iter().map(|path| (INPUTS, path.as_path())));
+            let read: Vec<_> = read.chain(from_state.iter().map(|path| (stages::STATE, path.as_path()))).collect();
+            output::spare(&read, save_state.as_slice())?;
+            let (inputs, settings, save) = (table.as_ref(), &*model.overrides, save_state.as_deref());
+            let order = run::Order { inputs, from, save, plan, read: &read, settings, wish, film, format };
+            run::run(simulation, &directory, order)
         }
         Command::Check { model, resolved: true, .. } => {
             let (simulation, text) = model.load()?;

@@ -4,7 +4,7 @@ use super::{Stop, voice};
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::{SimulationSpec, Steps};
 use ancf14::model::rows;
-use ancf14::model::simulation::Simulation;
+use ancf14::model::simulation::{Kept, Simulation};
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// A bar that fills with rows. A pipe gets none: indicatif draws on terminals only.
@@ -14,6 +14,31 @@ pub fn bar(last_row: u64) -> ProgressBar {
     }
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
     ProgressBar::new(last_row).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// The rows of a run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Plan {
+    /// Time of row 0, s.
+    pub begin: f64,
+    /// Number of the row after it among those of a run from 0, and of the last one.
+    pub rows: [u64; 2],
+    /// How many rows there are besides row 0.
+    pub count: u64,
+}
+
+/// The rows of a run that begins at 0, or with the state of another one.
+pub fn plan(simulation: &Simulation, from: Option<&Kept>) -> Result<Plan, Stop> {
+    let (about, last) = (simulation.about(), last_row(simulation)?);
+    let Some(kept) = from else { return Ok(Plan { begin: 0.0, rows: [1, last], count: last }) };
+    let (begin, stop) = (kept.time(), about.stop);
+    let first = rows::first_after(about, begin, last).ok_or_else(|| {
+        Stop::Bad(format!(
+            "error: the state is at t = {begin} s, and the run ends at simulation.stop = {stop} s; give a later end, as in --set simulation.stop={}",
+            begin + stop
+        ))
+    })?;
+    Ok(Plan { begin, rows: [first, last], count: last - first + 1 })
 }
 
 /// Number of the last row of results; row 0 is the start. Too many rows are a mistake of the file.

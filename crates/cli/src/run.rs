@@ -5,15 +5,15 @@ use super::conclusion::{self, PAGE, SUMMARY};
 use super::folder::Folder;
 use super::inputs::Inputs;
 use super::keeper::{Keeper, Signal, interrupted, kept};
-use super::output::{Input, trouble};
-use super::progress::{bar, last_row};
+use super::output::{self, Input, trouble};
+use super::progress::{Plan, bar};
 use super::rows::{Rows, Shared, locked};
 use super::verify::{self, Wish};
-use super::{Stop, complain, failed, page, say, start};
+use super::{Stop, complain, failed, page, say, stages, start};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::effort;
-use ancf14::model::simulation::Simulation;
+use ancf14::model::simulation::{Kept, Simulation};
 use ancf14_report::plot::Plot;
 use ancf14_report::results::Results;
 use ancf14_view::{Film, ended_early};
@@ -45,6 +45,12 @@ pub enum Format {
 pub struct Order<'a> {
     /// A table of inputs; none: the start values of the file.
     pub inputs: Option<&'a Inputs>,
+    /// The state of another run that it begins with.
+    pub from: Option<Kept>,
+    /// Where the state at the end goes.
+    pub save: Option<&'a Path>,
+    /// Its rows.
+    pub plan: Plan,
     /// Files that the command reads.
     pub read: &'a [Input<'a>],
     /// The overrides of `--set`.
@@ -59,8 +65,8 @@ pub struct Order<'a> {
 
 /// Simulates and writes everything into the folder `directory`.
 pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Result<(), Stop> {
-    let Order { inputs, read, settings, wish, mut film, format } = order;
-    let last_row = last_row(&simulation)?;
+    let Order { inputs, from, save, plan, read, settings, wish, mut film, format } = order;
+    let last_row = plan.count;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
     let mut results = Results::new(simulation.variables(), last_row);
@@ -78,8 +84,8 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
         .map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
     folder.claim("run", &simulation.about().guid, &names, read)?;
-    // The further runs of --verify tell it.
-    if wish.is_none() {
+    // The further runs of --verify tell it; a run that begins with a state has none on another mesh.
+    if wish.is_none() && from.is_none() {
         simulation.ask_for_mesh_error(background::start);
     }
     let keeper = Keeper::start(Shared::clone(&rows))
@@ -87,10 +93,11 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     say(&format!("rows go to {}, which becomes {COMPLETE} at the end", partial.display()))?;
 
     let clock = Instant::now();
-    let outcome = simulate(&mut simulation, inputs, &mut results, &rows, film.as_mut(), &keeper);
+    let outcome = simulate(&mut simulation, (inputs, from.as_ref()), plan, &mut results, &rows, film.as_mut(), &keeper);
     let wall = clock.elapsed().as_secs_f64();
     drop(keeper);
     let is_complete = outcome.is_ok();
+    let saved = save.filter(|_| is_complete).map_or(Ok(()), |path| output::write(path, &simulation.keep()));
     let finished = finish(&results, &rows, &plots, &folder, is_complete);
     if is_complete {
         simulation.conclude();
@@ -124,7 +131,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     };
     let shown = film.map_or(Ok(()), |film| show(film, &folder, &outcome, reached));
     // The first reason to fail is the one to tell.
-    outcome.and(finished).and(told).and(written).and(pointed).and(shown)?;
+    outcome.and(finished).and(saved).and(told).and(written).and(pointed).and(shown)?;
     let Some(wish) = wish else { return Ok(()) };
     let verified = verify::verify(&simulation, rows, last_row, &folder, wish);
     // Again, with the errors and the warnings about them.
@@ -204,28 +211,32 @@ impl End {
 
 fn simulate(
     simulation: &mut Simulation,
-    inputs: Option<&Inputs>,
+    (inputs, from): (Option<&Inputs>, Option<&Kept>),
+    Plan { begin, rows: [first, last], count }: Plan,
     results: &mut Results,
     rows: &Shared,
     mut film: Option<&mut Film>,
     keeper: &Keeper,
 ) -> Result<(), End> {
-    let last_row = results.last_row;
-    let bar = bar(last_row);
+    let bar = bar(count);
     let mut look = |row: u64, simulation: &Simulation| film.iter_mut().for_each(|film| film.look(row, simulation));
     let mut record = |time: f64, simulation: &Simulation| {
         locked(rows).push(time, &results.record(time, simulation)).map_err(End::Write)
     };
     // The bar appears with the first row.
     if let Some(inputs) = inputs {
-        inputs.start(simulation, 0.0).map_err(|failure| End::Model(failed(simulation, &failure)))?;
+        inputs.start(simulation, begin).map_err(|failure| End::Model(failed(simulation, &failure)))?;
     }
-    start(simulation).map_err(End::Model)?;
-    record(0.0, simulation)?;
+    match from {
+        Some(kept) => stages::start(simulation, kept),
+        None => start(simulation),
+    }
+    .map_err(End::Model)?;
+    record(begin, simulation)?;
     look(0, simulation);
-    let outcome = (1..=last_row).try_for_each(|row| {
+    let outcome = (first..=last).try_for_each(|row| {
         keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
-        let time = ancf14::model::rows::time(simulation.about(), row, last_row);
+        let time = ancf14::model::rows::time(simulation.about(), row, last);
         let advanced = match inputs {
             Some(inputs) => inputs.advance(simulation, time),
             None => simulation.advance(time),
@@ -235,7 +246,7 @@ fn simulate(
         }
         advanced.map_err(|failure| End::Model(failed(simulation, &failure)))?;
         record(time, simulation)?;
-        look(row, simulation);
+        look(row - first + 1, simulation);
         bar.set_message(format!("t = {time:.4} s"));
         bar.inc(1);
         Ok(())

@@ -15,7 +15,7 @@ const MAGIC: [u8; 8] = *b"ancf14st";
 /// Version of the layout: of the header and of all that models write.
 const VERSION: u32 = 10;
 /// Bytes of the header: magic, version, length, checksum.
-const HEADER: usize = 8 + 4 + 8 + 4;
+pub const ROOM: usize = 8 + 4 + 8 + 4;
 
 impl<M: Model> Instance<M> {
     /// The bytes of a state (`fmi2SerializeFMUstate`, section 2.1.8).
@@ -24,14 +24,8 @@ impl<M: Model> Instance<M> {
     /// The mode does not allow `call`.
     pub fn serialize(&self, call: Call, state: &FmuState<M>) -> Result<Vec<u8>, Error> {
         self.check(call)?;
-        let bytes = postcard::to_extend(&(&state.guid, state.control), vec![0; HEADER]);
-        let mut bytes = self.model.write(&state.model, bytes.expect("a Vec takes every byte"));
-        let (header, content) = bytes.split_at_mut(HEADER);
-        header[..8].copy_from_slice(&MAGIC);
-        header[8..12].copy_from_slice(&VERSION.to_le_bytes());
-        header[12..20].copy_from_slice(&(content.len() as u64).to_le_bytes());
-        header[20..].copy_from_slice(&crc32fast::hash(content).to_le_bytes());
-        Ok(bytes)
+        let bytes = postcard::to_extend(&(&state.guid, state.control), vec![0; ROOM]);
+        Ok(seal(self.model.write(&state.model, bytes.expect("a Vec takes every byte"))))
     }
 
     /// The state that was serialized to `bytes`, of this or another instance, in this or another process (section 2.1.8).
@@ -56,10 +50,22 @@ impl<M: Model> Instance<M> {
     }
 }
 
+/// Writes the header into the first [`ROOM`] of `bytes`, which are left for it.
+pub fn seal(mut bytes: Vec<u8>) -> Vec<u8> {
+    let (header, content) = bytes.split_at_mut(ROOM);
+    header[..8].copy_from_slice(&MAGIC);
+    header[8..12].copy_from_slice(&VERSION.to_le_bytes());
+    header[12..20].copy_from_slice(&(content.len() as u64).to_le_bytes());
+    header[20..].copy_from_slice(&crc32fast::hash(content).to_le_bytes());
+    bytes
+}
+
 /// What stands behind the header, if it is what was written.
-fn content(bytes: &[u8]) -> Result<&[u8], String> {
-    let Some((header, content)) = bytes.split_at_checked(HEADER).filter(|(header, _)| header.starts_with(&MAGIC))
-    else {
+///
+/// # Errors
+/// It is not: the bytes are foreign, truncated or damaged, or of another version.
+pub fn content(bytes: &[u8]) -> Result<&[u8], String> {
+    let Some((header, content)) = bytes.split_at_checked(ROOM).filter(|(header, _)| header.starts_with(&MAGIC)) else {
         return Err(format!("they do not begin as such a state does (there are {} bytes)", bytes.len()));
     };
     let version = number(&header[8..12]);

@@ -3,7 +3,7 @@
 use super::ancf14::along::{Along, SectionAt};
 use super::ancf14::energy::quadratic_twist::Twist;
 use super::ancf14::natural::Prestress;
-use super::ancf14::strain::{Stiffness, Strain};
+use super::ancf14::strain::{Eccentricity, Stiffness, Strain};
 use super::ancf24::element::Properties;
 use super::ancf24::law::{Shear, law};
 use super::ancf24::station::Fibers;
@@ -65,6 +65,8 @@ pub struct BeamDesign {
     pub profile: Option<Profile>,
     /// Damping in proportion to mass: force over mass and velocity, 1/s.
     pub mass_damping: f64,
+    /// Damping of the axial strain beyond that of the material, s.
+    pub tension_damping: f64,
     /// How it is under stress as drawn.
     pub prestress: Prestress,
     /// How its elements are formulated.
@@ -104,6 +106,10 @@ impl BeamDesign {
                 // Nodes turn as the section does; between them the turn of the element is a straight line.
                 turn: section.twist - (turns[0] + (turns[1] - turns[0]) * xi),
                 principal,
+                eccentricity: section.odd_moments().map(|(first, third)| Eccentricity {
+                    first: first.map(|moment| material.young * moment),
+                    third: third.map(|moment| material.young * moment),
+                }),
             }
         }))
     }

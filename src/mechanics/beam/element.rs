@@ -35,11 +35,11 @@ pub trait BeamElement {
     /// Undeformed length, m.
     fn length(&self) -> f64;
 
-    /// What multiplies the strain rate in the material's viscous stress, s.
-    fn damping(&self) -> f64;
+    /// Whether its material or its tension is damped.
+    fn is_damped(&self) -> bool;
 
-    /// Sets [`Self::damping`].
-    fn set_damping(&mut self, damping: f64);
+    /// Sets what multiplies the strain rate in the material's viscous stress, and what multiplies that of the axial strain more, s.
+    fn set_damping(&mut self, damping: f64, tension_damping: f64);
 
     /// The place `xi` (0 to 1) of the axis, of what `q` interpolates: places, or displacements, m.
     fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3;

@@ -144,6 +144,8 @@ pub struct Section {
     pub fourth_moments: [f64; 3],
     /// Product of area `Iyz = ∫ y z dA`, m⁴; 0 where y and z are principal axes.
     pub product_moment: f64,
+    /// Where the tension center is, y and z, m; the integrals are those about the axis of the beam.
+    pub tension_center: [f64; 2],
     /// Turn about the tangent from the beam's own section to this one, rad.
     pub twist: f64,
     /// Mass per length, kg/m, and its polar moment, kg m, where they do not follow from the density.
@@ -162,6 +164,7 @@ impl Section {
         polar_moment: 0.0,
         fourth_moments: [0.0; 3],
         product_moment: 0.0,
+        tension_center: [0.0; 2],
         twist: 0.0,
         inertia: None,
         outline: Outline::General,
@@ -185,6 +188,52 @@ impl Section {
         } else {
             (0.5 * product_moment.atan2(half), [mean - radius, mean + radius])
         }
+    }
+
+    /// The same section with its tension center at `center`, y and z, m, instead of on the axis: its integrals become those about the axis (Steiner), the
+    /// fourth moments about the principal axes there.
+    pub fn with_tension_center(self, center: [f64; 2]) -> Self {
+        let (own, [y, z]) = (self, center);
+        let mut section = Self {
+            second_moment_y: own.second_moment_y + own.area * z * z,
+            second_moment_z: own.second_moment_z + own.area * y * y,
+            product_moment: own.product_moment + own.area * y * z,
+            polar_moment: own.polar_moment + own.area * (y * y + z * z),
+            tension_center: center,
+            ..own
+        };
+        let ([y, z], [own_y, own_z, own_yz]) = section.about_tension_center();
+        let [yyyy, yyzz, zzzz] = own.fourth_moments;
+        section.fourth_moments = [
+            yyyy + y * y * (6.0 * own_z + own.area * y * y),
+            yyzz + y * y * own_y + z * z * own_z + 4.0 * y * z * own_yz + own.area * y * y * z * z,
+            zzzz + z * z * (6.0 * own_y + own.area * z * z),
+        ];
+        section
+    }
+
+    /// In the principal axes of the section about the axis: the tension center, m, and the second moments about axes through it, `Iy`, `Iz` and `Iyz`, m⁴.
+    fn about_tension_center(&self) -> ([f64; 2], [f64; 3]) {
+        let (angle, [about_y, about_z]) = self.principal_axes();
+        let ((sin, cos), [y, z]) = (angle.sin_cos(), self.tension_center);
+        let [y, z] = [cos * y + sin * z, cos * z - sin * y];
+        ([y, z], [about_y - self.area * z * z, about_z - self.area * y * y, -self.area * y * z])
+    }
+
+    /// First moments `∫ (y, z) dA`, m³, and third moments `[∫y³, ∫y²z, ∫yz², ∫z³] dA`, m⁵, about the principal axes through the axis of the beam, of a section that is
+    /// symmetric about its tension center; none where that is on the axis.
+    pub fn odd_moments(&self) -> Option<([f64; 2], [f64; 4])> {
+        if self.tension_center == [0.0; 2] {
+            return None;
+        }
+        let ([y, z], [own_y, own_z, own_yz]) = self.about_tension_center();
+        let third = [
+            y * (3.0 * own_z + self.area * y * y),
+            z * own_z + 2.0 * y * own_yz + self.area * y * y * z,
+            y * own_y + 2.0 * z * own_yz + self.area * y * z * z,
+            z * (3.0 * own_y + self.area * z * z),
+        ];
+        Some(([y, z].map(|part| self.area * part), third))
     }
 
     /// Rectangle `width` (along y) × `height` (along z), m.

@@ -170,7 +170,9 @@ impl SystemBuilder {
                     Some(along) => element.with_sections(along, reference, frames, 0.0),
                     None => element,
                 };
-                AnyElement::Ancf14(element.prestressed(&design.prestress))
+                let mut element = element.prestressed(&design.prestress);
+                element.tension_damping = design.tension_damping;
+                AnyElement::Ancf14(element)
             }
             Elements::Ancf24 { poisson, shear } => {
                 let properties = design.properties(poisson, shear);

@@ -11,7 +11,7 @@ use crate::mechanics::system::tangent_layout::TangentLayout;
 impl System {
     /// The elements whose material is damped, with their numbers.
     fn damped_elements(&self) -> impl Iterator<Item = (usize, &AnyElement)> + '_ {
-        self.mesh.elements.iter().enumerate().filter(|(_, element)| element.damping() != 0.0)
+        self.mesh.elements.iter().enumerate().filter(|(_, element)| element.is_damped())
     }
 
     /// The elements that are damped in proportion to their mass, with their numbers and the rates, 1/s.

@@ -32,6 +32,7 @@ impl Builder<'_> {
             section: sections::at_start(document, written),
             profile: sections::along(document, written, length),
             mass_damping: sections::damping(document, beam).map_or(0.0, |[_, mass]| mass),
+            tension_damping: beam.tension_damping.map_or(0.0, |number| document.value(number)),
             prestress: Prestress {
                 tension: beam.pretension.map_or(0.0, |number| document.value(number)),
                 curvature: beam.free_curvature.map(|numbers| numbers.map(|number| document.value(number))),

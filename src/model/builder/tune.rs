@@ -157,8 +157,9 @@ pub fn retune(document: &Document, system: &mut System) {
     for (beam, written) in system.beams.iter_mut().zip(&document.beams) {
         let Some([damping, mass_damping]) = sections::damping(document, written) else { continue };
         beam.mass_damping = mass_damping;
+        let tension_damping = written.tension_damping.map_or(0.0, |number| document.value(number));
         for element in &mut system.mesh.elements[beam.element_range()] {
-            element.set_damping(damping);
+            element.set_damping(damping, tension_damping);
         }
     }
     let System { springs, joint_parts, .. } = system;

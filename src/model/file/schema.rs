@@ -130,6 +130,9 @@ pub const BENDING_RIGIDITY_Y: Rule = rule("EI_y", "bending rigidity about y", "N
 pub const BENDING_RIGIDITY_Z: Rule = rule("EI_z", "bending rigidity about z", "N.m2").above(0.0).along_beam();
 pub const BENDING_COUPLING: Rule =
     rule("EI_yz", "bending rigidity between y and z, integral of E y z", "N.m2").along_beam();
+pub const TENSION_CENTER: Rule =
+    rule("tension_center", "tension center of the section along its y and z, from the axis of the beam", "m")
+        .along_beam();
 pub const TORSION_RIGIDITY: Rule = rule("GJ", "torsion rigidity", "N.m2").above(0.0).along_beam();
 pub const LINE_DENSITY: Rule = rule("line_density", "mass per length", "kg/m").above(0.0).along_beam();
 pub const POLAR_INERTIA: Rule =
@@ -151,6 +154,8 @@ pub const PRETENSION: Rule = rule("pretension", "axial force of the beam as draw
 pub const FREE_CURVATURE: Rule =
     rule("free_curvature", "curvature of the beam without stress, about the section's y and z", "1/m");
 pub const FREE_TORSION: Rule = rule("free_torsion", "torsion of the beam without stress", "rad/m");
+pub const TENSION_DAMPING: Rule =
+    rule("tension_damping", "damping of the axial strain, beyond that of the material", "s").from(0.0).tunable();
 pub const TEMPERATURE: Rule =
     rule("temperature", "temperature of the beam, above that at which it is as drawn", "K").in_time();
 pub const TEMPERATURE_GRADIENT: Rule =

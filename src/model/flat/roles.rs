@@ -26,7 +26,7 @@ pub(super) enum Role {
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 109] = [
+const ROLES: [(&str, &str, Role); 111] = [
     ("function", "argument", Role::Word),
     ("function", "table", Role::Number),
     ("function", "file", Role::Word),
@@ -116,6 +116,7 @@ const ROLES: [(&str, &str, Role); 109] = [
     ("section", "EI_y", Role::Number),
     ("section", "EI_z", Role::Number),
     ("section", "EI_yz", Role::Number),
+    ("section", "tension_center", Role::Number),
     ("section", "GJ", Role::Number),
     ("section", "line_density", Role::Number),
     ("section", "polar_inertia", Role::Number),
@@ -126,6 +127,7 @@ const ROLES: [(&str, &str, Role); 109] = [
     ("beam", "pretension", Role::Number),
     ("beam", "free_curvature", Role::Number),
     ("beam", "free_torsion", Role::Number),
+    ("beam", "tension_damping", Role::Number),
     ("beam", "temperature", Role::Number),
     ("beam", "temperature_gradient", Role::Number),
     ("", "stiffness", Role::Number),

@@ -17,6 +17,13 @@ pub fn time(about: &About, row: u64, last: u64) -> f64 {
     if row == last { about.stop } else { row as f64 * about.output_step }
 }
 
+/// Number of the first row after `begin`, s, where a run begins there instead of at 0; `last` is that of the last row. None: nothing is left to run.
+pub fn first_after(about: &About, begin: f64, last: u64) -> Option<u64> {
+    let margin = ROUNDING * about.output_step;
+    let passed = (begin / about.output_step + ROUNDING).floor().max(0.0) as u64;
+    (begin + margin < about.stop).then(|| (passed + 1).min(last))
+}
+
 fn rows_until(stop: f64, step: f64) -> u64 {
     ((stop / step - ROUNDING).ceil() as u64).max(1)
 }
@@ -24,6 +31,17 @@ fn rows_until(stop: f64, step: f64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A run that begins where another has ended writes the rows that this one has not: also where the division is not exact, or the end is between two rows.
+    #[test]
+    fn rows_go_on_after_a_beginning() {
+        let about = |stop: f64, output_step: f64| About { stop, output_step, ..About::default() };
+        assert_eq!(first_after(&about(0.6, 0.1), 0.3, 6), Some(4));
+        assert_eq!(first_after(&about(0.6, 0.1), 0.1 + 0.2, 6), Some(4));
+        assert_eq!(first_after(&about(1.0, 0.3), 0.95, 4), Some(4));
+        assert_eq!(first_after(&about(1.0, 0.3), 0.7, 4), Some(3));
+        assert_eq!(first_after(&about(0.3, 0.1), 0.3, 3), None);
+    }
 
     /// The last row is at the end, no row twice, also where the division is not exact.
     #[test]

@@ -4,6 +4,7 @@ mod companion;
 mod conclusion;
 mod derivatives;
 mod guid;
+mod kept;
 mod mesh_error;
 mod runner;
 mod saved;
@@ -11,6 +12,7 @@ mod start_derivatives;
 mod stepping;
 
 pub use companion::{Beside, Companion, Placement, Row};
+pub use kept::Kept;
 pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};

@@ -4,6 +4,7 @@ use super::lines::LARGEST_TWIST;
 use super::shown;
 use crate::math::curve_defect::LARGEST_BEND;
 use crate::math::quadrature::{FIVE_POINTS, GAUSS_POINTS, LOBATTO_POINTS};
+use crate::mechanics::beam::ancf14::strain::Strain;
 use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::design::Elements;
 use crate::mechanics::beam::material::Material;
@@ -66,7 +67,8 @@ pub fn along(document: &Document, written: &SectionSpec, length: f64) -> Option<
     let start = at_start(document, &written);
     let functions = written.varying(&document.numbers);
     if functions.is_empty() {
-        return (start.product_moment != 0.0).then(|| Profile::new(move |_| start));
+        let is_plain = start.product_moment == 0.0 && start.tension_center == [0.0; 2];
+        return (!is_plain).then(|| Profile::new(move |_| start));
     }
     let constants: Vec<(Number, f64)> =
         written.numbers().into_iter().map(|number| (number, document.value(number))).collect();
@@ -131,7 +133,7 @@ fn of_rigidities(rigidities: &Rigidities, value: impl Fn(Number) -> f64) -> Sect
     let [second_moment_y, second_moment_z] = rigidities.bending.map(&value);
     let polar_moment = second_moment_y + second_moment_z;
     let spin = rigidities.polar_inertia.map_or(line_density * polar_moment / axial, &value);
-    like_a_rectangle(Section {
+    let about_tension_center = like_a_rectangle(Section {
         area: axial,
         second_moment_y,
         second_moment_z,
@@ -140,7 +142,11 @@ fn of_rigidities(rigidities: &Rigidities, value: impl Fn(Number) -> f64) -> Sect
         product_moment: rigidities.coupling.map_or(0.0, &value),
         inertia: Some([line_density, spin]),
         ..Section::EMPTY
-    })
+    });
+    match rigidities.tension_center.map(|center| center.map(&value)) {
+        None | Some([0.0, 0.0]) => about_tension_center,
+        Some(center) => about_tension_center.with_tension_center(center),
+    }
 }
 
 /// The section with the fourth moments of the rectangle that has its area and principal second moments.
@@ -161,6 +167,14 @@ pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Optio
         let message = format!("beam {} of ANCF24 elements cannot have section {}", beam.name, written.name);
         let help = "take element = \"ancf14\", or a section of a shape with constant dimensions";
         return Some(document.diagnostic(beam.place, &message, cause, help));
+    }
+    if let Elements::Ancf14 { strain: Strain::Small | Strain::LargeTruncated, .. } = beam.formulation
+        && let Shape::Rigidities(Rigidities { tension_center: Some([number, _]), .. }) = written.shape
+    {
+        let message = format!("beam {} has a section whose tension center is off its axis", beam.name);
+        let label = "it couples bending with the axial strain, which only the full strain of fibers has";
+        let help = "take strain = \"large\", the default, for the beam";
+        return Some(document.diagnostic(document.place(number), &message, label, help));
     }
     let damping = written_damping(document, beam)?;
     let is_first = |other: &&BeamSpec| written_damping(document, other) == Some(damping);

@@ -48,7 +48,7 @@ impl Case {
         SVector::from(oracle::strains(&self.element, q.as_slice(), D::from(0.0), &self.triads, self.previous))
     }
 
-    /// Viscous resultant over rate of each strain, from the definition.
+    /// Viscous resultant over rate of each strain, from the definition, but for what couples axial strains with curvatures.
     fn viscosities(&self) -> [f64; 12] {
         let element = &self.element;
         let [a, b, c] = element.axial.map(|point| point.stiffness.axial * point.weight);
@@ -57,14 +57,26 @@ impl Case {
             [k.bending_z, k.bending_y, k.torsion].map(|d| d * point.weight)
         });
         let [[d, e, f], [g, h, i], [j, k, l]] = bending;
-        [a, b, c, d, e, f, g, h, i, j, k, l].map(|value| value * element.stiffness.damping)
+        let all = element.stiffness.damping;
+        let [a, b, c] = [a, b, c].map(|value| value * (all + element.tension_damping));
+        let [d, e, f, g, h, i, j, k, l] = [d, e, f, g, h, i, j, k, l].map(|value| value * all);
+        [a, b, c, d, e, f, g, h, i, j, k, l]
     }
 
     /// Rayleigh's function `Σ c W D rate²/2` at the coordinates `q` and velocities `v`, W.
     fn rayleigh(&self, q: &SVector<Mixed, 14>, v: &SVector<Mixed, 14>) -> Mixed {
         let moving = SVector::<Dual<Mixed>, 14>::from_fn(|i, _| Dual::new(q[i], v[i]));
         let rates = self.strains(&moving).map(|strain| strain.eps);
-        rates.iter().zip(self.viscosities()).map(|(rate, viscosity)| *rate * *rate * (0.5 * viscosity)).sum()
+        let own: Mixed =
+            rates.iter().zip(self.viscosities()).map(|(rate, viscosity)| *rate * *rate * (0.5 * viscosity)).sum();
+        let Some(all) = &self.element.eccentricities else { return own };
+        let off_axis = self.element.bending.iter().zip(all.iter()).enumerate().map(|(g, (point, eccentricity))| {
+            let [w0, w1, w2] = point.from_axial;
+            let axial = rates[0] * w0 + rates[1] * w1 + rates[2] * w2;
+            let [s1, s2] = eccentricity.first;
+            axial * (rates[3 + 3 * g] * s1 + rates[4 + 3 * g] * s2) * (-point.weight * self.element.stiffness.damping)
+        });
+        own + off_axis.sum::<Mixed>()
     }
 }
 
@@ -75,7 +87,8 @@ fn cases(seed: u64) -> Vec<Case> {
     for strain in STRAINS {
         for _ in 0..6 {
             list.push(Case::random(&mut random, straight(0.7, stiffness(strain))));
-            let element = curved(&mut random, 0.7, stiffness(strain));
+            let mut element = curved(&mut random, 0.7, stiffness(strain));
+            element.tension_damping = 0.03;
             list.push(Case::random(&mut random, element));
         }
     }

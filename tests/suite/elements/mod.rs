@@ -16,4 +16,6 @@ pub mod quadratic_twist;
 pub mod section_forces;
 pub mod strain_outputs;
 pub mod stress_derivatives;
+mod tension_center;
+mod tension_damping;
 mod varying_sections;

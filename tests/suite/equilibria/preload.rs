@@ -220,10 +220,10 @@ stop = 1
 /// A drawn bow gives all it holds to the arrow where limbs and string weigh next to nothing: `v = √(2 W/m)`, but for what stays in the braced bow.
 #[test]
 fn a_light_bow_gives_its_energy_to_the_arrow() {
-    const BOW: &str = include_str!("../../machines/bow_that_shoots.toml");
+    const BOW: &str = include_str!("../../../models/bow.toml");
     let light = [("laminate.density", "40"), ("nock.mass", "2e-4"), ("laminate.damping", "0")];
     let shot = Curves::run(BOW, &light);
-    let braced = Curves::run(BOW, &[("draw", "0"), ("simulation.stop", "1e-4")]);
+    let braced = Curves::run(BOW, &[("pull", "0"), ("simulation.stop", "1e-4")]);
     let (elastic, speed) = (shot.column("energy.elastic"), shot.column("flight.distance_rate"));
     let stored = elastic[0] - braced.column("energy.elastic")[0];
     let flying = 0.5 * 0.025 * speed[speed.len() - 1].powi(2);

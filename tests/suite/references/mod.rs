@@ -10,6 +10,7 @@ pub mod lateral_buckling;
 pub mod polylines;
 pub mod princeton;
 pub mod released_cantilever;
+mod rotating_blade;
 pub mod rotating_shaft;
 pub mod shaken_cantilever;
 mod stress_as_drawn;

@@ -63,6 +63,7 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
         section: Section::rectangle(0.01, 0.02),
         profile: None,
         mass_damping: 0.0,
+        tension_damping: 0.0,
         prestress: Prestress::default(),
         elements: ancf14(Strain::Small, Twist::Linear),
         velocity: Vec3::zeros(),

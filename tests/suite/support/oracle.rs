@@ -130,7 +130,7 @@ pub fn strains<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad
     all
 }
 
-/// Strain energy, J (MECHANICS 3.1, 3.2, 3.2b).
+/// Strain energy, J (MECHANICS 3.1, 3.2, 3.2b, 3.2c).
 pub fn energy<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad; 2], previous: f64) -> D {
     let square = |x: D| x * x;
     let mut total = D::from(0.0);
@@ -158,6 +158,16 @@ pub fn energy<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad;
             + square(g2) * zzzz;
         total += (factor * 0.5 * (g1 * k.bending_z + g2 * k.bending_y) + tau * (0.5 * k.torsion) + fourth * 0.125)
             * point.weight;
+        if let Some(all) = &element.eccentricities {
+            let ([s1, s2], [yyy, yyz, yzz, zzz]) = (all[g].first, all[g].third);
+            let [g1, g2, tau] = [3, 4, 5].map(|i| strains[3 * g + i]);
+            // ∫ y g r² dA and ∫ (y g)³ dA, one product after the other.
+            let with_torsion = g1 * yyy + g1 * yzz + g2 * yyz + g2 * zzz;
+            let cube =
+                g1 * g1 * g1 * yyy + g1 * g1 * g2 * (3.0 * yyz) + g1 * g2 * g2 * (3.0 * yzz) + g2 * g2 * g2 * zzz;
+            let odd = e * (e * 2.0 + 1.0).sqrt() * (g1 * s1 + g2 * s2) + square(tau) * with_torsion * 0.5 + cube * 0.5;
+            total -= odd * point.weight;
+        }
     }
     total
 }

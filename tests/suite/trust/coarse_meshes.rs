@@ -234,6 +234,7 @@ const BEND_45: &str = include_str!("../../../models/bend_45.toml");
 #[test]
 fn shipped_models_are_not_warned_of() {
     for (name, text) in [
+        ("bow", include_str!("../../../models/bow.toml")),
         ("cantilever", include_str!("../../../models/cantilever.toml")),
         ("crane", include_str!("../../../models/crane.toml")),
         ("hot_rail", include_str!("../../../models/hot_rail.toml")),

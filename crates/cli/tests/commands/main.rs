@@ -13,6 +13,7 @@ mod output_files;
 mod programs;
 mod same_results;
 mod shells;
+mod stages;
 mod summary;
 mod view_command;
 

@@ -1,6 +1,6 @@
 //! The section along an element, where it is not the same everywhere or its principal axes are not the axes of the element's sections.
 
-use super::strain::Stiffness;
+use super::strain::{Eccentricity, Stiffness};
 use std::fmt;
 use std::sync::Arc;
 
@@ -15,6 +15,8 @@ pub struct SectionAt {
     pub turn: f64,
     /// From there to the principal axes, rad.
     pub principal: f64,
+    /// Odd moments about the axis; none where the tension center is on it.
+    pub eccentricity: Option<Eccentricity>,
 }
 
 /// Sections by the place in an element, 0 to 1.

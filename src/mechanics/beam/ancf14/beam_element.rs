@@ -57,12 +57,13 @@ impl BeamElement for Element {
         self.length
     }
 
-    fn damping(&self) -> f64 {
-        self.stiffness.damping
+    fn is_damped(&self) -> bool {
+        self.stiffness.damping != 0.0 || self.tension_damping != 0.0
     }
 
-    fn set_damping(&mut self, damping: f64) {
+    fn set_damping(&mut self, damping: f64, tension_damping: f64) {
         self.stiffness.damping = damping;
+        self.tension_damping = tension_damping;
     }
 
     fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3 {

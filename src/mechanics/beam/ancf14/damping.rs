@@ -13,7 +13,7 @@ use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, comp
 use super::element::{Element, Evaluation};
 use super::kinematics::corotated::COROTATED;
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
-use super::over_step::STRAINS;
+use super::over_step::{Coupling, STRAINS};
 use super::strain::{Resultants, Rigidities, Strain};
 use nalgebra::{SMatrix, SVector};
 
@@ -28,7 +28,7 @@ pub fn force(evaluation: &Evaluation, velocity: &ElementVector) -> ElementVector
 
 /// Viscous force at the rates `rates` of the strains, 14×1: `Jᵀ c W D rates`.
 pub fn force_of_rates(evaluation: &Evaluation, rates: &[f64; STRAINS]) -> ElementVector {
-    strains_q(evaluation) * viscosities(evaluation.element).component_mul(&StrainVector::from(*rates))
+    strains_q(evaluation) * viscous(evaluation.element, &StrainVector::from(*rates))
 }
 
 /// Derivative of [`force`] by the coordinates, 14×14: `Hess · resultants + Jᵀ c W D ∂(J v)/∂q`, a row of the last `vᵀ Hess(strain)`.
@@ -39,13 +39,13 @@ pub fn force_q(evaluation: &Evaluation, velocity: &ElementVector) -> ElementMatr
         rates_q.set_column(i, &(stress_hessian(evaluation, &StrainVector::ith(i, 1.0)) * velocity));
     }
     stress_hessian(evaluation, &resultants(evaluation, &strains_q, velocity))
-        + weighted(&strains_q, &viscosities(evaluation.element)) * rates_q.transpose()
+        + weighted(&strains_q, evaluation.element) * rates_q.transpose()
 }
 
 /// Derivative of [`force`] by the velocities, 14×14: `Jᵀ c W D J`.
 pub fn force_v(evaluation: &Evaluation) -> ElementMatrix {
     let strains_q = strains_q(evaluation);
-    weighted(&strains_q, &viscosities(evaluation.element)) * strains_q.transpose()
+    weighted(&strains_q, evaluation.element) * strains_q.transpose()
 }
 
 /// Strains of an element, undeformed values taken off, 1, 1/m, rad/m.
@@ -110,7 +110,27 @@ fn first_strain(g: usize) -> usize {
 
 /// `c W D` of each strain: viscous resultant, quadrature weight included, over the rate of its strain.
 fn viscosities(element: &Element) -> StrainVector {
-    StrainVector::from(element.rigidities()) * element.stiffness.damping
+    let (all, tension) = (element.stiffness.damping, element.stiffness.damping + element.tension_damping);
+    let mut viscosities = StrainVector::from(element.rigidities());
+    viscosities.iter_mut().enumerate().for_each(|(i, rigidity)| *rigidity *= if i < 3 { tension } else { all });
+    viscosities
+}
+
+/// What couples an axial strain with a curvature in the viscous resultants: the numbers of both, and the viscosity.
+fn cross_viscosities(element: &Element) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
+    element.couplings().map(|Coupling { axial, point, curvature, rigidity }| {
+        (axial, first_strain(point) + curvature, rigidity * element.stiffness.damping)
+    })
+}
+
+/// Viscous resultants at the rates `rates` of the strains.
+fn viscous(element: &Element, rates: &StrainVector) -> StrainVector {
+    let mut all = viscosities(element).component_mul(rates);
+    for (i, j, viscosity) in cross_viscosities(element) {
+        all[i] += viscosity * rates[j];
+        all[j] += viscosity * rates[i];
+    }
+    all
 }
 
 /// Viscous resultants at the velocities `velocity`.
@@ -119,14 +139,21 @@ fn resultants(
     strains_q: &SMatrix<f64, ELEMENT, STRAINS>,
     velocity: &ElementVector,
 ) -> StrainVector {
-    viscosities(evaluation.element).component_mul(&strains_q.tr_mul(velocity))
+    viscous(evaluation.element, &strains_q.tr_mul(velocity))
 }
 
-/// `columns · diag(factors)`.
-fn weighted(columns: &SMatrix<f64, ELEMENT, STRAINS>, factors: &StrainVector) -> SMatrix<f64, ELEMENT, STRAINS> {
+/// `columns` times the symmetric matrix of the viscosities of `element`.
+fn weighted(columns: &SMatrix<f64, ELEMENT, STRAINS>, element: &Element) -> SMatrix<f64, ELEMENT, STRAINS> {
     let mut scaled = *columns;
-    for (mut column, factor) in scaled.column_iter_mut().zip(factors) {
+    for (mut column, factor) in scaled.column_iter_mut().zip(&viscosities(element)) {
         column *= *factor;
+    }
+    for (i, j, viscosity) in cross_viscosities(element) {
+        let (by_i, by_j) = (columns.column(i) * viscosity, columns.column(j) * viscosity);
+        let mut target = scaled.column_mut(i);
+        target += by_j;
+        let mut target = scaled.column_mut(j);
+        target += by_i;
     }
     scaled
 }

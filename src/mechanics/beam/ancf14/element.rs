@@ -9,6 +9,7 @@ use super::coordinates::{
 };
 use super::energy::axial;
 use super::energy::bending;
+use super::energy::eccentricity;
 use super::energy::fourth_moments;
 use super::energy::quadratic_twist::{self, Condensation, Twist};
 use super::energy::stretching;
@@ -21,7 +22,7 @@ use super::kinematics::points::{AxialPoint, BendingPoint};
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
 use super::natural::{Heating, Natural, Prestress};
 use super::over_step::{Added, Turn};
-use super::strain::{Resultants, Rigidities, Stiffness, Strain, Strains};
+use super::strain::{Eccentricity, Resultants, Rigidities, Stiffness, Strain, Strains};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::BeamConfiguration;
@@ -62,10 +63,14 @@ pub struct Element {
     pub weights: [f64; 4],
     /// The section along it; none where it is the same everywhere, in principal axes.
     pub along: Option<Along>,
+    /// Odd moments of the section at the bending points; none where the tension center is on the axis.
+    pub eccentricities: Option<Box<[Eccentricity; 3]>>,
     /// How it is under stress where it is drawn; none: not at all.
     pub prestress: Option<Box<Prestress>>,
     /// How it expands with heat.
     pub heating: Option<Heating>,
+    /// Damping of the axial strain beyond that of the material, s.
+    pub tension_damping: f64,
 }
 
 impl Element {
@@ -127,8 +132,10 @@ impl Element {
             line_density: density[0],
             weights: hermite::integrals(length).map(|integral| density[0] * integral),
             along: None,
+            eccentricities: None,
             prestress: None,
             heating: None,
+            tension_damping: 0.0,
         };
         element.set_reference(reference, frames, holonomy);
         element
@@ -343,6 +350,9 @@ impl<'a> Evaluation<'a> {
                     + torsion::energy(stiffness, strains)
                     + fourth_moments::energy(stiffness, strains));
         }
+        for (g, own) in self.element.eccentricities.iter().flat_map(|all| all.iter().enumerate()) {
+            sum += self.element.bending[g].weight * eccentricity::energy(own, &self.strains[g]);
+        }
         for (m, point) in self.element.axial.iter().enumerate() {
             sum += point.weight
                 * match self.element.stiffness.strain {
@@ -407,27 +417,6 @@ impl<'a> Evaluation<'a> {
         self.with_axial_forces(&by_shape, &first.resultants)
     }
 
-    /// Mean torsion per unit length, undeformed value taken off, rad/m; the largest of the bending points in size.
-    pub fn largest_torsion(&self) -> f64 {
-        self.strains
-            .iter()
-            .fold(0.0, |largest, strains| if strains[2].abs() > f64::abs(largest) { strains[2] } else { largest })
-    }
-
-    /// Green strains at the axial points (engineering strains for small strain), 1.
-    pub fn axial_strains(&self) -> [f64; 3] {
-        [self.axial_strain(0), self.axial_strain(1), self.axial_strain(2)]
-    }
-
-    /// Green strain at axial point `m` (engineering strain for small strain), 1.
-    #[inline]
-    pub fn axial_strain(&self, m: usize) -> f64 {
-        match self.element.stiffness.strain {
-            Strain::Small => self.slopes[m].engineering_strain(),
-            _ => self.green[m],
-        }
-    }
-
     /// Derivatives of the energy by the strains of bending point `g`, quadrature weight included.
     #[inline]
     pub(super) fn resultants(&self, g: usize) -> Resultants {
@@ -435,6 +424,9 @@ impl<'a> Evaluation<'a> {
         let mut density = bending::gradient(stiffness, strains) + torsion::gradient(stiffness, strains);
         if stiffness.strain == Strain::Large {
             density += fourth_moments::gradient(stiffness, strains);
+        }
+        if let Some(all) = &self.element.eccentricities {
+            density += eccentricity::gradient(&all[g], strains);
         }
         density * self.element.bending[g].weight + self.added.bending[g]
     }
@@ -447,6 +439,9 @@ impl<'a> Evaluation<'a> {
         density.stiffen(stiffness, self.added.stiffening);
         if stiffness.strain == Strain::Large {
             density = density + fourth_moments::hessian(stiffness, strains);
+        }
+        if let Some(all) = &self.element.eccentricities {
+            density = density + eccentricity::hessian(&all[g], strains, self.added.stiffening);
         }
         density * self.element.bending[g].weight
     }

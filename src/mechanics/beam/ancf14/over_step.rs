@@ -51,6 +51,8 @@ pub struct Added {
     pub bending: [Resultants; 3],
     /// Twice the derivative of the added resultants by the strains at the end of the step, over the rigidities `D`, 1.
     pub stiffening: f64,
+    /// The same of the axial strains by themselves.
+    pub axial_stiffening: f64,
     /// Rates of the strains over the step, 1/s, 1/m/s, rad/m/s.
     pub rates: [f64; STRAINS],
     /// What the damping of the material takes over the step, J.
@@ -60,24 +62,49 @@ pub struct Added {
 impl Added {
     /// By the change `rates` of the strains of `element` over `step`.
     fn new(element: &Element, rates: [f64; STRAINS], step: &TimeStep) -> Self {
-        let (duration, viscosity, rigidities) = (step.duration, element.stiffness.damping, element.rigidities());
+        let (duration, rigidities) = (step.duration, element.rigidities());
+        let (viscosity, tension) = (element.stiffness.damping, element.stiffness.damping + element.tension_damping);
         let first = STRAINS * element.place.branch;
         let stiffening = 2.0 * (viscosity / duration + step.dissipation.sum());
-        let mut all = Self { stiffening, rates, ..Self::default() };
-        let resultant = |i: usize| {
+        let axial_stiffening = 2.0 * (tension / duration + step.dissipation.sum());
+        let mut all = Self { stiffening, axial_stiffening, rates, ..Self::default() };
+        let strain = |i: usize, viscosity: f64| {
             let unpredicted = step.unpredicted(rates[i], first + i);
-            rigidities[i] * (viscosity * rates[i] + duration * unpredicted)
+            viscosity * rates[i] + duration * unpredicted
         };
         for m in 0..3 {
-            all.axial[m] = resultant(m);
+            all.axial[m] = rigidities[m] * strain(m, tension);
             for i in 0..3 {
-                all.bending[m][i] = resultant(3 + 3 * m + i);
+                let place = 3 + 3 * m + i;
+                all.bending[m][i] = rigidities[place] * strain(place, viscosity);
             }
         }
-        all.taken =
-            rigidities.iter().zip(&rates).map(|(rigidity, rate)| viscosity * duration * rigidity * rate * rate).sum();
+        let taken = |(i, rigidity): (usize, &f64)| {
+            let own = if i < 3 { tension } else { viscosity };
+            own * duration * rigidity * rates[i] * rates[i]
+        };
+        all.taken = rigidities.iter().enumerate().map(taken).sum();
+        for Coupling { axial, point, curvature, rigidity } in element.couplings() {
+            let place = 3 + 3 * point + curvature;
+            all.axial[axial] += rigidity * strain(place, viscosity);
+            all.bending[point][curvature] += rigidity * strain(axial, viscosity);
+            all.taken += 2.0 * viscosity * duration * rigidity * rates[axial] * rates[place];
+        }
         all
     }
+}
+
+/// A rigidity that couples an axial strain with a curvature: that of a tension center off the axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coupling {
+    /// The axial point.
+    pub axial: usize,
+    /// The bending point.
+    pub point: usize,
+    /// Which of its curvatures: 0 or 1.
+    pub curvature: usize,
+    /// Quadrature weight included, N m².
+    pub rigidity: f64,
 }
 
 /// The way from the coordinates at the end of a step to those in its middle that change the strains alike, where the element turns as its first node does.
@@ -152,6 +179,19 @@ impl Element {
             all[5 + 3 * g] = bending.weight * stiffness.torsion;
         }
         all
+    }
+
+    /// The rigidities beside the diagonal, of which [`Self::rigidities`] has none.
+    pub fn couplings(&self) -> impl Iterator<Item = Coupling> + '_ {
+        let points = self.eccentricities.iter().flat_map(|all| all.iter().zip(&self.bending).enumerate());
+        points.flat_map(|(point, (own, rule))| {
+            [0, 1, 2].into_iter().flat_map(move |axial| {
+                [0, 1].map(|curvature| {
+                    let rigidity = -rule.weight * rule.from_axial[axial] * own.first[curvature];
+                    Coupling { axial, point, curvature, rigidity }
+                })
+            })
+        })
     }
 
     /// The rates that `all`, those of the whole system, has of this element.

@@ -3,6 +3,7 @@
 use super::element::Element;
 use super::energy::axial;
 use super::energy::bending;
+use super::energy::eccentricity;
 use super::energy::fourth_moments;
 use super::energy::quadratic_twist;
 use super::energy::torsion;
@@ -57,11 +58,19 @@ pub fn strains(element: &Element, c: &BeamConfiguration, xi: f64, drawn: &Sectio
 /// Force and moments of the section of `element` at `xi` with the strains `strains`.
 pub fn forces_at(element: &Element, xi: f64, strains: &SectionStrains) -> SectionForces {
     let here = element.section_at(xi);
-    if here.principal == 0.0 {
+    if here.principal == 0.0 && here.eccentricity.is_none() {
         return forces(&here.stiffness, strains);
     }
     let along_axes = SectionStrains { curvature: turned(strains.curvature, here.principal), ..*strains };
-    let SectionForces { axial, moment: [torque, about_y, about_z] } = forces(&here.stiffness, &along_axes);
+    let SectionForces { mut axial, moment: [mut torque, mut about_y, mut about_z] } =
+        forces(&here.stiffness, &along_axes);
+    if let Some(moments) = &here.eccentricity {
+        let by_strain = eccentricity::gradient(moments, &strains_of_energy(&here.stiffness, &along_axes));
+        axial += by_strain[3] * (1.0 + strains.axial);
+        torque += by_strain[2];
+        about_y -= by_strain[1];
+        about_z += by_strain[0];
+    }
     let [about_y, about_z] = turned([about_y, about_z], -here.principal);
     SectionForces { axial, moment: [torque, about_y, about_z] }
 }

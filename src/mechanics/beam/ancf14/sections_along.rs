@@ -4,7 +4,7 @@ use super::along::{Along, SectionAt};
 use super::element::{Element, Evaluation};
 use super::frame::NodeFrame;
 use super::inertia::Mass;
-use super::strain::{Stiffness, Strains};
+use super::strain::{Stiffness, Strain, Strains};
 use crate::math::hermite;
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS, LOBATTO_POINTS};
 
@@ -15,6 +15,11 @@ impl Element {
         for (point, xi) in self.axial.iter_mut().zip(LOBATTO_POINTS) {
             point.stiffness = along.at(xi).stiffness.at_axial_point();
         }
+        let [first, middle, last] = self.bending.each_ref().map(|point| along.at(point.xi).eccentricity);
+        self.eccentricities = match (first, middle, last) {
+            (Some(first), Some(middle), Some(last)) => Some(Box::new([first, middle, last])),
+            _ => None,
+        };
         for point in &mut self.bending {
             let here = along.at(point.xi);
             point.stiffness = here.stiffness.at_bending_point();
@@ -47,13 +52,35 @@ impl Element {
                 SectionAt { stiffness: Stiffness { damping: self.stiffness.damping, ..here.stiffness }, ..here }
             }
             None => {
-                SectionAt { stiffness: self.stiffness, densities: [self.line_density, 0.0], turn: 0.0, principal: 0.0 }
+                let (stiffness, densities) = (self.stiffness, [self.line_density, 0.0]);
+                SectionAt { stiffness, densities, turn: 0.0, principal: 0.0, eccentricity: None }
             }
         }
     }
 }
 
 impl Evaluation<'_> {
+    /// Mean torsion per unit length, undeformed value taken off, rad/m; the largest of the bending points in size.
+    pub fn largest_torsion(&self) -> f64 {
+        self.strains
+            .iter()
+            .fold(0.0, |largest, strains| if strains[2].abs() > f64::abs(largest) { strains[2] } else { largest })
+    }
+
+    /// Green strains at the axial points (engineering strains for small strain), 1.
+    pub fn axial_strains(&self) -> [f64; 3] {
+        [self.axial_strain(0), self.axial_strain(1), self.axial_strain(2)]
+    }
+
+    /// Green strain at axial point `m` (engineering strain for small strain), 1.
+    #[inline]
+    pub fn axial_strain(&self, m: usize) -> f64 {
+        match self.element.stiffness.strain {
+            Strain::Small => self.slopes[m].engineering_strain(),
+            _ => self.green[m],
+        }
+    }
+
     /// Strains of the bending points in the axes of their sections, which need not be the principal ones.
     pub fn section_strains(&self) -> [Strains; 3] {
         std::array::from_fn(|g| {

@@ -77,6 +77,15 @@ pub enum Strain {
     LargeTruncated,
 }
 
+/// Odd moments of a section about the axis, in its principal axes there, multiplied by Young's modulus: of a tension center off the axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Eccentricity {
+    /// `E ∫ (y, z) dA`, N m.
+    pub first: [f64; 2],
+    /// `E [∫y³, ∫y²z, ∫yz², ∫z³] dA`, N m³.
+    pub third: [f64; 4],
+}
+
 /// Stiffness of a section against what the axial points see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxialStiffness {

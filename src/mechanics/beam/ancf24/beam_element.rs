@@ -64,11 +64,11 @@ impl BeamElement for Element {
         self.length
     }
 
-    fn damping(&self) -> f64 {
-        self.properties.damping
+    fn is_damped(&self) -> bool {
+        self.properties.damping != 0.0
     }
 
-    fn set_damping(&mut self, damping: f64) {
+    fn set_damping(&mut self, damping: f64, _tension_damping: f64) {
         self.properties.damping = damping;
     }
 

@@ -39,6 +39,8 @@ pub struct BeamSpec {
     pub free_curvature: Option<[Number; 2]>,
     /// Torsion without stress, rad/m.
     pub free_torsion: Option<Number>,
+    /// Damping of the axial strain beyond that of the material, s.
+    pub tension_damping: Option<Number>,
     /// Temperature above that as drawn, K.
     pub temperature: Option<Number>,
     /// Its gradient along y and z of the section, K/m.
@@ -88,6 +90,7 @@ fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
         "pretension",
         "free_curvature",
         "free_torsion",
+        "tension_damping",
         "temperature",
         "temperature_gradient",
     ];
@@ -131,6 +134,7 @@ impl BeamSpec {
         let pretension = reader.optional(&schema::PRETENSION);
         let free_curvature = reader.optional_pair(&schema::FREE_CURVATURE);
         let free_torsion = reader.optional(&schema::FREE_TORSION);
+        let tension_damping = reader.optional(&schema::TENSION_DAMPING);
         let temperature = reader.optional(&schema::TEMPERATURE);
         let temperature_gradient = reader.optional_pair(&schema::TEMPERATURE_GRADIENT);
         let velocity = reader.vector_or(&schema::VELOCITY, [0.0; 3]);
@@ -150,6 +154,7 @@ impl BeamSpec {
             pretension,
             free_curvature,
             free_torsion,
+            tension_damping,
             temperature,
             temperature_gradient,
             velocity,

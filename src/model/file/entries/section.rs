@@ -122,6 +122,8 @@ pub struct Rigidities {
     pub bending: [Number; 2],
     /// `∫ E y z dA`, N m².
     pub coupling: Option<Number>,
+    /// Where axial forces act without bending, along y and z from the axis, m; the bending rigidities are about axes through it.
+    pub tension_center: Option<[Number; 2]>,
     /// N m².
     pub torsion: Number,
     /// Mass per length, kg/m.
@@ -228,12 +230,13 @@ impl SectionSpec {
                 axial,
                 bending: [y, z],
                 coupling,
+                tension_center,
                 torsion,
                 line_density,
                 polar_inertia,
                 ..
             }) => {
-                let optional = coupling.into_iter().chain(polar_inertia);
+                let optional = coupling.into_iter().chain(polar_inertia).chain(tension_center.into_iter().flatten());
                 [axial, y, z, torsion, line_density].into_iter().chain(optional).collect()
             }
         };
@@ -289,7 +292,24 @@ impl SectionSpec {
     }
 }
 
+/// Centers of a section that stay on the axis of its beam, and what to do instead.
+const ON_AXIS: [(&str, &str, &str); 3] = [
+    ("center_of_mass", "center of mass", MASS_ELSEWHERE),
+    ("mass_center", "center of mass", MASS_ELSEWHERE),
+    (
+        "shear_center",
+        "shear center",
+        "draw the beam through the shear centers, and give the `tension_center` from there",
+    ),
+];
+const MASS_ELSEWHERE: &str = "weld bodies to points with an `offset` on the beam instead";
+
 fn shape(word: Word, reader: &mut Reader<'_, '_>) -> Shape {
+    if let Word::Rigidities = word {
+        for (key, what, label) in ON_AXIS {
+            reader.refuse(key, &format!("the {what} of a section is on the axis of its beam"), label);
+        }
+    }
     let mut number = |rule| reader.number(rule);
     match word {
         Word::Rectangle => Shape::Rectangle { width: number(&schema::WIDTH), height: number(&schema::HEIGHT) },
@@ -316,6 +336,7 @@ fn shape(word: Word, reader: &mut Reader<'_, '_>) -> Shape {
             torsion: number(&schema::TORSION_RIGIDITY),
             line_density: number(&schema::LINE_DENSITY),
             coupling: reader.optional(&schema::BENDING_COUPLING),
+            tension_center: reader.optional_pair(&schema::TENSION_CENTER),
             polar_inertia: reader.optional(&schema::POLAR_INERTIA),
             expansion: reader.optional(&schema::EXPANSION),
             damping: Damping::read(reader),

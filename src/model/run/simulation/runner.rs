@@ -338,7 +338,7 @@ impl Runner {
 }
 
 /// A share in percent, with three decimals.
-fn percent(share: f64) -> String {
+pub(super) fn percent(share: f64) -> String {
     if share < 1e-5 { String::from("less than 0.001 %") } else { format!("{:.3} %", 100.0 * share) }
 }
 

@@ -91,6 +91,16 @@ impl Snapshot {
         postcard::to_extend(&saved, bytes).expect("a Vec takes every byte, and all lengths are known")
     }
 
+    /// The state in these bytes, of which nothing is checked.
+    ///
+    /// # Errors
+    /// They are no state.
+    pub(super) fn state_in(bytes: &[u8]) -> Result<State, String> {
+        let read = postcard::from_bytes::<Saved<'_>>(bytes);
+        let saved = read.map_err(|reason| format!("the state cannot be read: {reason}"))?;
+        Ok(saved.state.into_owned())
+    }
+
     /// The snapshot that these bytes are of; `document` is the file it is a state of, with any settings, `results` their number.
     ///
     /// # Errors

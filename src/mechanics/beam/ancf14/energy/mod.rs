@@ -2,6 +2,7 @@
 
 pub mod axial;
 pub mod bending;
+pub mod eccentricity;
 pub mod fourth_moments;
 pub mod quadratic_twist;
 pub mod stretching;

@@ -1,8 +1,8 @@
 //! Second derivatives that have to do with the stretch of the axial points: they act on all coordinates of an element, in space
 //! (MECHANICS 8). Densities are those of axial.rs.
 
-use super::axial;
 use super::quadratic_twist::Condensation;
+use super::{axial, eccentricity};
 use crate::mechanics::beam::ancf14::coordinates::{
     ElementColumns, ElementVector, add_between, add_product, add_spread, spread,
 };
@@ -30,7 +30,7 @@ pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementC
     let element = evaluation.element;
     for (m, point) in element.axial.iter().enumerate() {
         let force = evaluation.engineering_force(m);
-        let stiffness = point.stiffness.axial * (1.0 + evaluation.added.stiffening);
+        let stiffness = point.stiffness.axial * (1.0 + evaluation.added.axial_stiffening);
         let hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness * point.weight);
         add_spread(&point.shape_x, &(hessian * scale), sum);
     }
@@ -56,6 +56,7 @@ impl Large<'_> {
     #[inline]
     pub fn add_hessian(&self, scale: f64, sum: &mut ElementColumns) {
         let (element, shape) = (self.evaluation.element, &self.evaluation.kinematics.shape);
+        self.add_eccentric(scale, sum);
         let (mut bubble_q, mut bubble_end) = (ElementVector::zeros(), ElementVector::zeros());
         for (m, point) in element.axial.iter().enumerate() {
             let slope = &self.evaluation.slopes[m];
@@ -76,13 +77,30 @@ impl Large<'_> {
             let by_middle = shape.gradient(&by_green) * scale;
             let turned = self.evaluation.turn_from_end.as_ref().map_or(by_middle, |turn| turn.of_end(&by_middle));
             add_between([&by_middle, &turned], &point.shape_x, [&green_p, &by_end], sum);
-            let stiffening = self.evaluation.added.stiffening * point.stiffness.axial * point.weight;
+            let stiffening = self.evaluation.added.axial_stiffening * point.stiffness.axial * point.weight;
             let block = green_p * by_end.transpose() * (density[(0, 0)] + stiffening)
                 + slope.green_strain_pp() * self.evaluation.green_force(m, self.resultants);
             add_spread(&point.shape_x, &(block * scale), sum);
         }
         if let Some(condensation) = self.condensation {
             add_product(-scale / condensation.by_b, &bubble_q, &bubble_end, sum);
+        }
+    }
+
+    /// Adds `scale` times the second derivatives by the axial strains of the bending points, which a tension center off the axis has.
+    fn add_eccentric(&self, scale: f64, sum: &mut ElementColumns) {
+        let element = self.evaluation.element;
+        for (g, own) in element.eccentricities.iter().flat_map(|all| all.iter().enumerate()) {
+            let point = &element.bending[g];
+            let (mut by_q, mut by_end) = (ElementVector::zeros(), ElementVector::zeros());
+            for (m, share) in point.from_axial.into_iter().enumerate() {
+                let (shape_x, slope) = (&element.axial[m].shape_x, &self.evaluation.slopes[m]);
+                let green_p = slope.green_strain_p();
+                by_q += spread(shape_x, &(green_p * share));
+                by_end += spread(shape_x, &((green_p + slope.green_strain_increment()) * share));
+            }
+            let factor = scale * point.weight * eccentricity::axial(own, &self.evaluation.strains[g]);
+            add_product(factor, &by_q, &by_end, sum);
         }
     }
 

@@ -1,0 +1,170 @@
+//! A motion in stages: `ancf14 run --save-state` and `--from-state`. A run in two parts must give the bits of one, whatever is saved and read on the way; a second file with other loads and drives must
+//! begin where the first one has ended; and the state of another mechanism must be refused in words.
+
+use crate::printed;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// A clamped strip under a load, with a block on a spring at its end.
+const MODEL: &str = r#"format = 1
+[model]
+name = "Strip"
+gravity = [0, 0, -9.81]
+[material.steel]
+young = 210e9
+poisson = 0.3
+density = 7850
+damping = 1e-4
+[section.strip]
+shape = "rectangle"
+width = 0.02
+height = 0.001
+[beam.strip]
+material = "steel"
+section = "strip"
+from = [0, 0, 0]
+to = [0.3, 0, 0]
+elements = 4
+[joint.clamp]
+type = "weld"
+a = "ground"
+b = "strip.start"
+[body.block]
+mass = 0.01
+position = [0.3, 0, 0.1]
+inertia = [1e-6, 1e-6, 1e-6]
+[joint.rail]
+type = "prismatic"
+a = "ground"
+b = "block"
+axis = [0, 0, 1]
+[spring.tie]
+a = "strip.end"
+b = "block"
+stiffness = 50
+length = 0.1
+[load.finger]
+at = "strip.end"
+force = [0, 0, "-2*t/0.1"]
+[output.tip]
+at = "strip.end"
+quantities = ["displacement", "velocity", "acceleration"]
+[output.rail]
+at = "rail"
+quantities = ["distance"]
+[simulation]
+stop = 0.2
+output_step = 0.005
+totals = ["energy", "work", "statistics"]
+"#;
+
+fn run(folder: &Path, model: &str, out: &str, arguments: &[&str]) -> Output {
+    fs::write(folder.join("m.toml"), model).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ancf14"));
+    command.current_dir(folder).args(["run", "m.toml", "-o", out]).args(arguments);
+    command.output().unwrap()
+}
+
+fn rows(folder: &Path, out: &str) -> Vec<String> {
+    fs::read_to_string(folder.join(out).join("results.csv")).unwrap().lines().map(str::to_owned).collect()
+}
+
+/// The columns of a name, row by row.
+fn column(rows: &[String], name: &str) -> Vec<f64> {
+    let place = rows[0].split(',').position(|own| own == name).unwrap_or_else(|| panic!("no column {name}"));
+    rows[1..].iter().map(|row| row.split(',').nth(place).unwrap().parse().unwrap()).collect()
+}
+
+/// The rows of a whole run, of its first half and of its second one, which begins with the state of the first.
+fn halves(settings: &str, model: &str) -> [Vec<String>; 3] {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let arguments = |more: &[&'static str]| settings.split_whitespace().chain(more.iter().copied()).collect::<Vec<_>>();
+    printed(&run(folder, model, "whole", &arguments(&[])));
+    printed(&run(folder, model, "first", &arguments(&["--set", "simulation.stop=0.1", "--save-state", "state"])));
+    printed(&run(folder, model, "second", &arguments(&["--from-state", "state"])));
+    ["whole", "first", "second"].map(|out| rows(folder, out))
+}
+
+/// Two runs, the second one from the state of the first, have the rows of one run, byte by byte: of both integrators and in statics.
+#[test]
+fn two_parts_are_one_run() {
+    let equilibria = MODEL.replace("\"work\", ", "");
+    for (settings, model) in [
+        ("--set simulation.step=1e-3", MODEL),
+        (
+            "--set simulation.step=1e-3 --set simulation.integrator=generalized_alpha --set simulation.spectral_radius=0.8",
+            MODEL,
+        ),
+        ("--set simulation.analysis=static", &equilibria),
+    ] {
+        let [whole, first, second] = halves(settings, model);
+        assert_eq!(first[..], whole[..22], "{settings}");
+        assert_eq!(second[0], whole[0]);
+        assert_eq!(second[1..], whole[21..], "{settings}");
+    }
+}
+
+/// Steps that the solver chooses depend on how long the run is to be: two runs are one within the accuracy of the steps, and the second one begins with the last row of the first.
+#[test]
+fn chosen_steps_go_on_too() {
+    let [whole, first, second] = halves("--set simulation.accuracy=1e-5", MODEL);
+    assert_eq!(first.last(), second.get(1));
+    let [whole, second] = [whole, second].map(|rows| column(&rows, "tip.displacement[3]"));
+    let range = whole.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    let error = second.iter().zip(&whole[20..]).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    println!("{error:e} of {range}");
+    assert!(error < 1e-3 * range, "{error:e} of {range}");
+}
+
+/// A static path draws the strip, and a second file without its load lets it go: the motion begins where the path has ended, at rest, and its energy is that of the path.
+#[test]
+fn another_file_begins_where_the_first_one_has_ended() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let drawn = ["--set", "simulation.analysis=static", "--set", "simulation.stop=0.1", "--save-state", "state"];
+    let model = MODEL.replace("\"work\", ", "");
+    printed(&run(folder, &model, "drawn", &drawn));
+    let free = model.replace("-2*t/0.1", "0").replace("damping = 1e-4", "");
+    printed(&run(folder, &free, "free", &["--from-state", "state"]));
+    let [drawn, free] = ["drawn", "free"].map(|out| rows(folder, out));
+    assert_eq!(column(&free, "time")[0], 0.1);
+    for name in ["tip.displacement[3]", "rail.distance", "energy.elastic"] {
+        let (last, first) = (*column(&drawn, name).last().unwrap(), column(&free, name)[0]);
+        assert!((last - first).abs() < 1e-12 * last.abs().max(1e-3), "{name}: {last} {first}");
+    }
+    assert_eq!(column(&free, "tip.velocity[3]")[0], 0.0);
+    let total = column(&free, "energy.total");
+    let kinetic = column(&free, "energy.kinetic").iter().fold(0.0_f64, |most, own| most.max(*own));
+    // The load is gone: nothing works on the strip any more. Chosen steps keep the energy to 1e-3 of it.
+    let drift = total.iter().fold(0.0_f64, |most, own| most.max((own - total[0]).abs()));
+    assert!(kinetic > 0.02 && drift < 1e-3 * total[0], "{kinetic} {drift}");
+}
+
+/// Each mistake is told, and nothing is computed.
+#[test]
+fn other_states_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    printed(&run(folder, MODEL, "first", &["--set", "simulation.stop=0.1", "--save-state", "state"]));
+    let refused = |model: &str, arguments: &[&str], text: &str| {
+        let ran = run(folder, model, "refused", arguments);
+        let message = String::from_utf8_lossy(&ran.stderr).into_owned();
+        assert_eq!(ran.status.code(), Some(2), "{message}");
+        assert!(message.contains(text), "{message}");
+        assert!(!folder.join("refused/results.csv").exists());
+    };
+    let from = ["--from-state", "state"];
+    refused(&MODEL.replace("elements = 4", "elements = 5"), &from, "the state has beam strip with 4 elements");
+    refused(&MODEL.replace("[0.3, 0, 0.1]", "[0.3, 0, 0.2]"), &from, "the parts are drawn elsewhere");
+    refused(&MODEL.replace("spring.tie", "spring.bond"), &from, "the state has spring tie");
+    refused(MODEL, &["--from-state", "state", "--set", "simulation.stop=0.1"], "give a later end");
+    refused(MODEL, &["--from-state", "m.toml"], "is not a state that");
+    refused(MODEL, &["--from-state", "missing"], "cannot read missing");
+    refused(MODEL, &["--from-state", "state", "--save-state", "state"], "choose another name to write to");
+    let mut damaged = fs::read(folder.join("state")).unwrap();
+    *damaged.last_mut().unwrap() ^= 1;
+    fs::write(folder.join("state"), damaged).unwrap();
+    refused(MODEL, &from, "checksum");
+}
