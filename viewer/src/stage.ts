@@ -4,6 +4,13 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Data } from "./data";
 
+/** So many places of each kind tell where something is. */
+const MOST_PLACES = 2000;
+/** The camera goes back by this factor, so many times at most, and leaves so many pixels free around what covers a corner: a mechanism is thicker than its places. */
+const BACK = 1.05;
+const MOST_STEPS = 6;
+const GAP = 16;
+
 /** Where a camera is. */
 export interface Pose {
   position: [number, number, number];
@@ -43,6 +50,17 @@ export function bounds(data: Data): THREE.Box3 {
   return box;
 }
 
+/** Some of the places of stations, bodies and joints over the run. */
+function places(data: Data): THREE.Vector3[] {
+  const found: THREE.Vector3[] = [];
+  for (const name of ["station.place", "body.place", "joint.place"]) {
+    const values = data.tracks.get(name)?.values ?? [];
+    const every = 3 * Math.ceil(values.length / 3 / MOST_PLACES);
+    for (let at = 0; at + 2 < values.length; at += every) found.push(new THREE.Vector3(values[at], values[at + 1], values[at + 2]));
+  }
+  return found;
+}
+
 /** The largest of 1, 2, 5 times a power of ten that is not above `length`. */
 export function niceLength(length: number): number {
   const power = 10 ** Math.floor(Math.log10(length));
@@ -65,6 +83,9 @@ export class Stage {
   private readonly gizmo = new THREE.Scene();
   private readonly gizmoCamera = new THREE.OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 10);
   private following?: THREE.Vector3;
+  /** Places where something is in the course of the run, and what on the screen covers a corner of the picture. */
+  private readonly places: THREE.Vector3[];
+  covered: () => DOMRect | undefined = () => undefined;
   /** Pixels on the left that controls cover: the picture is centerd in what is left. */
   private inset = 0;
 
@@ -77,6 +98,7 @@ export class Stage {
     parent.append(this.canvas);
     this.up = upOf(data.scene.gravity);
     this.box = bounds(data);
+    this.places = places(data);
     this.extent = this.box.getSize(new THREE.Vector3()).length();
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0xa8b0c0, 2.2), this.light, this.light.target);
     this.cell = niceLength(this.extent / 8);
@@ -262,15 +284,31 @@ export class Stage {
     }
     const margin = 0.04 * this.extent;
     const half = Math.max(high + margin, (wide + margin) / this.aspect / (1 - this.inset / Math.max(this.parent.clientWidth, 2 * this.inset))) * 1.04;
-    const distance = half / Math.tan(THREE.MathUtils.degToRad(16)) + 0.6 * deep;
     this.controls.target.copy(target);
-    this.camera.position.copy(target).addScaledVector(from, distance);
-    if (this.camera instanceof THREE.OrthographicCamera) {
-      this.camera.userData.half = half;
-      this.camera.zoom = 1;
+    // From farther away, until nothing is behind what covers a corner.
+    for (let step = 0; step <= MOST_STEPS; step++) {
+      const larger = half * BACK ** step;
+      this.camera.position.copy(target).addScaledVector(from, larger / Math.tan(THREE.MathUtils.degToRad(16)) + 0.6 * deep);
+      if (this.camera instanceof THREE.OrthographicCamera) {
+        this.camera.userData.half = larger;
+        this.camera.zoom = 1;
+      }
+      this.shape();
+      this.controls.update();
+      if (!this.isCovered()) break;
     }
-    this.shape();
-    this.controls.update();
+  }
+
+  /** Whether something that is ever seen is behind what covers a corner. */
+  private isCovered(): boolean {
+    const cover = this.covered();
+    if (!cover) return false;
+    this.camera.updateMatrixWorld();
+    const { left, top } = this.canvas.getBoundingClientRect();
+    return this.places.some((place) => {
+      const { x, y } = this.project(place);
+      return x + left > cover.left - GAP && x + left < cover.right + GAP && y + top > cover.top - GAP && y + top < cover.bottom + GAP;
+    });
   }
 
   /** Moves with a point, from where it is now on; stops without. */
