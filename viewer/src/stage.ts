@@ -3,11 +3,14 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Data } from "./data";
+import type { BeamInfo, Solid } from "./format";
 
 /** So many places of each kind tell where something is. */
 const MOST_PLACES = 2000;
-/** The camera goes back by this factor, so many times at most, and leaves so many pixels free around what covers a corner: a mechanism is thicker than its places. */
+/** The camera goes back by this factor, and the picture down by this share of its height, so many times at most; so many pixels stay free around what covers a corner. What goes back leaves
+ * more room below than the picture goes down. */
 const BACK = 1.05;
+const DOWN = 0.02;
 const MOST_STEPS = 6;
 const GAP = 16;
 
@@ -38,10 +41,9 @@ export function bounds(data: Data): THREE.Box3 {
   take(data.drawn.place);
   const bodies = data.tracks.get("body.place");
   data.scene.bodies.forEach(({ solid }, body) => {
-    const radius = solid.shape === "box" ? Math.hypot(...solid.edges) / 2 : Math.hypot(solid.radius, solid.length / 2);
     for (let at = 3 * body; bodies && at < bodies.values.length; at += 3 * bodies.things) {
       point.fromArray(bodies.values, at);
-      box.expandByPoint(point.clone().addScalar(0.7 * radius)).expandByPoint(point.subScalar(0.7 * radius));
+      box.expandByPoint(point.clone().addScalar(0.7 * radius(solid))).expandByPoint(point.subScalar(0.7 * radius(solid)));
     }
   });
   if (box.isEmpty()) box.expandByPoint(point.set(0, 0, 0));
@@ -50,13 +52,30 @@ export function bounds(data: Data): THREE.Box3 {
   return box;
 }
 
+/** Half of the largest extent of a solid, m. */
+const radius = (solid: Solid) => (solid.shape === "box" ? Math.hypot(...solid.edges) / 2 : Math.hypot(solid.radius, solid.length / 2));
+
+/** Half of the largest extent of a beam's sections, m. */
+function thickness({ profile, sizes }: BeamInfo): number {
+  const half = profile.shape === "rectangle" ? Math.hypot(profile.width, profile.height) / 2 : profile.shape === "ellipse" ? Math.max(profile.y, profile.z) : profile.outer;
+  return half * Math.max(1, ...(sizes ?? []).flat());
+}
+
+/** A place where something is at some instant, and how far it reaches, m. */
+interface Place {
+  at: THREE.Vector3;
+  radius: number;
+}
+
 /** Some of the places of stations, bodies and joints over the run. */
-function places(data: Data): THREE.Vector3[] {
-  const found: THREE.Vector3[] = [];
-  for (const name of ["station.place", "body.place", "joint.place"]) {
+function places(data: Data): Place[] {
+  const { beams, bodies } = data.scene;
+  const found: Place[] = [];
+  for (const [name, radii] of [["station.place", beams.map(thickness)], ["body.place", bodies.map(({ solid }) => radius(solid))], ["joint.place", []]] as const) {
     const values = data.tracks.get(name)?.values ?? [];
     const every = 3 * Math.ceil(values.length / 3 / MOST_PLACES);
-    for (let at = 0; at + 2 < values.length; at += every) found.push(new THREE.Vector3(values[at], values[at + 1], values[at + 2]));
+    const largest = Math.max(0, ...radii);
+    for (let at = 0; at + 2 < values.length; at += every) found.push({ at: new THREE.Vector3(values[at], values[at + 1], values[at + 2]), radius: largest });
   }
   return found;
 }
@@ -84,10 +103,12 @@ export class Stage {
   private readonly gizmoCamera = new THREE.OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 10);
   private following?: THREE.Vector3;
   /** Places where something is in the course of the run, and what on the screen covers a corner of the picture. */
-  private readonly places: THREE.Vector3[];
+  private readonly places: Place[];
   covered: () => DOMRect | undefined = () => undefined;
   /** Pixels on the left that controls cover: the picture is centerd in what is left. */
   private inset = 0;
+  /** How far the picture is moved down, as a share of its height. */
+  private down = 0;
 
   constructor(data: Data, private readonly parent: HTMLElement) {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
@@ -218,7 +239,7 @@ export class Stage {
       this.camera.right = half * this.aspect;
     }
     const { clientWidth, clientHeight } = this.parent;
-    this.camera.setViewOffset(clientWidth, clientHeight, -this.inset / 2, 0, clientWidth, clientHeight);
+    this.camera.setViewOffset(clientWidth, clientHeight, -this.inset / 2, -this.down * clientHeight, clientWidth, clientHeight);
     this.camera.updateProjectionMatrix();
   }
 
@@ -285,9 +306,9 @@ export class Stage {
     const margin = 0.04 * this.extent;
     const half = Math.max(high + margin, (wide + margin) / this.aspect / (1 - this.inset / Math.max(this.parent.clientWidth, 2 * this.inset))) * 1.04;
     this.controls.target.copy(target);
-    // From farther away, until nothing is behind what covers a corner.
-    for (let step = 0; step <= MOST_STEPS; step++) {
+    const look = (step: number) => {
       const larger = half * BACK ** step;
+      this.down = DOWN * step;
       this.camera.position.copy(target).addScaledVector(from, larger / Math.tan(THREE.MathUtils.degToRad(16)) + 0.6 * deep);
       if (this.camera instanceof THREE.OrthographicCamera) {
         this.camera.userData.half = larger;
@@ -295,8 +316,11 @@ export class Stage {
       }
       this.shape();
       this.controls.update();
-      if (!this.isCovered()) break;
-    }
+      return !this.isCovered();
+    };
+    // From farther away and lower, until nothing is behind what covers a corner, if that helps.
+    const steps = Array.from({ length: MOST_STEPS + 1 }, (_, step) => step);
+    if (!steps.some(look)) look(0);
   }
 
   /** Whether something that is ever seen is behind what covers a corner. */
@@ -305,9 +329,11 @@ export class Stage {
     if (!cover) return false;
     this.camera.updateMatrixWorld();
     const { left, top } = this.canvas.getBoundingClientRect();
-    return this.places.some((place) => {
-      const { x, y } = this.project(place);
-      return x + left > cover.left - GAP && x + left < cover.right + GAP && y + top > cover.top - GAP && y + top < cover.bottom + GAP;
+    const scale = 1 / this.metersPerPixel();
+    return this.places.some(({ at, radius }) => {
+      const { x, y } = this.project(at);
+      const gap = GAP + radius * scale;
+      return x + left > cover.left - gap && x + left < cover.right + gap && y + top > cover.top - gap && y + top < cover.bottom + gap;
     });
   }
 
