@@ -30,21 +30,14 @@ esac
 . scripts/target.sh
 fmu=$target/fmu
 mkdir -p "$fmu"
-# deliver BUILT FILE: copies what was built into target/fmu. What was built from other sources is not delivered with it: the libraries for other platforms (scripts/build-platforms.sh) if the
-# library changes, and the solver of pages (scripts/build-wasm.sh) if library or program change.
-deliver() {
-    if [ -f "$fmu/$2" ] && ! cmp -s "$built/$1" "$fmu/$2"; then
-        rm -f "$fmu/ancf14.wasm"
-        if [ "$2" = "$library" ]; then
-            rm -rf "$fmu/aarch64-linux" "$fmu/x86_64-windows"
-        fi
-    fi
-    install -m 755 "$built/$1" "$fmu/$2"
-}
-
 # On its own: together with its rlib, cargo would silently drop the link-time optimization of the library.
 cargo rustc --locked --profile fmu --package ancf14-library --lib --crate-type cdylib
-deliver "$built_library" "$library"
+# What was built from other sources is not delivered with it: the libraries for other platforms (scripts/build-platforms.sh), the solver of pages (scripts/build-wasm.sh).
+if [ -f "$fmu/$library" ] && ! cmp -s "$built/$built_library" "$fmu/$library"; then
+    rm -rf "$fmu/aarch64-linux" "$fmu/x86_64-windows"
+fi
+scripts/build-wasm.sh --check "$fmu/ancf14.wasm" 2> /dev/null || rm -f "$fmu/ancf14.wasm"
+install -m 755 "$built/$built_library" "$fmu/$library"
 # The Python package is selected too, so that cargo chooses the features of scripts/wheel.sh, which then finds all but the module compiled; only the program is built.
 cargo build --locked --profile fmu --package ancf14-cli --package ancf14-python --bin ancf14
-deliver ancf14 ancf14
+install -m 755 "$built/ancf14" "$fmu/ancf14"

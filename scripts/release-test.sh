@@ -29,6 +29,10 @@ grep -q '^0.1, ' "$place/table.txt"
 test -s "$place/cantilever-results/results.csv"
 test -s "$place/cantilever.fmu"
 echo "archive: the program and a C program run from another folder"
+if [ -f "$place/lib/ancf14.wasm" ]; then
+    scripts/build-wasm.sh --check "$place/lib/ancf14.wasm"
+    echo "archive: the solver of pages is of these sources"
+fi
 if [ -d "$place/lib/aarch64-linux" ] && [ -d "$place/lib/x86_64-windows" ]; then
     scripts/python-env.sh
     "$target/python-env/bin/python" scripts/platforms.py "$place/bin/ancf14"

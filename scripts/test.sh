@@ -1,7 +1,7 @@
 #!/bin/sh
 # All tests: formatting, lints, Rust, C (a part of the Rust suite), the page of `ancf14 view` in Chromium, the FMUs of all models in FMPy, libcosim and
-# fmutool, and what a release has: the archive and the Python wheel. The solver of pages is tested as well where it is there: scripts/build-wasm.sh, then
-# scripts/viewer.sh. Needs Rust, a C and C++ compiler, Python 3, and pkg-config, valgrind, node and Chromium (installed here if that is possible).
+# fmutool, and what a release has: the archive and the Python wheel. The solver of pages is tested as well where it is there (scripts/build-wasm.sh) and of these
+# sources. Needs Rust, a C and C++ compiler, Python 3, and pkg-config, valgrind, node and Chromium (installed here if that is possible).
 #
 #     sh scripts/test.sh              everything, in two lanes side by side
 #     sh scripts/test.sh rust         the lints, the Rust tests and the documentation of the library

@@ -65,6 +65,11 @@ def test_every_fmu_has_the_same_library(shipped, fmu):
     assert library(fmu) == shipped
 
 
+def test_the_library_has_the_name_of_its_file(shipped):
+    """A program that links it looks for this name: not for that of the package which it is built from."""
+    assert [tag.soname for tag in elf(shipped).get_section_by_name(".dynamic").iter_tags("DT_SONAME")] == ["libancf14.so"]
+
+
 @pytest.mark.parametrize("what", ["library", "command line"])
 def test_an_old_c_library_is_enough(shipped, what):
     file = elf(shipped if what == "library" else executable().read_bytes())

@@ -10,6 +10,7 @@ const STROKES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a7a00", "#56a0d3
 /** A chart of the stations of a beam has so many curves at most. */
 const MOST_CURVES = 8;
 const HEIGHT = 168;
+const AXES = new Map([["[1]", "x"], ["[2]", "y"], ["[3]", "z"]]);
 
 interface Chart {
   host: HTMLElement;
@@ -71,7 +72,10 @@ export class Charts {
     const title = `${group.name.replaceAll("_", " ")}${group.unit ? ` (${group.unit})` : ""}`;
     // `along.position.2` has the columns `along.position[1,2]`, ...: what differs is enough.
     const common = group.name.replace(/\.\d+$/, "");
-    const label = (name: string) => (name.startsWith(common) ? name.slice(common.length).replace(/^\./, "") : name) || "value";
+    const end = (name: string) => (name.startsWith(common) ? name.slice(common.length).replace(/^\./, "") : name) || "value";
+    // A vector has the components x, y and z; four numbers are a quaternion.
+    const isVector = group.columns.length === 3;
+    const label = (name: string) => (isVector && AXES.get(end(name))) || end(name);
     const text = (value: number | null) => (value === null ? "–" : plainText(value));
     chart.plot = new uPlot(
       {

@@ -1,6 +1,5 @@
 // The keyboard: every button of the timeline and of the views has a key.
 
-import { QUANTITIES } from "./color";
 import type { Page } from "./ui";
 
 /** Ticks the box with these words, as a click does. */
@@ -52,7 +51,8 @@ export function listenToKeys(page: Page, signal: AbortSignal): void {
 function nextColor(page: Page): void {
   const list = document.querySelector<HTMLSelectElement>("[data-control=color] select");
   if (!list) return;
-  const here = QUANTITIES.findIndex(({ word }) => word === page.player.quantity?.word);
-  list.value = QUANTITIES[(here + 1) % QUANTITIES.length].word;
+  // The first one is nothing.
+  const words = [...list.options].map(({ value }) => value).slice(1);
+  list.value = words[(words.indexOf(page.player.quantity?.word ?? "") + 1) % words.length];
   list.dispatchEvent(new Event("change"));
 }

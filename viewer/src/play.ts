@@ -3,7 +3,7 @@
 import { h } from "./dom";
 import { Drag, Frames } from "./drag";
 import type { Request, Solver } from "./solver";
-import type { Page } from "./ui";
+import { NARROW, type Page } from "./ui";
 
 /** Keys that end it. */
 const END = "Escape";
@@ -11,7 +11,7 @@ const END = "Escape";
 const PATIENCE = 1000;
 
 export class Play {
-  readonly button = h("button", { type: "button", class: "interact", "aria-pressed": "false", title: "Simulate while you drag the mechanism with the mouse (Escape ends)", onclick: () => this.toggle() }, "Interact");
+  readonly button = h("button", { type: "button", class: "interact", "aria-pressed": "false", title: "Simulate while you drag the mechanism with the mouse or a finger (Escape ends)", onclick: () => this.toggle() }, "Interact");
   readonly status = h("p", { class: "interacting", role: "status", hidden: true });
   private drag?: Drag;
   private page?: Page;
@@ -70,6 +70,8 @@ export class Play {
     const outcome = await this.solver.interact(this.request(), pace, {
       begun: (info) => {
         this.page = page;
+        // There the picture is below the controls.
+        if (innerWidth < NARROW) player.stage.canvas.scrollIntoView();
         frames = new Frames(info, page.data.tracks);
         this.drag = new Drag(page, info, frames, {
           grab: (grip, place) => this.solver.send({ kind: "grab", grip, place }),

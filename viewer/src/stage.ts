@@ -3,6 +3,16 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Data } from "./data";
+import type { BeamInfo, Solid } from "./format";
+
+/** So many places of each kind tell where something is. */
+const MOST_PLACES = 2000;
+/** The camera goes back by this factor, and the picture down by this share of its height, so many times at most; so many pixels stay free around what covers a corner. What goes back leaves
+ * more room below than the picture goes down. */
+const BACK = 1.05;
+const DOWN = 0.02;
+const MOST_STEPS = 6;
+const GAP = 16;
 
 /** Where a camera is. */
 export interface Pose {
@@ -31,16 +41,43 @@ export function bounds(data: Data): THREE.Box3 {
   take(data.drawn.place);
   const bodies = data.tracks.get("body.place");
   data.scene.bodies.forEach(({ solid }, body) => {
-    const radius = solid.shape === "box" ? Math.hypot(...solid.edges) / 2 : Math.hypot(solid.radius, solid.length / 2);
     for (let at = 3 * body; bodies && at < bodies.values.length; at += 3 * bodies.things) {
       point.fromArray(bodies.values, at);
-      box.expandByPoint(point.clone().addScalar(0.7 * radius)).expandByPoint(point.subScalar(0.7 * radius));
+      box.expandByPoint(point.clone().addScalar(0.7 * radius(solid))).expandByPoint(point.subScalar(0.7 * radius(solid)));
     }
   });
   if (box.isEmpty()) box.expandByPoint(point.set(0, 0, 0));
   const size = box.getSize(new THREE.Vector3()).length();
   if (size === 0) box.expandByScalar(data.scene.size / 2);
   return box;
+}
+
+/** Half of the largest extent of a solid, m. */
+const radius = (solid: Solid) => (solid.shape === "box" ? Math.hypot(...solid.edges) / 2 : Math.hypot(solid.radius, solid.length / 2));
+
+/** Half of the largest extent of a beam's sections, m. */
+function thickness({ profile, sizes }: BeamInfo): number {
+  const half = profile.shape === "rectangle" ? Math.hypot(profile.width, profile.height) / 2 : profile.shape === "ellipse" ? Math.max(profile.y, profile.z) : profile.outer;
+  return half * Math.max(1, ...(sizes ?? []).flat());
+}
+
+/** A place where something is at some instant, and how far it reaches, m. */
+interface Place {
+  at: THREE.Vector3;
+  radius: number;
+}
+
+/** Some of the places of stations, bodies and joints over the run. */
+function places(data: Data): Place[] {
+  const { beams, bodies } = data.scene;
+  const found: Place[] = [];
+  for (const [name, radii] of [["station.place", beams.map(thickness)], ["body.place", bodies.map(({ solid }) => radius(solid))], ["joint.place", []]] as const) {
+    const values = data.tracks.get(name)?.values ?? [];
+    const every = 3 * Math.ceil(values.length / 3 / MOST_PLACES);
+    const largest = Math.max(0, ...radii);
+    for (let at = 0; at + 2 < values.length; at += every) found.push({ at: new THREE.Vector3(values[at], values[at + 1], values[at + 2]), radius: largest });
+  }
+  return found;
 }
 
 /** The largest of 1, 2, 5 times a power of ten that is not above `length`. */
@@ -65,8 +102,13 @@ export class Stage {
   private readonly gizmo = new THREE.Scene();
   private readonly gizmoCamera = new THREE.OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 10);
   private following?: THREE.Vector3;
+  /** Places where something is in the course of the run, and what on the screen covers a corner of the picture. */
+  private readonly places: Place[];
+  covered: () => DOMRect | undefined = () => undefined;
   /** Pixels on the left that controls cover: the picture is centerd in what is left. */
   private inset = 0;
+  /** How far the picture is moved down, as a share of its height. */
+  private down = 0;
 
   constructor(data: Data, private readonly parent: HTMLElement) {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
@@ -77,6 +119,7 @@ export class Stage {
     parent.append(this.canvas);
     this.up = upOf(data.scene.gravity);
     this.box = bounds(data);
+    this.places = places(data);
     this.extent = this.box.getSize(new THREE.Vector3()).length();
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0xa8b0c0, 2.2), this.light, this.light.target);
     this.cell = niceLength(this.extent / 8);
@@ -196,7 +239,7 @@ export class Stage {
       this.camera.right = half * this.aspect;
     }
     const { clientWidth, clientHeight } = this.parent;
-    this.camera.setViewOffset(clientWidth, clientHeight, -this.inset / 2, 0, clientWidth, clientHeight);
+    this.camera.setViewOffset(clientWidth, clientHeight, -this.inset / 2, -this.down * clientHeight, clientWidth, clientHeight);
     this.camera.updateProjectionMatrix();
   }
 
@@ -262,15 +305,36 @@ export class Stage {
     }
     const margin = 0.04 * this.extent;
     const half = Math.max(high + margin, (wide + margin) / this.aspect / (1 - this.inset / Math.max(this.parent.clientWidth, 2 * this.inset))) * 1.04;
-    const distance = half / Math.tan(THREE.MathUtils.degToRad(16)) + 0.6 * deep;
     this.controls.target.copy(target);
-    this.camera.position.copy(target).addScaledVector(from, distance);
-    if (this.camera instanceof THREE.OrthographicCamera) {
-      this.camera.userData.half = half;
-      this.camera.zoom = 1;
-    }
-    this.shape();
-    this.controls.update();
+    const look = (step: number) => {
+      const larger = half * BACK ** step;
+      this.down = DOWN * step;
+      this.camera.position.copy(target).addScaledVector(from, larger / Math.tan(THREE.MathUtils.degToRad(16)) + 0.6 * deep);
+      if (this.camera instanceof THREE.OrthographicCamera) {
+        this.camera.userData.half = larger;
+        this.camera.zoom = 1;
+      }
+      this.shape();
+      this.controls.update();
+      return !this.isCovered();
+    };
+    // From farther away and lower, until nothing is behind what covers a corner, if that helps.
+    const steps = Array.from({ length: MOST_STEPS + 1 }, (_, step) => step);
+    if (!steps.some(look)) look(0);
+  }
+
+  /** Whether something that is ever seen is behind what covers a corner. */
+  private isCovered(): boolean {
+    const cover = this.covered();
+    if (!cover) return false;
+    this.camera.updateMatrixWorld();
+    const { left, top } = this.canvas.getBoundingClientRect();
+    const scale = 1 / this.metersPerPixel();
+    return this.places.some(({ at, radius }) => {
+      const { x, y } = this.project(at);
+      const gap = GAP + radius * scale;
+      return x + left > cover.left - gap && x + left < cover.right + gap && y + top > cover.top - gap && y + top < cover.bottom + gap;
+    });
   }
 
   /** Moves with a point, from where it is now on; stops without. */

@@ -12,7 +12,7 @@ import { niceLength, type View } from "./stage";
 import { listenToKeys } from "./keys";
 
 /** Below this width charts go under the picture, and controls lie over it. */
-const NARROW = 820;
+export const NARROW = 820;
 /** From this width on controls are open from the start. */
 const WIDE = 1100;
 
@@ -39,6 +39,7 @@ export class Page {
     app.append(this.header(), body);
     this.player = new Player(data, this.viewport);
     const { player } = this;
+    player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
     this.charts = new Charts(data, player.run);
     this.along = new Along(data);
     this.panel = new PickPanel(player);
@@ -60,9 +61,11 @@ export class Page {
     this.pointer();
     listenToKeys(this, this.listening.signal);
     player.onupdate(() => this.update());
-    player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
     if (data.times.length < 2 && data.modes.length > 0) player.show(0);
+    this.legend.hidden = !player.quantity;
     this.describe();
+    player.stage.covered = () => (this.legend.hidden ? undefined : this.legend.getBoundingClientRect());
+    player.stage.fit();
   }
 
   private readonly listening = new AbortController();
@@ -103,8 +106,10 @@ export class Page {
   private controls(): HTMLElement {
     const { player, data } = this;
     const { signs, beams, trails, stage } = player;
-    const options: [string, string][] = [["", "nothing"], ...QUANTITIES.filter(({ from }) => from.every((name) => data.tracks.has(name))).map(({ word, label }): [string, string] => [word, label])];
-    const color = choice("Color by", options, "stress", (word) => {
+    // Of a section whose outline is not known there is no stress.
+    const known = QUANTITIES.filter(({ word, from }) => from.every((name) => data.tracks.has(name)) && (word !== "stress" || data.scene.beams.some(({ stress }) => stress)));
+    const options: [string, string][] = [["", "nothing"], ...known.map(({ word, label }): [string, string] => [word, label])];
+    const color = choice("Color by", options, player.quantity?.word ?? "", (word) => {
       player.colorBy(word);
       this.describe();
       if (player.ranging === "fixed") {

@@ -155,6 +155,41 @@ test("colors follow the quantity and the instant", async () => {
   await close();
 });
 
+test("where the stress is not known, the list and the legend name another quantity", async () => {
+  // Its sections have no outline.
+  ancf14("view", model("blade"), "-o", "blade.html", "--set", "simulation.stop=0.2");
+  const { page, close } = await open("blade.html");
+  const list = "[data-control=color] select";
+  assert.equal(await page.inputValue(list), "bending_moment");
+  assert.match(await page.textContent(".legend"), /^Bending moment/);
+  assert.equal(await page.locator(`${list} option[value=stress]`).count(), 0);
+  // The key goes through the list.
+  await page.keyboard.press("c");
+  assert.equal(await page.inputValue(list), await page.evaluate(() => window.ancf14.player.quantity.word));
+  await close();
+});
+
+test("nothing that moves hides behind the legend", async () => {
+  ancf14("view", model("lee_frame"), "-o", "frame.html");
+  for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 800 }]) {
+    const { page, close } = await open("frame.html", { viewport });
+    const hidden = await page.evaluate(() => {
+      const { stage } = window.ancf14.player;
+      const cover = document.querySelector(".legend").getBoundingClientRect();
+      const canvas = stage.canvas.getBoundingClientRect();
+      const { values } = window.ancf14.data.tracks.get("station.place");
+      let count = 0;
+      for (let at = 0; at < values.length; at += 3) {
+        const { x, y } = stage.project(stage.box.min.clone().fromArray(values, at));
+        if (x + canvas.left > cover.left && y + canvas.top < cover.bottom) count++;
+      }
+      return count;
+    });
+    assert.equal(hidden, 0, `${viewport.width} pixels wide`);
+    await close();
+  }
+});
+
 test("a mode swings, with its frequency", async () => {
   const { page, close } = await open("cantilever.html");
   await page.selectOption("[data-control=mode] select", "0");
@@ -201,15 +236,11 @@ test("names with HTML in them are shown as they are", async () => {
   await close();
 });
 
-test("every sign of every kind is drawn: the model with everything, and large ones", async () => {
+test("every sign of every kind is drawn", async () => {
   ancf14("view", model("crane"), "-o", "crane.html", "--set", "simulation.stop=0.2");
   ancf14("view", model("lateral_buckling"), "-o", "strip.html", "--set", "simulation.stop=0.01");
-  // 10,002 rows, and a beam of 5,000 elements.
-  ancf14("view", model("cantilever"), "-o", "long.html", "--set", "arm.elements=2", "--set", "simulation.stop=3.0003", "--set", "simulation.output_step=3e-4", "--set", "simulation.step=3e-4");
-  ancf14("view", model("cantilever"), "-o", "fine.html", "--set", "arm.elements=5000", "--set", "simulation.stop=0.02");
-  for (const [name, note] of [["crane.html"], ["strip.html"], ["long.html", /one row of results in 6/], ["fine.html"]]) {
+  for (const name of ["crane.html", "strip.html"]) {
     const { page, close } = await open(name);
-    if (note) assert.match(await page.textContent(".note"), note);
     // Software draws large scenes slowly: one of them is enough for all keys.
     for (const key of name !== "crane.html" ? ["f"] : ["2", "3", "4", "1", "p", "p", "g", "n", "t", "f"]) await page.keyboard.press(key);
     await settle(page);
