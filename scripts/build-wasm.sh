@@ -15,7 +15,7 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 triple=wasm32-unknown-unknown
 registry=${CARGO_HOME:-$HOME/.cargo}/registry/src
 module=${2:-$target/fmu/ancf14.wasm}
-sources=$(find Cargo.toml Cargo.lock src crates/live crates/view/Cargo.toml crates/view/src scripts/build-wasm.sh -type f | LC_ALL=C sort | xargs sha256sum | sha256sum | cut -c 1-64)
+sources=$(find Cargo.toml Cargo.lock src crates/live crates/view/Cargo.toml crates/view/src viewer/dist licenses scripts/build-wasm.sh -type f | LC_ALL=C sort | xargs sha256sum | sha256sum | cut -c 1-64)
 if [ -f "$module" ] && [ "$(tail -c 64 "$module" | tr -d '\000')" = "$sources" ]; then
     exit
 fi

@@ -1,29 +1,31 @@
 //! The run beside a motion that tells its mesh error, on a thread of its own.
 
 use ancf14::model::run::accuracy::Differences;
-use ancf14::model::simulation::{Beside, Companion, Row};
+use ancf14::model::simulation::{Beside, Companion, Lost, Row};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{Builder, JoinHandle};
 
 /// The stack of the thread, bytes: that of a main thread on Linux.
 const STACK: usize = 8 << 20;
+/// Rows that may wait for the thread: beyond, the run waits for it.
+const ROWS: usize = 4096;
 
 /// A thread that follows a run.
 #[derive(Debug)]
 struct Thread {
     /// None: no more rows come.
-    rows: Option<Sender<Row>>,
-    /// Nobody waits for it any more.
+    rows: Option<SyncSender<Row>>,
+    /// The run that it follows has ended without asking for the result.
     is_over: Arc<AtomicBool>,
-    /// None: there is no thread to be had.
-    handle: Option<JoinHandle<Result<Differences, String>>>,
+    /// None: the system gives no thread.
+    handle: Option<JoinHandle<Result<Differences, Lost>>>,
 }
 
 /// Starts the thread that `companion` runs on.
 pub fn start(companion: Companion) -> Box<dyn Beside> {
-    let (rows, received) = channel();
+    let (rows, received) = sync_channel(ROWS);
     let is_over = Arc::new(AtomicBool::new(false));
     let ends = Arc::clone(&is_over);
     let thread = Builder::new().name(String::from("ancf14 mesh")).stack_size(STACK);
@@ -31,7 +33,7 @@ pub fn start(companion: Companion) -> Box<dyn Beside> {
     Box::new(Thread { rows: Some(rows), is_over, handle })
 }
 
-fn follow(mut companion: Companion, rows: &Receiver<Row>, is_over: &AtomicBool) -> Result<Differences, String> {
+fn follow(mut companion: Companion, rows: &Receiver<Row>, is_over: &AtomicBool) -> Result<Differences, Lost> {
     while let Ok(row) = rows.recv() {
         if is_over.load(Ordering::Relaxed) {
             break;
@@ -44,15 +46,17 @@ fn follow(mut companion: Companion, rows: &Receiver<Row>, is_over: &AtomicBool) 
 impl Beside for Thread {
     fn go_on(&mut self, row: Row) {
         if let Some(rows) = &self.rows {
-            // A thread that has panicked says so in the end.
+            // A thread that has panicked is reported by `finish`.
             let _ = rows.send(row);
         }
     }
 
-    fn finish(mut self: Box<Self>) -> Result<Differences, String> {
+    fn finish(mut self: Box<Self>) -> Result<Differences, Lost> {
         self.rows = None;
-        let outcome = self.handle.take().and_then(|handle| handle.join().ok());
-        outcome.unwrap_or_else(|| Err(String::from("its thread ended")))
+        let Some(handle) = self.handle.take() else {
+            return Err(Lost::Start(String::from("the system gives no further thread")));
+        };
+        handle.join().unwrap_or_else(|_| Err(Lost::Start(String::from("its thread has panicked"))))
     }
 }
 

@@ -111,7 +111,7 @@ pub fn tell(summary: &Summary, simulation: &Simulation) -> Result<(), Stop> {
     if let Some(worst) = simulation.largest_mesh_error() {
         say(&format!("mesh error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
     } else if simulation.seeks_mesh_error() {
-        say("mesh error: not known; --verify may find it")?;
+        say("mesh error: unknown; run with --verify to estimate it")?;
     }
     table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table))
 }

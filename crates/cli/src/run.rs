@@ -95,14 +95,15 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let clock = Instant::now();
     let outcome = simulate(&mut simulation, (inputs, from.as_ref()), plan, &mut results, &rows, film.as_mut(), &keeper);
     let wall = clock.elapsed().as_secs_f64();
-    drop(keeper);
     let is_complete = outcome.is_ok();
     let saved = save.filter(|_| is_complete).map_or(Ok(()), |path| output::write(path, &simulation.keep()));
     let finished = finish(&results, &rows, &plots, &folder, is_complete);
     if is_complete {
+        // This may wait for the comparison run: a signal still ends it.
         simulation.conclude();
         simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
     }
+    drop(keeper);
     let (statistics, reached) = (&simulation.state().statistics, results.reached().unwrap_or(0.0));
     if let Some(warning) = effort::rejections(simulation.document(), statistics, reached, results.count) {
         complain(&format!("warning: {warning}"));

@@ -190,8 +190,8 @@ impl Section {
         }
     }
 
-    /// The same section with its tension center at `center`, y and z, m, instead of on the axis: its integrals become those about the axis (Steiner), the
-    /// fourth moments about the principal axes there.
+    /// The same section with its tension center at `center`, y and z, m, instead of on the axis: its integrals become those about the axis (Steiner). The fourth
+    /// moments about the tension center are taken as those along the principal axes of the sum; `∫y³z` and `∫yz³` are left out.
     pub fn with_tension_center(self, center: [f64; 2]) -> Self {
         let (own, [y, z]) = (self, center);
         let mut section = Self {

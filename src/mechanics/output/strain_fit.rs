@@ -66,7 +66,10 @@ impl<'a> StrainFit<'a> {
             slope: (last[k] - first[k]) / apart,
         });
         let stiffness = &element.stiffness;
-        let rigidities = [stiffness.bending_z, stiffness.bending_y, stiffness.torsion];
+        // About axes through the tension center: bending about others stretches the axis, which relaxes.
+        let [y, z] = element.eccentricities.as_ref().map_or([0.0; 2], |own| own[1].first);
+        let relaxed = |bending: f64, moment: f64| bending - moment * moment / stiffness.axial;
+        let rigidities = [relaxed(stiffness.bending_z, y), relaxed(stiffness.bending_y, z), stiffness.torsion];
         let mut fit = Self { element, strains, rigidities, forces: [0.0; 3], energy: evaluation.energy() };
         let strains = evaluation.axial_strains();
         fit.forces = [0, 1, 2].map(|m| {

@@ -33,9 +33,9 @@ const SMALL_FORCE: f64 = 0.1;
 const LEAST_TOLD: f64 = 1e-6;
 /// How fast the mesh error of positions and energies of a motion falls with the length of the elements. The elements have order 4; vibrations that a mesh does not resolve lower it.
 pub const ORDER: i32 = 3;
-/// The same of everything where torsion counts: the order of the linear twist.
+/// Order of the linear twist: the mesh error of no result falls faster where torsion counts.
 pub const ORDER_OF_TWIST: i32 = 2;
-/// The same of velocities, strains and forces.
+/// How fast the mesh error of velocities, strains and forces falls.
 const ORDER_OF_RATES: i32 = 2;
 /// The share that a proposed step is chosen for.
 const PROPOSED: f64 = 0.002;
@@ -74,7 +74,7 @@ struct Family {
 /// How far two runs of a model are apart.
 #[derive(Clone, Debug, Default)]
 pub struct Differences {
-    /// Those of each family, of each row the largest one among its columns.
+    /// Differences of each family: the largest one among its columns for each row.
     families: Vec<Histogram>,
     largest: Vec<f64>,
 }
@@ -357,8 +357,8 @@ impl Inexact {
     pub fn warning_with_mesh(&self, mesh: &Self, setting: Setting) -> String {
         let sum = Self { error: self.error + mesh.error, ..self.clone() };
         format!(
-            "{} is off by {} of its range because of the length of the steps and the mesh together, as estimated. Take a smaller {} and more elements; --verify names the \
-             numbers",
+            "{} is off by {} of its range because of the length of the steps and the mesh together, as estimated during the run. Take a smaller {} and more elements; --verify \
+             names the numbers",
             self.name,
             sum.size(),
             setting.name()

@@ -146,17 +146,17 @@ fn mesh(document: &Document, other: impl Fn(usize, usize) -> Option<usize>) -> O
     Some(overrides).filter(|_| !document.beams.is_empty())
 }
 
-/// A run with another mesh: about half the elements, and steps twice as long where the solver chooses them; or twice the elements.
+/// The mesh of a run that another one is compared with: about half the elements, or twice as many.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OtherMesh {
-    /// The elements of every beam, and what comes with them.
+    /// Overrides for the elements of every beam, and for the nodes and rows that depend on them.
     pub overrides: Vec<Override>,
-    /// The length of its elements over that of `document`'s, of the beam where both are most alike.
+    /// Length of its elements over the length of those in the first run. Beams with fewer elements differ in this ratio: the smallest one.
     pub ratio: f64,
 }
 
 impl OtherMesh {
-    /// That to compare a run of `document` with; none if a beam has no such mesh.
+    /// Chooses the mesh to compare a run of `document` with; none if a beam has no such mesh.
     pub fn beside(document: &Document) -> Option<Self> {
         let own = Self::coarser(document).or_else(|| {
             let overrides = mesh(document, |_, count| Some(2 * count))?;
@@ -167,23 +167,20 @@ impl OtherMesh {
         Some(Self { overrides, ratio })
     }
 
-    /// Half the elements of each beam, or the fewest beyond that with which joints find their nodes; none if no beam can do with fewer.
+    /// Takes half the elements of each beam, or the fewest beyond that with which joints find their nodes. A beam that needs more than two thirds of its elements keeps all of
+    /// them; none if all beams do.
     fn coarser(document: &Document) -> Option<Self> {
         let count = |place: usize, own: usize| {
             let held = held_places(document, place, own);
             let fits = |count: &usize| {
                 held.iter().all(|fraction| validate::fits(document, &document.beams[place], *count, *fraction))
             };
-            (own.div_ceil(2)..own).find(fits).unwrap_or(own)
+            (own.div_ceil(2)..=2 * own / 3).find(fits).unwrap_or(own)
         };
         let counts = document.beams.iter().map(|beam| elements(document, beam)).enumerate();
         let ratios = counts.map(|(place, own)| own as f64 / count(place, own) as f64);
         let ratio = ratios.filter(|ratio| *ratio > 1.0).reduce(f64::min)?;
-        let mut overrides = mesh(document, |place, own| Some(count(place, own)))?;
-        if matches!(document.simulation.steps, Steps::ForAccuracy(_)) {
-            overrides.push(step(document, 2.0));
-        }
-        Some(Self { overrides, ratio })
+        Some(Self { overrides: mesh(document, |place, own| Some(count(place, own)))?, ratio })
     }
 }
 

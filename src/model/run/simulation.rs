@@ -11,7 +11,7 @@ mod saved;
 mod start_derivatives;
 mod stepping;
 
-pub use companion::{Beside, Companion, Placement, Row};
+pub use companion::{Beside, Companion, Lost, Placement, Row};
 pub use kept::Kept;
 pub use saved::Snapshot;
 

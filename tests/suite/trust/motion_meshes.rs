@@ -4,13 +4,13 @@ use crate::curves::Curves;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::run::accuracy::{Differences, Inexact};
 use ancf14::model::run::levels::{Level, merged};
-use ancf14::model::simulation::{Beside, Companion, Row, Simulation};
+use ancf14::model::simulation::{Beside, Companion, Lost, Row, Simulation};
 
 const PENDULUM: &str = include_str!("../../../models/pendulum.toml");
 const CANTILEVER: &str = include_str!("../../../models/cantilever.toml");
 const CRANE: &str = include_str!("../../../models/crane.toml");
 
-/// A shaft of four elements that a torque twists smoothly, and that swings back; a joint holds its middle.
+/// A shaft of 10 elements that a torque twists smoothly, and that swings back; a joint holds its middle.
 const SHAFT: &str = r#"
 format = 1
 [model]
@@ -250,6 +250,15 @@ fn the_error_is_unknown_where_the_runs_part() {
     simulation.advance(0.2).unwrap();
     simulation.conclude();
     assert_eq!(simulation.mesh_errors(), []);
+
+    let mut simulation = load(CRANE, &[]);
+    let gravity = simulation.variables().iter().position(|variable| variable.name == "gravity[3]").unwrap();
+    simulation.initialize(0.0).unwrap();
+    simulation.advance(0.1).unwrap();
+    simulation.set_value(gravity, Value::Real(-9.0)).unwrap();
+    simulation.advance(0.2).unwrap();
+    simulation.conclude();
+    assert_eq!(simulation.mesh_errors(), []);
 }
 
 /// A run that ends early.
@@ -259,8 +268,8 @@ struct Failing;
 impl Beside for Failing {
     fn go_on(&mut self, _: Row) {}
 
-    fn finish(self: Box<Self>) -> Result<Differences, String> {
-        Err(String::from("error: no step is short enough.\n --> model.toml"))
+    fn finish(self: Box<Self>) -> Result<Differences, Lost> {
+        Err(Lost::Motion(String::from("error: no step is short enough.\n --> model.toml")))
     }
 }
 
@@ -272,6 +281,6 @@ fn a_run_that_ends_early_leaves_the_error_unknown() {
     let (mut simulation, _) = concluded(simulation);
     assert_eq!(simulation.mesh_errors(), []);
     let told = simulation.take_warnings();
-    let expected = "the mesh error is not known: a run with half the elements, beside this one, ended early: no step is short enough. The mesh may be too coarse; take more elements";
+    let expected = "the mesh error is not known: a run with half the elements, for comparison, stopped early (no step is short enough). The mesh may be too coarse; take more elements";
     assert_eq!(told, [expected]);
 }

@@ -129,7 +129,7 @@ function described(name) {
 test("every model gives the numbers of the program", { timeout: 900000 }, () => {
   const names = readdirSync(models).filter((name) => name.endsWith(".toml")).map((name) => name.slice(0, -5));
   assert.ok(names.length > 10);
-  const lines = ["| example | rows | time, s | of the run in a second, s | time, of the program's | largest difference | of the program, with a stiffness changed by 1e-15 |", "|---|---|---|---|---|---|---|"];
+  const lines = ["| example | rows | time, s | simulated seconds per second of processor time | time, of the program's | largest difference | of the program, with a stiffness changed by 1e-15 |", "|---|---|---|---|---|---|---|"];
   const sizes = ["| example | instants | stations | page, MB |", "|---|---|---|---|"];
   const wrong = [];
   const share = (number) => (number === undefined ? "" : number === 0 ? "0" : number.toExponential(0));

@@ -15,11 +15,10 @@ impl Element {
         for (point, xi) in self.axial.iter_mut().zip(LOBATTO_POINTS) {
             point.stiffness = along.at(xi).stiffness.at_axial_point();
         }
-        let [first, middle, last] = self.bending.each_ref().map(|point| along.at(point.xi).eccentricity);
-        self.eccentricities = match (first, middle, last) {
-            (Some(first), Some(middle), Some(last)) => Some(Box::new([first, middle, last])),
-            _ => None,
-        };
+        let eccentricities = self.bending.each_ref().map(|point| along.at(point.xi).eccentricity);
+        let is_eccentric = eccentricities.iter().any(Option::is_some);
+        // The tension center may be on the axis at one point and off it at the next.
+        self.eccentricities = is_eccentric.then(|| Box::new(eccentricities.map(Option::unwrap_or_default)));
         for point in &mut self.bending {
             let here = along.at(point.xi);
             point.stiffness = here.stiffness.at_bending_point();

@@ -1,9 +1,8 @@
-//! The run beside a motion that tells its mesh error: the same model with half the elements, or with twice as many where no beam can do with fewer.
+//! The comparison run beside a motion that tells its mesh error: the same model with half the elements, or with twice as many where no beam can do with fewer.
 //!
-//! With elements `r` times as long, errors of order `p` are `r^p` times as large: the difference of both runs is `|r^p - 1|` times the error of the first one. A run with half the
-//! elements may take steps twice as long as well, where the solver chooses them: the error of these steps is divided likewise.
+//! With elements `r` times as long, errors of order `p` are `r^p` times as large: the difference of both runs is `|r^p - 1|` times the error of the first one.
 //!
-//! The library has no threads: the caller says where this run takes place.
+//! The library has no threads: the caller says where the comparison run takes place.
 
 use super::Simulation;
 use crate::fmi::{Failure, Model};
@@ -13,29 +12,38 @@ use crate::model::run::levels::{self, OtherMesh, Override};
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// The run is given up when it has tried so many times the steps of the other one, and so many more.
+/// The comparison run ends early when it has tried so many times the steps of the other one, and so many more.
 const MOST_STEPS_TIMES: u64 = 2;
 const MOST_STEPS_MORE: u64 = 1000;
 
 /// A run that follows another one row by row: a [`Companion`], here or on another thread.
 pub trait Beside: Debug + Send + Sync {
-    /// Goes on to a row of the other run. Rows come in their order, the start first.
+    /// Advances to a row of the other run. Rows come in their order, the start first.
     fn go_on(&mut self, row: Row);
 
-    /// How far both runs are apart.
+    /// Returns how far both runs are apart.
     ///
     /// # Errors
-    /// Why this one has not come to the end.
-    fn finish(self: Box<Self>) -> Result<Differences, String>;
+    /// The comparison run has not reached the end.
+    fn finish(self: Box<Self>) -> Result<Differences, Lost>;
 }
 
-/// Where a companion runs: `|run| Box::new(run)` is within each step of the other one.
+/// Why a comparison run has not reached the end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Lost {
+    /// Its motion cannot be computed, or takes too many steps.
+    Motion(String),
+    /// It never ran, or is of another model.
+    Start(String),
+}
+
+/// Decides where a companion runs: `|companion| Box::new(companion)` lets it run within each step of the other one.
 pub type Placement = fn(Companion) -> Box<dyn Beside>;
 
 /// A row of the run that is compared.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// s.
+    /// Time of the row, s.
     time: f64,
     /// Values and derivatives of the inputs until then.
     inputs: [Vec<f64>; 2],
@@ -44,20 +52,20 @@ pub struct Row {
     steps: u64,
 }
 
-/// The run with the other mesh.
+/// The comparison run.
 #[derive(Debug)]
 pub struct Companion {
     document: Arc<Document>,
     /// The overrides that `document` was read with, and those of the other mesh.
     overrides: [Vec<Override>; 2],
     columns: Arc<Columns>,
-    /// None until the first row: building takes time, which may be spent elsewhere.
+    /// None until the first row: building takes time, which another thread may spend.
     simulation: Option<Box<Simulation>>,
-    found: Result<Differences, String>,
+    found: Result<Differences, Lost>,
 }
 
 impl Companion {
-    /// For `simulation`, with its mesh; none where a beam has no other mesh.
+    /// Creates the comparison run of `simulation`, and returns it with its mesh; none if a beam has no other mesh.
     pub(super) fn new(simulation: &Simulation) -> Option<(Self, OtherMesh)> {
         let mesh = OtherMesh::beside(&simulation.document)?;
         let companion = Self {
@@ -70,31 +78,36 @@ impl Companion {
         Some((companion, mesh))
     }
 
-    fn build(&self) -> Result<Simulation, String> {
+    fn build(&self) -> Result<Simulation, Lost> {
         let [own, changes] = self.overrides.clone();
-        let document = levels::changed(&self.document, &own, changes).ok_or("its model file cannot be read")?;
-        Simulation::of(document, own).map_err(words)
+        let document = levels::changed(&self.document, &own, changes);
+        let document = document.ok_or_else(|| Lost::Start(String::from("its model file cannot be read")))?;
+        Simulation::of(document, own).map_err(|failure| Lost::Start(failure.message))
     }
 
-    fn compare(&mut self, row: &Row, differences: &mut Differences) -> Result<(), String> {
+    fn compare(&mut self, row: &Row, differences: &mut Differences) -> Result<(), Lost> {
         let mut simulation = match self.simulation.take() {
             Some(simulation) => simulation,
             None => Box::new(self.build()?),
         };
         let Row { time, inputs: [values, slopes], results, steps } = row;
         if !simulation.inputs.set_parts([values, slopes]) || simulation.results.len() != results.len() {
-            return Err(String::from("its model has other variables"));
+            return Err(Lost::Start(String::from("its model has other variables")));
         }
-        match simulation.runner.is_initialized() {
-            true => simulation.advance(*time),
-            false => simulation.initialize(*time),
+        let motion = |failure: Failure| Lost::Motion(failure.message);
+        if simulation.runner.is_initialized() {
+            simulation.begin(*time).map_err(motion)?;
+            while !simulation.part().map_err(motion)? {
+                if simulation.tried_steps() > MOST_STEPS_TIMES * steps + MOST_STEPS_MORE {
+                    let reason = format!("it needed more than {MOST_STEPS_TIMES} times the steps by t = {time} s");
+                    return Err(Lost::Motion(reason));
+                }
+            }
+        } else {
+            simulation.initialize(*time).map_err(motion)?;
         }
-        .map_err(words)?;
         simulation.warnings.clear();
         differences.include(&self.columns, results, &simulation.results);
-        if simulation.tried_steps() > MOST_STEPS_TIMES * steps + MOST_STEPS_MORE {
-            return Err(format!("it needed more than {MOST_STEPS_TIMES} times the steps by t = {time} s"));
-        }
         self.simulation = Some(simulation);
         Ok(())
     }
@@ -107,7 +120,7 @@ impl Beside for Companion {
         }
     }
 
-    fn finish(self: Box<Self>) -> Result<Differences, String> {
+    fn finish(self: Box<Self>) -> Result<Differences, Lost> {
         self.found
     }
 }
@@ -121,13 +134,9 @@ impl Simulation {
         }
     }
 
-    /// Steps so far, rejected ones too.
+    /// Counts the steps so far, rejected ones too.
     fn tried_steps(&self) -> u64 {
         let statistics = &self.runner.state.statistics;
         statistics.steps.saturating_add(statistics.rejected)
     }
-}
-
-fn words(failure: Failure) -> String {
-    failure.message
 }

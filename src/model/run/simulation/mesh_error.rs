@@ -1,7 +1,7 @@
 //! The error of a run because of the mesh, found at its end: that of equilibria from a finer mesh, that of motions from a run with another mesh.
 
 use super::Simulation;
-use super::companion::{Beside, Companion, Placement};
+use super::companion::{Beside, Companion, Lost, Placement};
 use super::runner::Runner;
 use crate::error::decimal;
 use crate::mechanics::state::State;
@@ -22,7 +22,7 @@ pub(super) struct Peak {
 }
 
 impl Simulation {
-    /// Asks for the mesh error of motions: from the next initialization on, the model runs once more beside this run, with another mesh and where `placement` says, until
+    /// Asks for the mesh error of motions: from the next initialization on, a comparison run with another mesh follows this one, where `placement` says, until
     /// [`crate::fmi::Model::conclude`] compares. Restored states, and parameters that are set on the way, leave the error unknown. That of equilibria needs no such run.
     pub fn ask_for_mesh_error(&mut self, placement: Placement) {
         self.placement = Some(placement);
@@ -84,7 +84,8 @@ impl Simulation {
         match self.companion.take() {
             Some((companion, mesh)) => {
                 let seen_from = match mesh.ratio {
-                    ratio if ratio > 1.0 => "a run with half the elements",
+                    2.0 => "a run with half the elements",
+                    ratio if ratio > 1.0 => "a run with fewer elements",
                     _ => "a run with twice the elements",
                 };
                 self.compare_with_companion(companion, mesh.ratio, seen_from);
@@ -101,11 +102,16 @@ impl Simulation {
     fn compare_with_companion(&mut self, companion: Box<dyn Beside>, ratio: f64, run: &str) {
         let differences = match companion.finish() {
             Ok(differences) => differences,
-            Err(reason) => {
+            Err(lost) => {
+                let (reason, what, remedy) = match &lost {
+                    Lost::Motion(reason) => {
+                        (reason, "stopped early", ". The mesh may be too coarse; take more elements")
+                    }
+                    Lost::Start(reason) => (reason, "did not start", ""),
+                };
                 let reason = reason.lines().next().unwrap_or("").trim_start_matches("error: ").trim_end_matches('.');
-                self.warnings.push(format!(
-                    "the mesh error is not known: {run}, beside this one, ended early: {reason}. The mesh may be too coarse; take more elements"
-                ));
+                self.warnings
+                    .push(format!("the mesh error is not known: {run}, for comparison, {what} ({reason}){remedy}"));
                 return;
             }
         };

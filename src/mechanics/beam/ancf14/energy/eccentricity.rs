@@ -6,7 +6,7 @@
 
 use crate::mechanics::beam::ancf14::strain::{Eccentricity, Resultants, Rigidities, Strains};
 
-/// `E ∫ (y, z) r² dA`, N m³: by how much torsion bends.
+/// `E ∫ (y, z) r² dA`, N m³: the moments through which torsion bends the beam.
 fn by_torsion(moments: &Eccentricity) -> [f64; 2] {
     let [yyy, yyz, yzz, zzz] = moments.third;
     [yyy + yzz, yyz + zzz]
