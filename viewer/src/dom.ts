@@ -52,6 +52,12 @@ export function slider(
   return h("label", { class: "slider" }, h("span", {}, label), input, told);
 }
 
+/** Hands a file to the reader, named after the model. */
+export function save(url: string, model: string, ending: string): void {
+  const name = model.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "model";
+  h("a", { href: url, download: `${name}.${ending}` }).click();
+}
+
 /** Says why the page cannot be shown, and what helps. */
 export function unshown(reason: unknown): string {
   const words = reason instanceof Error ? reason.message : String(reason);

@@ -31,6 +31,7 @@ export function listenToKeys(page: Page, signal: AbortSignal): void {
     n: () => flip("Names"),
     t: () => flip("Trails"),
     c: () => nextColor(page),
+    v: () => document.querySelector<HTMLButtonElement>("[data-control=video]")?.click(),
     Escape: () => player.choose(undefined),
   };
   addEventListener("keydown", (event) => {

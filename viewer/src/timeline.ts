@@ -4,6 +4,8 @@ export class Timeline {
   time: number;
   playing = false;
   looping = true;
+  /** Whether it stops at the end although it loops. */
+  once = false;
   /** Seconds of the run in a second of the clock. */
   speed: number;
   private listeners: (() => void)[] = [];
@@ -70,7 +72,7 @@ export class Timeline {
     if (!this.playing) return;
     let next = this.time + seconds * this.speed;
     if (next >= this.end) {
-      if (this.looping) next = this.start + ((next - this.start) % (this.duration || 1));
+      if (this.looping && !this.once) next = this.start + ((next - this.start) % (this.duration || 1));
       else {
         next = this.end;
         this.playing = false;

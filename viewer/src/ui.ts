@@ -4,12 +4,13 @@ import { Along } from "./along";
 import { Charts } from "./charts";
 import { gradient, QUANTITIES, quantityText } from "./color";
 import type { Data } from "./data";
-import { button, choice, h, slider, tick } from "./dom";
+import { button, choice, h, save, slider, tick } from "./dom";
 import { Labels } from "./labels";
 import { PickPanel } from "./panel";
 import { Player } from "./player";
 import { niceLength, type View } from "./stage";
 import { listenToKeys } from "./keys";
+import { Video } from "./video";
 
 /** Below this width charts go under the picture, and controls lie over it. */
 export const NARROW = 820;
@@ -31,6 +32,7 @@ export class Page {
   private readonly legend = h("div", { class: "legend", hidden: true });
   private readonly scaleBar = h("div", { class: "scale-bar" });
   private readonly scaleNote = h("div", { class: "scale-note" });
+  private readonly video = new Video(this);
 
   constructor(readonly data: Data, readonly app: HTMLElement) {
     const charts = this.side;
@@ -46,7 +48,7 @@ export class Page {
     this.labels = new Labels(player, this.viewport);
     this.charts.element.hidden = data.times.length < 2;
     charts.append(this.panel.element, this.along.element, this.charts.element);
-    stage.append(this.legend, this.controls(), this.scaleBar, this.scaleNote);
+    stage.append(this.legend, this.controls(), this.scaleBar, this.scaleNote, this.video.status);
     this.scrub = h("input", {
       type: "range", class: "scrub", min: 0, max: 1000, step: "any", "aria-label": "Time",
       oninput: () => {
@@ -73,6 +75,7 @@ export class Page {
   /** Ends the page: another one takes its place. */
   dispose(): void {
     this.listening.abort();
+    this.video.stop();
     this.charts.dispose();
     this.along.dispose();
     this.player.dispose();
@@ -84,7 +87,8 @@ export class Page {
     const title = h("div", { class: "title" }, h("h1", {}, scene.name), h("p", { class: "description" }, scene.description));
     const tools = h(
       "div", { class: "tools" },
-      button("PNG", "Save the picture as PNG", () => this.savePng()),
+      button("PNG", "Save the picture as PNG", () => save(this.player.stage.png(this.background), this.data.scene.name, "png")),
+      this.video.format && this.video.button,
       button("◐", "Light or dark", () => this.switchTheme()),
       button("?", "Keys", () => this.help.showModal()),
     );
@@ -97,7 +101,8 @@ export class Page {
     h("dl", {}, ...[
       ["Space", "play, pause"], ["← →", "one instant back, on"], ["Home End", "to the start, to the end"], ["− +", "slower, faster"], ["L", "loop"],
       ["1 2 3 4", "views: oblique, front, side, top"], ["F", "fit into the picture"], ["P", "perspective or parallel"], ["C", "next quantity to color by"],
-      ["G", "as drawn, faintly"], ["N", "names"], ["T", "trails"], ["Esc", "forget the point"],
+      ["G", "as drawn, faintly"], ["N", "names"], ["T", "trails"],
+      ...(this.video.format ? [["V", "record a video of the motion; again: end and save it"]] : []), ["Esc", "forget the point"],
     ].flatMap(([key, words]) => [h("dt", {}, key), h("dd", {}, words)])),
     h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant. With the solver in the page, Interact lets you drag the mechanism while it is simulated; Esc ends it."),
     h("form", { method: "dialog" }, h("button", {}, "Close")),
@@ -245,6 +250,7 @@ export class Page {
     this.panel.update();
     this.along.update(player.spot?.beam, isMode ? undefined : player.quantity, player.at(), player.seen);
     this.labels.update();
+    this.video.update();
   }
 
   /** Legend and remarks, which do not change from instant to instant. */
@@ -268,10 +274,9 @@ export class Page {
     this.player.look();
   }
 
-  private savePng(): void {
-    const background = getComputedStyle(document.documentElement).getPropertyValue("--stage").trim();
-    const name = this.data.scene.name.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "model";
-    h("a", { href: this.player.stage.png(background), download: `${name}.png` }).click();
+  /** The color behind the picture. */
+  get background(): string {
+    return getComputedStyle(document.documentElement).getPropertyValue("--stage").trim();
   }
 }
 

@@ -102,6 +102,10 @@ test("time passes, loops, stops, and goes by instants", () => {
   assert.deepEqual([timeline.time, timeline.playing], [4, false]);
   timeline.seek(-5);
   assert.equal(timeline.time, 0);
+  timeline.looping = timeline.once = true;
+  timeline.toggle();
+  timeline.advance(100);
+  assert.deepEqual([timeline.time, timeline.playing], [4, false]);
   const instant = new Timeline([0], 8);
   instant.toggle();
   assert.equal(instant.playing, false);
