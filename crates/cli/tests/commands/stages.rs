@@ -1,7 +1,8 @@
 //! A motion in stages: `ancf14 run --save-state` and `--from-state`. A run in two parts must give the bits of one, whatever is saved and read on the way; a second file with other loads and drives must
-//! begin where the first one has ended; the state of another mechanism must be refused in words.
+//! begin where the first one has ended; the state of another mechanism must be refused in words; and the commands of docs/command-line.md must work as they are printed.
 
 use crate::printed;
+use ancf14_testing::root;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -336,4 +337,36 @@ fn warnings_of_the_start_are_told() {
         )
     };
     told(&driven("0"), &driven("[{ until = 0.15, is = 0 }, { is = 0.1 }]"), "jumps by 0.1 at t = 0.15 s");
+}
+
+/// The page prints files and commands that work: the motion begins at rest where the load has drawn the strip, and swings through to the other side.
+#[test]
+fn the_commands_of_the_page_work() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let page = fs::read_to_string(root().join("docs/command-line.md")).unwrap();
+    let section = page.split("## A motion in stages").nth(1).unwrap().split("\n## ").next().unwrap();
+    let listings = |language: &str| {
+        let opening = format!("```{language}\n");
+        let pieces = section.split(&opening).skip(1).map(|rest| rest.split("```").next().unwrap().to_owned());
+        pieces.collect::<Vec<_>>()
+    };
+    for listing in listings("toml") {
+        let name = listing.strip_prefix("# ").unwrap().split(':').next().unwrap();
+        fs::write(folder.join(name), &listing).unwrap();
+    }
+    let commands = listings("sh");
+    let commands: Vec<&str> = commands.iter().flat_map(|listing| listing.lines()).collect();
+    assert_eq!(commands.len(), 2);
+    for line in commands {
+        let words = line.strip_prefix("ancf14 ").unwrap().split_whitespace();
+        printed(&Command::new(env!("CARGO_BIN_EXE_ancf14")).current_dir(folder).args(words).output().unwrap());
+    }
+    let [drawn, released] = ["draw-results", "release-results"].map(|out| rows(folder, out));
+    let [drawn, heights] = [drawn, released.clone()].map(|rows| column(&rows, "tip.displacement[3]"));
+    let (last, first) = (*drawn.last().unwrap(), heights[0]);
+    assert!((last - first).abs() < 1e-12 * last.abs(), "{last} {first}");
+    assert_eq!(column(&released, "tip.velocity[3]")[0], 0.0);
+    let highest = heights.iter().fold(0.0_f64, |most, own| most.max(*own));
+    assert!(first < -0.03 && highest > 0.02, "{first} {highest}");
 }
