@@ -117,6 +117,24 @@ impl Folder {
         self.save().map_err(|reason| output::trouble(&self.file(LIST), &reason))
     }
 
+    /// Refuses an output of the command that would be one of the files `names` of this folder, or its list.
+    pub fn keep_apart(&self, output: &Path, names: &[String]) -> Result<(), Stop> {
+        let real = |path: &Path| {
+            let path = output::followed(path).ok()?;
+            let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            Some(folder.canonicalize().ok()?.join(path.file_name()?))
+        };
+        let mut own = names.iter().map(String::as_str).chain([LIST]).map(|name| self.file(name));
+        let place = real(output);
+        match place.is_some() && own.any(|path| real(&path) == place) {
+            true => {
+                let shown = output.display();
+                Err(Stop::Bad(format!("error: {shown} is a file of the results; choose another name to write to")))
+            }
+            false => Ok(()),
+        }
+    }
+
     /// Writes a file that has been claimed, whole or not at all.
     pub fn write(&self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), Stop> {
         output::write(&self.file(name), bytes.as_ref())

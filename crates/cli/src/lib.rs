@@ -88,11 +88,11 @@ enum Command {
         /// Give the inputs of the model from a table: a column `time` and one for each input, linear between the rows
         #[arg(long, value_name = "FILE.csv", conflicts_with = "verify")]
         inputs: Option<PathBuf>,
-        /// Begin with the state that another run has left, instead of at t = 0. From a run of the same model, results continue with the same bits; another model with the same parts
-        /// brings its own loads, drives and switches
+        /// Start from a state written by --save-state, instead of at t = 0. A run of the same model file with the same overrides, except simulation.stop
+        /// and simulation.output_step, continues the run that left the state. Any other model with the same parts has its own loads, drives and switches
         #[arg(long, value_name = "FILE", conflicts_with = "verify")]
         from_state: Option<PathBuf>,
-        /// Write the state at the end of the run, from which another run can begin
+        /// Write the state at the end of the run, for --from-state of another run
         #[arg(long, value_name = "FILE")]
         save_state: Option<PathBuf>,
         /// Files of the table

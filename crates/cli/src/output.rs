@@ -7,6 +7,7 @@ use super::Stop;
 use std::fs::{self, OpenOptions, Permissions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// A link that leads to a link is followed this often, as Linux does.
 const MOST_LINKS: usize = 40;
@@ -33,6 +34,14 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Stop> {
     replace(path, bytes).map_err(|reason| trouble(path, &reason))
 }
 
+/// Fails where a file cannot be written, before there is anything to write: its folder is missing or read-only, or another thing has its name.
+pub fn try_out(path: &Path) -> Result<(), Stop> {
+    match temporary(path) {
+        Ok(_) => Ok(()),
+        Err(reason) => Err(trouble(path, &reason)),
+    }
+}
+
 /// The message about a file that cannot be written.
 pub fn trouble(path: &Path, reason: &dyn std::fmt::Display) -> Stop {
     Stop::Failed(format!("error: cannot write {}: {reason}", path.display()))
@@ -44,14 +53,23 @@ fn is_stream(path: &Path) -> bool {
 }
 
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // A device or a pipe takes the bytes as they come.
+    let Some((mut file, target)) = temporary(path)? else { return fs::write(path, bytes) };
+    file.as_file_mut().write_all(bytes)?;
+    file.persist(&target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// A temporary file in the folder of the file that `path` leads to, which it is to replace; none of a device or a pipe.
+fn temporary(path: &Path) -> io::Result<Option<(NamedTempFile, PathBuf)>> {
     if is_stream(path) {
-        return fs::write(path, bytes);
+        return Ok(None);
     }
     let target = followed(path)?;
     let there = fs::metadata(&target).ok();
     if there.as_ref().is_some_and(|there| !there.is_file()) {
-        // A device or a pipe takes the bytes as they come; of a folder the system says what is wrong.
-        return OpenOptions::new().write(true).open(&target)?.write_all(bytes);
+        // Of a folder the system says what is wrong.
+        return OpenOptions::new().write(true).open(&target).map(|_| None);
     }
     let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
@@ -66,10 +84,8 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
         }
         builder.permissions(permissions);
     }
-    let mut file = builder.tempfile_in(folder).map_err(plain)?;
-    file.as_file_mut().write_all(bytes)?;
-    file.persist(&target).map_err(|error| error.error)?;
-    Ok(())
+    let file = builder.tempfile_in(folder).map_err(plain)?;
+    Ok(Some((file, target)))
 }
 
 /// An error without the name of the temporary file, which stands at the end of its text.
@@ -81,7 +97,7 @@ fn plain(reason: io::Error) -> io::Error {
 }
 
 /// The file that a chain of links leads to; it need not exist.
-fn followed(path: &Path) -> io::Result<PathBuf> {
+pub fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_owned();
     for _ in 0..MOST_LINKS {
         match fs::read_link(&path) {

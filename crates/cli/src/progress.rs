@@ -1,10 +1,11 @@
 //! How many rows a run has, and the bar that counts them.
 
 use super::{Stop, voice};
+use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::{SimulationSpec, Steps};
 use ancf14::model::rows;
-use ancf14::model::simulation::{Kept, Simulation};
+use ancf14::model::simulation::{Beginning, Simulation};
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// A bar that fills with rows. A pipe gets none: indicatif draws on terminals only.
@@ -28,14 +29,15 @@ pub struct Plan {
 }
 
 /// The rows of a run that begins at 0, or with the state of another one.
-pub fn plan(simulation: &Simulation, from: Option<&Kept>) -> Result<Plan, Stop> {
+pub fn plan(simulation: &Simulation, from: Option<&Beginning>) -> Result<Plan, Stop> {
     let (about, last) = (simulation.about(), last_row(simulation)?);
-    let Some(kept) = from else { return Ok(Plan { begin: 0.0, rows: [1, last], count: last }) };
-    let (begin, stop) = (kept.time(), about.stop);
+    let Some(from) = from else { return Ok(Plan { begin: 0.0, rows: [1, last], count: last }) };
+    let (begin, stop) = (from.time(), about.stop);
     let first = rows::first_after(about, begin, last).ok_or_else(|| {
         Stop::Bad(format!(
-            "error: the state is at t = {begin} s, and the run ends at simulation.stop = {stop} s; give a later end, as in --set simulation.stop={}",
-            begin + stop
+            "error: the state is at t = {} s, and the run ends at simulation.stop = {stop} s; give a later end, as in --set simulation.stop={}",
+            decimal(begin),
+            decimal(begin + stop)
         ))
     })?;
     Ok(Plan { begin, rows: [first, last], count: last - first + 1 })

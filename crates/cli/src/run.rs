@@ -13,7 +13,7 @@ use super::{Stop, complain, failed, page, say, stages, start};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::effort;
-use ancf14::model::simulation::{Kept, Simulation};
+use ancf14::model::simulation::{Beginning, Simulation};
 use ancf14_report::plot::Plot;
 use ancf14_report::results::Results;
 use ancf14_view::{Film, ended_early};
@@ -46,7 +46,7 @@ pub struct Order<'a> {
     /// A table of inputs; none: the start values of the file.
     pub inputs: Option<&'a Inputs>,
     /// The state of another run that it begins with.
-    pub from: Option<Kept>,
+    pub from: Option<Beginning>,
     /// Where the state at the end goes.
     pub save: Option<&'a Path>,
     /// Its rows.
@@ -83,6 +83,10 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
         .chain((format == Format::Npz).then_some(&ARRAYS))
         .map(|name| (*name).to_owned());
     let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
+    if let Some(path) = save {
+        folder.keep_apart(path, &names)?;
+        output::try_out(path)?;
+    }
     folder.claim("run", &simulation.about().guid, &names, read)?;
     // The further runs of --verify tell it; a run that begins with a state has none on another mesh.
     if wish.is_none() && from.is_none() {
@@ -96,7 +100,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let outcome = simulate(&mut simulation, (inputs, from.as_ref()), plan, &mut results, &rows, film.as_mut(), &keeper);
     let wall = clock.elapsed().as_secs_f64();
     let is_complete = outcome.is_ok();
-    let saved = save.filter(|_| is_complete).map_or(Ok(()), |path| output::write(path, &simulation.keep()));
+    let saved = save.filter(|_| is_complete).map_or(Ok(()), |path| stages::save(path, &simulation));
     let finished = finish(&results, &rows, &plots, &folder, is_complete);
     if is_complete {
         // This may wait for the comparison run: a signal still ends it.
@@ -212,7 +216,7 @@ impl End {
 
 fn simulate(
     simulation: &mut Simulation,
-    (inputs, from): (Option<&Inputs>, Option<&Kept>),
+    (inputs, from): (Option<&Inputs>, Option<&Beginning>),
     Plan { begin, rows: [first, last], count }: Plan,
     results: &mut Results,
     rows: &Shared,
@@ -229,7 +233,7 @@ fn simulate(
         inputs.start(simulation, begin).map_err(|failure| End::Model(failed(simulation, &failure)))?;
     }
     match from {
-        Some(kept) => stages::start(simulation, kept),
+        Some(beginning) => stages::start(simulation, beginning),
         None => start(simulation),
     }
     .map_err(End::Model)?;

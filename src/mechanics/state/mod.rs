@@ -4,6 +4,7 @@ pub mod energy_account;
 pub mod energy_balance;
 pub mod pace;
 pub mod path_point;
+pub mod place;
 pub mod time_error;
 pub mod viscous_rates;
 
@@ -156,27 +157,6 @@ impl Clone for State {
 }
 
 impl State {
-    /// Takes from `source`, a state of the same parts, where these are and how they move, what drives have come to and what is engaged: all that a motion or a path begins with.
-    pub fn take_place_of(&mut self, source: &Self) {
-        self.time = source.time;
-        self.q.clone_from(&source.q);
-        self.velocity.clone_from(&source.velocity);
-        self.triads.clone_from(&source.triads);
-        self.holonomy.clone_from(&source.holonomy);
-        self.prescribed.drives.clone_from(&source.prescribed.drives);
-        // Where there are others, they are those as drawn.
-        let own = [self.relative_values.len(), self.rotations.len(), self.prescribed.holds.len()];
-        if own[0] == source.relative_values.len() {
-            self.relative_values.clone_from(&source.relative_values);
-        }
-        if own[1] == source.rotations.len() {
-            self.rotations.clone_from(&source.rotations);
-        }
-        if own[2] == source.prescribed.holds.len() {
-            self.prescribed.holds.clone_from(&source.prescribed.holds);
-        }
-    }
-
     /// Takes the motion of `source`, keeping its own memory: all but the prediction of the next step and the error of those before, which a state beside the
     /// computed motion does without.
     pub fn copy_motion_from(&mut self, source: &Self) {

@@ -12,7 +12,7 @@ mod start_derivatives;
 mod stepping;
 
 pub use companion::{Beside, Companion, Lost, Placement, Row};
-pub use kept::Kept;
+pub use kept::{Beginning, Kept};
 pub use saved::Snapshot;
 
 use self::derivatives::{Derived, LastStep};
@@ -225,6 +225,20 @@ impl Simulation {
         }
     }
 
+    /// Begins a run with `runner`, which has found the state at its start; the one before stays where its results are not finite.
+    fn begin_with(&mut self, runner: Runner) -> Result<(), Failure> {
+        let before = std::mem::replace(&mut self.runner, runner);
+        self.forget_step();
+        self.watch = Watch::new(&self.document);
+        self.accuracy = Accuracy::default();
+        self.forget_mesh_errors();
+        let outcome = self.measure();
+        if outcome.is_err() {
+            self.runner = before;
+        }
+        outcome
+    }
+
     /// There is no last step any more that derivatives could be of, and none under way.
     fn forget_step(&mut self) {
         self.under_way = None;
@@ -356,17 +370,9 @@ impl Model for Simulation {
         builder::aim(document, &origin, |number| self.inputs.line(number), [start; 2], &mut runner.state.targets);
         let warnings = runner.find_initial_state(document, self.table.needs_response());
         self.warnings.extend(warnings.map_err(|error| failure(&error))?);
-        let before = std::mem::replace(&mut self.runner, runner);
-        self.forget_step();
-        self.watch = Watch::new(&self.document);
-        self.accuracy = Accuracy::default();
-        self.forget_mesh_errors();
-        let outcome = self.measure();
-        match outcome {
-            Ok(()) => self.start_companion(),
-            Err(_) => self.runner = before,
-        }
-        outcome
+        self.begin_with(runner)?;
+        self.start_companion();
+        Ok(())
     }
 
     fn time(&self) -> f64 {

@@ -1,7 +1,8 @@
 //! A motion in stages: `ancf14 run --save-state` and `--from-state`. A run in two parts must give the bits of one, whatever is saved and read on the way; a second file with other loads and drives must
-//! begin where the first one has ended; and the state of another mechanism must be refused in words.
+//! begin where the first one has ended; the state of another mechanism must be refused in words; and the commands of docs/command-line.md must work as they are printed.
 
 use crate::printed;
+use ancf14_testing::root;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -160,11 +161,212 @@ fn other_states_are_refused() {
     refused(&MODEL.replace("[0.3, 0, 0.1]", "[0.3, 0, 0.2]"), &from, "the parts are drawn elsewhere");
     refused(&MODEL.replace("spring.tie", "spring.bond"), &from, "the state has spring tie");
     refused(MODEL, &["--from-state", "state", "--set", "simulation.stop=0.1"], "give a later end");
-    refused(MODEL, &["--from-state", "m.toml"], "is not a state that");
+    refused(MODEL, &["--from-state", "m.toml"], "is not a state written by");
     refused(MODEL, &["--from-state", "missing"], "cannot read missing");
     refused(MODEL, &["--from-state", "state", "--save-state", "state"], "choose another name to write to");
+    refused(MODEL, &["--save-state", "refused/results.csv"], "is a file of the results");
+    let ran = run(folder, MODEL, "refused", &["--save-state", "missing/state"]);
+    assert_eq!(ran.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&ran.stderr).contains("cannot write missing/state"));
+    assert!(!folder.join("refused/results.part.csv").exists());
     let mut damaged = fs::read(folder.join("state")).unwrap();
     *damaged.last_mut().unwrap() ^= 1;
     fs::write(folder.join("state"), damaged).unwrap();
     refused(MODEL, &from, "checksum");
+}
+
+/// A frame that moves is drawn where it is at t = 0 in every part of the motion: another file takes the strip over from it, and a run of that file in two parts has the bits of one.
+#[test]
+fn moving_frames_go_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let clamp = "a = \"ground\"\nb = \"strip.start\"";
+    let frame = "[frame.table]\nposition = [0, 0, \"2*t^2\"]\nrotation = [0, \"5*t^2\", 0]\n[joint.clamp]";
+    let first = MODEL.replace(clamp, "a = \"table\"\nb = \"strip.start\"").replace("[joint.clamp]", frame);
+    let first = first.replace("stop = 0.2", "stop = 0.2\nstep = 1e-3");
+    let other = first.replace("stiffness = 50", "stiffness = 60");
+    printed(&run(folder, &first, "first", &["--set", "simulation.stop=0.1", "--save-state", "state"]));
+    printed(&run(folder, &other, "whole", &["--from-state", "state"]));
+    let half = ["--set", "simulation.stop=0.15", "--from-state", "state", "--save-state", "then"];
+    printed(&run(folder, &other, "second", &half));
+    printed(&run(folder, &other, "third", &["--from-state", "then"]));
+    let [first, whole, third] = ["first", "whole", "third"].map(|out| rows(folder, out));
+    let [last, begin] = [&first, &whole].map(|rows| column(rows, "tip.displacement[3]"));
+    assert!((last.last().unwrap() - begin[0]).abs() < 1e-12, "{last:?} {begin:?}");
+    assert_eq!(third[1..], whole[11..]);
+}
+
+/// Settings of a path.
+const PATH: &str = r#"[simulation]
+analysis = "static"
+follow = "arc_length"
+step = 0.02"#;
+
+/// The arc length of a path is not a time that another model could begin at.
+#[test]
+fn paths_are_continued_by_their_own_model_only() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let model = MODEL.replace("\"work\", ", "").replace("[simulation]", PATH).replace("output_step = 0.005\n", "");
+    printed(&run(folder, &model, "path", &["--set", "simulation.stop=0.1", "--save-state", "state"]));
+    let other = run(folder, &model.replace("stiffness = 50", "stiffness = 60"), "other", &["--from-state", "state"]);
+    let message = String::from_utf8_lossy(&other.stderr).into_owned();
+    assert_eq!(other.status.code(), Some(2), "{message}");
+    assert!(message.contains("the state is at an arc length of a path"), "{message}");
+    let same = printed(&run(folder, &model, "same", &["--from-state", "state"]));
+    assert!(same.contains("continues the run that left state"), "{same}");
+}
+
+/// The order of overrides makes no other model; another override does, and the program says so.
+#[test]
+fn the_program_says_whether_it_continues() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let overrides = ["--set", "simulation.step=1e-3", "--set", "tie.stiffness=60"];
+    let begin = |more: &[&'static str], out: &str| {
+        let said = printed(&run(folder, MODEL, out, more));
+        said.lines().next().unwrap_or_default().to_owned()
+    };
+    begin(&[&overrides[..], &["--set", "simulation.stop=0.01", "--save-state", "state"]].concat(), "first");
+    let [a, b, c, d] = overrides;
+    let from = ["--set", "simulation.stop=0.02", "--from-state", "state"];
+    assert_eq!(begin(&[&from[..], &[c, d, a, b]].concat(), "same"), "continues the run that left state");
+    let other = "begins with the state of state: the model file or its overrides differ";
+    assert_eq!(begin(&[&from[..], &[a, b]].concat(), "other"), other);
+}
+
+/// A wheel on a torsion spring, which a motor winds up.
+const WHEEL: &str = r#"format = 1
+[model]
+name = "Wheel"
+gravity = [0, 0, 0]
+[body.wheel]
+mass = 1
+position = [1, 0, 0]
+inertia = [1, 1, 1]
+[joint.hinge]
+type = "revolute"
+a = "ground"
+b = "wheel"
+axis = [0, 0, 1]
+stiffness = 1
+damping = 0.1
+[output.hinge]
+at = "hinge"
+quantities = ["angle"]
+[output.wheel]
+at = "wheel"
+quantities = ["rotation"]
+"#;
+
+/// Winds the spring by three turns, in steps of less than half a turn.
+const WOUND: &str = r#"[actuator.motor]
+joint = "hinge"
+coordinate = "angle"
+effort = "60*pi*t"
+[simulation]
+analysis = "static"
+stop = 0.1
+step = 0.005
+totals = ["energy"]
+"#;
+
+/// Another actuator and another output in front of those that were there: lists of the state are longer.
+const UNWOUND: &str = r#"[point.pin]
+offset = [0, 0, 0]
+[actuator.rope]
+a = "pin"
+b = "wheel"
+effort = 0
+[simulation]
+stop = 0.101
+step = 1e-4
+totals = ["energy"]
+"#;
+
+/// A spring that the first run has wound up by three turns is wound up in the second one, which measures more. Where the angle is not that of the state, a warning says so.
+#[test]
+fn angles_keep_their_turns() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    printed(&run(folder, &[WHEEL, WOUND].concat(), "wound", &["--save-state", "state"]));
+    let more = "[output.center]\nat = \"wheel\"\nquantities = [\"position\"]\n[output.hinge]";
+    let unwound = WHEEL.replace("[output.hinge]", more) + UNWOUND;
+    let ran = run(folder, &unwound, "unwound", &["--from-state", "state"]);
+    printed(&ran);
+    assert!(!String::from_utf8_lossy(&ran.stderr).contains("half a turn"));
+    let rows = rows(folder, "unwound");
+    let turns = 6.0 * std::f64::consts::PI;
+    // The tolerance of the equilibrium and the digits of the trigonometric functions.
+    for (name, wanted) in
+        [("hinge.angle", turns), ("wheel.rotation[3]", turns), ("energy.elastic", 0.5 * turns * turns)]
+    {
+        let found = column(&rows, name)[0];
+        assert!((found - wanted).abs() < 1e-9 * wanted, "{name}: {found} {wanted}");
+    }
+    // The spring turns the wheel back: 18.8 N m on 1 kg m² for 1 ms.
+    let angles = column(&rows, "hinge.angle");
+    assert!(angles[0] - angles.last().unwrap() > 0.9 * 0.5 * turns * 1e-6, "{angles:?}");
+    let flipped =
+        run(folder, &unwound.replace("axis = [0, 0, 1]", "axis = [0, 0, -1]"), "flipped", &["--from-state", "state"]);
+    printed(&flipped);
+    let warning = "the state does not have the angle of joint hinge";
+    assert!(String::from_utf8_lossy(&flipped.stderr).contains(warning));
+}
+
+/// A run that begins with a state warns of its model as any run does: of dampers that equilibria or steps do not use, and of drives that jump.
+#[test]
+fn warnings_of_the_start_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let told = |first: &str, second: &str, warning: &str| {
+        printed(&run(folder, first, "first", &["--set", "simulation.stop=0.1", "--save-state", "state"]));
+        let arguments = ["--set", "simulation.stop=0.2", "--from-state", "state"];
+        let message = String::from_utf8_lossy(&run(folder, second, "second", &arguments).stderr).into_owned();
+        assert!(message.contains(warning), "{message}");
+    };
+    let still = [WHEEL, WOUND].concat();
+    let stiffer = still.replace("stiffness = 1\n", "stiffness = 1.01\n");
+    told(&still, &stiffer, "dampers are not used: the analysis is static");
+    let moving = WHEEL.replace("mass = 1\n", "mass = 1\nangular_velocity = [0, 0, 1]\n");
+    let moving = format!("{moving}[simulation]\nstop = 0.1\nstep = 1e-3\n");
+    told(&moving, &moving.replace("damping = 0.1", "damping = 1e6"), "the damper of hinge stops what it holds");
+    let driven = |value: &str| {
+        format!(
+            "{WHEEL}[drive.turn]\njoint = \"hinge\"\ncoordinate = \"angle\"\nvalue = {value}\n[simulation]\nstop = 0.1\nstep = 1e-3\n"
+        )
+    };
+    told(&driven("0"), &driven("[{ until = 0.15, is = 0 }, { is = 0.1 }]"), "jumps by 0.1 at t = 0.15 s");
+}
+
+/// The page prints files and commands that work: the motion begins at rest where the load has drawn the strip, and swings through to the other side.
+#[test]
+fn the_commands_of_the_page_work() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let page = fs::read_to_string(root().join("docs/command-line.md")).unwrap();
+    let section = page.split("## A motion in stages").nth(1).unwrap().split("\n## ").next().unwrap();
+    let listings = |language: &str| {
+        let opening = format!("```{language}\n");
+        let pieces = section.split(&opening).skip(1).map(|rest| rest.split("```").next().unwrap().to_owned());
+        pieces.collect::<Vec<_>>()
+    };
+    for listing in listings("toml") {
+        let name = listing.strip_prefix("# ").unwrap().split(':').next().unwrap();
+        fs::write(folder.join(name), &listing).unwrap();
+    }
+    let commands = listings("sh");
+    let commands: Vec<&str> = commands.iter().flat_map(|listing| listing.lines()).collect();
+    assert_eq!(commands.len(), 2);
+    for line in commands {
+        let words = line.strip_prefix("ancf14 ").unwrap().split_whitespace();
+        printed(&Command::new(env!("CARGO_BIN_EXE_ancf14")).current_dir(folder).args(words).output().unwrap());
+    }
+    let [drawn, released] = ["draw-results", "release-results"].map(|out| rows(folder, out));
+    let [drawn, heights] = [drawn, released.clone()].map(|rows| column(&rows, "tip.displacement[3]"));
+    let (last, first) = (*drawn.last().unwrap(), heights[0]);
+    assert!((last - first).abs() < 1e-12 * last.abs(), "{last} {first}");
+    assert_eq!(column(&released, "tip.velocity[3]")[0], 0.0);
+    let highest = heights.iter().fold(0.0_f64, |most, own| most.max(*own));
+    assert!(first < -0.03 && highest > 0.02, "{first} {highest}");
 }

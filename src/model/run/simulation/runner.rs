@@ -34,6 +34,8 @@ pub(super) struct Runner {
     pub(super) drawn: Arc<Document>,
     pub(super) system: Arc<System>,
     pub(super) state: State,
+    /// The instant of the drawing, s.
+    pub(super) drawn_at: f64,
     /// Tunable parameters have been set since the system was brought to them.
     pub(super) stale: bool,
     /// The state before the running call, to go back to when it fails.
@@ -81,6 +83,7 @@ impl Runner {
         Self {
             drawn: Arc::clone(document),
             system,
+            drawn_at: state.time,
             stale: false,
             backup: state.clone(),
             state,
@@ -103,27 +106,30 @@ impl Runner {
         self.state.prescribed.holds =
             self.system.holds_at(self.state.time, &self.state.targets).map(Hold::drawn).collect();
         start::check_assembled(&self.system, &self.state)?;
-        self.solver = Solver::new(document, &self.system, self.pacing)?;
-        if responds {
-            self.responder = Some(Box::new(Responder::new(&self.system)));
-        }
-        let mut warnings = self.system.too_fine_meshes();
+        let mut warnings = self.set_up(document, responds)?;
         match document.simulation.analysis {
             Analysis::Dynamic => self.find_motion(document, &mut warnings)?,
-            Analysis::Static => self.find_equilibrium(&mut warnings)?,
+            Analysis::Static => self.find_equilibrium("the initial velocities", &mut warnings)?,
         }
         Ok(warnings)
     }
 
+    /// Sets up the solver; returns what the user should know of the system.
+    pub(super) fn set_up(&mut self, document: &Document, responds: bool) -> Result<Vec<String>, Error> {
+        self.solver = Solver::new(document, &self.system, self.pacing)?;
+        self.responder = responds.then(|| Box::new(Responder::new(&self.system)));
+        Ok(self.system.too_fine_meshes())
+    }
+
     /// Sets the system in motion where it is drawn, or at an equilibrium.
     fn find_motion(&mut self, document: &Document, warnings: &mut Vec<String>) -> Result<(), Error> {
-        let Self { system, state, solver, start: time, step, pacing, .. } = self;
+        let Self { system, state, start: time, .. } = self;
         let simulation = &document.simulation;
         warnings.extend(system.jumps(*time, document.value(simulation.stop)));
         match simulation.initial {
             Initial::AsDrawn => start::check_drives(system, state)?,
             Initial::Equilibrium => {
-                let moves = is_moving(state);
+                let moves = state.is_moving();
                 warnings.extend(start::find_equilibrium(system, state, *time, document.value(simulation.tolerance))?);
                 if moves {
                     let why = "the motion begins at an equilibrium";
@@ -131,6 +137,12 @@ impl Runner {
                 }
             }
         }
+        self.set_motion("the given initial velocities", warnings)
+    }
+
+    /// Sets the system in motion where it is, with the nearest velocities to those of the state that joints and drives allow; messages call these `given`.
+    pub(super) fn set_motion(&mut self, given: &str, warnings: &mut Vec<String>) -> Result<(), Error> {
+        let Self { system, state, solver, step, pacing, .. } = self;
         let changed = match solver {
             Solver::Midpoint(midpoint) => {
                 let changed = start::set_motion(system, midpoint, state)?;
@@ -150,25 +162,24 @@ impl Runner {
         }
         if changed > 0.0 {
             warnings.push(format!(
-                "the given initial velocities do not fit the joints: they were changed to the nearest that do, a change of {} of their \
-                 kinetic energy",
+                "{given} do not fit the joints: they were changed to the nearest that do, a change of {} of their kinetic energy",
                 percent(changed)
             ));
         }
         Ok(())
     }
 
-    /// Finds the first equilibrium of a static analysis.
-    fn find_equilibrium(&mut self, warnings: &mut Vec<String>) -> Result<(), Error> {
+    /// Finds the first equilibrium of a static analysis; messages call the velocities of the state `given`.
+    pub(super) fn find_equilibrium(&mut self, given: &str, warnings: &mut Vec<String>) -> Result<(), Error> {
         let Self { system, state, solver: Solver::Statics(statics), start: time, .. } = self else { return Ok(()) };
-        let moves = is_moving(state);
+        let moves = state.is_moving();
         state.velocity.fill(0.0);
         state.targets.straight = true;
         statics.find(system, state, *time)?;
         statics.begin_path(system, state)?;
         warnings.extend(statics.take_remarks());
         if moves {
-            warnings.push(String::from("the initial velocities are not used: the analysis is static"));
+            warnings.push(format!("{given} are not used: the analysis is static"));
         }
         if system.is_damped() {
             warnings.push(String::from("dampers are not used: the analysis is static"));
@@ -338,7 +349,7 @@ impl Runner {
 }
 
 /// A share in percent, with three decimals.
-pub(super) fn percent(share: f64) -> String {
+fn percent(share: f64) -> String {
     if share < 1e-5 { String::from("less than 0.001 %") } else { format!("{:.3} %", 100.0 * share) }
 }
 
@@ -483,9 +494,4 @@ impl Solver {
             }
         })
     }
-}
-
-/// Whether the file gives the state initial velocities.
-fn is_moving(state: &State) -> bool {
-    state.velocity.iter().any(|value| *value != 0.0)
 }

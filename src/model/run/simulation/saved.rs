@@ -25,6 +25,7 @@ pub struct Snapshot {
     system: Arc<System>,
     stale: bool,
     state: State,
+    drawn_at: f64,
     start: f64,
     step: f64,
     initialization: Arc<()>,
@@ -47,8 +48,8 @@ struct Saved<'a> {
     /// Values and derivatives of the inputs.
     inputs: [Cow<'a, [f64]>; 2],
     state: Cow<'a, State>,
-    /// Start of the grid and internal step, s.
-    grid: [f64; 2],
+    /// The instant of the drawing, start of the grid and internal step, s.
+    grid: [f64; 3],
     initialized: bool,
     watch: Cow<'a, Watch>,
     accuracy: Cow<'a, Accuracy>,
@@ -66,6 +67,18 @@ struct SavedStep<'a> {
     settings: Cow<'a, [f64]>,
 }
 
+impl<'a> Saved<'a> {
+    /// The numbers in these bytes, all of them.
+    fn read(bytes: &'a [u8]) -> Result<Self, String> {
+        let (saved, rest): (Self, _) =
+            postcard::take_from_bytes(bytes).map_err(|reason| format!("the state cannot be read: {reason}"))?;
+        match rest.len() {
+            0 => Ok(saved),
+            more => Err(format!("{more} bytes are left behind the state")),
+        }
+    }
+}
+
 impl Snapshot {
     /// Its bytes, behind `bytes`.
     pub(super) fn write(&self, bytes: Vec<u8>) -> Vec<u8> {
@@ -75,7 +88,7 @@ impl Snapshot {
             drawn: self.drawn.settings(),
             inputs: [values.into(), slopes.into()],
             state: Cow::Borrowed(&self.state),
-            grid: [self.start, self.step],
+            grid: [self.drawn_at, self.start, self.step],
             initialized: self.initialized,
             watch: Cow::Borrowed(&self.watch),
             accuracy: Cow::Borrowed(&self.accuracy),
@@ -91,14 +104,12 @@ impl Snapshot {
         postcard::to_extend(&saved, bytes).expect("a Vec takes every byte, and all lengths are known")
     }
 
-    /// The state in these bytes, of which nothing is checked.
+    /// The state in these bytes, which may be of any mechanism and have any numbers.
     ///
     /// # Errors
-    /// They are no state.
+    /// They are not a state, or more than one.
     pub(super) fn state_in(bytes: &[u8]) -> Result<State, String> {
-        let read = postcard::from_bytes::<Saved<'_>>(bytes);
-        let saved = read.map_err(|reason| format!("the state cannot be read: {reason}"))?;
-        Ok(saved.state.into_owned())
+        Ok(Saved::read(bytes)?.state.into_owned())
     }
 
     /// The snapshot that these bytes are of; `document` is the file it is a state of, with any settings, `results` their number.
@@ -106,19 +117,15 @@ impl Snapshot {
     /// # Errors
     /// They are no state of this file.
     pub(super) fn read(document: &Document, results: usize, bytes: &[u8]) -> Result<Self, String> {
-        let (saved, rest): (Saved<'_>, _) =
-            postcard::take_from_bytes(bytes).map_err(|reason| format!("the state cannot be read: {reason}"))?;
-        if !rest.is_empty() {
-            return Err(format!("{} bytes are left behind the state", rest.len()));
-        }
+        let saved = Saved::read(bytes)?;
         let drawn = Arc::new(document.with_settings(&saved.drawn)?);
         drawn.check()?;
         let document = match saved.settings == saved.drawn {
             true => Arc::clone(&drawn),
             false => Arc::new(document.with_settings(&saved.settings)?),
         };
-        let [start, step] = saved.grid;
-        let mut built = builder::build(&drawn, drawn.drawn_at(start)).map_err(|mistakes| mistakes.to_string())?;
+        let [drawn_at, start, step] = saved.grid;
+        let mut built = builder::build(&drawn, drawn_at).map_err(|mistakes| mistakes.to_string())?;
         // Tunable parameters that were set after the last step wait for the next one.
         let stepped = saved.last.as_ref().map_or(&[][..], |last| &last.settings);
         let stale = saved.initialized && !stepped.is_empty();
@@ -132,7 +139,7 @@ impl Snapshot {
         let mut inputs = Inputs::new(&document);
         let mut fits = state.has_the_shape_of(&built.state) && inputs.set_parts([&values, &slopes]);
         fits &= state.path.is_none() || document.follows_arc_length();
-        fits &= saved.results.len() == results && start.is_finite() && step > 0.0 && step.is_finite();
+        fits &= saved.results.len() == results && step > 0.0 && saved.grid.iter().all(|time| time.is_finite());
         let last = saved.last.map(|SavedStep { start, inputs: [values, slopes], end, stop, settings }| {
             let mut last = LastStep { known: true, inputs: inputs.clone(), end, stop, settings: settings.into_owned() };
             fits &= start.has_the_shape_of(&built.state) && last.inputs.set_parts([&values, &slopes]);
@@ -147,6 +154,7 @@ impl Snapshot {
             system: Arc::new(built.system),
             stale,
             state,
+            drawn_at,
             start,
             step,
             initialization: Arc::new(()),
@@ -170,6 +178,7 @@ impl Simulation {
             system: Arc::clone(&runner.system),
             stale: runner.stale,
             state: runner.state.clone(),
+            drawn_at: runner.drawn_at,
             start: runner.start,
             step: runner.step,
             initialization: Arc::clone(&runner.initialization),
@@ -190,7 +199,7 @@ impl Simulation {
         runner.system = Arc::clone(&snapshot.system);
         runner.stale = snapshot.stale;
         runner.state.clone_from(&snapshot.state);
-        (runner.start, runner.step) = (snapshot.start, snapshot.step);
+        (runner.drawn_at, runner.start, runner.step) = (snapshot.drawn_at, snapshot.start, snapshot.step);
         runner.pacing = runner.drawn.pacing(runner.start);
         self.results.clone_from(&snapshot.results);
         self.watch.clone_from(&snapshot.watch);
