@@ -26,7 +26,7 @@ load.push = { at = "arm.end", force = [0, 0, 0], input = true }
 output.tip = { at = "arm.end", quantities = ["displacement"] }
 simulation = { stop = 0.02, step = 1e-3 }
 """
-NAMES = ["cantilever", "crane", "four_bar", "pendulum", "princeton_beam", "bend_45"]
+NAMES = sorted(file.stem for file in MODELS.glob("*.toml"))
 
 
 @pytest.mark.parametrize("name", NAMES)
