@@ -1,11 +1,11 @@
 //! Does a static analysis tell its mesh error? It is compared with runs on meshes four times as fine, where the energy that the mesh leaves out is far too small to tell.
 
+use super::mesh_truth::{fine, true_error};
 use crate::curves::{Curves, load};
 use crate::paths::Arch;
 use crate::planar_rod::Load;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::run::accuracy::Inexact;
-use ancf14::model::run::levels::{Level, merged};
 use ancf14::model::simulation::Simulation;
 
 const PRINCETON: &str = include_str!("../../../models/princeton_beam.toml");
@@ -97,17 +97,6 @@ fn warns(simulation: &mut Simulation) -> bool {
     simulation.take_warnings().iter().any(|warning| warning.contains("because of the mesh, as estimated"))
 }
 
-/// The rows of a run with four times the elements and quadratic twist.
-fn fine(text: &str) -> Curves {
-    let twice = |own: Vec<(String, String)>| {
-        let simulation = Simulation::load("model.toml", text, &own).unwrap();
-        merged(&own, Level::DoubleElements.overrides(simulation.document()).unwrap())
-    };
-    let overrides = twice(twice(Vec::new()));
-    let overrides: Vec<(&str, &str)> = overrides.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
-    Curves::run(text, &overrides)
-}
-
 /// Loads grow: the largest errors are those of the last equilibrium. All that are not round-off are told within a factor of 2.
 #[test]
 fn errors_are_told_within_a_factor_of_two() {
@@ -127,16 +116,7 @@ fn errors_are_told_within_a_factor_of_two() {
             if !COMPARED.iter().any(|quantity| name.ends_with(quantity)) {
                 continue;
             }
-            let (mut range, mut truth) = (0.0_f64, 0.0_f64);
-            for column in rows.names().iter().filter(|column| column.split('[').next() == Some(name)) {
-                let [own, fine] = [&rows, &fine].map(|curves| curves.column(column));
-                let [low, high] = own
-                    .iter()
-                    .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [value.min(low), value.max(high)]);
-                range = range.max(high - low);
-                truth = truth.max(rows.difference(&own, &fine, f64::INFINITY));
-            }
-            let truth = truth / range;
+            let truth = true_error(&rows, &fine, name);
             println!("{model}: {name} told {error:.2e}, true {truth:.2e}");
             if truth > LEAST {
                 assert!((0.5..2.0).contains(&(error / truth)), "{model}: {name} told {error:e}, true {truth:e}");

@@ -1,9 +1,9 @@
 //! Is the mesh error of a motion told? It is compared with runs on meshes four times as fine.
 
+use super::mesh_truth::{fine, true_error};
 use crate::curves::Curves;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::run::accuracy::{Differences, Inexact};
-use ancf14::model::run::levels::{Level, merged};
 use ancf14::model::simulation::{Beside, Companion, Lost, Row, Simulation};
 
 const PENDULUM: &str = include_str!("../../../models/pendulum.toml");
@@ -112,17 +112,6 @@ fn concluded(mut simulation: Simulation) -> (Simulation, Curves) {
     (simulation, rows)
 }
 
-/// The rows of a run with four times the elements and quadratic twist.
-fn fine(text: &str) -> Curves {
-    let twice = |own: Vec<(String, String)>| {
-        let simulation = Simulation::load("model.toml", text, &own).unwrap();
-        merged(&own, Level::DoubleElements.overrides(simulation.document()).unwrap())
-    };
-    let overrides = twice(twice(Vec::new()));
-    let overrides: Vec<(&str, &str)> = overrides.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
-    Curves::run(text, &overrides)
-}
-
 fn error(simulation: &Simulation, name: &str) -> f64 {
     let errors = simulation.mesh_errors();
     errors.iter().find(|own| own.name == name).unwrap_or_else(|| panic!("no error of {name}: {errors:?}")).error
@@ -140,16 +129,7 @@ fn errors_of_motions_are_told() {
         let (simulation, rows) = concluded(load(&coarse, &[]));
         let fine = fine(&coarse);
         for Inexact { name, error, .. } in simulation.mesh_errors() {
-            let (mut range, mut truth) = (0.0_f64, 0.0_f64);
-            for column in rows.names().iter().filter(|column| column.split('[').next() == Some(name)) {
-                let [own, fine] = [&rows, &fine].map(|curves| curves.column(column));
-                let [low, high] = own
-                    .iter()
-                    .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [value.min(low), value.max(high)]);
-                range = range.max(high - low);
-                truth = truth.max(rows.difference(&own, &fine, f64::INFINITY));
-            }
-            let truth = truth / range;
+            let truth = true_error(&rows, &fine, name);
             println!("{model}: {name} told {error:.2e}, true {truth:.2e}");
             if truth > LEAST && COMPARED.iter().any(|quantity| name.ends_with(quantity)) {
                 compared += 1;
