@@ -22,7 +22,7 @@ instructions() {
 }
 
 times=20
-for kernel in gradient hessian factorization shaft chain; do
+for kernel in gradient hessian factorization shaft chain damped_chain alpha_chain damped_alpha_chain; do
     once=$(instructions "$kernel" "$times")
     twice=$(instructions "$kernel" $((2 * times)))
     # How many elements or unknowns a run has.

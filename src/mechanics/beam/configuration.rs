@@ -26,6 +26,8 @@ pub enum Passage<'a, C = BeamConfiguration<'a>> {
     Instant {
         /// Velocities of the coordinates, 1/s each.
         velocity: &'a [f64],
+        /// What they change by with the coordinates, 1/s, for the tangent of material damping; 0: they are given.
+        velocity_by_q: f64,
         /// Rates of the strains as steps show them, in the order of [`TimeStep::strain_rates`], for material damping; none: they follow from
         /// the velocities.
         strain_rates: Option<&'a [f64]>,

@@ -103,18 +103,15 @@ pub trait BeamElement {
     /// given and the element has such.
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]);
 
-    /// [`Self::add_damping`], and adds `scale` times its derivative by the coordinates to `block`.
+    /// [`Self::add_damping`] with the velocities, and adds its derivatives by the coordinates and by the velocities, times `scales`, to `block`.
     fn add_damping_and_tangent(
         &self,
         c: &BeamConfiguration,
         velocity: &[f64],
-        scale: f64,
+        scales: [f64; 2],
         forces: &mut [f64],
         block: &mut [f64],
     );
-
-    /// Adds `factor` times the derivative of the viscous forces by the velocities, at an instant.
-    fn add_damping_matrix(&self, c: &BeamConfiguration, factor: f64, block: &mut [f64]);
 
     /// Places (0 to 1) with shares of the length (m) at which a load per length acts.
     fn load_points(&self) -> Vec<(f64, f64)>;

@@ -27,20 +27,25 @@ pub type TimeStep<'a> = beams::TimeStep<'a, Configuration<'a>>;
 impl<'a> Passage<'a> {
     /// Through a state in motion.
     pub fn of(state: &'a State) -> Self {
-        Self::Instant { velocity: &state.velocity, strain_rates: state.viscous.known() }
+        Self::Instant { velocity: &state.velocity, velocity_by_q: 0.0, strain_rates: state.viscous.known() }
     }
 
     /// At an instant whose motion is all in the velocities of the coordinates.
     pub fn with_velocity(velocity: &'a [f64]) -> Self {
-        Self::Instant { velocity, strain_rates: None }
+        Self::with_velocity_by_q(velocity, 0.0)
+    }
+
+    /// The same where the velocities change by `velocity_by_q` with the coordinates, 1/s.
+    pub fn with_velocity_by_q(velocity: &'a [f64], velocity_by_q: f64) -> Self {
+        Self::Instant { velocity, velocity_by_q, strain_rates: None }
     }
 
     /// As elements see it.
     pub fn of_beams(&self) -> beams::Passage<'a> {
         match self {
             Self::Rest => beams::Passage::Rest,
-            Self::Instant { velocity, strain_rates } => {
-                beams::Passage::Instant { velocity, strain_rates: *strain_rates }
+            Self::Instant { velocity, velocity_by_q, strain_rates } => {
+                beams::Passage::Instant { velocity, velocity_by_q: *velocity_by_q, strain_rates: *strain_rates }
             }
             Self::Step(step) => beams::Passage::Step(step.of_beams()),
         }

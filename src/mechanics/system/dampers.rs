@@ -80,23 +80,24 @@ impl System {
         }
     }
 
-    /// [`Self::add_material_damping`], and `scale` times its derivative by the coordinates.
+    /// [`Self::add_material_damping`] with the velocities, and its derivatives by the coordinates and by the velocities, times `scales`.
     pub(super) fn add_material_damping_and_tangent(
         &self,
         c: &Configuration,
         velocity: &[f64],
-        scale: f64,
+        scales: [f64; 2],
         forces: &mut [f64],
         tangent: &mut Blocks,
     ) {
         let layout = TangentLayout::of(self);
         for (number, element) in self.damped_elements() {
             let block = tangent.block_mut(layout.element(number));
-            element.add_damping_and_tangent(&c.beams, velocity, scale, forces, block);
+            element.add_damping_and_tangent(&c.beams, velocity, scales, forces, block);
         }
     }
 
-    /// Adds `factor` times the derivative of the forces with respect to the velocities, at an instant with the velocities `velocity` under `excitation`, to the first blocks of `tangent`.
+    /// Adds `factor` times the derivative of the forces, but for those of the beams' material, with respect to the velocities, at an instant with the velocities `velocity` under
+    /// `excitation`, to the first blocks of `tangent`.
     pub fn add_damping_matrix(
         &self,
         c: &Configuration,
@@ -106,9 +107,6 @@ impl System {
     ) {
         self.add_effort_damping(c, velocity, excitation, factor, tangent);
         let layout = TangentLayout::of(self);
-        for (number, element) in self.damped_elements() {
-            element.add_damping_matrix(&c.beams, factor, tangent.block_mut(layout.element(number)));
-        }
         for (number, element, rate) in self.dragged_elements() {
             element.add_mass(factor * rate, tangent.block_mut(layout.element(number)));
         }

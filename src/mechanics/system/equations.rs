@@ -50,7 +50,7 @@ impl System {
             element.add_gradient(&c.beams, &of_beams, forces);
         }
         self.add_mass_damping(passage, forces);
-        if let Passage::Instant { velocity, strain_rates } = passage {
+        if let Passage::Instant { velocity, strain_rates, .. } = passage {
             self.add_material_damping(c, velocity, *strain_rates, forces);
         }
         self.add_springs(c, passage, forces);
@@ -75,8 +75,8 @@ impl System {
         }
         self.add_mass_damping(passage, forces);
         self.add_mass_damping_tangent(passage, scale, tangent);
-        if let Passage::Instant { velocity, .. } = passage {
-            self.add_material_damping_and_tangent(c, velocity, scale, forces, tangent);
+        if let Passage::Instant { velocity, velocity_by_q, .. } = passage {
+            self.add_material_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, tangent);
         }
         for number in 0..self.bodies.len() {
             tangent.block_mut(layout.body(number)).fill(0.0);

@@ -400,7 +400,7 @@ impl Problem for Step<'_> {
         let scale = 1.0 / by_q[1];
 
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
-        let passage = Passage::with_velocity(&scratch.velocity);
+        let passage = Passage::with_velocity_by_q(&scratch.velocity, by_q[0]);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
         let given = (&scratch.velocity[..], &scratch.excitation);

@@ -109,6 +109,11 @@ fn assert_close<const R: usize, const C: usize>(what: &str, found: &SMatrix<f64,
     assert!(error < ROUNDING, "{what}: {error:e}\n{:.3}", found - expected);
 }
 
+/// Derivative of the viscous force by the velocities.
+fn by_velocity(evaluation: &Evaluation, velocity: &Coordinates) -> SMatrix<f64, 14, 14> {
+    damping::force_and_tangent(evaluation, velocity, [0.0, 1.0]).1
+}
+
 #[test]
 fn strains_and_their_derivatives() {
     let mut random = Random(21);
@@ -144,8 +149,10 @@ fn force_and_derivatives_at_an_instant() {
         );
         case.at(&case.q, |evaluation| {
             assert_close("force", &damping::force(evaluation, &velocity), &force);
-            assert_close("by the coordinates", &damping::force_q(evaluation, &velocity), &force_q);
-            assert_close("by the velocities", &damping::force_v(evaluation), &force_v);
+            let (again, by_q) = damping::force_and_tangent(evaluation, &velocity, [1.0, 0.0]);
+            assert_close("force beside its tangent", &again, &force);
+            assert_close("by the coordinates", &by_q, &force_q);
+            assert_close("by the velocities", &by_velocity(evaluation, &velocity), &force_v);
         });
     }
 }
@@ -161,7 +168,8 @@ fn at_rest_damping_is_proportional_to_stiffness() {
         let case = Case { element, q, triads: [triad; 2], previous: 0.0 };
         case.at(&q, |evaluation| {
             let (_, stiffness) = evaluation.gradient_and_hessian();
-            assert_close("damping", &damping::force_v(evaluation), &(stiffness * case.element.stiffness.damping));
+            let by_velocity = by_velocity(evaluation, &Coordinates::zeros());
+            assert_close("damping", &by_velocity, &(stiffness * case.element.stiffness.damping));
         });
     }
 }
@@ -174,7 +182,7 @@ fn damping_dissipates() {
     for case in cases(28) {
         let velocity = random_velocity(&mut random);
         let (power, by_velocity) = case.at(&case.q, |evaluation| {
-            (velocity.dot(&damping::force(evaluation, &velocity)), damping::force_v(evaluation))
+            (velocity.dot(&damping::force(evaluation, &velocity)), by_velocity(evaluation, &velocity))
         });
         assert!(power > 0.0, "{power:e}");
         let powers = by_velocity.symmetric_eigenvalues();

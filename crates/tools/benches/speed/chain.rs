@@ -58,7 +58,7 @@ fn own(elements: usize, settings: [&str; 2]) -> (f64, f64) {
 }
 
 /// Settings as keys of the model.
-fn keys([integrator, tolerance]: [&str; 2]) -> [(&'static str, &str); 2] {
+pub fn keys([integrator, tolerance]: [&str; 2]) -> [(&'static str, &str); 2] {
     [("simulation.integrator", integrator), ("simulation.tolerance", tolerance)]
 }
 

@@ -12,7 +12,8 @@ use ancf14_testing::curves::load;
 const CHAIN: usize = 100;
 
 /// The names of the kernels.
-pub const KERNELS: [&str; 5] = ["gradient", "hessian", "factorization", "shaft", "chain"];
+pub const KERNELS: [&str; 8] =
+    ["gradient", "hessian", "factorization", "shaft", "chain", "damped_chain", "alpha_chain", "damped_alpha_chain"];
 
 /// Runs `kernel` as often as `text` says, and returns how many results a run has.
 pub fn run(kernel: &str, text: &str) -> usize {
@@ -29,8 +30,10 @@ pub fn run(kernel: &str, text: &str) -> usize {
             simulation = load(&shaft::model(), &shaft::OWN);
             (shaft::STEPS_AN_OUTPUT, Box::new(outputs(&mut simulation)))
         }
-        "chain" => {
-            simulation = load(&chain::model(CHAIN), &[]);
+        "chain" | "damped_chain" | "alpha_chain" | "damped_alpha_chain" => {
+            let damping = ("material.steel.damping", if kernel.starts_with("damped") { "1e-4" } else { "0" });
+            let [integrator, tolerance] = chain::keys(chain::SETTINGS[usize::from(kernel.contains("alpha"))]);
+            simulation = load(&chain::model(CHAIN), &[damping, integrator, tolerance]);
             (CHAIN, Box::new(outputs(&mut simulation)))
         }
         _ => {

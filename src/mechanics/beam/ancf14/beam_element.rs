@@ -1,6 +1,6 @@
 //! What ANCF14 answers to the system.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, interpolate};
+use super::coordinates::{ELEMENT, ElementVector, interpolate};
 use super::element::{Element, Evaluation};
 use super::energy::quadratic_twist::{self, Twist};
 use super::kinematics::Holonomy;
@@ -42,10 +42,6 @@ impl Element {
             Twist::Quadratic => self.evaluation(c).bubble,
         }
     }
-}
-
-fn add_matrix(matrix: &ElementMatrix, factor: f64, block: &mut [f64]) {
-    block.iter_mut().zip(matrix.as_slice()).for_each(|(target, value)| *target += factor * value);
 }
 
 impl BeamElement for Element {
@@ -148,17 +144,14 @@ impl BeamElement for Element {
         &self,
         c: &BeamConfiguration,
         velocity: &[f64],
-        scale: f64,
+        scales: [f64; 2],
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        let (here, velocity) = (self.linear_evaluation(c), ElementVector::from_column_slice(self.own(velocity)));
-        self.add(&damping::force(&here, &velocity), forces);
-        add_matrix(&damping::force_q(&here, &velocity), scale, block);
-    }
-
-    fn add_damping_matrix(&self, c: &BeamConfiguration, factor: f64, block: &mut [f64]) {
-        add_matrix(&damping::force_v(&self.linear_evaluation(c)), factor, block);
+        let velocity = ElementVector::from_column_slice(self.own(velocity));
+        let (force, tangent) = damping::force_and_tangent(&self.linear_evaluation(c), &velocity, scales);
+        self.add(&force, forces);
+        block.iter_mut().zip(tangent.as_slice()).for_each(|(target, value)| *target += value);
     }
 
     fn load_points(&self) -> Vec<(f64, f64)> {

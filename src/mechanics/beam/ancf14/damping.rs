@@ -9,43 +9,74 @@
 //!
 //! Over a step the rate is the change of the strains over its length: a rigid motion, however fast, is not damped at all.
 
-use super::coordinates::{ELEMENT, ElementMatrix, ElementVector, add_spread, complete, spread};
+use super::coordinates::{
+    ELEMENT, ElementMatrix, ElementVector, add_slope_force, add_spread, complete, slope as slope_at, spread,
+};
 use super::element::{Element, Evaluation};
 use super::kinematics::corotated::COROTATED;
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
 use super::over_step::{Coupling, STRAINS};
-use super::strain::{Resultants, Rigidities, Strain};
+use super::strain::{Resultants, Rigidities};
 use nalgebra::{SMatrix, SVector};
 
 /// One number per strain of an element.
 pub type StrainVector = SVector<f64, STRAINS>;
+/// A column per strain of an element, of one number per coordinate.
+type StrainColumns = SMatrix<f64, ELEMENT, STRAINS>;
 
 /// Viscous force at the velocities `velocity` of the coordinates, 14×1: `Jᵀ c W D J v`.
 pub fn force(evaluation: &Evaluation, velocity: &ElementVector) -> ElementVector {
-    let strains_q = strains_q(evaluation);
-    strains_q * resultants(evaluation, &strains_q, velocity)
+    let rates = evaluation.element.strain_rates_with(evaluation, velocity.as_slice(), 0.0);
+    force_of_rates(evaluation, &rates)
 }
 
 /// Viscous force at the rates `rates` of the strains, 14×1: `Jᵀ c W D rates`.
 pub fn force_of_rates(evaluation: &Evaluation, rates: &[f64; STRAINS]) -> ElementVector {
-    strains_q(evaluation) * viscous(evaluation.element, &StrainVector::from(*rates))
-}
-
-/// Derivative of [`force`] by the coordinates, 14×14: `Hess · resultants + Jᵀ c W D ∂(J v)/∂q`, a row of the last `vᵀ Hess(strain)`.
-pub fn force_q(evaluation: &Evaluation, velocity: &ElementVector) -> ElementMatrix {
-    let strains_q = strains_q(evaluation);
-    let mut rates_q = SMatrix::<f64, ELEMENT, STRAINS>::zeros();
-    for i in 0..STRAINS {
-        rates_q.set_column(i, &(stress_hessian(evaluation, &StrainVector::ith(i, 1.0)) * velocity));
+    let (element, kinematics) = (evaluation.element, &evaluation.kinematics);
+    let resultants = viscous(element, &StrainVector::from(*rates));
+    let forces = Forces::new(evaluation, &of_sections(&resultants), &[0.0; 3]);
+    let mut sum = kinematics.shape.gradient(&forces.factors(element).gradient(element, kinematics));
+    for (m, slope) in evaluation.slopes.iter().enumerate() {
+        let by_slope = slope.strain_p(element.stiffness.strain) * resultants[m];
+        add_slope_force(&element.axial[m].shape_x, &by_slope, &mut sum);
     }
-    stress_hessian(evaluation, &resultants(evaluation, &strains_q, velocity))
-        + weighted(&strains_q, evaluation.element) * rates_q.transpose()
+    sum
 }
 
-/// Derivative of [`force`] by the velocities, 14×14: `Jᵀ c W D J`.
-pub fn force_v(evaluation: &Evaluation) -> ElementMatrix {
-    let strains_q = strains_q(evaluation);
-    weighted(&strains_q, evaluation.element) * strains_q.transpose()
+/// [`force`], and `by_q` times its derivative by the coordinates plus `by_v` times that by the velocities, 14×14:
+/// `by_q (Hess · resultants + Jᵀ c W D ∂(J v)/∂q) + by_v Jᵀ c W D J`.
+pub fn force_and_tangent(
+    evaluation: &Evaluation,
+    velocity: &ElementVector,
+    [by_q, by_v]: [f64; 2],
+) -> (ElementVector, ElementMatrix) {
+    let gradients = Gradients::new(evaluation.element, &evaluation.kinematics);
+    let strains_q = strains_with(evaluation, &gradients);
+    let resultants = viscous(evaluation.element, &strains_q.tr_mul(velocity));
+    let changes = rates_q(evaluation, &gradients, velocity) * by_q + strains_q * by_v;
+    let tangent = stress_hessian_with(evaluation, &gradients, &resultants) * by_q
+        + weighted(&strains_q, evaluation.element) * changes.transpose();
+    (strains_q * resultants, tangent)
+}
+
+/// `∂(J v)/∂q`, 14×12: a column a strain, what its gradient changes by along the velocities.
+fn rates_q(evaluation: &Evaluation, gradients: &Gradients, velocity: &ElementVector) -> StrainColumns {
+    let (element, shape) = (evaluation.element, &evaluation.kinematics.shape);
+    let mut columns = StrainColumns::zeros();
+    for (m, slope) in evaluation.slopes.iter().enumerate() {
+        let weights = &element.axial[m].shape_x;
+        let change = slope.strain_pp(element.stiffness.strain) * slope_at(weights, velocity.as_slice());
+        columns.set_column(m, &spread(weights, &change));
+    }
+    let change = shape.along(velocity.as_slice());
+    let way_back = shape.way_back_change(velocity.as_slice(), &change);
+    for (g, changes) in gradients.strain_changes(evaluation, &change).iter().enumerate() {
+        for (i, (by_shape, moving)) in gradients.strains(evaluation, g).iter().zip(changes).enumerate() {
+            let column = shape.gradient(moving) + shape.gradient_change(by_shape, &way_back);
+            columns.set_column(first_strain(g) + i, &column);
+        }
+    }
+    columns
 }
 
 /// Strains of an element, undeformed values taken off, 1, 1/m, rad/m.
@@ -61,19 +92,19 @@ pub fn strains(evaluation: &Evaluation) -> StrainVector {
 }
 
 /// `∂strains/∂q`, 14×12: a column a strain, `Jᵀ`.
-pub fn strains_q(evaluation: &Evaluation) -> SMatrix<f64, ELEMENT, STRAINS> {
-    let mut columns = SMatrix::<f64, ELEMENT, STRAINS>::zeros();
+pub fn strains_q(evaluation: &Evaluation) -> StrainColumns {
+    strains_with(evaluation, &Gradients::new(evaluation.element, &evaluation.kinematics))
+}
+
+fn strains_with(evaluation: &Evaluation, gradients: &Gradients) -> StrainColumns {
+    let (element, shape) = (evaluation.element, &evaluation.kinematics.shape);
+    let mut columns = StrainColumns::zeros();
     for (m, slope) in evaluation.slopes.iter().enumerate() {
-        let strain_p = match evaluation.element.stiffness.strain {
-            Strain::Small => slope.engineering_strain_p(),
-            Strain::Large | Strain::LargeTruncated => slope.green_strain_p(),
-        };
-        columns.set_column(m, &spread(&evaluation.element.axial[m].shape_x, &strain_p));
+        columns.set_column(m, &spread(&element.axial[m].shape_x, &slope.strain_p(element.stiffness.strain)));
     }
-    let gradients = Gradients::new(evaluation.element, &evaluation.kinematics);
     for g in 0..3 {
         for (i, by_shape) in gradients.strains(evaluation, g).iter().enumerate() {
-            columns.set_column(first_strain(g) + i, &evaluation.kinematics.shape.gradient(by_shape));
+            columns.set_column(first_strain(g) + i, &shape.gradient(by_shape));
         }
     }
     columns
@@ -81,26 +112,30 @@ pub fn strains_q(evaluation: &Evaluation) -> SMatrix<f64, ELEMENT, STRAINS> {
 
 /// `Σ_i resultants_i ∂²strain_i/∂q²`, 14×14.
 pub fn stress_hessian(evaluation: &Evaluation, resultants: &StrainVector) -> ElementMatrix {
-    let of_sections: [Resultants; 3] = std::array::from_fn(|g| resultants.fixed_rows::<3>(first_strain(g)).push(0.0));
-    let (element, kinematics) = (evaluation.element, &evaluation.kinematics);
-    let (forces, gradients) = (Forces::new(evaluation, &of_sections, &[0.0; 3]), Gradients::new(element, kinematics));
+    stress_hessian_with(evaluation, &Gradients::new(evaluation.element, &evaluation.kinematics), resultants)
+}
+
+fn stress_hessian_with(evaluation: &Evaluation, gradients: &Gradients, resultants: &StrainVector) -> ElementMatrix {
+    let (element, of_sections) = (evaluation.element, of_sections(resultants));
+    let forces = Forces::new(evaluation, &of_sections, &[0.0; 3]);
     let mut second = [[0.0; COROTATED]; COROTATED];
     gradients.add_frozen(&forces.factors(element), element, &mut second);
     let frozen = [Rigidities::default(); 3];
-    let couplings = Couplings::new(evaluation, &of_sections, &frozen, 0.0);
-    gradients.add_couplings(&couplings, &mut second);
+    gradients.add_couplings(&Couplings::new(evaluation, &of_sections, &frozen, 0.0), &mut second);
     let mut all = ElementMatrix::zeros();
     let sum = &mut all.data.0;
-    kinematics.shape.set_hessian(&gradients.sum(&forces), &mut second, 1.0, sum);
+    evaluation.kinematics.shape.set_hessian(&gradients.sum(&forces), &mut second, 1.0, sum);
     for (m, slope) in evaluation.slopes.iter().enumerate() {
-        let strain_pp = match evaluation.element.stiffness.strain {
-            Strain::Small => slope.engineering_strain_pp(),
-            Strain::Large | Strain::LargeTruncated => slope.green_strain_pp(),
-        };
-        add_spread(&evaluation.element.axial[m].shape_x, &(strain_pp * resultants[m]), sum);
+        let by_slope = slope.strain_pp(element.stiffness.strain) * resultants[m];
+        add_spread(&element.axial[m].shape_x, &by_slope, sum);
     }
     complete(sum);
     all
+}
+
+/// Those of `resultants` that belong to the bending points; nothing of the axial strain.
+fn of_sections(resultants: &StrainVector) -> [Resultants; 3] {
+    std::array::from_fn(|g| resultants.fixed_rows::<3>(first_strain(g)).push(0.0))
 }
 
 /// Where the strains of bending point `g` start.
@@ -133,17 +168,8 @@ fn viscous(element: &Element, rates: &StrainVector) -> StrainVector {
     all
 }
 
-/// Viscous resultants at the velocities `velocity`.
-fn resultants(
-    evaluation: &Evaluation,
-    strains_q: &SMatrix<f64, ELEMENT, STRAINS>,
-    velocity: &ElementVector,
-) -> StrainVector {
-    viscous(evaluation.element, &strains_q.tr_mul(velocity))
-}
-
 /// `columns` times the symmetric matrix of the viscosities of `element`.
-fn weighted(columns: &SMatrix<f64, ELEMENT, STRAINS>, element: &Element) -> SMatrix<f64, ELEMENT, STRAINS> {
+fn weighted(columns: &StrainColumns, element: &Element) -> StrainColumns {
     let mut scaled = *columns;
     for (mut column, factor) in scaled.column_iter_mut().zip(&viscosities(element)) {
         column *= *factor;

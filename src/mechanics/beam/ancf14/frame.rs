@@ -57,6 +57,24 @@ impl NodeFrame {
         [self.u.dot(&self.k), self.v.dot(&self.k)]
     }
 
+    /// `∂φ/∂p change`, rad, of a small change of `p`; both in the axes `[t u v]`.
+    #[inline]
+    pub fn turn_along(&self, change: &Vec3) -> Vec3 {
+        let [k_u, k_v] = self.k_local();
+        Vec3::new(-k_u * change[1] - k_v * change[2], -change[2], change[1]) / self.stretch
+    }
+
+    /// What [`Self::k_local`] changes by with a small change of `p`, which makes the axes `[t u v]` turn by `turn`; all in these axes.
+    pub fn k_local_along(&self, change: &Vec3, turn: &Vec3) -> [f64; 2] {
+        let [k_u, k_v] = self.k_local();
+        let (by_k, by_l) = (k_u * change[1] + k_v * change[2], k_v * change[1] - k_u * change[2]);
+        let half = 0.5 / self.stretch;
+        [
+            half * (k_u * by_l + k_v * by_k - change[2]) + k_v * turn[0],
+            half * (k_v * by_l - k_u * by_k + change[1]) - k_u * turn[0],
+        ]
+    }
+
     /// The derivative by `p` of what has the derivative `by_t` by the tangent: `by_t ∂t/∂p`, 3×3.
     #[inline]
     fn by_p(&self, by_t: &Mat3) -> Mat3 {

@@ -219,6 +219,12 @@ impl Element {
             Twist::Linear => 0.0,
             Twist::Quadratic => evaluation.bubble_q().iter().zip(velocity).map(|(by_q, own)| by_q * own).sum(),
         };
+        self.strain_rates_with(evaluation, velocity, bubble)
+    }
+
+    /// [`Self::strain_rates`] with the rate `bubble` of the internal coordinate of the quadratic twist, rad/s.
+    #[inline]
+    pub fn strain_rates_with(&self, evaluation: &Evaluation, velocity: &[f64], bubble: f64) -> [f64; STRAINS] {
         let Evaluation { kinematics, turn, gammahat, slopes, .. } = evaluation;
         let shape = kinematics.shape.along(velocity);
         let (mut curvatures, mut twist_rates) = ([[0.0; 2]; 3], [0.0; 3]);
@@ -230,11 +236,7 @@ impl Element {
         let twist = shape.twist + weighted(&self.rate_weights);
         let mut all = [0.0; STRAINS];
         for (m, (point, slope)) in self.axial.iter().zip(slopes).enumerate() {
-            let by_slope = match self.stiffness.strain {
-                Strain::Small => slope.engineering_strain_p(),
-                Strain::Large | Strain::LargeTruncated => slope.green_strain_p(),
-            };
-            all[m] = by_slope.dot(&slope_at(&point.shape_x, velocity));
+            all[m] = slope.strain_p(self.stiffness.strain).dot(&slope_at(&point.shape_x, velocity));
         }
         for (g, rule) in self.bending.iter().enumerate() {
             let ([cos, sin], [gamma1, gamma2], [by_1, by_2]) = (turn[g], gammahat[g], curvatures[g]);

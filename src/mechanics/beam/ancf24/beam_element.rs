@@ -161,15 +161,13 @@ impl BeamElement for Element {
         &self,
         c: &BeamConfiguration,
         velocity: &[f64],
-        scale: f64,
+        [by_q, by_v]: [f64; 2],
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        damping::add_force_and_tangent(self, self.own(c.q), self.own(velocity), scale, self.own_mut(forces), block);
-    }
-
-    fn add_damping_matrix(&self, c: &BeamConfiguration, factor: f64, block: &mut [f64]) {
-        damping::add_force_v(self, self.own(c.q), factor, block);
+        let q = self.own(c.q);
+        damping::add_force_and_tangent(self, q, self.own(velocity), by_q, self.own_mut(forces), block);
+        damping::add_force_v(self, q, by_v, block);
     }
 
     fn load_points(&self) -> Vec<(f64, f64)> {

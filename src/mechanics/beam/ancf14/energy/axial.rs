@@ -5,7 +5,7 @@
 
 use crate::math::rotation::normal_projector;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::ancf14::strain::AxialStiffness;
+use crate::mechanics::beam::ancf14::strain::{AxialStiffness, Strain};
 
 /// The slope at one axial point, and what it changes by over the step.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +44,22 @@ impl Slope {
         0.5 * (start + end) / self.reference_stretch - 1.0 - self.natural
     }
 
+    /// Derivative of the strain that `strain` names by the slope at the middle of the step, there, 1.
+    pub fn strain_p(&self, strain: Strain) -> Vec3 {
+        match strain {
+            Strain::Small => self.engineering_strain_p(),
+            Strain::Large | Strain::LargeTruncated => self.green_strain_p(),
+        }
+    }
+
+    /// Second derivative of [`Self::strain_p`]'s strain, 1.
+    pub fn strain_pp(&self, strain: Strain) -> Mat3 {
+        match strain {
+            Strain::Small => self.engineering_strain_pp(),
+            Strain::Large | Strain::LargeTruncated => self.green_strain_pp(),
+        }
+    }
+
     /// Derivative of the Green strain by the slope at the middle of the step, 1.
     pub fn green_strain_p(&self) -> Vec3 {
         self.middle / self.reference_square
@@ -67,12 +83,12 @@ impl Slope {
     }
 
     /// Derivative of the engineering strain `|r'|/J0 − 1` of the middle of the step by the slope there, 1.
-    pub fn engineering_strain_p(&self) -> Vec3 {
+    fn engineering_strain_p(&self) -> Vec3 {
         self.middle / (self.middle.norm() * self.reference_stretch)
     }
 
     /// Second derivative of the engineering strain of the middle of the step by the slope there, 1.
-    pub fn engineering_strain_pp(&self) -> Mat3 {
+    fn engineering_strain_pp(&self) -> Mat3 {
         let stretch = self.middle.norm();
         normal_projector(&(self.middle / stretch)) / (stretch * self.reference_stretch)
     }

@@ -56,6 +56,23 @@ pub struct CorotatedChange {
     pub angle: f64,
 }
 
+/// What the derivatives of a corotated shape by the coordinates change by with a small change of these; all in the axes of the first frame.
+#[derive(Clone, Copy, Debug)]
+pub struct WayBackChange {
+    /// Turn of the first frame, rad.
+    turn: Vec3,
+    /// Of chord and second slope as that frame sees them, m and 1.
+    chord: Vec3,
+    slope: Vec3,
+    /// Of the first stretch, 1.
+    stretch: f64,
+    /// Of `k` along `u` and `v`, 1.
+    k: [f64; 2],
+    /// Of the derivatives of the holonomy angle by the slopes, rad.
+    twist_p0: Vec3,
+    twist_p1: Vec3,
+}
+
 impl CorotatedChange {
     /// As [`CorotatedShape::interpolate`].
     #[inline]
@@ -96,8 +113,7 @@ impl<'a> CorotatedShape<'a> {
         let [first, second] = self.frames;
         let (p0, p1) = (vec3(change, P), vec3(change, NODE + P));
         let moved = first.components(&p0);
-        let [k_u, k_v] = first.k_local();
-        let turn = Vec3::new(-k_u * moved[1] - k_v * moved[2], -moved[2], moved[1]) / first.stretch;
+        let turn = first.turn_along(&moved);
         let chord = first.components(&(vec3(change, NODE + R) - vec3(change, R)));
         let (twist_p0, twist_p1) = self.holonomy.gradient(first, second);
         CorotatedChange {
@@ -128,6 +144,57 @@ impl<'a> CorotatedShape<'a> {
         sum[THETA] = by[ANGLE] - by[TWIST];
         sum[NODE + THETA] = by[TWIST];
         sum
+    }
+
+    /// What [`Self::gradient`] of the same derivatives `by` changes by with a small change of the coordinates, 14×1.
+    pub fn gradient_change(&self, by: &CorotatedVector, change: &WayBackChange) -> ElementVector {
+        let [first, _] = self.frames;
+        let WayBackChange { turn, chord, slope, stretch, k, twist_p0, twist_p1 } = change;
+        let (by_chord, by_slope, by_twist) = (block(by, CHORD), block(by, SLOPE), by[TWIST]);
+        let moment = self.moment(&by_chord, &by_slope);
+        let moment_change = by_chord.cross(chord) + by_slope.cross(slope);
+        let force = first.turn_force(&moment);
+        let of_k = Vec3::new(0.0, -k[0] * moment[0], -k[1] * moment[0]);
+        let force_change = first.turn_force(&moment_change) + (of_k - force * *stretch) / first.stretch;
+        let moved = Vec3::new(by[STRETCH], 0.0, 0.0) + force;
+        let by_chord = first.in_space(&turn.cross(&by_chord));
+        let by_p0 = first.in_space(&(force_change + turn.cross(&moved) + twist_p0 * by_twist));
+        let by_p1 = first.in_space(&(turn.cross(&by_slope) + twist_p1 * by_twist));
+        let mut sum = ElementVector::zeros();
+        for i in 0..3 {
+            sum[R + i] = -by_chord[i];
+            sum[P + i] = by_p0[i];
+            sum[NODE + R + i] = by_chord[i];
+            sum[NODE + P + i] = by_p1[i];
+        }
+        sum
+    }
+
+    /// What the way back from its derivatives to the coordinates changes by with small changes `change` (14) of the coordinates, by which it changes itself by `own`.
+    pub fn way_back_change(&self, change: &[f64], own: &CorotatedChange) -> WayBackChange {
+        let [first, second] = self.frames;
+        let holonomy = self.holonomy.local(first, second);
+        let (p0, p1) = (first.components(&vec3(change, P)), first.components(&vec3(change, NODE + P)));
+        let per_stretch = 1.0 / first.stretch;
+        let turn = first.turn_along(&p0);
+        let [b_u, b_v] = [holonomy.p0[1], holonomy.p0[2]];
+        let [uu, vu, vv] = holonomy.p0_p0;
+        let twist_p0 = Vec3::new(
+            -(b_u * p0[1] + b_v * p0[2]) * per_stretch,
+            uu * p0[1] + vu * p0[2] - b_u * p0[0] * per_stretch + holonomy.p0_p1[0].dot(&p1),
+            vu * p0[1] + vv * p0[2] - b_v * p0[0] * per_stretch + holonomy.p0_p1[1].dot(&p1),
+        );
+        let lower = &holonomy.p1_p1;
+        let p1_p1 = Mat3::from_fn(|i, j| if i < j { lower[(j, i)] } else { lower[(i, j)] });
+        WayBackChange {
+            turn,
+            chord: own.chord,
+            slope: own.slope,
+            stretch: own.stretch,
+            k: first.k_local_along(&p0, &turn),
+            twist_p0,
+            twist_p1: holonomy.p0_p1[0] * p0[1] + holonomy.p0_p1[1] * p0[2] + p1_p1 * p1,
+        }
     }
 
     /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`crate::mechanics::beam::ancf14::coordinates::complete`]), of what has the

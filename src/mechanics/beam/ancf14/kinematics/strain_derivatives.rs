@@ -3,8 +3,9 @@
 //! ([`Gradients`]) are all there is. Elastic and viscous resultants go the same way.
 
 use super::Kinematics;
-use super::corotated::{self, ANGLE, COROTATED, CorotatedMatrix, CorotatedVector, TWIST};
+use super::corotated::{self, ANGLE, COROTATED, CorotatedChange, CorotatedMatrix, CorotatedVector, TWIST};
 use super::curve_point::CurveGradients;
+use crate::math::Mat3;
 use crate::mechanics::beam::ancf14::element::{Element, Evaluation};
 use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities};
 
@@ -89,6 +90,54 @@ impl<'a> Gradients<'a> {
         };
         let by_twist = evaluation.element.bending[g].torsion_by_twist;
         [strain([cos, sin], gamma2, 0.0), strain([-sin, cos], -gamma1, 0.0), strain([0.0, 0.0], 0.0, by_twist)]
+    }
+
+    /// What [`Self::strains`] of all bending points change by with a small change of the corotated shape.
+    pub fn strain_changes(&self, evaluation: &Evaluation, change: &CorotatedChange) -> [[CorotatedVector; 3]; 3] {
+        let rules = &evaluation.element.bending;
+        // Of the curvatures and the twist rate of a point, and of their gradients.
+        let point = |g: usize| {
+            let (p, w) = (change.interpolate(&rules[g].shape_x), change.interpolate(&rules[g].shape_xx));
+            let gradient = |factors: [f64; 3]| {
+                let (pp, pw) = self.curves[g].hessian(&factors);
+                let mirrored = Mat3::from_fn(|i, j| if i < j { pp[(j, i)] } else { pp[(i, j)] });
+                corotated::spread(&rules[g].shape_x, &rules[g].shape_xx, &(mirrored * p + pw * w), &pw.tr_mul(&p))
+            };
+            let gradients = [gradient([1.0, 0.0, 0.0]), gradient([0.0, 1.0, 0.0]), gradient([0.0, 0.0, 1.0])];
+            (evaluation.kinematics.points[g].along(&p, &w), gradients)
+        };
+        let points = [point(0), point(1), point(2)];
+        let weighted = |weights: &[f64; 3]| {
+            let (mut value, mut gradient) = (0.0, [0.0; COROTATED]);
+            for (weight, ((_, rate), [_, _, by_shape])) in weights.iter().zip(&points) {
+                value += weight * rate;
+                add_times(&mut gradient, *weight, by_shape);
+            }
+            (value, gradient)
+        };
+        let (between, twist_gradient) = weighted(&evaluation.element.rate_weights);
+        let twist = change.twist + between;
+        [0, 1, 2].map(|g| {
+            let ([cos, sin], [gamma1, gamma2], rule) = (evaluation.turn[g], evaluation.gammahat[g], &rules[g]);
+            let (([by_1, by_2], _), [of_1, of_2, _]) = &points[g];
+            let (carried, carried_gradient) = weighted(&rule.collocation);
+            let alpha = change.angle + rule.xi * twist - carried;
+            let mut of_alpha = times(rule.xi, &twist_gradient);
+            add_times(&mut of_alpha, -1.0, &carried_gradient);
+            let changes = [cos * by_1 + sin * by_2 + gamma2 * alpha, cos * by_2 - sin * by_1 - gamma1 * alpha];
+            let [kappa_1, kappa_2, by_alpha] = [0, 1, 2].map(|i| &self.parts[3 * g + i]);
+            let strain = |[cos, sin]: [f64; 2], gamma: f64, gamma_change: f64| {
+                let mut sum = times(cos, of_1);
+                add_times(&mut sum, sin, of_2);
+                add_times(&mut sum, gamma, &of_alpha);
+                add_times(&mut sum, -sin * alpha, kappa_1);
+                add_times(&mut sum, cos * alpha, kappa_2);
+                add_times(&mut sum, gamma_change, by_alpha);
+                sum
+            };
+            let torsion = times(rule.torsion_by_twist, &twist_gradient);
+            [strain([cos, sin], gamma2, changes[1]), strain([-sin, cos], -gamma1, -changes[0]), torsion]
+        })
     }
 
     /// Adds to the lower triangle of `sum` the Hessian of the weighted sum `factors`, at frozen factors; with [`Self::add_couplings`] it is all of it.
