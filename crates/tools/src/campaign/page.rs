@@ -11,19 +11,22 @@ use std::fmt::Write;
 const HEAD: &str = include_str!("head.md");
 
 /// A row of the first table: what it counts, and which verdicts.
-type Count = (&'static str, fn(&Verdict) -> bool);
+type Count = (&'static str, fn(&Judged, &Verdict) -> bool);
 
-const COUNTS: [Count; 10] = [
-    ("right", |verdict| matches!(verdict, Verdict::Right { is_warned: false })),
-    ("right, but warned of", |verdict| matches!(verdict, Verdict::Right { is_warned: true })),
-    ("wrong and warned of", |verdict| matches!(verdict, Verdict::Warned(..))),
-    ("refused", |verdict| matches!(verdict, Verdict::Refused(_))),
-    ("**silently wrong**", |verdict| matches!(verdict, Verdict::SilentlyWrong(_))),
-    ("of these by more than 10 %", |verdict| matches!(verdict, Verdict::SilentlyWrong(error) if error.size > GROSS)),
-    ("without an end", |verdict| matches!(verdict, Verdict::Endless)),
-    ("panic", |verdict| matches!(verdict, Verdict::Panicked(_))),
-    ("no reference", |verdict| matches!(verdict, Verdict::NoReference(_))),
-    ("no such setting", |verdict| matches!(verdict, Verdict::NotApplicable)),
+const COUNTS: [Count; 11] = [
+    ("right", |_, verdict| matches!(verdict, Verdict::Right { is_warned: false })),
+    ("right, but warned of", |_, verdict| matches!(verdict, Verdict::Right { is_warned: true })),
+    ("of these where the reference knows all results", |machine, verdict| {
+        is_known(machine) && matches!(verdict, Verdict::Right { is_warned: true })
+    }),
+    ("wrong and warned of", |_, verdict| matches!(verdict, Verdict::Warned(..))),
+    ("refused", |_, verdict| matches!(verdict, Verdict::Refused(_))),
+    ("**silently wrong**", |_, verdict| matches!(verdict, Verdict::SilentlyWrong(_))),
+    ("of these by more than 10 %", |_, verdict| matches!(verdict, Verdict::SilentlyWrong(error) if error.size > GROSS)),
+    ("without an end", |_, verdict| matches!(verdict, Verdict::Endless)),
+    ("panic", |_, verdict| matches!(verdict, Verdict::Panicked(_))),
+    ("no reference", |_, verdict| matches!(verdict, Verdict::NoReference(_))),
+    ("no such setting", |_, verdict| matches!(verdict, Verdict::NotApplicable)),
 ];
 
 /// The page.
@@ -61,7 +64,8 @@ fn definitions() -> String {
          - A **family** is all components of an output, or all energies. Its **scale** is that of its largest component: how far positions and angles \
            change, how large velocities, forces and energies get. The scale of a force or moment is at least {} of the largest one in the machine. The \
            **error** is the largest difference in any row over the scale; forces, strains, stresses and accelerations may be off by more in {} of the rows.\n\
-         - **right**: the error is at most {}; with a coarser mesh at most {}.\n\
+         - **right**: the error is at most {}; with a coarser mesh at most {}. Only results that the reference knows count (\"known\" is their share, families times rows): a \
+           machine that is right, but warned of, may be wrong where the reference knows nothing.\n\
          - **refused**: the run ended with an error message. **wrong and warned of**: a warning said that the numbers are not to be trusted. **silently \
            wrong**: neither. These warnings count, found by words in them: {}.\n\
          - **without an end**: the campaign gave the run up after many times the steps that it should take.\n\
@@ -86,7 +90,7 @@ fn totals(judged: &[Judged]) -> String {
     for (title, counts) in COUNTS {
         let _ = write!(text, "| {title} |");
         for place in 0..SETTINGS.len() {
-            let _ = write!(text, " {} |", judged.iter().filter(|machine| counts(&machine.verdicts[place])).count());
+            let _ = write!(text, " {} |", judged.iter().filter(|machine| counts(machine, &machine.verdicts[place])).count());
         }
         text.push('\n');
     }
@@ -120,9 +124,14 @@ fn groups(judged: &[Judged]) -> String {
     text
 }
 
+/// Whether the reference knows all results of a machine, to half a percent.
+fn is_known(machine: &Judged) -> bool {
+    machine.known.is_some_and(|known| known >= 0.995)
+}
+
 /// The machines that are silently wrong in any setting.
 fn silent(judged: &[Judged]) -> String {
-    let lead = "The worst family of columns and its error, of the family's scale. \"known\" is the share of all results (families times rows) that the reference knows; `cargo run --release --bin campaign -- --only NAME --write DIR` writes the model files of a machine.";
+    let lead = "The worst family of columns and its error, of the family's scale. `cargo run --release --bin campaign -- --only NAME --write DIR` writes the model files of a machine.";
     let titles: String = SETTINGS.iter().map(|setting| format!(" {} |", setting.title())).collect();
     let mut text = format!(
         "## The silently wrong ones\n\n{lead}\n\n| machine | known |{titles}\n|---|---|{}\n",
@@ -151,8 +160,12 @@ pub fn line(machine: &Judged) -> String {
     };
     let cells = SETTINGS.iter().zip(&machine.verdicts);
     let cells: String = cells.map(|(setting, verdict)| format!(" {}{} |", cell(verdict), fault(*setting))).collect();
-    let known = machine.known.map_or(String::from("-"), |known| format!("{:.0} %", 100.0 * known));
-    format!("| {} | {known} |{cells}\n", machine.name)
+    format!("| {} | {} |{cells}\n", machine.name, known(machine))
+}
+
+/// The share of all results that the reference knows.
+fn known(machine: &Judged) -> String {
+    machine.known.map_or(String::from("-"), |known| format!("{:.0} %", 100.0 * known))
 }
 
 fn cell(verdict: &Verdict) -> String {
@@ -191,7 +204,7 @@ fn unknown(judged: &[Judged]) -> String {
 
 /// Every verdict in a letter.
 fn every(judged: &[Judged]) -> String {
-    let lead = "A letter for each setting, in the order of the tables: `r` right, `R` right but warned of, `w` wrong and warned of, `x` refused, `S` silently wrong, \
+    let lead = "How much of the machine's results the reference knows, and a letter for each setting, in the order of the tables: `r` right, `R` right but warned of, `w` wrong and warned of, `x` refused, `S` silently wrong, \
                 `e` without an end, `p` panic, `?` no reference, `-` no such setting.";
     let lines: String = judged.iter().map(letters).collect();
     format!("## Every verdict\n\n{lead}\n\n```\n{lines}```")
@@ -202,13 +215,14 @@ pub fn read(page: &str, machines: &[Machine]) -> Option<Vec<Judged>> {
     let letters = page.split("```").nth(1)?;
     let judged = machines.iter().map(|machine| {
         let own = letters.lines().find_map(|line| line.strip_suffix(&machine.name)?.strip_suffix(' '))?;
+        let (own, known) = own.split_once(' ')?;
         if own.chars().count() != SETTINGS.len() {
             return None;
         }
         let row =
             page.lines().find_map(|line| line.strip_prefix(&format!("| {} | ", machine.name))?.strip_suffix(" |"));
         let mut cells = row.into_iter().flat_map(|row| row.split(" | "));
-        let known = cells.next().and_then(share);
+        let _known = cells.next();
         let cells: Vec<&str> = cells.collect();
         let verdicts = own.chars().enumerate().map(|(place, letter)| verdict(letter, cells.get(place).copied()));
         let own = cells.first().copied().unwrap_or_default();
@@ -217,7 +231,7 @@ pub fn read(page: &str, machines: &[Machine]) -> Option<Vec<Judged>> {
         Some(Judged {
             name: machine.name.clone(),
             group: machine.group,
-            known,
+            known: share(known.trim()),
             verdicts: verdicts.collect::<Option<Vec<_>>>()?,
             fault: faults.into_iter().find(|(words, _)| own.ends_with(words)).map(|(_, fault)| fault),
             unknown_warning: unknown.map(str::to_owned),
@@ -265,5 +279,6 @@ pub fn letters(machine: &Judged) -> String {
         Verdict::NoReference(_) => '?',
         Verdict::NotApplicable => '-',
     };
-    format!("{} {}\n", machine.verdicts.iter().map(letter).collect::<String>(), machine.name)
+    let letters: String = machine.verdicts.iter().map(letter).collect();
+    format!("{letters} {:>5} {}\n", known(machine), machine.name)
 }

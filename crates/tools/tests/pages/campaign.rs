@@ -81,7 +81,7 @@ fn the_page_can_be_read() {
 #[test]
 fn the_page_is_whole() {
     let letters = PAGE.split("```").nth(1).unwrap();
-    let listed: Vec<&str> = letters.lines().filter_map(|line| line.split_once(' ')).map(|(_, name)| name).collect();
+    let listed: Vec<&str> = letters.lines().filter_map(|line| line.rsplit_once(' ')).map(|(_, name)| name).collect();
     let machines = catalogue::machines();
     let names: Vec<&str> = machines.iter().map(|machine| machine.name.as_str()).collect();
     assert_eq!(listed, names);
