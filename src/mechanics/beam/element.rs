@@ -86,13 +86,14 @@ pub trait BeamElement {
         strain_rates: &mut [f64],
     ) -> [f64; 3];
 
-    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole system, the rates there.
+    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole system, the rates there; none:
+    /// they are known.
     fn begin_step(
         &self,
         _c: &BeamConfiguration,
         _velocity: &[f64],
         _starts: &mut [StepStart],
-        _strain_rates: &mut [f64],
+        _strain_rates: Option<&mut [f64]>,
     ) {
     }
 

@@ -122,13 +122,19 @@ impl System {
     }
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates` to the rates there of all strains, and of the
-    /// relative coordinates of springs.
-    pub fn begin_step(&self, c: &Configuration, velocity: &[f64], starts: &mut StepStarts, strain_rates: &mut [f64]) {
+    /// relative coordinates of springs; none: they are known.
+    pub fn begin_step(
+        &self,
+        c: &Configuration,
+        velocity: &[f64],
+        starts: &mut StepStarts,
+        mut strain_rates: Option<&mut [f64]>,
+    ) {
         starts.list.resize_with(self.mesh.branches, Default::default);
-        self.mesh
-            .elements
-            .iter()
-            .for_each(|element| element.begin_step(&c.beams, velocity, &mut starts.list, strain_rates));
+        for element in &self.mesh.elements {
+            element.begin_step(&c.beams, velocity, &mut starts.list, strain_rates.as_deref_mut());
+        }
+        let Some(strain_rates) = strain_rates else { return };
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let rate = self.relative_coordinates[spring.coordinate].rate(c, velocity);
             strain_rates[self.mesh.relative_rate_index(spring.coordinate)] = rate;

@@ -158,37 +158,14 @@ impl ConstrainedMass {
     ) -> Result<(), Singular> {
         self.set_schur(gradients);
         self.schur.factorize(&mut self.lacking)?;
-        self.solve_again(system, gradients, right, vector)
-    }
-
-    /// [`Self::solve`] with the same `gradients` as it was called with last.
-    ///
-    /// # Errors
-    /// The solution is not accurate; `right` is as it was.
-    pub fn solve_again(
-        &mut self,
-        system: &System,
-        gradients: &[JointGradient],
-        right: &mut [f64],
-        vector: &mut [f64],
-    ) -> Result<(), Singular> {
         let (forces, conditions) = right.split_at_mut(vector.len());
-        vector.copy_from_slice(forces);
-        self.mass.solve(vector);
+        self.begin(forces, vector);
         // Twice the kinetic energy, without and then with the conditions.
         let free_square = dot(vector, forces);
-        for (free, held) in self.free.iter_mut().zip(&self.held) {
-            *free = vector[held.unknown];
-        }
-        self.multipliers.fill(0.0);
-        self.moved.copy_from_slice(&self.free);
-        // The second time for the digits that the first one cost.
-        for _ in 0..2 {
-            self.correct(gradients, conditions);
-        }
-        vector.copy_from_slice(forces);
-        system.add_constraint_forces(gradients, &self.multipliers, -1.0, vector);
-        self.mass.solve(vector);
+        self.correct(gradients, conditions);
+        // For the digits that the first correction cost.
+        self.correct(gradients, conditions);
+        self.end(system, gradients, forces, vector);
         for (moved, held) in self.moved.iter_mut().zip(&self.held) {
             *moved = vector[held.unknown];
         }
@@ -199,6 +176,40 @@ impl ConstrainedMass {
         forces.copy_from_slice(vector);
         conditions.copy_from_slice(&self.multipliers);
         Ok(())
+    }
+
+    /// [`Self::solve`] with the same `gradients` as it was called with last, but for the last digits.
+    pub fn solve_roughly(
+        &mut self,
+        system: &System,
+        gradients: &[JointGradient],
+        right: &mut [f64],
+        vector: &mut [f64],
+    ) {
+        let (forces, conditions) = right.split_at_mut(vector.len());
+        self.begin(forces, vector);
+        self.correct(gradients, conditions);
+        self.end(system, gradients, forces, vector);
+        forces.copy_from_slice(vector);
+        conditions.copy_from_slice(&self.multipliers);
+    }
+
+    /// Sets `vector` to the velocities without conditions, and the held ones to theirs.
+    fn begin(&mut self, forces: &[f64], vector: &mut [f64]) {
+        vector.copy_from_slice(forces);
+        self.mass.solve(vector);
+        for (free, held) in self.free.iter_mut().zip(&self.held) {
+            *free = vector[held.unknown];
+        }
+        self.multipliers.fill(0.0);
+        self.moved.copy_from_slice(&self.free);
+    }
+
+    /// Sets `vector` to the velocities with the multipliers found.
+    fn end(&self, system: &System, gradients: &[JointGradient], forces: &[f64], vector: &mut [f64]) {
+        vector.copy_from_slice(forces);
+        system.add_constraint_forces(gradients, &self.multipliers, -1.0, vector);
+        self.mass.solve(vector);
     }
 
     /// Sets the followers and `S`.

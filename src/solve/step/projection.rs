@@ -76,11 +76,11 @@ impl Projection {
         Ok(())
     }
 
-    /// Solves with the matrix of the last call, in place; `vector` is scratch memory, as long as the coordinates.
+    /// Solves with the matrix of the last call, in place, but for the last digits; `vector` is scratch memory, as long as the coordinates.
     ///
     /// # Errors
-    /// The solution is not accurate.
-    pub fn solve_again(
+    /// The matrix gives no solution.
+    pub fn solve_roughly(
         &mut self,
         system: &System,
         kkt: &mut Kkt,
@@ -88,7 +88,10 @@ impl Projection {
         vector: &mut [f64],
     ) -> Result<(), Singular> {
         match &mut self.fast {
-            Some(fast) if self.was_fast => fast.solve_again(system, &self.gradients, right, vector),
+            Some(fast) if self.was_fast => {
+                fast.solve_roughly(system, &self.gradients, right, vector);
+                Ok(())
+            }
             _ => kkt.solve_roughly(right),
         }
     }

@@ -123,8 +123,18 @@ impl BeamElement for Element {
         [end.energy(), middle.added.taken, heat]
     }
 
-    fn begin_step(&self, c: &BeamConfiguration, velocity: &[f64], starts: &mut [StepStart], strain_rates: &mut [f64]) {
-        (starts[self.place.branch], *self.own_rates_mut(strain_rates)) = self.step_start(c, velocity);
+    fn begin_step(
+        &self,
+        c: &BeamConfiguration,
+        velocity: &[f64],
+        starts: &mut [StepStart],
+        strain_rates: Option<&mut [f64]>,
+    ) {
+        let evaluation = self.evaluation(c);
+        starts[self.place.branch] = StepStart::new(&evaluation);
+        if let Some(all) = strain_rates {
+            *self.own_rates_mut(all) = self.strain_rates(&evaluation, self.own(velocity));
+        }
     }
 
     fn set_strain_rates(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: &mut [f64]) {

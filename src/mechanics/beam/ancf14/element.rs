@@ -279,8 +279,15 @@ impl<'a> Evaluation<'a> {
             _ => [slopes[0].green_strain(), slopes[1].green_strain(), slopes[2].green_strain()],
         };
         let mean_torsion = [torsion(first), torsion(middle), torsion(last)];
-        let (turn, gammahat, strains) = ([[0.0; 2]; 3], [[0.0; 2]; 3], [Strains::zeros(); 3]);
-        let mut evaluation = Self {
+        let turned = |g: usize| element.bending[g].turn(kinematics.alpha[g], 0.0);
+        let turn = [turned(0), turned(1), turned(2)];
+        let strained = |g: usize| {
+            let of_kinematics = (kinematics.points[g].curvatures, kinematics.twist);
+            element.bending[g].strains(of_kinematics, 0.0, turn[g], natural, &green)
+        };
+        let [(gamma0, strains0), (gamma1, strains1), (gamma2, strains2)] = [strained(0), strained(1), strained(2)];
+        // All of it at once, where the caller has room for it: it is large, and nothing of it is copied.
+        Self {
             element,
             kinematics,
             slopes,
@@ -288,14 +295,12 @@ impl<'a> Evaluation<'a> {
             mean_torsion,
             bubble: 0.0,
             turn,
-            gammahat,
-            strains,
+            gammahat: [gamma0, gamma1, gamma2],
+            strains: [strains0, strains1, strains2],
             natural: *natural,
             added: Added::default(),
             turn_from_end: None,
-        };
-        evaluation.set_bubble(0.0);
-        evaluation
+        }
     }
 
     /// Sets the internal coordinate of the quadratic twist, rad, and the strains that follow from it.
@@ -303,9 +308,7 @@ impl<'a> Evaluation<'a> {
     pub(super) fn set_bubble(&mut self, bubble: f64) {
         self.bubble = bubble;
         for (g, point) in self.element.bending.iter().enumerate() {
-            let angle = self.kinematics.alpha[g] + point.principal + bubble * quadratic_twist::shape(point.xi);
-            let (sin, cos) = angle.sin_cos();
-            self.turn[g] = [cos / point.reference_stretch, sin / point.reference_stretch];
+            self.turn[g] = point.turn(self.kinematics.alpha[g], bubble);
         }
         self.set_strains();
     }
@@ -323,20 +326,11 @@ impl<'a> Evaluation<'a> {
     /// Strains of the bending points, as `bubble` and `turn` are.
     #[inline]
     fn set_strains(&mut self) {
-        let twist = self.kinematics.twist;
+        let Self { kinematics, natural, green, bubble, .. } = self;
         for (g, point) in self.element.bending.iter().enumerate() {
-            let [cos, sin] = self.turn[g];
-            let [kappa1, kappa2] = self.kinematics.points[g].curvatures;
-            let gammahat = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
-            let twist_xi = twist + self.bubble * quadratic_twist::shape_xi(point.xi);
-            let natural = self.natural.curvature_about(point.principal - point.turn);
-            self.gammahat[g] = gammahat;
-            self.strains[g] = Strains::new(
-                gammahat[0] - point.reference[0] - natural[0],
-                gammahat[1] - point.reference[1] - natural[1],
-                twist_xi * point.torsion_by_twist - point.reference[2],
-                point.from_axial.iter().zip(&self.green).map(|(weight, e)| weight * e).sum(),
-            );
+            let of_kinematics = (kinematics.points[g].curvatures, kinematics.twist);
+            let found = point.strains(of_kinematics, *bubble, self.turn[g], natural, green);
+            (self.gammahat[g], self.strains[g]) = found;
         }
     }
 

@@ -4,6 +4,7 @@
 
 pub mod along;
 mod beam_element;
+mod bending_strains;
 pub mod coordinates;
 pub mod damping;
 pub mod element;

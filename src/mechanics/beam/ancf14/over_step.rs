@@ -30,7 +30,7 @@ pub struct StepStart {
 impl StepStart {
     /// Of an element at the start.
     #[inline]
-    fn new(evaluation: &Evaluation) -> Self {
+    pub fn new(evaluation: &Evaluation) -> Self {
         let mut strains = [0.0; STRAINS];
         for m in 0..3 {
             strains[m] = evaluation.axial_strain(m);
@@ -204,12 +204,6 @@ impl Element {
     pub fn own_rates<'a>(&self, all: &'a [f64]) -> &'a [f64; STRAINS] {
         let (own, _) = all.as_chunks::<STRAINS>();
         &own[self.place.branch]
-    }
-
-    /// What a step from `c` with the velocities `velocity` of all coordinates starts with, and the rates of the strains there.
-    pub fn step_start(&self, c: &BeamConfiguration, velocity: &[f64]) -> (StepStart, [f64; STRAINS]) {
-        let evaluation = self.evaluation(c);
-        (StepStart::new(&evaluation), self.strain_rates(&evaluation, self.own(velocity)))
     }
 
     /// Rates of the strains with the velocities `velocity` (14) of its own coordinates.

@@ -67,7 +67,7 @@ impl Scratch {
         system.prescribe(state, end, &mut self.prescribed_end);
         self.start_rates.resize(state.strain_rates.len(), 0.0);
         let start = self.frames_start.of(system, state);
-        system.begin_step(&start, &state.velocity, &mut self.starts, &mut self.start_rates);
+        system.begin_step(&start, &state.velocity, &mut self.starts, Some(&mut self.start_rates));
     }
 
     /// Start of the iteration: the predicted increment, and the impulses of the last step.

@@ -237,9 +237,8 @@ impl Estimator {
         scratch.excitation.clone_from(&solution.excitation);
         scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
         scratch.prescribed_end.copy_from(&solution.prescribed_end);
-        scratch.start_rates.resize(solution.start_rates.len(), 0.0);
         let first = scratch.frames_start.of(system, start);
-        system.begin_step(&first, &start.velocity, &mut scratch.starts, &mut scratch.start_rates);
+        system.begin_step(&first, &start.velocity, &mut scratch.starts, None);
         // The dissipation is that of the step, as far as it knows the start.
         scratch.start_rates.clone_from(&solution.start_rates);
         let known = error.velocity.iter().zip(&error.acceleration).zip(&solution.increment);
@@ -308,7 +307,7 @@ impl Estimator {
         for (condition, target) in conditions.iter_mut().zip(&*targets) {
             *condition = target / multiple;
         }
-        match projection.solve_again(system, kkt, right, moved) {
+        match projection.solve_roughly(system, kkt, right, moved) {
             Ok(()) => next.time_error.velocity.copy_from_slice(&right[..moved.len()]),
             Err(Singular) => next.time_error.known = 0,
         }
