@@ -16,7 +16,7 @@ for times in 20 120; do
         cat "$folder/log" >&2
         exit 1
     }
-    callgrind_annotate --inclusive=yes --threshold=100 "$folder/$times" | tr -d , > "$folder/$times.txt"
+    callgrind_annotate --inclusive=yes --auto=no --threshold=100 "$folder/$times" | tr -d , > "$folder/$times.txt"
 done
 
 # instructions PATTERN TIMES: of the function whose line matches, the largest.
@@ -29,14 +29,14 @@ difference() {
     echo $(($(instructions "$1" 120) - $(instructions "$1" 20)))
 }
 
-whole=$(difference 'model::simulation::Simulation as ancf14::fmi::Model>::advance')
+whole=$(difference 'simulation::Simulation as ancf14::fmi::Model>::advance')
 echo "| part of a step | instructions | share |"
 echo "|---|---|---|"
 row() {
     own=$(difference "$2")
     echo "| $1 | $((own / 200)) | $((own * 100 / whole)) % |"
 }
-row 'step, all of it' 'model::simulation::Simulation as ancf14::fmi::Model>::advance'
+row 'step, all of it' 'simulation::Simulation as ancf14::fmi::Model>::advance'
 row 'start' 'midpoint::scratch::Scratch::prepare'
 row 'matrix and right side of an iteration' 'Problem>::linearize'
 row '- elements, loads, springs' 'System>::forces_and_tangent'
@@ -45,6 +45,8 @@ row 'factorization' 'Multifrontal::factorize'
 row '- elimination of fronts' 'frontal_matrix::eliminate'
 row 'solution, refined' 'Multifrontal::solve'
 row 'forces at the end' 'midpoint::scratch::Scratch::evaluate'
-row 'refinement of the end' 'DirectSolver::solve_roughly'
+row 'solutions with the same factors' 'DirectSolver::solve_roughly'
 row 'velocities' 'Projection::set_velocity'
+row 'error of the steps' 'Estimator::carry'
+row 'its velocities' 'Estimator::project'
 row 'results and watch' 'simulation::Simulation::measure'
