@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 from pathlib import Path
 
 import ancf14
@@ -132,6 +133,10 @@ def test_a_coarse_mesh_of_a_motion_is_a_warning() -> None:
     model = ancf14.Model(MODELS / "cantilever.toml")
     with pytest.warns(ancf14.SolverWarning, match="because of the mesh, as estimated from a run with half the elements"):
         model.run({"arm.elements": 4})
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        model.run({"arm.elements": 4}, mesh_error=False)
+    assert not any("because of the mesh" in str(warning.message) for warning in told)
 
 
 def test_a_failed_run_leaves_its_rows() -> None:

@@ -82,6 +82,9 @@ enum Command {
         /// wanted error as a share of each column's range [default: 0.001]
         #[arg(long, value_name = "ACCURACY", num_args = 0..=1, require_equals = true, value_parser = verify::accuracy)]
         verify: Option<Option<f64>>,
+        /// Leave out the second run of a motion, with half the elements, that tells the mesh error
+        #[arg(long)]
+        no_mesh_error: bool,
         /// Also write view.html, a page that shows the moving mechanism
         #[arg(long)]
         view: bool,
@@ -314,7 +317,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
     match command {
         Command::New { name: Some(name), template, .. } => new::new(&name, &template),
         Command::New { name: None, .. } => new::list(),
-        Command::Run { model, verify, view, inputs, from_state, save_state, format, out } => {
+        Command::Run { model, verify, no_mesh_error, view, inputs, from_state, save_state, format, out } => {
             let (mut simulation, text) = model.load()?;
             let file_name = model.name();
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
@@ -338,7 +341,18 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let read: Vec<_> = read.chain(from_state.iter().map(|path| (stages::STATE, path.as_path()))).collect();
             output::spare(&read, save_state.as_slice())?;
             let (inputs, settings, save) = (table.as_ref(), &*model.overrides, save_state.as_deref());
-            let order = run::Order { inputs, from, save, plan, read: &read, settings, wish, film, format };
+            let order = run::Order {
+                inputs,
+                from,
+                save,
+                plan,
+                read: &read,
+                settings,
+                wish,
+                is_alone: no_mesh_error,
+                film,
+                format,
+            };
             run::run(simulation, &directory, order)
         }
         Command::Check { model, resolved: true, .. } => {

@@ -57,6 +57,8 @@ pub struct Order<'a> {
     pub settings: &'a [(String, String)],
     /// That errors be estimated.
     pub wish: Option<Wish<'a>>,
+    /// That no second run, with half the elements, tell the mesh error of a motion.
+    pub is_alone: bool,
     /// A page that shows the mechanism move.
     pub film: Option<Film>,
     /// The files of the table.
@@ -65,7 +67,7 @@ pub struct Order<'a> {
 
 /// Simulates and writes everything into the folder `directory`.
 pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Result<(), Stop> {
-    let Order { inputs, from, save, plan, read, settings, wish, mut film, format } = order;
+    let Order { inputs, from, save, plan, read, settings, wish, is_alone, mut film, format } = order;
     let last_row = plan.count;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
@@ -89,7 +91,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     }
     folder.claim("run", &simulation.about().guid, &names, read)?;
     // The further runs of --verify tell it; a run that begins with a state has none on another mesh.
-    if wish.is_none() && from.is_none() {
+    if !is_alone && wish.is_none() && from.is_none() {
         simulation.ask_for_mesh_error(background::start);
     }
     let keeper = Keeper::start(Shared::clone(&rows))

@@ -140,6 +140,7 @@ class Model:
         stop: float | None = None,
         output_step: float | None = None,
         inputs: Inputs | None = None,
+        mesh_error: bool = True,
     ) -> Results:
         """Simulate, and return the results of all outputs; their bits are those of ``ancf14 run``.
 
@@ -153,11 +154,12 @@ class Model:
         Other threads of Python can work during the run. Ctrl-C stops the run and raises Interrupted, whose ``results`` has the
         rows so far. A step that cannot be computed raises RunError, also with ``results``. Warnings of the solver are issued as
         SolverWarning, among them those about errors of the steps and of the mesh that are larger than a reader expects. For the
-        mesh error of a motion the model runs once more on a second thread, with half the elements; studies leave it out.
+        mesh error of a motion the model runs once more on a second thread, with half the elements: ``mesh_error=False`` leaves that
+        out, as studies do.
         """
         told: list[str] = []
         try:
-            return self._run(parameters, stop=stop, output_step=output_step, inputs=inputs, told=told, mesh_error=True)
+            return self._run(parameters, stop=stop, output_step=output_step, inputs=inputs, told=told, mesh_error=mesh_error)
         finally:
             warn(told)
 

@@ -41,6 +41,12 @@ fn the_summary_is_that_of_the_table() {
     }
 
     let table = std::fs::read_to_string(directory.path().join("out/results.csv")).unwrap();
+    let alone = run(directory.path(), &model("crane"), &[&SHORT[..], &["--json", "--no-mesh-error"]].concat());
+    let summary_alone = serde_json::from_slice::<Value>(&alone.stdout).unwrap();
+    assert!(
+        summary_alone["mesh_errors"].as_array().unwrap().is_empty() && summary_alone["columns"] == summary["columns"]
+    );
+
     let header: Vec<&str> = table.lines().next().unwrap().split(',').collect();
     let rows: Vec<Vec<f64>> =
         table.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();

@@ -90,7 +90,11 @@ fn totals(judged: &[Judged]) -> String {
     for (title, counts) in COUNTS {
         let _ = write!(text, "| {title} |");
         for place in 0..SETTINGS.len() {
-            let _ = write!(text, " {} |", judged.iter().filter(|machine| counts(machine, &machine.verdicts[place])).count());
+            let _ = write!(
+                text,
+                " {} |",
+                judged.iter().filter(|machine| counts(machine, &machine.verdicts[place])).count()
+            );
         }
         text.push('\n');
     }
