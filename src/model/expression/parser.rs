@@ -374,11 +374,17 @@ impl Parser<'_> {
                 let label = format!("{function} has the argument `{}`", self.scope.variable);
                 return Err(error(format!("`{name}` is not known here"), label, range));
             }
-            "t" => return Err(error("`t` is not known here", "time is known in loads, drives and frames only", range)),
+            "t" => {
+                return Err(error(
+                    "`t` is not known here",
+                    "time is known in loads, drives, frames, efforts of actuators, temperatures and `active` only",
+                    range,
+                ));
+            }
             "s" => {
                 return Err(error(
                     "`s` is not known here",
-                    "the curve parameter is known in x, y and z of a curve only",
+                    "`s` is known in x, y and z of a curve and in sections along a beam only",
                     range,
                 ));
             }

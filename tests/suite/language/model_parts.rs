@@ -256,7 +256,7 @@ fn overrides_reach_every_section() {
         ("feed.value", "2*m", "is an input and an expression"),
         ("crank.vlaue", "2", "did you mean `value`?"),
         ("bob.inertia[1]", "5", "the inertia of body bob is not physically possible"),
-        ("turn", "t", "time is known in loads, drives and frames only"),
+        ("turn", "t", "time is known in loads, drives, frames, efforts of actuators, temperatures and `active` only"),
     ] {
         let message = refused(key, value);
         assert!(message.contains(expected), "{key}={value}: {message}");
