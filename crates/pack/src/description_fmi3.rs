@@ -159,9 +159,10 @@ pub(crate) fn description(array: &Array<'_>, first: &Variable) -> String {
     }
 }
 
-/// Whether an intermediate update can read it.
+/// Whether an intermediate update can read or set it.
 fn is_between(variable: &Variable) -> bool {
-    variable.causality == Causality::Output && variable.variability == Variability::Continuous
+    matches!(variable.causality, Causality::Input | Causality::Output)
+        && variable.variability == Variability::Continuous
 }
 
 fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
