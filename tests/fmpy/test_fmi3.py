@@ -6,7 +6,6 @@ import subprocess
 import zipfile
 from pathlib import Path
 
-import fmpy
 import numpy as np
 import pytest
 from fmpy import extract, read_model_description, simulate_fmu
@@ -15,9 +14,9 @@ from fmpy.validation import validate_fmu
 from lxml import etree
 
 from conftest import ROOT, run
+from test_description import complaints
 from test_simulation import output_step, outputs, simulate, table
 
-SCHEMAS = Path(fmpy.__file__).parent / "schema/fmi3"
 HELD = ROOT / "tests/suite/fmi/fmi3/held.toml"
 
 
@@ -54,18 +53,12 @@ def xml(fmu, name):
         return etree.ElementTree(etree.fromstring(archive.read(name)))
 
 
-def complaints(schema, document):
-    schema = etree.XMLSchema(etree.parse(SCHEMAS / schema))
-    schema.validate(document)
-    return [str(error) for error in schema.error_log]
-
-
 def test_the_files_are_valid(fmu3):
     assert validate_fmu(str(fmu3)) == []
     description, terminals = xml(fmu3, "modelDescription.xml"), xml(fmu3, "terminalsAndIcons/terminalsAndIcons.xml")
-    assert complaints("fmi3ModelDescription.xsd", description) == []
-    assert complaints("fmi3TerminalsAndIcons.xsd", terminals) == []
-    names = {variable.get("name") for variable in description.find("ModelVariables")}
+    assert complaints("fmi3/fmi3ModelDescription.xsd", description) == []
+    assert complaints("fmi3/fmi3TerminalsAndIcons.xsd", terminals) == []
+    names = {variable.get("name") for variable in description.find("ModelVariables").iter() if variable.get("name")}
     terminal_names = [terminal.get("name") for terminal in terminals.iter("Terminal")]
     assert len(set(terminal_names)) == len(terminal_names)
     for terminal in terminals.iter("Terminal"):
@@ -155,6 +148,31 @@ def test_intermediate_updates(tmp_path):
     alone.fmu.doStep(0.01, time - 0.01)
     assert slave.get("tip.velocity") == alone.get("tip.velocity")
     for unit in [slave, alone]:
+        unit.fmu.terminate()
+        unit.fmu.freeInstance()
+
+
+def test_inputs_between_internal_steps(tmp_path):
+    """An input that is set in the middle acts on the rest: the bits are those of two communication steps."""
+    told = []
+
+    def update(_environment, time, set_requested, *_more):
+        told.append(time)
+        if len(told) == 5 and set_requested:
+            slave.push([0.0, 0.3, 1.0])
+
+    slave, other = Slave(tmp_path, update), Slave(tmp_path)
+    slave.fmu.doStep(0.0, 0.01)
+    other.fmu.doStep(0.0, told[4])
+    other.push([0.0, 0.3, 1.0])
+    other.fmu.doStep(told[4], 0.01 - told[4])
+    assert len(told) == 10
+    for name in ["tip.position", "tip.velocity"]:
+        assert slave.get(name) == other.get(name)
+    untouched = Slave(tmp_path)
+    untouched.fmu.doStep(0.0, 0.01)
+    assert untouched.get("tip.position") != slave.get("tip.position")
+    for unit in [slave, other, untouched]:
         unit.fmu.terminate()
         unit.fmu.freeInstance()
 

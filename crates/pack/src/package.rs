@@ -33,12 +33,14 @@ pub fn fmu(
         Standard::Fmi3 => description_fmi3::xml(&dated, variables)?,
     };
     let page = documentation::html(standard, about, variables, contents);
-    let terminals = terminals::xml(variables);
-    let mut entries = vec![("modelDescription.xml".to_owned(), xml.as_bytes())];
+    let terminals = terminals::xml(standard, variables);
+    let mut entries = vec![
+        ("modelDescription.xml".to_owned(), xml.as_bytes()),
+        ("terminalsAndIcons/terminalsAndIcons.xml".to_owned(), terminals.as_bytes()),
+    ];
     match standard {
         Standard::Fmi2 => entries.push(("model.png".to_owned(), contents.icon)),
         Standard::Fmi3 => entries.extend([
-            ("terminalsAndIcons/terminalsAndIcons.xml".to_owned(), terminals.as_bytes()),
             ("terminalsAndIcons/icon.png".to_owned(), contents.icon),
             ("terminalsAndIcons/icon.svg".to_owned(), contents.drawing.as_bytes()),
         ]),

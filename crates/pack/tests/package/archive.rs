@@ -91,6 +91,7 @@ fn entries_in_order() {
         names(packed()),
         [
             "modelDescription.xml",
+            "terminalsAndIcons/terminalsAndIcons.xml",
             "model.png",
             "binaries/linux64/Toy.so",
             "binaries/win64/Toy.dll",
