@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds the library of FMUs as a component of WebAssembly, as the working draft of FMI-LS-WASM describes it: target/fmu/wasm32-wasip2/ancf14.wasm, where `ancf14 pack --fmi 3`
-# finds it. It shares all but its own few files with the solver in pages, and needs what scripts/build-wasm.sh needs. wasm-tools, of a Python package, makes a component of the module.
+# finds it. It needs what scripts/build-wasm.sh needs. wasm-tools, of a Python package, makes a component of the module.
 set -eu
 
 cd "$(dirname "$0")/.."

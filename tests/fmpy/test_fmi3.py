@@ -14,7 +14,7 @@ from fmpy.validation import validate_fmu
 from lxml import etree
 
 from conftest import ROOT, run
-from test_description import complaints
+from test_description import checked_by_fmutool, complaints
 from test_simulation import output_step, outputs, simulate, table
 
 HELD = ROOT / "tests/suite/fmi/fmi3/held.toml"
@@ -68,6 +68,45 @@ def test_the_files_are_valid(fmu3):
     with zipfile.ZipFile(fmu3) as archive:
         assert archive.read("terminalsAndIcons/icon.png").startswith(b"\x89PNG")
         assert etree.fromstring(archive.read("terminalsAndIcons/icon.svg")).tag == "{http://www.w3.org/2000/svg}svg"
+
+
+def test_fmutool_finds_nothing(fmu3):
+    checked_by_fmutool(fmu3, "3.0")
+
+
+def test_updates_change_no_bit(fmu3, results, tmp_path):
+    """Of every model, with a host that hears of each internal step and reads all outputs there."""
+    header, expected = table(results)
+    description = read_model_description(str(fmu3), validate=False)
+    places, references, count, told = {}, [], 0, []
+    for variable in description.modelVariables:
+        if variable.causality == "output" and variable.type == "Float64" and variable.alias is None:
+            references.append(variable.valueReference)
+            for index in np.ndindex(*(variable.shape or ())):
+                inside = ",".join(str(place + 1) for place in index)
+                places[f"{variable.name}[{inside}]" if inside else variable.name] = count
+                count += 1
+
+    def update(_environment, time, *_more):
+        told.append((time, slave.getFloat64(references, count)))
+
+    slave = FMU3Slave(
+        guid=description.guid, unzipDirectory=extract(str(fmu3), tmp_path), modelIdentifier=description.coSimulation.modelIdentifier
+    )
+    slave.instantiate(intermediateUpdate=update, requiredIntermediateVariables=references)
+    slave.enterInitializationMode()
+    slave.exitInitializationMode()
+    step = float(description.defaultExperiment.stepSize)
+    order = [places[name] for name in header[1:] if name in places]
+    columns = [place for place, name in enumerate(header) if name in places]
+    for k, row in enumerate(expected):
+        if k > 0:
+            slave.doStep((k - 1) * step, step)
+            assert told[-1][1] == slave.getFloat64(references, count)
+        assert np.array_equal(np.array(slave.getFloat64(references, count))[order], row[columns]), f"row {k}"
+    assert len(told) >= len(expected) - 1 and len(columns) > 0
+    slave.terminate()
+    slave.freeInstance()
 
 
 def test_same_bits_as_the_command_line_and_as_fmi_2(fmu, fmu3, results):
