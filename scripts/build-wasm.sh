@@ -1,8 +1,5 @@
 #!/bin/sh
-# Builds the solver for the page of `ancf14 view --live`: target/fmu/ancf14.wasm, next to the program. Takes the toolchain's own standard library for WebAssembly
-# (`rustup target add wasm32-unknown-unknown`) if there is one. Otherwise it builds the standard library from its source, which needs, of Debian:
-#
-#     apt-get install rustc-web cargo-web rust-web-src
+# Builds the solver for the page of `ancf14 view --live`: target/fmu/ancf14.wasm, next to the program. scripts/wasm.sh says what is needed.
 #
 #     sh scripts/build-wasm.sh                 builds it, unless it is there and belongs to these sources
 #     sh scripts/build-wasm.sh --check FILE    fails if FILE is missing or of other sources
@@ -12,10 +9,8 @@ set -eu
 
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
-triple=wasm32-unknown-unknown
-registry=${CARGO_HOME:-$HOME/.cargo}/registry/src
 module=${2:-$target/fmu/ancf14.wasm}
-sources=$(find Cargo.toml Cargo.lock src crates/live crates/view/Cargo.toml crates/view/src viewer/dist licenses scripts/build-wasm.sh -type f | LC_ALL=C sort | xargs sha256sum | sha256sum | cut -c 1-64)
+sources=$(find Cargo.toml Cargo.lock src crates/live crates/view/Cargo.toml crates/view/src viewer/dist licenses scripts/build-wasm.sh scripts/wasm.sh -type f | LC_ALL=C sort | xargs sha256sum | sha256sum | cut -c 1-64)
 if [ -f "$module" ] && [ "$(tail -c 64 "$module" | tr -d '\000')" = "$sources" ]; then
     exit
 fi
@@ -30,21 +25,8 @@ case $#,${1:-} in
         exit 2
         ;;
 esac
-set -- build --locked --profile page --package ancf14-live --target "$triple"
-if [ ! -d "$(rustc --print sysroot)/lib/rustlib/$triple/lib" ]; then
-    if [ ! -d /usr/lib/rustlib/src/rust/library ] || [ ! -x /usr/bin/cargo ]; then
-        echo "no standard library for WebAssembly: run rustup target add $triple, or on Debian apt-get install rustc-web cargo-web rust-web-src" >&2
-        exit 1
-    fi
-    scripts/python-env.sh
-    # Debian's own compiler, not one of rustup; building the standard library is an unstable feature of cargo.
-    export PATH=/usr/bin:/bin RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1
-    set -- "$@" -Zbuild-std=std,panic_abort --config "target.$triple.linker=\"$PWD/scripts/wasm-linker.sh\""
-fi
-# Messages of a panic name files: the same ones whoever builds it.
-RUSTFLAGS="--remap-path-prefix=$PWD/= --remap-path-prefix=$registry/= --remap-path-prefix=/usr/lib/rustlib/src/rust/="
-export RUSTFLAGS
-cargo "$@"
+. scripts/wasm.sh
+build_wasm ancf14-live
 mkdir -p "$target/fmu"
 # A custom section (0) of 72 bytes, with a name of 7 bytes. The module takes its name when it is whole.
 {

@@ -32,9 +32,9 @@ fmu=$target/fmu
 mkdir -p "$fmu"
 # On its own: together with its rlib, cargo would silently drop the link-time optimization of the library.
 cargo rustc --locked --profile fmu --package ancf14-library --lib --crate-type cdylib
-# What was built from other sources is not delivered with it: the libraries for other platforms (scripts/build-platforms.sh), the solver of pages (scripts/build-wasm.sh).
+# What was built from other sources is not delivered with it: the libraries for other platforms (scripts/build-platforms.sh, scripts/build-component.sh), the solver of pages (scripts/build-wasm.sh).
 if [ -f "$fmu/$library" ] && ! cmp -s "$built/$built_library" "$fmu/$library"; then
-    rm -rf "$fmu/aarch64-linux" "$fmu/x86_64-windows"
+    rm -rf "$fmu/aarch64-linux" "$fmu/x86_64-windows" "$fmu/wasm32-wasip2"
 fi
 scripts/build-wasm.sh --check "$fmu/ancf14.wasm" 2> /dev/null || rm -f "$fmu/ancf14.wasm"
 install -m 755 "$built/$built_library" "$fmu/$library"

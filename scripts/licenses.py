@@ -17,12 +17,14 @@ import ziglang
 ROOT = Path(__file__).resolve().parents[1]
 # The page, its title, and the packages whose crates it lists.
 PAGES = {
-    "license.txt": ("the shared libraries of this unit", ["ancf14"]),
+    "license.txt": ("the libraries of this unit", ["ancf14", "ancf14-component"]),
     "program.txt": ("the program ancf14 and the Python package", ["ancf14-cli", "ancf14-python"]),
     "solver.txt": ("the solver of this page, which is WebAssembly", ["ancf14-live"]),
 }
 FILES = re.compile(r"(?i)(licen[sc]e|copying|copyright|notice|unlicense)")
 TRIPLE = "x86_64-unknown-linux-gnu"
+# The platform of a package that is empty on others.
+OTHERS = {"ancf14-component": "wasm32-unknown-unknown"}
 GRANT = "Permission is hereby granted, free of charge"
 LINE = "=" * 100
 
@@ -57,9 +59,11 @@ def linked(page: str) -> list[dict]:
     """The crates whose code can be in what a page is about, by name and version; compiler plugins stay outside."""
     packages = json.loads(cargo("metadata", "--format-version", "1"))["packages"]
     by_name = {(package["name"], package["version"]): package for package in packages}
-    roots = [word for package in PAGES[page][1] for word in ("--package", package)]
-    tree = ["tree", *roots, "--edges", "normal,no-proc-macro", "--target", TRIPLE, "--prefix", "none", "--format", "{p}"]
-    lines = [line.split() for line in cargo(*tree).splitlines() if line]
+    lines = []
+    for package in PAGES[page][1]:
+        target = OTHERS.get(package, TRIPLE)
+        tree = ["tree", "--package", package, "--edges", "normal,no-proc-macro", "--target", target, "--prefix", "none", "--format", "{p}"]
+        lines += [line.split() for line in cargo(*tree).splitlines() if line]
     found = sorted({(name, version.removeprefix("v")) for name, version, *_ in lines})
     return [by_name[key] for key in found if by_name[key]["source"] is not None]
 
@@ -92,9 +96,9 @@ def text(page: str) -> str:
         for licence in texts(package):
             holders.setdefault(licence, []).append(name)
     lines.append(STANDARD_LIBRARY)
-    if page == "solver.txt":
+    if page != "program.txt":
         lines.append("    and dlmalloc (MIT OR Apache-2.0)")
-    else:
+    if page != "solver.txt":
         zig = Path(ziglang.__file__).parent
         lines += ["compiler-rt of Zig: MIT", "libunwind of LLVM: Apache-2.0 WITH LLVM-exception"]
         holders.setdefault(clean((zig / "LICENSE").read_text()), []).append("compiler-rt of Zig")

@@ -58,6 +58,12 @@ def test_pictures_and_fmus_have_the_bytes_of_the_command_line() -> None:
     assert packed.returncode == 0, packed.stderr
     path = ancf14.Model(CANTILEVER).pack("own.fmu")
     assert path.read_bytes() == Path("packed.fmu").read_bytes()
+    packed = program(Path.cwd(), "pack", str(CANTILEVER), "--fmi", "3", "-o", "packed3.fmu")
+    assert packed.returncode == 0, packed.stderr
+    path = ancf14.Model(CANTILEVER).pack("own3.fmu", fmi=3)
+    assert path.read_bytes() == Path("packed3.fmu").read_bytes()
+    with pytest.raises(ancf14.CallError, match="2 or 3"):
+        ancf14.Model(CANTILEVER).pack("own.fmu", fmi=1)
     with pytest.raises(ancf14.CallError, match="without parameters"):
         ancf14.Model(CANTILEVER, {"arm.elements": 2}).pack("own.fmu")
 

@@ -88,7 +88,7 @@ impl Callbacks {
             update(
                 self.environment,
                 progress.time,
-                fmi3False,
+                (!progress.arrived).into(),
                 fmi3True,
                 fmi3True,
                 can_return.into(),

@@ -284,8 +284,8 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     }
 }
 
-/// Computes one communication step, s (section 4.2.1), and tells the host of each internal step if it wants to hear of them. Events and the end of
-/// the simulation are never asked for.
+/// Computes one communication step, s (section 4.2.1), and tells the host of each internal step if it wants to hear of them: it may set inputs for the
+/// rest of the communication step there. Events and the end of the simulation are never asked for.
 ///
 /// # Safety
 /// `instance` is a live instance; the four answers can be written to.
@@ -304,13 +304,11 @@ pub unsafe extern "C" fn fmi3DoStep(
     // SAFETY: the caller's promise.
     unsafe {
         let callbacks = guard::callbacks::<Simulation>(instance).filter(Callbacks::has_update);
-        let mut begin = f64::NAN;
         let status = guard(instance, Call::DoStep, |instance| {
             *place(eventHandlingNeeded, "eventHandlingNeeded")? = fmi3False;
             *place(terminateSimulation, "terminateSimulation")? = fmi3False;
             *place(earlyReturn, "earlyReturn")? = fmi3False;
-            begin = instance.time();
-            *place(lastSuccessfulTime, "lastSuccessfulTime")? = begin;
+            *place(lastSuccessfulTime, "lastSuccessfulTime")? = instance.time();
             match callbacks {
                 Some(_) => instance.begin_step(currentCommunicationPoint, communicationStepSize)?,
                 None => instance.do_step(currentCommunicationPoint, communicationStepSize)?,
@@ -320,7 +318,7 @@ pub unsafe extern "C" fn fmi3DoStep(
         });
         match callbacks.filter(|_| matches!(status, fmi3Status::fmi3OK | fmi3Status::fmi3Warning)) {
             None => status,
-            Some(callbacks) => step_with_updates(instance, callbacks, earlyReturn, lastSuccessfulTime, begin),
+            Some(callbacks) => step_with_updates(instance, callbacks, earlyReturn, lastSuccessfulTime),
         }
     }
 }
@@ -335,34 +333,31 @@ unsafe fn step_with_updates(
     callbacks: Callbacks,
     earlyReturn: *mut fmi3Boolean,
     lastSuccessfulTime: *mut fmi3Float64,
-    begin: fmi3Float64,
 ) -> fmi3Status {
     loop {
         let mut progress = Progress { time: f64::NAN, arrived: true };
         // SAFETY: the caller's promise.
         let status = unsafe {
             guard(handle, Call::DoStep, |instance| {
-                progress = instance.take_part()?;
-                *place(lastSuccessfulTime, "lastSuccessfulTime")? = progress.time;
+                let outcome = instance.take_part();
+                // A failed step leaves the instance where the whole of it began, or where inputs were set last.
+                *place(lastSuccessfulTime, "lastSuccessfulTime")? = instance.time();
+                progress = outcome?;
                 Ok(())
             })
         };
         if status != fmi3Status::fmi3OK {
-            // A failed step leaves the instance where the whole of it began.
-            // SAFETY: the caller's promise.
-            unsafe { *lastSuccessfulTime = begin };
             return status;
         }
         let returns = callbacks.update(progress);
         // SAFETY: the caller's promise.
         let status = unsafe {
-            guard(handle, Call::DoStep, |instance| match returns {
-                true => {
-                    instance.return_early()?;
-                    *place(earlyReturn, "earlyReturn")? = fmi3True;
-                    Ok(())
-                }
-                false => instance.go_on(),
+            guard(handle, Call::DoStep, |instance| {
+                let outcome = if returns { instance.return_early() } else { instance.go_on() };
+                *place(lastSuccessfulTime, "lastSuccessfulTime")? = instance.time();
+                outcome?;
+                *place(earlyReturn, "earlyReturn")? = returns.into();
+                Ok(())
             })
         };
         if progress.arrived || returns || status != fmi3Status::fmi3OK {

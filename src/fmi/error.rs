@@ -148,9 +148,9 @@ pub enum Error {
         /// The reference asked for.
         reference: u32,
     },
-    /// A variable that cannot be read during an intermediate update.
+    /// A variable that can be neither read nor set during an intermediate update.
     #[error(
-        "`{name}` cannot be accessed during intermediate updates; require continuous outputs only, which have intermediateUpdate = true"
+        "`{name}` cannot be accessed during intermediate updates; use continuous inputs and outputs only, which have intermediateUpdate = true"
     )]
     NotBetween {
         /// Its name.

@@ -4,6 +4,7 @@ use std::{collections::BTreeSet, fmt::Write};
 
 use super::{
     About, Value,
+    arrays::arrays,
     error::Error,
     identifier::is_identifier,
     variable::{Causality, Variable},
@@ -12,7 +13,8 @@ use super::{
 /// The text of the header. Every name in it begins with `prefix`, usually the model identifier.
 ///
 /// It stands alone: integers and texts only, for use with `ancf14.h` or with the standard's own headers. The macros
-/// `prefix_REAL_OUTPUTS(X)` and `prefix_INTEGER_OUTPUTS(X)` expand `X(value reference, name, unit)` for each output.
+/// `prefix_REAL_OUTPUTS(X)` and `prefix_INTEGER_OUTPUTS(X)` expand `X(value reference, name, unit)` for each output, `prefix_FLOAT64_OUTPUTS(X)` expands
+/// `X(value reference, name, unit, rows, columns)` for each output of FMI 3.0, arrays among them.
 ///
 /// # Errors
 /// The prefix is not a C identifier.
@@ -52,6 +54,7 @@ fn write_all(
     writeln!(out, "}};\n")?;
     outputs(out, variables, names, &format!("{prefix}_REAL_OUTPUTS"), |start| matches!(start, Value::Real(_)))?;
     outputs(out, variables, names, &format!("{prefix}_INTEGER_OUTPUTS"), |start| matches!(start, Value::Integer(_)))?;
+    arrays_of_outputs(out, variables, names, &format!("{prefix}_FLOAT64_OUTPUTS"))?;
     writeln!(out, "#endif")
 }
 
@@ -73,6 +76,29 @@ fn outputs(
     writeln!(out, "\n")
 }
 
+/// A macro that names each output of FMI 3.0, with its dimensions: an array has the reference of its first element.
+fn arrays_of_outputs(
+    out: &mut String,
+    variables: &[Variable],
+    names: &[String],
+    macro_name: &str,
+) -> Result<(), std::fmt::Error> {
+    writeln!(
+        out,
+        "/* X(value reference, name, unit, rows, columns) for each of them in FMI 3.0; of a vector there is one column. */"
+    )?;
+    write!(out, "#define {macro_name}(X)")?;
+    for array in arrays(variables) {
+        let first = &variables[array.first];
+        if first.causality == Causality::Output && matches!(first.start, Value::Real(_)) {
+            let (name, unit) = (literal(array.name), literal(&first.quantity.unit));
+            let [rows, columns] = [0, 1].map(|place| array.dimensions.get(place).copied().unwrap_or(1));
+            write!(out, " \\\n    X({}, {name}, {unit}, {rows}, {columns})", names[array.first])?;
+        }
+    }
+    writeln!(out, "\n")
+}
+
 /// Name, kind, type, unit and description in one line.
 fn meaning(variable: &Variable) -> String {
     let kind = variable.causality.word();
@@ -87,7 +113,16 @@ fn meaning(variable: &Variable) -> String {
 /// A C name for each variable: everything but letters and digits becomes `_`; a name taken already gets its value
 /// reference behind it.
 fn names(variables: &[Variable], prefix: &str) -> Vec<String> {
-    let macros = ["GUID", "MODEL_IDENTIFIER", "STOP_TIME", "STEP_SIZE", "REAL_OUTPUTS", "INTEGER_OUTPUTS", "MODEL_H"];
+    let macros = [
+        "GUID",
+        "MODEL_IDENTIFIER",
+        "STOP_TIME",
+        "STEP_SIZE",
+        "REAL_OUTPUTS",
+        "INTEGER_OUTPUTS",
+        "FLOAT64_OUTPUTS",
+        "MODEL_H",
+    ];
     let mut taken: BTreeSet<String> = macros.iter().map(|word| format!("{prefix}_{word}")).collect();
     let mut names = Vec::with_capacity(variables.len());
     for (reference, variable) in variables.iter().enumerate() {

@@ -55,6 +55,10 @@ struct Arrays {
     rows: Vec<Vec<u32>>,
     /// In Intermediate Update Mode: the results are those of its time.
     looked: bool,
+    /// Where the communication step under way ends, s; none: it has arrived.
+    end: Option<f64>,
+    /// In Intermediate Update Mode: inputs were set, so that the rest of the communication step begins anew.
+    split: bool,
 }
 
 /// What changes between two calls, apart from the model.

@@ -256,7 +256,7 @@ impl Illegal {
             ),
             (_, Mode::Terminated) => format!("{} starts over", name(Call::Reset)),
             (_, Mode::Update) => format!(
-                "during an intermediate update outputs and their derivatives can be read; {} goes on when the callback returns",
+                "during an intermediate update outputs and their derivatives can be read, and inputs set; {} goes on when the callback returns",
                 name(Call::DoStep)
             ),
             (Call::ExitInitializationMode, Mode::Instantiated) => format!("call {} first", name(enter)),

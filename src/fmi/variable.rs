@@ -21,11 +21,15 @@ pub struct Variable {
     pub max: Option<f64>,
     /// What is measured (position, force, ...): type definition and unit.
     pub quantity: Quantity,
+    /// Order of magnitude of its values; none: not known.
+    pub nominal: Option<f64>,
     /// Unit that a host shows by default: `mm`, `deg`, `kN`, ...; none: the SI unit.
     pub display_unit: Option<String>,
     /// Where the initialization calculates it: the inputs and parameters that it is found from, or more, by value references, ascending;
     /// none: all of them.
     pub found_from: Option<Vec<usize>>,
+    /// The value reference of an earlier variable that has the same value by construction.
+    pub alias_of: Option<usize>,
 }
 
 impl Variable {

@@ -222,6 +222,7 @@ def archive_problems(data: bytes) -> list[str]:
     identifier = etree.fromstring(archive.read("modelDescription.xml")).find("CoSimulation").get("modelIdentifier")
     starts = {
         "model.png": b"\x89PNG\r\n\x1a\n",
+        "terminalsAndIcons/terminalsAndIcons.xml": b"<?xml",
         "documentation/index.html": b"<!DOCTYPE html>",
         "documentation/licenses/license.txt": b"Licences",
         "resources/model.toml": b"",

@@ -11,12 +11,18 @@ import fmpy
 from fmpy.validation import validate_fmu
 from lxml import etree
 
-SCHEMA = Path(fmpy.__file__).parent / "schema/fmi2/fmi2ModelDescription.xsd"
+SCHEMAS = Path(fmpy.__file__).parent / "schema"
 
 
-def description(fmu) -> etree._ElementTree:
+def document(fmu, name="modelDescription.xml") -> etree._ElementTree:
     with zipfile.ZipFile(fmu) as archive:
-        return etree.ElementTree(etree.fromstring(archive.read("modelDescription.xml")))
+        return etree.ElementTree(etree.fromstring(archive.read(name)))
+
+
+def complaints(schema, document) -> list[str]:
+    schema = etree.XMLSchema(etree.parse(SCHEMAS / schema))
+    schema.validate(document)
+    return [str(error) for error in schema.error_log]
 
 
 def test_fmpy_finds_no_problem(fmu):
@@ -24,16 +30,31 @@ def test_fmpy_finds_no_problem(fmu):
 
 
 def test_schema(fmu):
-    schema = etree.XMLSchema(etree.parse(SCHEMA))
-    schema.validate(description(fmu))
-    assert [str(error) for error in schema.error_log] == []
+    assert complaints("fmi2/fmi2ModelDescription.xsd", document(fmu)) == []
 
 
-def test_fmutool_finds_nothing(fmu):
+def test_terminals(fmu):
+    """Since 2.0.4 units have the terminals of FMI 3.0, by its schema; of scalars here."""
+    terminals = document(fmu, "terminalsAndIcons/terminalsAndIcons.xml")
+    assert complaints("fmi3/fmi3TerminalsAndIcons.xsd", terminals) == []
+    connected = {variable.get("name") for variable in document(fmu).find("ModelVariables") if variable.get("causality") in ("input", "output")}
+    names = [terminal.get("name") for terminal in terminals.iter("Terminal")]
+    assert len(set(names)) == len(names) > 0
+    for terminal in terminals.iter("Terminal"):
+        members = [member.get("memberName") for member in terminal]
+        assert len(set(members)) == len(members) > 0
+        assert {member.get("variableName") for member in terminal} <= connected
+
+
+def checked_by_fmutool(fmu, version):
     """Its exit code is always 0: what it found is in the text, one line per finding behind its level."""
     tool = Path(sys.executable).with_name("fmutool")
     done = subprocess.run([tool, "-input", fmu, "-check"], capture_output=True, text=True)
     text = done.stdout + done.stderr
-    assert "seems to be compliant with FMI-2.0" in text, text
+    assert f"seems to be compliant with FMI-{version}" in text, text
     found = re.findall(r"^(?:WARNING|ERROR|CRITICAL|FATAL).*$|^Traceback.*$", text, flags=re.MULTILINE)
     assert found == [], text
+
+
+def test_fmutool_finds_nothing(fmu):
+    checked_by_fmutool(fmu, "2.0")

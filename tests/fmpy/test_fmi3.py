@@ -6,7 +6,6 @@ import subprocess
 import zipfile
 from pathlib import Path
 
-import fmpy
 import numpy as np
 import pytest
 from fmpy import extract, read_model_description, simulate_fmu
@@ -15,9 +14,9 @@ from fmpy.validation import validate_fmu
 from lxml import etree
 
 from conftest import ROOT, run
+from test_description import checked_by_fmutool, complaints
 from test_simulation import output_step, outputs, simulate, table
 
-SCHEMAS = Path(fmpy.__file__).parent / "schema/fmi3"
 HELD = ROOT / "tests/suite/fmi/fmi3/held.toml"
 
 
@@ -54,18 +53,12 @@ def xml(fmu, name):
         return etree.ElementTree(etree.fromstring(archive.read(name)))
 
 
-def complaints(schema, document):
-    schema = etree.XMLSchema(etree.parse(SCHEMAS / schema))
-    schema.validate(document)
-    return [str(error) for error in schema.error_log]
-
-
 def test_the_files_are_valid(fmu3):
     assert validate_fmu(str(fmu3)) == []
     description, terminals = xml(fmu3, "modelDescription.xml"), xml(fmu3, "terminalsAndIcons/terminalsAndIcons.xml")
-    assert complaints("fmi3ModelDescription.xsd", description) == []
-    assert complaints("fmi3TerminalsAndIcons.xsd", terminals) == []
-    names = {variable.get("name") for variable in description.find("ModelVariables")}
+    assert complaints("fmi3/fmi3ModelDescription.xsd", description) == []
+    assert complaints("fmi3/fmi3TerminalsAndIcons.xsd", terminals) == []
+    names = {variable.get("name") for variable in description.find("ModelVariables").iter() if variable.get("name")}
     terminal_names = [terminal.get("name") for terminal in terminals.iter("Terminal")]
     assert len(set(terminal_names)) == len(terminal_names)
     for terminal in terminals.iter("Terminal"):
@@ -75,6 +68,45 @@ def test_the_files_are_valid(fmu3):
     with zipfile.ZipFile(fmu3) as archive:
         assert archive.read("terminalsAndIcons/icon.png").startswith(b"\x89PNG")
         assert etree.fromstring(archive.read("terminalsAndIcons/icon.svg")).tag == "{http://www.w3.org/2000/svg}svg"
+
+
+def test_fmutool_finds_nothing(fmu3):
+    checked_by_fmutool(fmu3, "3.0")
+
+
+def test_updates_change_no_bit(fmu3, results, tmp_path):
+    """Of every model, with a host that hears of each internal step and reads all outputs there."""
+    header, expected = table(results)
+    description = read_model_description(str(fmu3), validate=False)
+    places, references, count, told = {}, [], 0, []
+    for variable in description.modelVariables:
+        if variable.causality == "output" and variable.type == "Float64" and variable.alias is None:
+            references.append(variable.valueReference)
+            for index in np.ndindex(*(variable.shape or ())):
+                inside = ",".join(str(place + 1) for place in index)
+                places[f"{variable.name}[{inside}]" if inside else variable.name] = count
+                count += 1
+
+    def update(_environment, time, *_more):
+        told.append((time, slave.getFloat64(references, count)))
+
+    slave = FMU3Slave(
+        guid=description.guid, unzipDirectory=extract(str(fmu3), tmp_path), modelIdentifier=description.coSimulation.modelIdentifier
+    )
+    slave.instantiate(intermediateUpdate=update, requiredIntermediateVariables=references)
+    slave.enterInitializationMode()
+    slave.exitInitializationMode()
+    step = float(description.defaultExperiment.stepSize)
+    order = [places[name] for name in header[1:] if name in places]
+    columns = [place for place, name in enumerate(header) if name in places]
+    for k, row in enumerate(expected):
+        if k > 0:
+            slave.doStep((k - 1) * step, step)
+            assert told[-1][1] == slave.getFloat64(references, count)
+        assert np.array_equal(np.array(slave.getFloat64(references, count))[order], row[columns]), f"row {k}"
+    assert len(told) >= len(expected) - 1 and len(columns) > 0
+    slave.terminate()
+    slave.freeInstance()
 
 
 def test_same_bits_as_the_command_line_and_as_fmi_2(fmu, fmu3, results):
@@ -137,7 +169,7 @@ def test_intermediate_updates(tmp_path):
     told, ask = [], []
 
     def update(_environment, time, set_requested, get_allowed, finished, can_return, requested, _return_time):
-        assert get_allowed and finished and not set_requested
+        assert get_allowed and finished and bool(set_requested) == bool(can_return)
         told.append((time, slave.get("tip.position")))
         if ask and time >= ask[0] and can_return:
             requested[0] = True
@@ -155,6 +187,31 @@ def test_intermediate_updates(tmp_path):
     alone.fmu.doStep(0.01, time - 0.01)
     assert slave.get("tip.velocity") == alone.get("tip.velocity")
     for unit in [slave, alone]:
+        unit.fmu.terminate()
+        unit.fmu.freeInstance()
+
+
+def test_inputs_between_internal_steps(tmp_path):
+    """An input that is set in the middle acts on the rest: the bits are those of two communication steps."""
+    told = []
+
+    def update(_environment, time, set_requested, *_more):
+        told.append(time)
+        if len(told) == 5 and set_requested:
+            slave.push([0.0, 0.3, 1.0])
+
+    slave, other = Slave(tmp_path, update), Slave(tmp_path)
+    slave.fmu.doStep(0.0, 0.01)
+    other.fmu.doStep(0.0, told[4])
+    other.push([0.0, 0.3, 1.0])
+    other.fmu.doStep(told[4], 0.01 - told[4])
+    assert len(told) == 10
+    for name in ["tip.position", "tip.velocity"]:
+        assert slave.get(name) == other.get(name)
+    untouched = Slave(tmp_path)
+    untouched.fmu.doStep(0.0, 0.01)
+    assert untouched.get("tip.position") != slave.get("tip.position")
+    for unit in [slave, other, untouched]:
         unit.fmu.terminate()
         unit.fmu.freeInstance()
 

@@ -118,6 +118,7 @@ ARCHIVE_DEFECTS = [
     ("stored twice", added("resources/model.toml")),
     ("modelDescription.xml is missing", without("modelDescription.xml")),
     ("model.png is missing", without("model.png")),
+    ("terminalsAndIcons.xml is missing", without("terminalsAndIcons/terminalsAndIcons.xml")),
     ("model.png is something else", replaced("model.png", b"GIF89a")),
     ("index.html is missing", without("documentation/index.html")),
     ("license.txt is missing", without("documentation/licenses/license.txt")),

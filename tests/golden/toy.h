@@ -37,4 +37,8 @@ enum Toy_variable {
 #define Toy_INTEGER_OUTPUTS(X) \
     X(Toy_statistics_steps, "statistics.steps", "")
 
+/* X(value reference, name, unit, rows, columns) for each of them in FMI 3.0; of a vector there is one column. */
+#define Toy_FLOAT64_OUTPUTS(X) \
+    X(Toy_tip_position_1, "tip.position", "m", 1, 1)
+
 #endif

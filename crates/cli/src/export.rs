@@ -55,7 +55,11 @@ pub fn pack(
     // No library at the place that was given is a wrong argument; a failed write is not.
     let own = libraries::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let mut beside = libraries::find_others(&own);
-    beside.retain(|(platform, _)| others.iter().all(|(given, _)| given != platform));
+    let fits = |platform: Platform| standard == Standard::Fmi3 || platform != Platform::Wasm;
+    if others.iter().any(|(given, _)| !fits(*given)) {
+        return Err(Stop::Bad("error: components of WebAssembly go into FMUs of FMI 3.0; add --fmi 3".to_owned()));
+    }
+    beside.retain(|(platform, _)| fits(*platform) && others.iter().all(|(given, _)| given != platform));
     let mut packed = vec![(Platform::NATIVE, own)];
     packed.extend(others);
     packed.extend(beside);

@@ -10,7 +10,7 @@ use quick_xml::events::{BytesDecl, Event};
 
 use crate::elements::{
     Attributes, DERIVATIVES, Xml, borrowed, check_model, clean, credits, default_experiment, empty, has_start, initial,
-    is_real, log_categories, parent, real, text, type_name, units,
+    is_real, log_categories, nominal, parent, real, text, type_name, units,
 };
 use crate::error::Error;
 use ancf14::fmi::About;
@@ -137,6 +137,7 @@ fn type_attributes(variable: &Variable) -> Attributes<'_> {
         if let Some(display) = &variable.display_unit {
             attributes.push(("displayUnit", display.as_str().into()));
         }
+        attributes.extend(nominal(variable));
     }
     if let Some(min) = variable.min {
         attributes.push(("min", number(min).into()));

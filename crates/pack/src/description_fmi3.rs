@@ -9,7 +9,7 @@ use quick_xml::events::{BytesDecl, Event};
 
 use crate::elements::{
     Attributes, DERIVATIVES, Xml, borrowed, check_model, clean, credits, default_experiment, empty, has_start, initial,
-    is_real, log_categories, parent, real, text, type_name, units,
+    is_real, log_categories, nominal, parent, real, text, type_name, units,
 };
 use crate::error::Error;
 use ancf14::fmi::About;
@@ -27,7 +27,8 @@ pub fn xml(about: &About, variables: &[Variable]) -> Result<String, Error> {
 }
 
 fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<()> {
-    let arrays = arrays(variables);
+    let is_alias = |array: &Array<'_>| variables[array.first].alias_of.is_some();
+    let (aliases, arrays): (Vec<_>, Vec<_>) = arrays(variables).into_iter().partition(is_alias);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     let root = xml
         .create_element("fmiModelDescription")
@@ -48,7 +49,7 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
             if time_reference(variables) == variables.len() {
                 time(xml, variables.len())?;
             }
-            arrays.iter().try_for_each(|array| variable(xml, array, variables))
+            arrays.iter().try_for_each(|array| variable(xml, array, &aliases, variables))
         })?;
         structure(xml, &arrays, variables)?;
         annotations(xml)
@@ -114,8 +115,8 @@ fn time(xml: &mut Xml, reference: usize) -> io::Result<()> {
     empty(xml, "Float64", attributes)
 }
 
-/// A variable: its first element says what all of them are, but for their start values.
-fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Result<()> {
+/// A variable: its first element says what all of them are, but for their start values. With it its other names, under which the table has it once more.
+fn variable(xml: &mut Xml, array: &Array<'_>, aliases: &[Array<'_>], variables: &[Variable]) -> io::Result<()> {
     let elements = &variables[array.first..array.first + array.elements()];
     let first = &elements[0];
     let mut attributes: Attributes<'_> =
@@ -135,12 +136,17 @@ fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Res
     attributes.extend(type_attributes(elements));
     let kind = if is_real(first) { "Float64" } else { "Int32" };
     let element = xml.create_element(kind).with_attributes(borrowed(&attributes));
-    if array.dimensions.is_empty() {
+    let mut aliases = aliases.iter().filter(|alias| variables[alias.first].alias_of == Some(array.first)).peekable();
+    if array.dimensions.is_empty() && aliases.peek().is_none() {
         element.write_empty()?;
     } else {
         element.write_inner_content(|xml| {
             let start = |extent: &usize| vec![("start", extent.to_string().into())];
-            array.dimensions.iter().try_for_each(|extent| empty(xml, "Dimension", start(extent)))
+            array.dimensions.iter().try_for_each(|extent| empty(xml, "Dimension", start(extent)))?;
+            aliases.try_for_each(|alias| {
+                let description = clean(&self::description(alias, &variables[alias.first]));
+                empty(xml, "Alias", vec![("name", alias.name.into()), ("description", description.into())])
+            })
         })?;
     }
     Ok(())
@@ -159,9 +165,10 @@ pub(crate) fn description(array: &Array<'_>, first: &Variable) -> String {
     }
 }
 
-/// Whether an intermediate update can read it.
+/// Whether an intermediate update can read or set it.
 fn is_between(variable: &Variable) -> bool {
-    variable.causality == Causality::Output && variable.variability == Variability::Continuous
+    matches!(variable.causality, Causality::Input | Causality::Output)
+        && variable.variability == Variability::Continuous
 }
 
 fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
@@ -178,6 +185,7 @@ fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
         if let Some(display) = &variable.display_unit {
             attributes.push(("displayUnit", display.as_str().into()));
         }
+        attributes.extend(nominal(variable));
     }
     if let Some(min) = variable.min {
         attributes.push(("min", number(min).into()));
@@ -195,8 +203,9 @@ fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
 /// Outputs depend on nothing within the same communication point. What the initial values depend on is said where it is less than everything
 /// that is given: of an array what any of its elements depends on.
 fn structure(xml: &mut Xml, arrays: &[Array<'_>], variables: &[Variable]) -> io::Result<()> {
-    // The variable that each row is an element of.
-    let owners: Vec<usize> = arrays.iter().flat_map(|array| vec![array.first; array.elements()]).collect();
+    // The variable that each row is an element of. Nothing depends on results, among which the aliases are.
+    let mut owners: Vec<usize> = (0..variables.len()).collect();
+    arrays.iter().for_each(|array| owners[array.first..array.first + array.elements()].fill(array.first));
     let outputs = arrays.iter().filter(|array| variables[array.first].causality == Causality::Output);
     let is_unknown = |array: &&Array<'_>| initial(variables[array.first].causality) == Some("calculated");
     let reference = |array: &Array<'_>| array.first.to_string();

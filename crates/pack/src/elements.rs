@@ -134,6 +134,11 @@ fn unit(xml: &mut Xml, name: &str, exponents: Option<Exponents>, shown: &[&str])
     Ok(())
 }
 
+/// Order of magnitude of a Real, where it is known.
+pub(crate) fn nominal(variable: &Variable) -> Option<(&'static str, std::borrow::Cow<'static, str>)> {
+    variable.nominal.map(|nominal| ("nominal", real(nominal).into()))
+}
+
 /// Type names must differ from all variable names (section 2.2.3); no variable can be called `ancf14.Force`, because
 /// quantities are written small.
 pub(crate) fn type_name(quantity: &Quantity) -> Option<String> {

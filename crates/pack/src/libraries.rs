@@ -20,12 +20,14 @@ pub enum Platform {
     Darwin64,
     /// Linux on 64-bit ARM.
     LinuxArm64,
+    /// WebAssembly with WASI 0.2, a component as the draft of FMI-LS-WASM describes it: in FMUs of FMI 3.0 only.
+    Wasm,
 }
 
 impl Platform {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::Linux32, Self::Linux64, Self::Win32, Self::Win64, Self::Darwin64, Self::LinuxArm64];
+    pub const ALL: [Self; 7] =
+        [Self::Linux32, Self::Linux64, Self::Win32, Self::Win64, Self::Darwin64, Self::LinuxArm64, Self::Wasm];
 
     /// The one this was built for.
     pub const NATIVE: Self = match () {
@@ -43,11 +45,11 @@ impl Platform {
             Self::Win32 => "win32",
             Self::Win64 => "win64",
             Self::Darwin64 => "darwin64",
-            Self::LinuxArm64 => self.tuple(),
+            Self::LinuxArm64 | Self::Wasm => self.tuple(),
         }
     }
 
-    /// FMI 3.0's name of it (section 2.5.2).
+    /// FMI 3.0's name of it (section 2.5.2), or that of the draft.
     pub fn tuple(self) -> &'static str {
         match self {
             Self::Linux32 => "x86-linux",
@@ -56,6 +58,7 @@ impl Platform {
             Self::Win64 => "x86_64-windows",
             Self::Darwin64 => "x86_64-darwin",
             Self::LinuxArm64 => "aarch64-linux",
+            Self::Wasm => "wasm32-wasip2",
         }
     }
 
@@ -69,12 +72,13 @@ impl Platform {
             Self::Linux32 | Self::Linux64 | Self::LinuxArm64 => "so",
             Self::Win32 | Self::Win64 => "dll",
             Self::Darwin64 => "dylib",
+            Self::Wasm => "wasm",
         }
     }
 
     /// The file name of the library, as cargo gives it.
     fn file_name(self) -> String {
-        let prefix = if matches!(self, Self::Win32 | Self::Win64) { "" } else { "lib" };
+        let prefix = if matches!(self, Self::Win32 | Self::Win64 | Self::Wasm) { "" } else { "lib" };
         format!("{prefix}ancf14.{}", self.suffix())
     }
 
@@ -90,6 +94,10 @@ impl Platform {
         }
         if at(0, b"\x7fELF\x01\x01") && at(16, &[3, 0, 3, 0]) {
             return Some(Self::Linux32);
+        }
+        // WebAssembly: magic, version; layer 1 is a component.
+        if at(0, b"\0asm") && at(6, &[1, 0]) {
+            return Some(Self::Wasm);
         }
         // Mach-O of 64 bits, processor x86-64, file type 6 is a dynamic library.
         if at(0, &[0xcf, 0xfa, 0xed, 0xfe, 7, 0, 0, 1]) && at(12, &[6, 0, 0, 0]) {
@@ -144,7 +152,7 @@ pub fn read(libraries: &[(Platform, PathBuf)]) -> Result<Vec<(Platform, Vec<u8>)
         let bytes = fs::read(file).map_err(|reason| io(&format!("cannot read {}", file.display()), reason))?;
         let problem = match Platform::of_library(&bytes) {
             Some(found) if found != *platform => format!("it is a shared library for {}", found.name()),
-            None => "it is no shared library for x86, x86-64 or 64-bit ARM".to_owned(),
+            None => "it is no shared library for x86, x86-64 or 64-bit ARM, and no component of WebAssembly".to_owned(),
             Some(_) if read.iter().any(|(earlier, _)| earlier == platform) => "there is another one already".to_owned(),
             Some(_) => {
                 read.push((*platform, bytes));

@@ -6,6 +6,7 @@
 //! fixed dates, fixed compression.
 
 use crate::contents::{Contents, LICENCES_FILE};
+use crate::elements::{empty, text};
 use crate::error::Error;
 use crate::libraries::Platform;
 use crate::{description, description_fmi3, documentation, terminals};
@@ -13,6 +14,7 @@ use ancf14::fmi::About;
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::location::MODEL_FILE;
 use ancf14::fmi::variable::Variable;
+use quick_xml::events::{BytesDecl, Event};
 use std::io::{Cursor, Write};
 use zip::{CompressionMethod, DateTime, ZipWriter, result::ZipResult, write::SimpleFileOptions};
 
@@ -33,17 +35,27 @@ pub fn fmu(
         Standard::Fmi3 => description_fmi3::xml(&dated, variables)?,
     };
     let page = documentation::html(standard, about, variables, contents);
-    let terminals = terminals::xml(variables);
-    let mut entries = vec![("modelDescription.xml".to_owned(), xml.as_bytes())];
+    let terminals = terminals::xml(standard, variables);
+    let mut entries = vec![
+        ("modelDescription.xml".to_owned(), xml.as_bytes()),
+        ("terminalsAndIcons/terminalsAndIcons.xml".to_owned(), terminals.as_bytes()),
+    ];
     match standard {
         Standard::Fmi2 => entries.push(("model.png".to_owned(), contents.icon)),
         Standard::Fmi3 => entries.extend([
-            ("terminalsAndIcons/terminalsAndIcons.xml".to_owned(), terminals.as_bytes()),
             ("terminalsAndIcons/icon.png".to_owned(), contents.icon),
             ("terminalsAndIcons/icon.svg".to_owned(), contents.drawing.as_bytes()),
         ]),
     }
+    let manifest = manifest();
     for (platform, library) in libraries {
+        if *platform == Platform::Wasm {
+            // No host of FMI 2.0 knows components.
+            if standard == Standard::Fmi2 {
+                continue;
+            }
+            entries.push((MANIFEST_FILE.to_owned(), manifest.as_bytes()));
+        }
         let folder = match standard {
             Standard::Fmi2 => platform.name(),
             Standard::Fmi3 => platform.tuple(),
@@ -55,6 +67,23 @@ pub fn fmu(
     entries.push((format!("resources/{MODEL_FILE}"), contents.model.as_bytes()));
     archive(&entries)
         .map_err(|reason| Error::Io { what: "cannot make the archive".to_owned(), reason: reason.to_string() })
+}
+
+/// Where the working draft of FMI-LS-WASM (July 2026) looks for its manifest.
+const MANIFEST_FILE: &str = "extra/org.modelica.fmi-ls-wasm/manifest.xml";
+
+/// The manifest of FMI-LS-WASM.
+fn manifest() -> String {
+    text(|xml| {
+        xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+        let attributes = vec![
+            ("xmlns:fmi-ls", "http://fmi-standard.org/fmi-ls-manifest".into()),
+            ("fmi-ls:fmi-ls-name", "org.modelica.fmi-ls-wasm".into()),
+            ("fmi-ls:fmi-ls-version", "0.1.0".into()),
+            ("fmi-ls:fmi-ls-description", "FMI Layered Standard for WebAssembly".into()),
+        ];
+        empty(xml, "fmi-ls:fmiLayeredStandardManifest", attributes)
+    })
 }
 
 /// The model with a date: its own, or that of the sources that a build is of, s since 1970 (reproducible-builds.org); else none.

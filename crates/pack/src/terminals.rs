@@ -1,7 +1,9 @@
-//! terminalsAndIcons/terminalsAndIcons.xml (FMI 3.0, section 2.4.9): a terminal for each part that a host gives something or reads something of.
+//! terminalsAndIcons/terminalsAndIcons.xml (FMI 3.0, section 2.4.9; FMI 2.0.4 and later, section 2.3): a terminal for each part that a host gives something or
+//! reads something of.
 //!
 //! The variables `NAME.key` of inputs and outputs are the members of terminal `NAME`. Members match by name: an output with the position and the
-//! quaternion of a point connects to the frame of another unit whose motion is an input.
+//! quaternion of a point connects to the frame of another unit whose motion is an input. FMI 2.0 has no arrays: there each element is a member,
+//! `position[1]` to `position[3]`.
 
 use std::io;
 
@@ -9,6 +11,7 @@ use quick_xml::events::{BytesDecl, Event};
 
 use crate::elements::{Attributes, Xml, borrowed, empty, parent, text};
 use ancf14::fmi::arrays::{Array, arrays};
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::variable::{Causality, Variable};
 
 /// Outputs of the whole mechanism, which no other unit connects to.
@@ -17,27 +20,30 @@ const TOTALS: [&str; 4] = ["energy", "momentum", "statistics", "work"];
 /// Corners of the icon, in units of a tenth of a millimeter.
 const CORNERS: [(&str, &str); 4] = [("x1", "-100"), ("y1", "-100"), ("x2", "100"), ("y2", "100")];
 
-/// The text of terminalsAndIcons.xml.
-pub fn xml(variables: &[Variable]) -> String {
-    text(|xml| document(xml, variables))
+/// The text of terminalsAndIcons.xml for units of a version of the standard.
+pub fn xml(standard: Standard, variables: &[Variable]) -> String {
+    text(|xml| document(xml, standard, variables))
 }
 
-fn document(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
+fn document(xml: &mut Xml, standard: Standard, variables: &[Variable]) -> io::Result<()> {
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     let root = xml.create_element("fmiTerminalsAndIcons").with_attribute(("fmiVersion", "3.0"));
     let terminals = terminals(variables);
     root.write_inner_content(|xml| {
-        parent(xml, "GraphicalRepresentation", |xml| {
-            let corners = || -> Attributes<'_> { CORNERS.map(|(key, value)| (key, value.into())).into() };
-            let scale = [("suggestedScalingFactorTo_mm", "0.1".into())];
-            empty(xml, "CoordinateSystem", corners().into_iter().chain(scale).collect())?;
-            empty(xml, "Icon", corners())
-        })?;
+        // Units of FMI 2.0 have their picture as model.png.
+        if standard == Standard::Fmi3 {
+            parent(xml, "GraphicalRepresentation", |xml| {
+                let corners = || -> Attributes<'_> { CORNERS.map(|(key, value)| (key, value.into())).into() };
+                let scale = [("suggestedScalingFactorTo_mm", "0.1".into())];
+                empty(xml, "CoordinateSystem", corners().into_iter().chain(scale).collect())?;
+                empty(xml, "Icon", corners())
+            })?;
+        }
         if terminals.is_empty() {
             return Ok(());
         }
         parent(xml, "Terminals", |xml| {
-            terminals.iter().try_for_each(|(name, members)| terminal(xml, name, members, variables))
+            terminals.iter().try_for_each(|(name, members)| terminal(xml, standard, name, members, variables))
         })
     })?;
     Ok(())
@@ -59,16 +65,30 @@ fn terminals(variables: &[Variable]) -> Vec<(&str, Vec<Array<'_>>)> {
     terminals
 }
 
-fn terminal(xml: &mut Xml, name: &str, members: &[Array<'_>], variables: &[Variable]) -> io::Result<()> {
+fn terminal(
+    xml: &mut Xml,
+    standard: Standard,
+    name: &str,
+    members: &[Array<'_>],
+    variables: &[Variable],
+) -> io::Result<()> {
     let attributes: Attributes<'_> = vec![("name", name.into()), ("matchingRule", "bus".into())];
+    let member = |xml: &mut Xml, variable: &str, member: &str| {
+        let attributes =
+            vec![("variableName", variable.into()), ("memberName", member.into()), ("variableKind", "signal".into())];
+        empty(xml, "TerminalMemberVariable", attributes)
+    };
     xml.create_element("Terminal").with_attributes(borrowed(&attributes)).write_inner_content(|xml| {
-        members.iter().try_for_each(|member| {
-            let attributes = vec![
-                ("variableName", member.name.into()),
-                ("memberName", member_name(member, &variables[member.first]).into()),
-                ("variableKind", "signal".into()),
-            ];
-            empty(xml, "TerminalMemberVariable", attributes)
+        members.iter().try_for_each(|array| {
+            let rows = &variables[array.first..array.first + array.elements()];
+            let word = member_name(array, &rows[0]);
+            match standard {
+                Standard::Fmi3 => member(xml, array.name, word),
+                Standard::Fmi2 => rows.iter().try_for_each(|row| {
+                    let index = row.name.strip_prefix(array.name).expect("an array has the name of its elements");
+                    member(xml, &row.name, &format!("{word}{index}"))
+                }),
+            }
         })
     })?;
     Ok(())

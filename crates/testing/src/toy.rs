@@ -89,8 +89,10 @@ pub fn variables() -> Vec<Variable> {
         min: None,
         max: None,
         quantity,
+        nominal: None,
         display_unit: None,
         found_from: None,
+        alias_of: None,
     };
     let real = Value::Real;
     vec![

@@ -32,10 +32,10 @@ impl<M: Model> Instance<M> {
         self.enter_initialization_mode()
     }
 
-    /// Whether variables can be read during an intermediate update: continuous outputs and the time.
+    /// Whether variables can be read or set during an intermediate update: continuous outputs, continuous inputs and the time.
     ///
     /// # Errors
-    /// One of them cannot.
+    /// One of them can neither be read nor set there.
     pub fn require_between(&mut self, references: &[u32]) -> Result<(), Error> {
         for &reference in references {
             if reference == self.arrays.time {
@@ -43,7 +43,8 @@ impl<M: Model> Instance<M> {
             }
             self.elements(reference)?;
             let variable = self.row(reference)?;
-            if (variable.causality, variable.variability) != (Causality::Output, Variability::Continuous) {
+            let is_between = matches!(variable.causality, Causality::Input | Causality::Output);
+            if !is_between || variable.variability != Variability::Continuous {
                 return Err(Error::NotBetween { name: variable.name.clone() });
             }
         }
@@ -158,9 +159,16 @@ impl<M: Model> Instance<M> {
     pub fn begin_step(&mut self, time: f64, step: f64) -> Result<(), Error> {
         self.check(Call::DoStep)?;
         let end = self.end_of_step(time, step)?;
+        self.depart(end)
+    }
+
+    /// Begins a step to `end`, s, that is taken in parts.
+    fn depart(&mut self, end: f64) -> Result<(), Error> {
         self.accept_step(end)?;
         let outcome = self.model.begin_step(end);
-        self.after_step(outcome)
+        self.after_step(outcome)?;
+        (self.arrays.end, self.arrays.split) = (Some(end), false);
+        Ok(())
     }
 
     /// Takes an internal step and enters Intermediate Update Mode.
@@ -173,18 +181,22 @@ impl<M: Model> Instance<M> {
         let arrived = self.after_step(outcome)?;
         self.control.mode = Mode::Update;
         self.arrays.looked = arrived;
+        if arrived {
+            self.arrays.end = None;
+        }
         Ok(Progress { time: self.model.time(), arrived })
     }
 
-    /// Leaves Intermediate Update Mode.
+    /// Leaves Intermediate Update Mode. If inputs were set there, the rest of the communication step begins anew.
     ///
     /// # Errors
-    /// The instance has become unusable during the update.
+    /// The instance has become unusable during the update; or as [`Self::begin_step`], at the time that is reached.
     pub fn go_on(&mut self) -> Result<(), Error> {
-        if self.control.mode == Mode::Update {
-            self.control.mode = Mode::Step;
+        self.leave_update()?;
+        match self.arrays.end.filter(|_| self.arrays.split) {
+            Some(end) => self.depart(end),
+            None => Ok(()),
         }
-        self.check(Call::DoStep)
     }
 
     /// Leaves Intermediate Update Mode, and ends the communication step where it is.
@@ -192,11 +204,32 @@ impl<M: Model> Instance<M> {
     /// # Errors
     /// As [`Self::go_on`] and [`Self::do_step`].
     pub fn return_early(&mut self) -> Result<(), Error> {
-        self.go_on()?;
+        self.leave_update()?;
         let time = self.model.time();
         self.event(|| format!("the host ends the step at t = {time} s"));
-        let outcome = self.model.end_step();
+        // One that inputs have split is over already.
+        let outcome = if self.arrays.split { Ok(()) } else { self.model.end_step() };
         self.after_step(outcome)
+    }
+
+    fn leave_update(&mut self) -> Result<(), Error> {
+        if self.control.mode == Mode::Update {
+            self.control.mode = Mode::Step;
+        }
+        self.check(Call::DoStep)
+    }
+
+    /// Whether inputs that are set now split the communication step: they act on the rest of it only.
+    pub(super) fn is_to_split(&self) -> bool {
+        self.control.mode == Mode::Update && self.arrays.end.is_some() && !self.arrays.split
+    }
+
+    /// Ends the part of the communication step that the inputs so far act on.
+    pub(super) fn split(&mut self) -> Result<(), Error> {
+        let outcome = self.model.end_step();
+        self.after_step(outcome)?;
+        (self.arrays.looked, self.arrays.split) = (true, true);
+        Ok(())
     }
 
     /// The results of the time that an intermediate update is at.

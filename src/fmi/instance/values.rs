@@ -171,6 +171,19 @@ impl<M: Model> Instance<M> {
             may_be_set(variable, self.mode())?;
             in_range(variable, value.into_value())?;
         }
+        self.assign(references, values)?;
+        if !references.is_empty() && self.is_to_split() {
+            // The part of the step that is done had the values before, and keeps them.
+            self.take_back();
+            self.split()?;
+            self.assign(references, values)?;
+        }
+        self.control.solved = false;
+        Ok(())
+    }
+
+    /// Hands checked values to the model: all of them, or none if it refuses one.
+    fn assign<T: Number>(&mut self, references: &[u32], values: &[T]) -> Result<(), Error> {
         self.undo.clear();
         for (&reference, &value) in references.iter().zip(values) {
             let place = reference as usize;
@@ -181,7 +194,6 @@ impl<M: Model> Instance<M> {
             }
             self.undo.push((place, before));
         }
-        self.control.solved = false;
         Ok(())
     }
 
@@ -241,9 +253,13 @@ fn is_result(variable: &Variable) -> bool {
     variable.causality == Causality::Output
 }
 
-/// Parameters and inputs up to the end of the initialization, afterwards inputs and tunable parameters.
+/// Parameters and inputs up to the end of the initialization, afterwards inputs and tunable parameters; between internal steps continuous inputs.
 fn may_be_set(variable: &Variable, mode: Mode) -> Result<(), Error> {
     match (variable.causality, variable.variability) {
+        (Causality::Input, Variability::Continuous) => Ok(()),
+        (Causality::Input | Causality::Parameter, _) if mode == Mode::Update => {
+            Err(Error::NotBetween { name: variable.name.clone() })
+        }
         (Causality::Input, _) | (Causality::Parameter, Variability::Tunable) => Ok(()),
         (Causality::Parameter, _) if matches!(mode, Mode::Instantiated | Mode::Initialization) => Ok(()),
         (Causality::Parameter, _) => Err(Error::Fixed { name: variable.name.clone() }),

@@ -61,8 +61,10 @@ fn row(slot: &Slot, value: f64) -> Variable {
         min: meta.range.lower.filter(|limit| limit.included).map(|limit| limit.value),
         max: meta.range.upper.filter(|limit| limit.included).map(|limit| limit.value),
         quantity: unit::quantity(&meta.unit),
+        nominal: None,
         display_unit: meta.display.clone(),
         found_from: None,
+        alias_of: None,
     }
 }
 

@@ -103,7 +103,8 @@ impl Simulation {
     /// Builds a model file that was read with `overrides`.
     fn of(document: Document, overrides: Vec<Override>) -> Result<Self, Failure> {
         let built = builder::build(&document, 0.0).map_err(|mistakes| mistaken(&mistakes))?;
-        let table = Table::new(&document);
+        let mut table = Table::new(&document);
+        table.scale(&built.system);
         let about = About {
             name: document.model.name.clone(),
             identifier: document.model.identifier.clone(),

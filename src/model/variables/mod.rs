@@ -1,8 +1,10 @@
 //! The variable table of a model: its parameters, the inputs of a host and the results.
 
+mod aliases;
 mod dependencies;
 pub mod inputs;
 mod measure;
+mod nominal;
 mod reading;
 mod table;
 

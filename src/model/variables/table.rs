@@ -1,9 +1,11 @@
 //! The variable table of a model: parameters as the file has them, then results in the order of results.csv.
 //! One row has the FMI variable and what it is read from.
 
+use super::aliases::Measured;
 use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
 use super::measure::{ACCOUNT, Measure};
+use super::nominal::Scales;
 use super::reading::{Moment, coordinate_of, of_effort, of_part, of_spring, push_point, push_wrench};
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
@@ -12,6 +14,7 @@ use crate::mechanics::beam::resultants::Fiber;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::energy_account::EnergyAccount;
+use crate::mechanics::system::System;
 use crate::mechanics::system::energy::Part;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
@@ -73,6 +76,7 @@ impl Table {
         }
         let givens = Givens::new(document);
         let mut sensor = 0;
+        let mut measured = Measured::default();
         for output in &document.outputs {
             let sensors = output.sensors();
             for quantity in &output.quantities {
@@ -83,6 +87,7 @@ impl Table {
                     None => givens.of(*quantity, &output.target),
                 };
                 table.find_from(first, &givens, found);
+                table.alias(first, measured.first(output, *quantity, first));
             }
             sensor += sensors;
         }
@@ -135,6 +140,22 @@ impl Table {
     fn find_from(&mut self, first: usize, givens: &Givens, found: Found) {
         let needed = givens.needed(found);
         self.variables[first..].iter_mut().for_each(|variable| variable.found_from.clone_from(&needed));
+    }
+
+    /// Says of all rows from `first` on that they are those from an earlier `row` on once more.
+    fn alias(&mut self, first: usize, row: usize) {
+        if row == first {
+            return;
+        }
+        for (offset, variable) in self.variables[first..].iter_mut().enumerate() {
+            variable.alias_of = Some(row + offset);
+        }
+    }
+
+    /// Gives inputs and results the orders of magnitude that the system has as drawn.
+    pub fn scale(&mut self, system: &System) {
+        let scales = Scales::of(system);
+        self.variables.iter_mut().for_each(|variable| variable.nominal = scales.nominal(variable));
     }
 
     /// Rows of a quantity of an output whose sensors are `sensors`.
@@ -439,7 +460,9 @@ fn result(name: &str, unit: &str, description: String, start: Value) -> Variable
         min: None,
         max: None,
         quantity: unit::quantity(unit),
+        nominal: None,
         display_unit: None,
         found_from: None,
+        alias_of: None,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::{fs, process::Command};
 
-use ancf14::fmi::header::text;
+use ancf14::fmi::{header::text, variable::Variable};
 
 use super::toy;
 use crate::golden;
@@ -37,9 +37,14 @@ fn compilers_read_it() {
     let directory = tempfile::tempdir().unwrap();
     let mut variables = toy::variables();
     variables[0].description = "ends */ the comment /* or not \\".to_owned();
+    for (row, column) in [(1, 1), (1, 2), (2, 1), (2, 2), (3, 1), (3, 2)] {
+        let name = format!("line.x[{row},{column}]");
+        variables.push(Variable { name, ..variables[toy::POSITION as usize].clone() });
+    }
     fs::write(directory.path().join("toy.h"), text(&toy::about(), &variables, "Toy").unwrap()).unwrap();
     let source = "#include \"toy.h\"\n#include <stdio.h>\n#define SHOW(r, n, u) printf(\"%d %s %s\\n\", (int)r, n, u);\n\
-                  int main(void) { Toy_REAL_OUTPUTS(SHOW) Toy_INTEGER_OUTPUTS(SHOW) return Toy_STOP_TIME > 0 ? 0 : 1; }\n";
+                  #define SIZED(r, n, u, rows, columns) printf(\"%d %s %s %d x %d\\n\", (int)r, n, u, rows, columns);\n\
+                  int main(void) { Toy_INTEGER_OUTPUTS(SHOW) Toy_FLOAT64_OUTPUTS(SIZED) return Toy_STOP_TIME > 0 ? 0 : 1; }\n";
     for (file, standard) in [("toy.c", "-std=c99"), ("toy.cpp", "-std=c++17")] {
         fs::write(directory.path().join(file), source).unwrap();
         let built = Command::new("cc")
@@ -50,6 +55,9 @@ fn compilers_read_it() {
         assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
         let ran = Command::new(directory.path().join("toy")).output().unwrap();
         assert!(ran.status.success());
-        assert_eq!(String::from_utf8_lossy(&ran.stdout), "4 tip.position[1] m\n5 statistics.steps \n");
+        assert_eq!(
+            String::from_utf8_lossy(&ran.stdout),
+            "5 statistics.steps \n4 tip.position m 1 x 1\n8 line.x m 3 x 2\n"
+        );
     }
 }

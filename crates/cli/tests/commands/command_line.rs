@@ -85,7 +85,7 @@ fn mistakes_of_the_user_give_exit_code_2() {
         (vec!["run", &cantilever, "--set", "arm"], "KEY=VALUE was expected"),
         (
             vec!["pack", &cantilever, "-o", "c.fmu", "--binary", "amiga=a.so"],
-            "linux64, win32, win64, darwin64, aarch64-linux",
+            "linux64, win32, win64, darwin64, aarch64-linux, wasm32-wasip2",
         ),
         (vec!["header", &cantilever, "-o", "c.h", "--prefix", "9"], "9"),
         (vec!["jump"], "unrecognized subcommand"),
@@ -167,6 +167,14 @@ fn libraries_for_other_platforms_are_packed() {
     let (code, said) = packed(&["--binary", "aarch64-linux=other.so"]);
     let given = "packed for linux64 (library.so), aarch64-linux (other.so)\n";
     assert!(code == Some(0) && said.contains(given), "{said}");
+    std::fs::create_dir_all(directory.path().join("wasm32-wasip2")).expect("a folder");
+    std::fs::write(directory.path().join("wasm32-wasip2/ancf14.wasm"), b"\0asm\x0d\0\x01\0").expect("write");
+    let (code, said) = packed(&[]);
+    assert!(code == Some(0) && said.contains(beside), "a component in an FMU of FMI 2.0: {said}");
+    let (code, said) = packed(&["--fmi", "3"]);
+    assert!(code == Some(0) && said.contains(", wasm32-wasip2 (wasm32-wasip2/ancf14.wasm)\n"), "{said}");
+    let (code, said) = packed(&["--binary", "wasm32-wasip2=wasm32-wasip2/ancf14.wasm"]);
+    assert!(code == Some(2) && said.contains("add --fmi 3"), "{said}");
     write("aarch64-linux/libancf14.so", 0x3e);
     let (code, said) = packed(&[]);
     assert!(code == Some(2) && said.contains("a shared library for linux64"), "{said}");

@@ -31,7 +31,7 @@ fn packed_for(standard: Standard) -> Vec<u8> {
         &toy::about(),
         &toy::variables(),
         &CONTENTS,
-        &[(Platform::Linux64, vec![7; 5000]), (Platform::Win64, vec![8; 500])],
+        &[(Platform::Linux64, vec![7; 5000]), (Platform::Win64, vec![8; 500]), (Platform::Wasm, vec![9; 50])],
     )
     .unwrap()
 }
@@ -66,6 +66,8 @@ fn entries_of_fmi_3_in_order() {
             "terminalsAndIcons/icon.svg",
             "binaries/x86_64-linux/Toy.so",
             "binaries/x86_64-windows/Toy.dll",
+            "extra/org.modelica.fmi-ls-wasm/manifest.xml",
+            "binaries/wasm32-wasip2/Toy.wasm",
             "documentation/index.html",
             "documentation/licenses/license.txt",
             "resources/model.toml"
@@ -91,6 +93,7 @@ fn entries_in_order() {
         names(packed()),
         [
             "modelDescription.xml",
+            "terminalsAndIcons/terminalsAndIcons.xml",
             "model.png",
             "binaries/linux64/Toy.so",
             "binaries/win64/Toy.dll",
@@ -168,13 +171,14 @@ fn libraries_for_others_are_found() {
         (Platform::Win64, place("x86_64-windows/ancf14.dll")),
         (Platform::Darwin64, place("x86_64-darwin/libancf14.dylib")),
         (Platform::LinuxArm64, place("aarch64-linux/libancf14.so")),
+        (Platform::Wasm, place("wasm32-wasip2/ancf14.wasm")),
     ];
     expected.retain(|(platform, _)| *platform != Platform::NATIVE);
     assert_eq!(find_others(&library), expected);
 }
 
 /// The first bytes of a shared library of each platform, as linkers write them.
-fn heads() -> [(Platform, Vec<u8>); 6] {
+fn heads() -> [(Platform, Vec<u8>); 7] {
     let elf = |class: u8, machine: u8| {
         let mut bytes = vec![0; 64];
         bytes[..6].copy_from_slice(&[0x7f, b'E', b'L', b'F', class, 1]);
@@ -198,6 +202,7 @@ fn heads() -> [(Platform, Vec<u8>); 6] {
         (Platform::Win64, pe(0x8664)),
         (Platform::Darwin64, mach_o),
         (Platform::LinuxArm64, elf(2, 0xb7)),
+        (Platform::Wasm, b"\0asm\x0d\0\x01\0and twelve more".to_vec()),
     ]
 }
 
@@ -220,12 +225,14 @@ fn libraries_are_for_their_platform() {
         let error = read(&[(platform, path.clone()), (platform, path.clone())]).unwrap_err().to_string();
         assert!(error.contains("another one"), "{error}");
         for end in 0..bytes.len().min(140) {
-            assert!(end > 18 || Platform::of_library(&bytes[..end]).is_none(), "{end} bytes");
+            let enough = if platform == Platform::Wasm { 7 } else { 18 };
+            assert!(end > enough || Platform::of_library(&bytes[..end]).is_none(), "{end} bytes");
         }
     }
-    let [.., (_, mut program), _, _] = heads();
+    let [.., (_, mut program), _, _, _] = heads();
     program[151] = 0; // no DLL
-    for bytes in [program, b"<html>".to_vec(), vec![0xff; 300], Vec::new()] {
+    let module = b"\0asm\x01\0\0\0".to_vec(); // no component
+    for bytes in [program, module, b"<html>".to_vec(), vec![0xff; 300], Vec::new()] {
         fs::write(&path, bytes).unwrap();
         let error = read(&[(Platform::Win64, path.clone())]).unwrap_err().to_string();
         assert!(error.contains("no shared library") && error.contains("library for win64"), "{error}");

@@ -1,10 +1,11 @@
 //! Does modelDescription.xml of FMI 3.0 say the same as that of FMI 2.0, with arrays? The whole text of the toy is golden, with its terminals.
 
 use ancf14::fmi::arrays::{arrays, time_reference};
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
-use ancf14_pack::{description_fmi3::xml, terminals};
+use ancf14_pack::{description, description_fmi3::xml, terminals};
 use ancf14_testing::{golden, root, toy};
 
 /// The toy with a whole vector of inputs, and an output that is found from two of its elements.
@@ -35,7 +36,7 @@ fn dependencies_are_references_of_arrays() {
 #[test]
 fn golden_description_of_the_toy() {
     golden::assert_current("tests/golden/toy_fmi3.xml", &xml(&toy::about(), &variables()).unwrap());
-    golden::assert_current("tests/golden/toy_terminals.xml", &terminals::xml(&variables()));
+    golden::assert_current("tests/golden/toy_terminals.xml", &terminals::xml(Standard::Fmi3, &variables()));
 }
 
 /// References in elements of ModelStructure.
@@ -81,7 +82,7 @@ fn model_structure_is_exact() {
 fn members_match_by_name() {
     let model = root().join("tests/suite/fmi/fmi3/held.toml");
     let model = Simulation::load("held.toml", &std::fs::read_to_string(model).unwrap(), &[]).unwrap();
-    let text = terminals::xml(model.variables());
+    let text = terminals::xml(Standard::Fmi3, model.variables());
     let terminal = |name: &str| -> Vec<(String, String)> {
         let inside =
             text.split(&format!("<Terminal name=\"{name}\"")).nth(1).unwrap_or_else(|| panic!("{name}: {text}"));
@@ -104,4 +105,91 @@ fn members_match_by_name() {
     let tip = [("position", "tip.position"), ("velocity", "tip.velocity"), ("quaternion", "tip.quaternion")];
     assert_eq!(terminal("tip"), pairs(&tip));
     assert!(!text.contains("statistics"));
+    let scalars = terminals::xml(Standard::Fmi2, model.variables());
+    for (member, name) in [
+        ("force[2]", "hold.applied_force[2]"),
+        ("quaternion[4]", "tip.quaternion[4]"),
+        ("displacement[2,3]", "line.displacement[2,3]"),
+    ] {
+        assert!(scalars.contains(&format!("variableName=\"{name}\" memberName=\"{member}\"")), "{member}: {scalars}");
+    }
+    assert!(!scalars.contains("Icon "));
+}
+
+const HELD: &str = "tests/suite/fmi/fmi3/held.toml";
+
+/// A model file with a change, and its descriptions of FMI 2.0 and 3.0.
+fn described(from: &str, to: &str) -> (Simulation, [String; 2]) {
+    let text = std::fs::read_to_string(root().join(HELD)).unwrap().replace(from, to);
+    let model = Simulation::load("held.toml", &text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
+    let texts = [description::xml, xml].map(|xml| xml(model.about(), model.variables()).unwrap());
+    (model, texts)
+}
+
+/// The elements whose name begins so.
+fn elements<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
+    let start = format!("name=\"{name}");
+    text.split('<').filter(|element| element.contains(&start)).collect()
+}
+
+/// What one output measures a second time is an alias of the first: in FMI 3.0 one variable with two names, in FMI 2.0 two variables, whose values are equal anyway.
+#[test]
+fn equal_outputs_are_aliases() {
+    let again = "[output.again]\nat = \"arm.end\"\nquantities = [\"velocity\", \"displacement\"]\n\n[output.line]";
+    let (model, [two, three]) = described("[output.line]", again);
+    let place = |name: &str| model.variables().iter().position(|variable| variable.name == name).unwrap();
+    let reference = |name: &str| format!("valueReference=\"{}\"", place(name));
+    assert_eq!(
+        elements(&three, "again.velocity"),
+        ["Alias name=\"again.velocity\" description=\"again: velocity in global axes\"/>\n    "]
+    );
+    assert!(!three.contains(&reference("again.velocity[1]")));
+    assert!(elements(&three, "again.displacement")[0].contains(&reference("again.displacement[1]")));
+    let inside = three.split("<Float64 name=\"tip.velocity\"").nth(1).unwrap().split("</Float64>").next().unwrap();
+    assert!(
+        inside.contains("<Dimension start=\"3\"/>") && inside.contains("<Alias name=\"again.velocity\""),
+        "{inside}"
+    );
+    assert!(elements(&two, "again.velocity[2]")[0].contains(&reference("again.velocity[2]")));
+}
+
+/// Orders of magnitude follow from the mechanism as drawn: an arm of 0.5 m and 0.12 kg under 9.81 m/s², which falls over its length in 0.23 s. Without gravity only
+/// lengths are known; of quaternions, strains and parameters nothing is.
+#[test]
+fn nominals_follow_from_the_drawing() {
+    let nominal = |text: &str, name: &str| -> Option<f64> {
+        // FMI 2.0 has them in the element within.
+        let (_, rest) = text.split_once(&format!("name=\"{name}\"")).unwrap();
+        let end = rest
+            .find("valueReference=\"")
+            .map(|at| rest[at + 1..].find("valueReference=\"").map_or(rest.len(), |next| at + next));
+        let (_, value) = rest[..end.unwrap()].split_once("nominal=\"")?;
+        Some(value.split('"').next().unwrap().parse().unwrap())
+    };
+    // √(9.81 · 0.5) = 2.2 m/s and 0.12 · 9.81 = 1.2 N to the nearest powers of ten, by their logarithms: 0.5 m is nearer to 1 m.
+    let expected = [
+        ("tip.position", Some(1.0)),
+        ("tip.velocity", Some(1.0)),
+        ("hold.applied_force", Some(1.0)),
+        ("push.force", Some(1.0)),
+        ("hand.position", Some(1.0)),
+        ("tip.quaternion", None),
+        ("line.axial_strain", None),
+        ("rod.radius", None),
+    ];
+    let (_, [two, three]) = described("", "");
+    let (_, [_, floating]) = described("gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 0.0]");
+    for (name, value) in expected {
+        assert_eq!(nominal(&three, name), value, "{name}");
+        let is_length = name.ends_with("position");
+        assert_eq!(nominal(&floating, name), value.filter(|_| is_length), "{name} without gravity");
+        let first = ["", "[1]", "[1,1]"].map(|index| format!("{name}{index}"));
+        let first = first.iter().find(|name| two.contains(&format!("name=\"{name}\""))).unwrap();
+        assert_eq!(nominal(&two, first), value, "{first}");
+    }
+    let (_, [_, long]) = described("to = [0.5, 0, 0]", "to = [500, 0, 0]");
+    // 500 m, √(9.81 · 500) = 70 m/s, 120 · 9.81 = 1200 N.
+    for (name, value) in [("tip.position", 1e3), ("tip.velocity", 1e2), ("hold.applied_force", 1e3)] {
+        assert_eq!(nominal(&long, name), Some(value), "{name}");
+    }
 }

@@ -155,7 +155,7 @@ fn instantiation_is_refused_with_a_reason() {
         c
     };
     let (name, token, here) = (c"one".as_ptr(), token.as_ptr(), here.as_ptr());
-    let (force, position) = (place.reference("tip.force"), place.reference("P.position"));
+    let [force, position, gravity] = ["tip.force", "P.position", "gravity"].map(|name| place.reference(name));
     for (made, reason) in [
         (make(null(), token, here, 0, &[]), "instance name is NULL or blank"),
         (make(c" ".as_ptr(), token, here, 0, &[]), "instance name is NULL or blank"),
@@ -163,7 +163,7 @@ fn instantiation_is_refused_with_a_reason() {
         (make(name, c"{wrong}".as_ptr(), here, 0, &[]), "`{wrong}` is not that of the model file"),
         (make(name, token, c"/nowhere/".as_ptr(), 0, &[]), "/nowhere/model.toml: No such file"),
         (make(name, token, here, 1, &[]), "no Event Mode"),
-        (make(name, token, here, 0, &[force]), "`tip.force[1]` cannot be accessed during intermediate updates"),
+        (make(name, token, here, 0, &[gravity]), "`gravity[1]` cannot be accessed during intermediate updates"),
         (make(name, token, here, 0, &[position + 1]), "is an element, P.position[2]"),
         (make(name, token, here, 0, &[9999]), "no variable with value reference 9999"),
     ] {
@@ -175,7 +175,7 @@ fn instantiation_is_refused_with_a_reason() {
         );
     }
     assert!(lines.borrow().is_empty());
-    let fine = make(name, token, here, 0, &[position]);
+    let fine = make(name, token, here, 0, &[position, force]);
     assert!(!fine.is_null());
     // SAFETY: the handle is live and not used again; NULL is fine.
     unsafe {

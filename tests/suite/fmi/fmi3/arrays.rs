@@ -19,8 +19,10 @@ fn row(name: &str, causality: Causality) -> Variable {
         min: None,
         max: None,
         quantity: Quantity::new("Force", "N"),
+        nominal: None,
         display_unit: None,
         found_from: None,
+        alias_of: None,
     }
 }
 

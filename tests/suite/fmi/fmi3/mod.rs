@@ -6,5 +6,6 @@ mod derivatives;
 mod host;
 mod modes;
 mod panics;
+mod storm;
 mod updates;
 mod values;

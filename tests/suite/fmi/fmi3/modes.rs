@@ -9,9 +9,12 @@ use std::{
 
 use ancf14::{
     ffi::{fmi3::*, fmi3_other_types::*, fmi3_types::*, fmi3_values::*},
-    fmi::lifecycle::{
-        Call, Mode, Standard,
-        fmi3::{TABLE, name},
+    fmi::{
+        lifecycle::{
+            Call, Mode, Standard,
+            fmi3::{TABLE, name},
+        },
+        variable::Causality,
     },
 };
 
@@ -92,7 +95,7 @@ fn allowed(mode: Mode) -> (Vec<Call>, Vec<Call>) {
         Mode::Terminated | Mode::Error => {
             ([&settable, &READS[..], &dependencies, &derivatives, &[GetRealOutputDerivatives]].concat(), vec![])
         }
-        Mode::Update => ([&READS[..], &dependencies, &[GetRealOutputDerivatives]].concat(), vec![]),
+        Mode::Update => ([&READS[..], &WRITES, &dependencies, &[GetRealOutputDerivatives]].concat(), vec![]),
         Mode::Fatal => (vec![], vec![FreeInstance, FreeFMUstate]),
     };
     (legal, tolerated)
@@ -126,9 +129,9 @@ fn rows_and_marks_of_the_table() {
 }
 
 /// A function with arguments that are in order: values of nothing, a state of its own.
-fn call(unit: &Unit<'_>, call: Call) -> fmi3Status {
+pub fn call(unit: &Unit<'_>, call: Call) -> fmi3Status {
     let (c, r) = (unit.c, null::<u32>());
-    let (mut saved, mut size, tip) = (null_mut(), 0, unit.place.reference("P.position"));
+    let (mut saved, mut size, tip) = (null_mut(), 0, unit.place.of(Causality::Output).0[0]);
     let (mut flags, mut time) = ([0_u8; 3], 0.0);
     // SAFETY: the unit is live; arrays without elements may be NULL.
     unsafe {

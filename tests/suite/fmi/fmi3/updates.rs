@@ -1,6 +1,6 @@
 //! Does a host that hears of internal steps see the motion, and may it end a communication step there? Whether it listens or not must not change a
 //! bit; values between are those that shorter communication steps have; and after an early return everything is that of the shorter step:
-//! states, derivatives, the continuation.
+//! states, derivatives, the continuation. Inputs that are set between act on the rest of the step.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::cell::{Cell, RefCell};
@@ -18,6 +18,11 @@ const LISTENS: Wishes = Wishes { updates: true, early_return: true, logging: tru
 /// A cable whose solver chooses its steps, a static analysis, and generalized-alpha.
 const PACED: &str = include_str!("../../../../models/cantilever.toml");
 const STATIC: &str = include_str!("../../../../models/princeton_beam.toml");
+
+/// The arm with internal steps that the solver chooses.
+fn paced() -> String {
+    MODEL.replace("step = 1e-3", "accuracy = 1e-4")
+}
 
 fn alpha() -> String {
     MODEL.replace("step = 1e-3", "step = 1e-3\nintegrator = \"generalized_alpha\"")
@@ -95,7 +100,7 @@ fn every_internal_step_is_told() {
     for (k, told) in told.into_iter().enumerate() {
         let end = 1e-3 * (k + 1) as f64;
         let can_return = k < 4;
-        let expected = Told { time: end, set_requested: false, get_allowed: true, finished: true, can_return };
+        let expected = Told { time: end, set_requested: can_return, get_allowed: true, finished: true, can_return };
         assert_eq!(told, expected);
         fine.whole_step(1e-3 * k as f64, 1e-3);
         assert_eq!(seen.borrow()[k], fine.bits(), "internal step {k}");
@@ -174,6 +179,99 @@ fn derivatives_after_an_early_return() {
     unit.forget(before);
 }
 
+/// Inputs that are set after some of the internal steps: bits are those of a host that returns early there, sets them and steps on, also where the
+/// solver chooses its steps and where a host moves a frame. Those that are set at the very end act on the next step.
+#[test]
+fn inputs_between_act_on_the_rest() {
+    for (text, length) in [(HELD, 1e-2), (MODEL, 5e-3), (&alpha(), 5e-3), (&paced(), 5e-3)] {
+        let place = Place::new(text);
+        let (unit, other) = (Unit::with(&place, LISTENS), Unit::with(&place, LISTENS));
+        [&unit, &other].into_iter().for_each(Unit::initialize);
+        let (inputs, count) = place.of(Causality::Input);
+        let values =
+            |call: i32| -> Vec<f64> { (0..count).map(|k| 1e-3 * f64::from(call) * (1.0 + k as f64)).collect() };
+        let mut times = [0.0; 2];
+        for k in 0..2 {
+            let end = length * f64::from(k + 1);
+            let (calls, returns) = (Cell::new(10 * k), Cell::new(10 * k));
+            let answer = unit.step_with(times[0], end - times[0], |unit, _| {
+                calls.set(calls.get() + 1);
+                if calls.get() % 2 == 1 {
+                    assert_eq!(unit.set(&inputs, &values(calls.get())), OK, "{:?}", unit.lines());
+                }
+                false
+            });
+            assert_eq!((answer.status, answer.early), (OK, false), "{:?}", unit.lines());
+            while times[1] < end - 1e-12 {
+                let answer = other.step_with(times[1], end - times[1], |_, _| {
+                    returns.set(returns.get() + 1);
+                    returns.get() % 2 == 1
+                });
+                assert_eq!(answer.status, OK, "{:?}", other.lines());
+                times[1] = answer.time;
+                if returns.get() % 2 == 1 {
+                    assert_eq!(other.set(&inputs, &values(returns.get())), OK);
+                }
+            }
+            times[0] = answer.time;
+            assert!(calls.get() > 10 * k + 2, "there are several internal steps: {}", calls.get());
+            assert_eq!(calls, returns);
+            assert_eq!(unit.bits(), other.bits());
+            assert_eq!(rates(&unit), rates(&other));
+        }
+    }
+}
+
+/// Without the value, or with one that is refused, the step goes on as if nothing had been tried.
+#[test]
+fn refused_inputs_between_change_nothing() {
+    let place = Place::new(HELD);
+    let (unit, alone) = (Unit::with(&place, LISTENS), Unit::new(&place));
+    [&unit, &alone].into_iter().for_each(Unit::initialize);
+    let push = place.reference("push.force");
+    let answer = unit.step_with(0.0, 1e-2, |unit, _| {
+        assert_eq!(unit.set(&[], &[]), OK);
+        assert_eq!(unit.set(&[push], &[0.0, f64::NAN, 0.0]), ERROR);
+        assert_eq!(unit.set(&[push], &[0.0, 1.0]), ERROR);
+        assert_eq!(unit.set(&[place.reference("tip.position")], &[0.0; 3]), ERROR);
+        false
+    });
+    assert_eq!((answer.status, answer.time), (OK, 1e-2));
+    alone.whole_step(0.0, 1e-2);
+    assert_eq!(unit.bits(), alone.bits());
+}
+
+/// The derivatives are those of the part of the step that the last inputs acted on; a host is told where a step failed after inputs were set.
+#[test]
+fn derivatives_and_failures_after_inputs_between() {
+    let place = Place::new(MODEL);
+    let (unit, other) = (Unit::with(&place, LISTENS), Unit::new(&place));
+    [&unit, &other].into_iter().for_each(Unit::initialize);
+    let force = place.reference("tip.force");
+    let at = |told: Told, time: f64| (told.time - time).abs() < 1e-9;
+    let answer = unit.step_with(0.0, 5e-3, |unit, told| {
+        if at(told, 2e-3) {
+            assert_eq!(unit.set(&[force], &[0.0, 0.0, 3.0]), OK);
+        }
+        false
+    });
+    assert_eq!(answer.status, OK);
+    other.whole_step(0.0, 2e-3);
+    assert_eq!(other.set(&[force], &[0.0, 0.0, 3.0]), OK);
+    other.whole_step(2e-3, 3e-3);
+    let seed = [0.2, -0.3, 1.0];
+    assert_eq!(unit.directional(&[force], &seed), other.directional(&[force], &seed));
+    let answer = unit.step_with(5e-3, 5e-3, |unit, told| {
+        if at(told, 7e-3) {
+            assert_eq!(unit.set(&[force], &[0.0, 0.0, 1e20]), OK);
+        }
+        false
+    });
+    assert_eq!((answer.status, answer.early), (ERROR, false));
+    assert!((answer.time - 7e-3).abs() < 1e-12, "{}", answer.time);
+    assert_eq!(unit.step(answer.time, 1e-3).status, ERROR);
+}
+
 /// The state after an early return, as bytes in another instance: the same derivatives and the same continuation, to the bit.
 #[test]
 fn states_after_an_early_return() {
@@ -230,7 +328,7 @@ fn calls_from_inside_an_update() {
     let inner = Cell::new(0);
     let answer = unit.step_with(0.0, 3e-3, |unit, told| {
         assert_eq!(unit.step(told.time, 1e-3).status, ERROR);
-        assert_eq!(unit.set(&[unit.place.reference("tip.force")], &[0.0, 0.0, 1e3]), ERROR);
+        assert_eq!(unit.set(&[unit.place.reference("gravity")], &[0.0, 0.0, -1.0]), ERROR);
         inner.set(inner.get() + 1);
         false
     });
