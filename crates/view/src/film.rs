@@ -4,6 +4,7 @@ use super::charts::Charts;
 use super::format::{self, Data, FORMAT};
 use super::live::Live;
 use super::page;
+use super::second::Shown;
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::modes::Modes;
@@ -67,7 +68,19 @@ impl Film {
     /// # Errors
     /// Its numbers cannot be written as JSON.
     pub fn page(&self, live: Option<&Live>) -> Result<String, serde_json::Error> {
-        page::html(&self.recording.scene.name, &self.data()?, live)
+        page::html(&self.shown()?, None, live)
+    }
+
+    /// The run as a page has it.
+    ///
+    /// # Errors
+    /// Its numbers cannot be written as JSON.
+    pub fn shown(&self) -> Result<Shown, serde_json::Error> {
+        Ok(Shown {
+            name: self.recording.scene.name.clone(),
+            instants: self.instants(),
+            json: self.data()?,
+        })
     }
 
     /// The data of the page, as JSON.

@@ -2,6 +2,7 @@
 
 use super::block::packed;
 use super::live::Live;
+use super::second::{Second, Shown};
 
 /// The program, as viewer/build.mjs makes it.
 const PROGRAM: &str = include_str!("../../../viewer/dist/viewer.js");
@@ -20,10 +21,23 @@ const LIVE_POLICY: &str = " 'wasm-unsafe-eval' blob:; worker-src blob:";
 /// What the policy lets a page of `view --watch` do in addition: ask the program that serves it.
 const WATCH_POLICY: &str = "; connect-src 'self'";
 
-/// The whole file.
-pub fn html(title: &str, data: &str, live: Option<&Live>) -> Result<String, serde_json::Error> {
+/// What stands before and after the data in a page.
+const BEGIN: &str = "<script type=\"application/json\" id=\"data\">";
+const END: &str = "</script>";
+
+/// The whole file; with a second run to compare with, and with the solver.
+pub fn html(run: &Shown, second: Option<&Second>, live: Option<&Live>) -> Result<String, serde_json::Error> {
     let policy = if live.is_some() { LIVE_POLICY } else { "" };
-    Ok(filled(title, policy, &script_safe(data), &live.map(scripts).transpose()?.unwrap_or_default()))
+    let second = second.map(Second::json).transpose()?;
+    let second = second.map(|json| script("application/json", "second", &script_safe(&json))).unwrap_or_default();
+    let live = live.map(scripts).transpose()?.unwrap_or_default();
+    Ok(filled(&run.name, policy, &script_safe(&run.json), &(second + &live)))
+}
+
+/// The data in a page, as JSON; none if the text is not a page with data.
+pub fn data(page: &str) -> Option<&str> {
+    let (_, rest) = page.split_once(BEGIN)?;
+    rest.split_once(END).map(|(data, _)| data)
 }
 
 /// A page without data: it asks the program that serves it, for `news` and `data`.
@@ -31,7 +45,7 @@ pub fn watching(title: &str) -> String {
     filled(title, WATCH_POLICY, "", "")
 }
 
-fn filled(title: &str, policy: &str, data: &str, live: &str) -> String {
+fn filled(title: &str, policy: &str, data: &str, others: &str) -> String {
     let title = escaped(title);
     // Every second piece is a name; what is put in is not looked at again.
     let pieces = TEMPLATE.split(MARK).map(|piece| match piece {
@@ -39,7 +53,7 @@ fn filled(title: &str, policy: &str, data: &str, live: &str) -> String {
         "policy" => policy,
         "style" => STYLE,
         "data" => data,
-        "live" => live,
+        "others" => others,
         "program" => PROGRAM,
         text => text,
     });
@@ -50,13 +64,17 @@ fn filled(title: &str, policy: &str, data: &str, live: &str) -> String {
 fn scripts(live: &Live) -> Result<String, serde_json::Error> {
     let model = script_safe(&serde_json::to_string(live)?);
     let solver = packed(&live.solver);
-    let script = |kind: &str, id: &str, text: &str| format!("<script type=\"{kind}\" id=\"{id}\">{text}</script>\n");
     let scripts = [
         script("application/json", "live", &model),
         script("text/plain", "licences", LICENCES),
         script("text/plain", "solver", &solver),
     ];
     Ok(scripts.concat())
+}
+
+/// A script that is not a program.
+fn script(kind: &str, id: &str, text: &str) -> String {
+    format!("<script type=\"{kind}\" id=\"{id}\">{text}</script>\n")
 }
 
 /// JSON that ends no script, whatever names are in it: a `<` of JSON is always inside a string.
@@ -80,6 +98,12 @@ mod tests {
         assert!(!json.contains('<'), "{json}");
         assert_eq!(serde_json::from_str::<String>(&json).unwrap(), name);
         assert_eq!(escaped("<b>&"), "&lt;b&gt;&amp;");
+    }
+
+    /// The place of the data is that of the template.
+    #[test]
+    fn the_data_are_found() {
+        assert_eq!(data(TEMPLATE), Some("@@data@@"));
     }
 
     /// The program itself must not end its script either, nor load anything.

@@ -1,0 +1,105 @@
+//! A run as a page has it, and the second run of a page that compares two.
+
+use super::format::FORMAT;
+use super::page::data;
+use serde_json::Value;
+
+/// The data of a run, of which a page is made.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// Name of the model.
+    pub name: String,
+    /// Instants in the picture.
+    pub instants: usize,
+    /// Everything, as JSON.
+    pub(crate) json: String,
+}
+
+/// A second run, which a page shows as a ghost of the first one.
+#[derive(Clone, Debug)]
+pub struct Second {
+    /// What the page calls the two runs.
+    pub names: [String; 2],
+    /// Its data.
+    pub run: Shown,
+}
+
+impl Shown {
+    /// The run that a page shows, the first one of two; none if the text is not a page with data that this version reads.
+    pub fn of_page(page: &str) -> Option<Self> {
+        let json = data(page)?;
+        let found: Value = serde_json::from_str(json).ok()?;
+        if found["format"] != FORMAT {
+            return None;
+        }
+        let name = found["scene"]["name"].as_str()?.to_owned();
+        let instants = usize::try_from(found["instants"].as_u64()?).ok()?;
+        Some(Self { name, instants, json: json.to_owned() })
+    }
+}
+
+impl Second {
+    /// As JSON.
+    pub(crate) fn json(&self) -> Result<String, serde_json::Error> {
+        Ok(format!(r#"{{"names":{},"data":{}}}"#, serde_json::to_string(&self.names)?, self.run.json))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::block::{doubles, quantized};
+    use super::super::page::html;
+    use super::*;
+    use ancf14::model::view::Track;
+    use serde_json::json;
+
+    fn shown(name: &str) -> Shown {
+        let json = json!({ "format": FORMAT, "scene": { "name": name }, "instants": 3 }).to_string();
+        Shown { name: name.to_owned(), instants: 3, json }
+    }
+
+    /// A page reads back as the run that it was made of, whatever its name is; of two runs the first one.
+    #[test]
+    fn a_page_has_its_run() {
+        let run = shown("</script><b>");
+        let second = Second { names: ["a".to_owned(), "</script>".to_owned()], run: shown("other") };
+        let page = html(&run, Some(&second), None).unwrap();
+        let found = Shown::of_page(&page).unwrap();
+        assert_eq!((found.name.as_str(), found.instants), ("</script><b>", 3));
+        assert_eq!(html(&found, Some(&second), None).unwrap(), page);
+    }
+
+    /// Other files are refused, and so are pages of another format.
+    #[test]
+    fn other_files_are_refused() {
+        let page = html(&shown("a"), None, None).unwrap();
+        assert!(Shown::of_page(&page).is_some());
+        let format = format!("\"format\":{FORMAT}");
+        let next = format!("\"format\":{}", FORMAT + 1);
+        for text in [String::new(), "<!DOCTYPE html>".to_owned(), page.replace(&format, &next), page.replace("{\"", "")]
+        {
+            assert!(Shown::of_page(&text).is_none(), "{}", &text[..text.len().min(80)]);
+        }
+    }
+
+    /// viewer/test/second.json has what this side writes of a second run; viewer/test/comparison.test.ts reads it.
+    #[test]
+    fn the_other_side_reads_a_second_run() {
+        let track = Track { name: "body.place", components: 3, things: 1, values: vec![0.0, 1.0, 2.0, 4.0, 5.0, 6.0] };
+        let solid = json!({ "shape": "box", "edges": [1.0, 1.0, 1.0] });
+        let json = json!({
+            "format": FORMAT, "program": "ancf14", "notes": ["a note"], "times": doubles(&[0.5, 2.0]), "instants": 2, "modes": [],
+            "scene": { "name": "Box", "origin": [1.0, 2.0, 3.0], "size": 1.0, "beams": [], "bodies": [{ "name": "box", "mass": 1.0, "solid": solid }] },
+            "tracks": { "body.place": quantized(&track) },
+            "charts": {
+                "count": 2, "times": doubles(&[0.5, 2.0]), "columns": [{ "name": "box.x", "unit": "m", "data": doubles(&[0.0, 4.0]) }],
+                "groups": [{ "name": "box.x", "unit": "m", "columns": [0] }],
+            },
+        });
+        let run = Shown { name: "Box".to_owned(), instants: 2, json: json.to_string() };
+        let second = Second { names: ["first.toml".to_owned(), "second.toml, steel.young = 1e11".to_owned()], run };
+        let written: Value = serde_json::from_str(&second.json().unwrap()).unwrap();
+        let text = format!("{}\n", serde_json::to_string_pretty(&written).unwrap());
+        assert_eq!(text, include_str!("../../../viewer/test/second.json"), "{text}");
+    }
+}
