@@ -264,3 +264,19 @@ fn a_run_that_ends_early_leaves_the_error_unknown() {
     let expected = "the mesh error is not known: a run with half the elements, for comparison, stopped early (no step is short enough). The mesh may be too coarse; take more elements";
     assert_eq!(told, [expected]);
 }
+
+/// Whoever halts the run beside hears nothing of the mesh.
+#[test]
+fn a_halted_run_tells_nothing() {
+    let mut simulation = Simulation::load("model.toml", SWING, &[]).unwrap();
+    simulation.ask_for_mesh_error(|companion| Box::new(companion)).set();
+    let (mut simulation, _) = concluded(simulation);
+    assert_eq!(simulation.mesh_errors(), []);
+    assert_eq!(simulation.take_warnings(), Vec::<String>::new());
+    // Asked again, it compares again.
+    let mut simulation = Simulation::load("model.toml", SWING, &[]).unwrap();
+    simulation.ask_for_mesh_error(|companion| Box::new(companion)).set();
+    simulation.ask_for_mesh_error(|companion| Box::new(companion));
+    let (simulation, _) = concluded(simulation);
+    assert!(!simulation.mesh_errors().is_empty());
+}
