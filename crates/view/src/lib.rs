@@ -11,6 +11,7 @@ mod live;
 mod page;
 mod second;
 
+pub use block::Effort;
 pub use film::{Film, ended_early};
 pub use live::{Live, SOLVER_MARK, is_solver};
 pub use page::{html, watching};

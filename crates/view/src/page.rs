@@ -1,6 +1,6 @@
 //! The page: one HTML file with the program of viewer/ and the data in it; nothing is loaded from anywhere.
 
-use super::block::packed;
+use super::block::{Effort, packed};
 use super::live::Live;
 use super::second::{Second, Shown};
 
@@ -63,7 +63,7 @@ fn filled(title: &str, policy: &str, data: &str, others: &str) -> String {
 /// The model, the solver and its licences, which no browser shows.
 fn scripts(live: &Live) -> Result<String, serde_json::Error> {
     let model = script_safe(&serde_json::to_string(live)?);
-    let solver = packed(&live.solver);
+    let solver = packed(&live.solver, Effort::Small);
     let scripts = [
         script("application/json", "live", &model),
         script("text/plain", "licences", LICENCES),

@@ -47,7 +47,7 @@ impl Second {
 
 #[cfg(test)]
 mod tests {
-    use super::super::block::{doubles, quantized};
+    use super::super::block::{Effort, doubles, quantized};
     use super::super::page::html;
     use super::*;
     use ancf14::model::view::Track;
@@ -86,13 +86,14 @@ mod tests {
     #[test]
     fn the_other_side_reads_a_second_run() {
         let track = Track { name: "body.place", components: 3, things: 1, values: vec![0.0, 1.0, 2.0, 4.0, 5.0, 6.0] };
+        let small = Effort::Small;
         let solid = json!({ "shape": "box", "edges": [1.0, 1.0, 1.0] });
         let json = json!({
-            "format": FORMAT, "program": "ancf14", "notes": ["a note"], "times": doubles(&[0.5, 2.0]), "instants": 2, "modes": [],
+            "format": FORMAT, "program": "ancf14", "notes": ["a note"], "times": doubles(&[0.5, 2.0], small), "instants": 2, "modes": [],
             "scene": { "name": "Box", "origin": [1.0, 2.0, 3.0], "size": 1.0, "beams": [], "bodies": [{ "name": "box", "mass": 1.0, "solid": solid }] },
-            "tracks": { "body.place": quantized(&track) },
+            "tracks": { "body.place": quantized(&track, small) },
             "charts": {
-                "count": 2, "times": doubles(&[0.5, 2.0]), "columns": [{ "name": "box.x", "unit": "m", "data": doubles(&[0.0, 4.0]) }],
+                "count": 2, "times": doubles(&[0.5, 2.0], small), "columns": [{ "name": "box.x", "unit": "m", "data": doubles(&[0.0, 4.0], small) }],
                 "groups": [{ "name": "box.x", "unit": "m", "columns": [0] }],
             },
         });
