@@ -21,10 +21,6 @@ const LIVE_POLICY: &str = " 'wasm-unsafe-eval' blob:; worker-src blob:";
 /// What the policy lets a page of `view --watch` do in addition: ask the program that serves it.
 const WATCH_POLICY: &str = "; connect-src 'self'";
 
-/// What stands before and after the data in a page.
-const BEGIN: &str = "<script type=\"application/json\" id=\"data\">";
-const END: &str = "</script>";
-
 /// The whole file; with a second run to compare with, and with the solver.
 pub fn html(run: &Shown, second: Option<&Second>, live: Option<&Live>) -> Result<String, serde_json::Error> {
     let policy = if live.is_some() { LIVE_POLICY } else { "" };
@@ -32,12 +28,6 @@ pub fn html(run: &Shown, second: Option<&Second>, live: Option<&Live>) -> Result
     let second = second.map(|json| script("application/json", "second", &script_safe(&json))).unwrap_or_default();
     let live = live.map(scripts).transpose()?.unwrap_or_default();
     Ok(filled(&run.name, policy, &script_safe(&run.json), &(second + &live)))
-}
-
-/// The data in a page, as JSON; none if the text is not a page with data.
-pub fn data(page: &str) -> Option<&str> {
-    let (_, rest) = page.split_once(BEGIN)?;
-    rest.split_once(END).map(|(data, _)| data)
 }
 
 /// A page without data: it asks the program that serves it, for `news` and `data`.
@@ -88,6 +78,8 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::format::FORMAT;
+    use super::super::second::data;
     use super::*;
 
     /// A name cannot end the script that it stands in, and reads back as it was.
@@ -98,6 +90,35 @@ mod tests {
         assert!(!json.contains('<'), "{json}");
         assert_eq!(serde_json::from_str::<String>(&json).unwrap(), name);
         assert_eq!(escaped("<b>&"), "&lt;b&gt;&amp;");
+    }
+
+    fn shown(name: &str) -> Shown {
+        let json = serde_json::json!({ "format": FORMAT, "scene": { "name": name }, "instants": 3 }).to_string();
+        Shown { name: name.to_owned(), instants: 3, json }
+    }
+
+    /// A page reads back as the run that it was made of, whatever its name is; of two runs the first one.
+    #[test]
+    fn a_page_has_its_run() {
+        let run = shown("</script><b>");
+        let second = Second { names: ["a".to_owned(), "</script>".to_owned()], run: shown("other") };
+        let page = html(&run, Some(&second), None).unwrap();
+        let found = Shown::of_page(&page).unwrap();
+        assert_eq!((found.name.as_str(), found.instants), ("</script><b>", 3));
+        assert_eq!(html(&found, Some(&second), None).unwrap(), page);
+    }
+
+    /// Other files are refused, and so are pages of another format.
+    #[test]
+    fn other_files_are_refused() {
+        let page = html(&shown("a"), None, None).unwrap();
+        assert!(Shown::of_page(&page).is_some());
+        let format = format!("\"format\":{FORMAT}");
+        let next = format!("\"format\":{}", FORMAT + 1);
+        for text in [String::new(), "<!DOCTYPE html>".to_owned(), page.replace(&format, &next), page.replace("{\"", "")]
+        {
+            assert!(Shown::of_page(&text).is_none(), "{}", &text[..text.len().min(80)]);
+        }
     }
 
     /// The place of the data is that of the template.

@@ -1,8 +1,17 @@
 //! A run as a page has it, and the second run of a page that compares two.
 
 use super::format::FORMAT;
-use super::page::data;
 use serde_json::Value;
+
+/// What stands before and after the data in a page.
+const BEGIN: &str = "<script type=\"application/json\" id=\"data\">";
+const END: &str = "</script>";
+
+/// The data in a page, as JSON; none if the text is not a page with data.
+pub fn data(page: &str) -> Option<&str> {
+    let (_, rest) = page.split_once(BEGIN)?;
+    rest.split_once(END).map(|(data, _)| data)
+}
 
 /// The data of a run, of which a page is made.
 #[derive(Clone, Debug)]
@@ -48,39 +57,9 @@ impl Second {
 #[cfg(test)]
 mod tests {
     use super::super::block::{Effort, doubles, quantized};
-    use super::super::page::html;
     use super::*;
     use ancf14::model::view::Track;
     use serde_json::json;
-
-    fn shown(name: &str) -> Shown {
-        let json = json!({ "format": FORMAT, "scene": { "name": name }, "instants": 3 }).to_string();
-        Shown { name: name.to_owned(), instants: 3, json }
-    }
-
-    /// A page reads back as the run that it was made of, whatever its name is; of two runs the first one.
-    #[test]
-    fn a_page_has_its_run() {
-        let run = shown("</script><b>");
-        let second = Second { names: ["a".to_owned(), "</script>".to_owned()], run: shown("other") };
-        let page = html(&run, Some(&second), None).unwrap();
-        let found = Shown::of_page(&page).unwrap();
-        assert_eq!((found.name.as_str(), found.instants), ("</script><b>", 3));
-        assert_eq!(html(&found, Some(&second), None).unwrap(), page);
-    }
-
-    /// Other files are refused, and so are pages of another format.
-    #[test]
-    fn other_files_are_refused() {
-        let page = html(&shown("a"), None, None).unwrap();
-        assert!(Shown::of_page(&page).is_some());
-        let format = format!("\"format\":{FORMAT}");
-        let next = format!("\"format\":{}", FORMAT + 1);
-        for text in [String::new(), "<!DOCTYPE html>".to_owned(), page.replace(&format, &next), page.replace("{\"", "")]
-        {
-            assert!(Shown::of_page(&text).is_none(), "{}", &text[..text.len().min(80)]);
-        }
-    }
 
     /// viewer/test/second.json has what this side writes of a second run; viewer/test/comparison.test.ts reads it.
     #[test]
