@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes a release in dist/: the Python wheel; for those without Python an archive with the program, the libraries, the header, files for pkg-config and CMake,
-# models and examples; the list of all components (CycloneDX), if cargo-cyclonedx is installed; checksums. Builds what is missing, but for the libraries of other
+# models and examples; the list of all components (CycloneDX); checksums. Builds what is missing, but for the libraries of other
 # platforms, which scripts/build-platforms.sh builds: wheel and archive have those that are there.
 # The same commit gives the same archive.
 set -eu
@@ -26,11 +26,6 @@ cp README.md CHANGELOG.md "$tree/$name"
 time=$(git log -1 --format=%ct)
 tar --create --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$time" --directory "$tree" "$name" | gzip -9 --no-name > "dist/$name.tar.gz"
 cp "$target"/wheels/ancf14-*.whl dist
-if command -v cargo-cyclonedx > /dev/null; then
-    SOURCE_DATE_EPOCH=$time cargo cyclonedx --quiet --format json --override-filename bom --manifest-path python/Cargo.toml
-    mv python/bom.json "dist/ancf14-$version.cdx.json"
-    find . -name bom.json -not -path './target/*' -delete
-else
-    echo "cargo-cyclonedx is not installed: there is no list of components" >&2
-fi
+scripts/python-env.sh
+SOURCE_DATE_EPOCH=$time "$target/python-env/bin/python" scripts/components.py "dist/ancf14-$version.cdx.json"
 (cd dist && sha256sum -- * > SHA256SUMS)

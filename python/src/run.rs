@@ -6,6 +6,7 @@ use crate::refusal::{Refusal, place, raised, refusal};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::rows;
+use ancf14::model::simulation::Halt;
 use ancf14::{Error, Kind, Simulation, VariableId};
 use ancf14_view::Film;
 use pyo3::exceptions::PyRuntimeError;
@@ -38,10 +39,10 @@ struct Rows {
 /// How the other thread ended: with the page, or with an error and the line it names.
 type End = (Result<(), (Error, Option<(String, usize)>)>, Option<String>);
 
-/// Runs a simulation.
+/// Runs a simulation; an interruption halts its comparison run.
 pub fn run(
     py: Python<'_>,
-    mut simulation: Simulation,
+    (mut simulation, halt): (Simulation, &Halt),
     names: &[String],
     inputs: Vec<f64>,
     film: bool,
@@ -79,6 +80,8 @@ pub fn run(
         }
         if let Err(interruption) = py.check_signals() {
             is_over.store(true, Ordering::Relaxed);
+            // The thread of the run may wait for it.
+            halt.set();
             let (_, _) = wait(py, receive, GRACE);
             break (Some(interruption), None);
         }

@@ -5,6 +5,7 @@ use crate::refusal::{located, refusal};
 use crate::run::{self, Outcome};
 use ancf14::fmi::{Model, Value};
 use ancf14::model::rows;
+use ancf14::model::simulation::Halt;
 use ancf14::{Error, Kind};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -16,6 +17,8 @@ use std::path::PathBuf;
 pub struct Simulation {
     /// None: a run has taken it.
     simulation: Option<ancf14::Simulation>,
+    /// Halts the comparison run, if there is one.
+    halt: Halt,
 }
 
 /// A variable: name, unit, description, kind, value, bounds, whether it is a whole number. Outputs have no value before the simulation is initialized.
@@ -28,7 +31,7 @@ impl Simulation {
         let overrides: Vec<(&str, &str)> =
             overrides.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
         let simulation = py.detach(|| ancf14::Simulation::from_text_with(name, text, &overrides));
-        Ok(Self { simulation: Some(simulation.map_err(|error| refusal(&error))?) })
+        Ok(Self { simulation: Some(simulation.map_err(|error| refusal(&error))?), halt: Halt::default() })
     }
 
     /// The name of the model.
@@ -131,7 +134,7 @@ impl Simulation {
 
     /// Asks for the mesh error of motions, which a run tells at its end.
     fn ask_for_mesh_error(&mut self) -> PyResult<()> {
-        self.get_mut()?.ask_for_mesh_error(ancf14_cli::background::start);
+        self.halt = self.get_mut()?.ask_for_mesh_error(ancf14_cli::background::start);
         Ok(())
     }
 
@@ -147,7 +150,7 @@ impl Simulation {
         last: Option<u64>,
     ) -> PyResult<Outcome> {
         let simulation = self.simulation.take().ok_or_else(taken)?;
-        run::run(py, simulation, &names, inputs, film, last)
+        run::run(py, (simulation, &self.halt), &names, inputs, film, last)
     }
 }
 

@@ -19,7 +19,7 @@ use crate::fmi::lifecycle::{Call, Mode};
 use crate::fmi::variable::Variable as Row;
 use crate::fmi::{About, Model, Value};
 use crate::model::modes::Modes;
-use crate::model::simulation::Placement;
+use crate::model::simulation::{Halt, Placement};
 use crate::model::{self, effort, file, names, notes};
 
 /// A model file that runs: load it, set parameters, initialize, advance, read results. All numbers are in SI units and radians.
@@ -207,9 +207,9 @@ impl Simulation {
 
     /// Asks for the mesh error of motions, before [`Self::initialize`]: the model runs once more beside this run, with half the elements. `placement` says where, for
     /// instance on a thread. [`Self::finish`] waits for it, and warns where the mesh is too coarse. Results do not change. [`Self::restore`], and parameters that are set
-    /// during the run, leave the error unknown.
-    pub fn ask_for_mesh_error(&mut self, placement: Placement) {
-        self.instance.model_mut().ask_for_mesh_error(placement);
+    /// during the run, leave the error unknown. The answer halts the run beside, from any thread, where nobody waits for the error any more.
+    pub fn ask_for_mesh_error(&mut self, placement: Placement) -> Halt {
+        self.instance.model_mut().ask_for_mesh_error(placement)
     }
 
     /// Advances to `time`, s. The internal steps are those of the model file: where `time` is a multiple of `simulation.step`, results

@@ -17,7 +17,7 @@ interface Skin {
   stations: [number, number];
 }
 
-const PLAIN = new THREE.Color(0x3b7dd8);
+const PLAIN = 0x3b7dd8;
 
 /** The axis of a beam as a line of a width in pixels: pieces from station to station. */
 class Axis {
@@ -56,12 +56,17 @@ export class Beams {
   readonly group = new THREE.Group();
   readonly ghosts = new THREE.Group();
   private readonly skins: Skin[];
-  private readonly material = new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.55, metalness: 0.1, side: THREE.DoubleSide });
+  private readonly material: THREE.MeshStandardMaterial;
+  private readonly plain: THREE.Color;
   private readonly faint = new THREE.MeshBasicMaterial({ color: 0x8a94a6, transparent: true, opacity: 0.22, depthWrite: false, side: THREE.DoubleSide });
   /** So wide, in pixels, that a rope far away is still seen. */
   private readonly hair = new LineMaterial({ vertexColors: true, linewidth: 2.4 });
 
-  constructor(private readonly data: Data, private scale: number) {
+  /** `look` has the color without a quantity, and how else beams are drawn. */
+  constructor(private readonly data: Data, private scale: number, look: THREE.MeshStandardMaterialParameters = {}) {
+    const { color = PLAIN, ...others } = look;
+    this.plain = new THREE.Color(color);
+    this.material = new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.55, metalness: 0.1, side: THREE.DoubleSide, ...others });
     this.skins = data.scene.beams.map((beam, number) => {
       const shape = outline(beam.profile);
       const count = beam.stations[1] - beam.stations[0];
@@ -126,7 +131,7 @@ export class Beams {
       const around = shape.points.length;
       const count = stations[1] - stations[0];
       const at = (station: number) => {
-        if (!values || !quantity) return shade.copy(PLAIN);
+        if (!values || !quantity) return shade.copy(this.plain);
         const [r, g, b] = color(values[stations[0] + station], range, quantity.signed);
         return shade.setRGB(r, g, b, THREE.SRGBColorSpace);
       };

@@ -7,6 +7,8 @@ import { h } from "./dom";
 import type { Timeline } from "./timeline";
 
 const STROKES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a7a00", "#56a0d3", "#7a4fc0", "#444c58"];
+/** Lines of a second run. */
+const DASH = [6, 4];
 /** A chart of the stations of a beam has so many curves at most. */
 const MOST_CURVES = 8;
 const HEIGHT = 168;
@@ -63,7 +65,8 @@ export class Charts {
     if (chart.plot || this.element.clientWidth === 0) return;
     const { groups, columns, times } = this.data.charts;
     const group = groups[this.charts.indexOf(chart)];
-    const every = Math.ceil(group.columns.length / MOST_CURVES);
+    const { second } = this.data;
+    const every = Math.ceil((group.columns.length * (second ? 2 : 1)) / MOST_CURVES);
     const shown = group.columns.filter((_, k) => k % every === 0 || k === group.columns.length - 1);
     const style = getComputedStyle(document.documentElement);
     const ink = style.getPropertyValue("--ink-soft").trim();
@@ -77,6 +80,16 @@ export class Charts {
     const isVector = group.columns.length === 3;
     const label = (name: string) => (isVector && AXES.get(end(name))) || end(name);
     const text = (value: number | null) => (value === null ? "–" : plainText(value));
+    const same = (column: number) => second?.data.charts.columns.find(({ name, unit }) => name === columns[column].name && unit === columns[column].unit);
+    const others = shown.flatMap((column, k) => {
+      const own = same(column);
+      return own ? [{ ...own, label: `${label(own.name)} 2nd`, stroke: STROKES[k % STROKES.length] }] : [];
+    });
+    const curve = (label: string, stroke: string, count: number) =>
+      ({ label, stroke, width: 1.6, points: { show: count < 3 }, value: (_: uPlot, value: number | null | undefined) => text(value ?? null) });
+    const own = [times, ...shown.map((column) => columns[column].values)] as unknown as uPlot.AlignedData;
+    // Where one run has no row at an instant of the other, its line goes on to its next one.
+    const rows = second && others.length > 0 ? uPlot.join([own, [second.data.charts.times, ...others.map(({ values }) => values)] as unknown as uPlot.AlignedData]) : own;
     chart.plot = new uPlot(
       {
         width: this.width(),
@@ -90,18 +103,13 @@ export class Charts {
         ],
         series: [
           { label: "t", value: (_, value) => text(value) },
-          ...shown.map((column, k) => ({
-            label: label(columns[column].name),
-            stroke: STROKES[k % STROKES.length],
-            width: 1.6,
-            points: { show: times.length < 3 },
-            value: (_: uPlot, value: number | null) => text(value),
-          })),
+          ...shown.map((column, k) => curve(label(columns[column].name), STROKES[k % STROKES.length], times.length)),
+          ...others.map(({ label, stroke, values }) => ({ ...curve(label, stroke, values.length), dash: DASH })),
         ],
         // uPlot empties the legend as the pointer leaves; `setCursor` comes after that.
         hooks: { ready: [() => queueMicrotask(() => this.markOne(chart))], setScale: [() => this.markOne(chart)], setCursor: [() => this.markOne(chart)] },
       },
-      [times, ...shown.map((column) => columns[column].values)] as unknown as uPlot.AlignedData,
+      rows,
       chart.host,
     );
     chart.plot.over.append(chart.now);
@@ -135,9 +143,17 @@ export class Charts {
     const left = plot.valToPos(this.timeline.time, "x");
     now.style.transform = `translateX(${left}px)`;
     // The legend tells the values of the pointer, or else of the present instant.
-    if ((plot.cursor.left ?? -1) < 0) plot.setLegend({ idx: plot.posToIdx(left) }, false);
+    if ((plot.cursor.left ?? -1) < 0) plot.setLegend({ idxs: plot.data.map((values) => known(values, plot.posToIdx(left))) }, false);
     now.hidden = !(left >= 0 && left <= plot.over.clientWidth);
   }
+}
+
+/** The place nearest to `index` at which a run has a row. */
+export function known(values: ArrayLike<number | null | undefined>, index: number): number {
+  for (let away = 0; away < values.length; away++) {
+    for (const place of [index - away, index + away]) if (values[place] !== undefined) return place;
+  }
+  return index;
 }
 
 /** A number of an axis: as many digits as tell neighbours apart. */

@@ -1,6 +1,6 @@
 // Reads the packed numbers of the page: the other side of crates/view/src/block.rs.
 
-import { FORMAT, type ModeInfo, type Packed, type PageInfo, type SceneInfo } from "./format";
+import { FORMAT, type ModeInfo, type Packed, type PageInfo, type SceneInfo, type SecondInfo } from "./format";
 
 /** Numbers of one kind at all instants: instant by instant, thing by thing, its components. */
 export interface Track {
@@ -35,6 +35,14 @@ export interface Data {
   stations: number;
   charts: { times: Float64Array; columns: Column[]; groups: PageInfo["charts"]["groups"] };
   modes: Mode[];
+  /** A run to compare with. */
+  second?: Second;
+}
+
+/** A second run, with what the two runs are called. */
+export interface Second {
+  names: [string, string];
+  data: Data;
 }
 
 /** The bytes of a base64 text of deflated bytes. */
@@ -126,4 +134,9 @@ export async function read(info: PageInfo): Promise<Data> {
       info.modes.map(async (mode) => ({ ...mode, stations: await pair(mode.stations), bodies: await pair(mode.bodies), places: await all(mode.places) })),
     ),
   };
+}
+
+/** A second run, from the JSON in the page. */
+export async function readSecond({ names, data }: SecondInfo): Promise<Second> {
+  return { names, data: await read(data) };
 }

@@ -73,6 +73,13 @@ export interface ChartsInfo {
   groups: { name: string; unit: string; columns: number[] }[];
 }
 
+/** A second run, which the page shows together with the first one. */
+export interface SecondInfo {
+  /** What the two runs are called. */
+  names: [string, string];
+  data: PageInfo;
+}
+
 export interface PageInfo {
   format: number;
   program: string;

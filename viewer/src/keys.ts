@@ -30,6 +30,7 @@ export function listenToKeys(page: Page, signal: AbortSignal): void {
     g: () => flip("As drawn"),
     n: () => flip("Names"),
     t: () => flip("Trails"),
+    b: () => flip("Second run"),
     c: () => nextColor(page),
     v: () => document.querySelector<HTMLButtonElement>("[data-control=video]")?.click(),
     Escape: () => player.choose(undefined),

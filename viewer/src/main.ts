@@ -4,7 +4,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { chosen } from "./carry";
-import { read } from "./data";
+import { read, readSecond } from "./data";
 import { h, unshown } from "./dom";
 import type { PageInfo } from "./format";
 import { Live } from "./live";
@@ -19,8 +19,11 @@ async function main(): Promise<void> {
   app.append(host);
   // For tests, and for whoever wants to look at the numbers in the console.
   const global = window as unknown as { ancf14: Page };
+  const compared = text("second");
   const show = async (info: PageInfo) => {
     const data = await read(info);
+    // Each run takes the place of the first one; the second one stays.
+    if (compared) data.second = await readSecond(JSON.parse(compared));
     const choose = global.ancf14 && chosen(global.ancf14);
     global.ancf14?.dispose();
     host.replaceChildren();

@@ -51,11 +51,20 @@ export class PickPanel {
       this.place.value = String(Number(fraction(beam, spot).toFixed(4)));
     }
     const origin = data.scene.origin;
-    const where = placeAt(moment.parts["station.place"], spot).toArray().map((part, axis) => quantityText(part + origin[axis], "m"));
-    const rows = [["position", where.join(", ")]];
+    const position = (place: number[]) => place.map((part) => quantityText(part, "m")).join(", ");
+    const where = placeAt(moment.parts["station.place"], spot).toArray().map((part, axis) => part + origin[axis]);
+    const rows = [["position", position(where)]];
+    // The second run at the same place, beside the first one.
+    const { comparison } = this.player;
+    const other = comparison?.group.visible ? comparison.told(beam.name, fraction(beam, spot)) : undefined;
+    if (other) rows[0].push(position(other.place));
     if (mode === undefined) {
-      for (const { word, value, unit } of told(this.player.seen, spot, this.player.at())) rows.push([LABELS[word] ?? word, quantityText(value, unit)]);
+      for (const { word, value, unit } of told(this.player.seen, spot, this.player.at())) {
+        rows.push([LABELS[word] ?? word, quantityText(value, unit)]);
+        if (other) rows.at(-1)!.push(quantityText(other.results.get(word) ?? NaN, unit));
+      }
     }
-    this.rows.replaceChildren(...rows.map(([name, value]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, value))));
+    const row = ([name, ...values]: string[]) => h("tr", {}, h("th", { scope: "row" }, name), ...values.map((value, run) => h("td", { class: run === 1 ? "second" : undefined }, value)));
+    this.rows.replaceChildren(...rows.map(row));
   }
 }

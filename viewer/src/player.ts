@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import { Beams } from "./beams";
+import { Comparison, instants } from "./comparison";
 import { QUANTITIES, range, values, type Quantity } from "./color";
 import type { Data, Track } from "./data";
 import { between, Moment, type Between } from "./moment";
@@ -19,6 +20,7 @@ export class Player {
   readonly beams: Beams;
   readonly signs: Signs;
   readonly trails: Trails;
+  readonly comparison?: Comparison;
   readonly moment: Moment;
   /** The timeline of the run, and that of a mode. */
   readonly run: Timeline;
@@ -43,12 +45,13 @@ export class Player {
   private last = 0;
 
   constructor(readonly data: Data, parent: HTMLElement) {
-    this.run = new Timeline(data.times, 8);
+    this.run = new Timeline(instants(data), 8);
     this.stage = new Stage(data, parent);
     this.beams = new Beams(data, this.scale);
     this.signs = new Signs(data, this.stage.extent * 0.75, this.stage.up);
     this.trails = new Trails(data);
     this.moment = new Moment(data);
+    if (data.second) this.comparison = new Comparison(data, this.stage.extent * 0.75, this.stage.up, this.scale);
     this.marker = new THREE.Mesh(
       new THREE.SphereGeometry(1, 16, 12),
       new THREE.MeshBasicMaterial({ color: 0xff2d78, depthTest: false, transparent: true, opacity: 0.9 }),
@@ -57,6 +60,7 @@ export class Player {
     this.marker.visible = false;
     this.stage.scene.add(this.beams.group, this.beams.ghosts, this.trails.group, this.marker);
     this.stage.scene.add(this.signs.bodies, this.signs.joints, this.signs.loads, this.signs.reactions, this.signs.points);
+    if (this.comparison) this.stage.scene.add(this.comparison.group);
     for (const timeline of [this.run, this.swing]) timeline.onchange(() => this.refresh());
     this.stage.controls.addEventListener("change", () => this.redraw());
     new ResizeObserver(() => this.redraw()).observe(parent);
@@ -128,6 +132,7 @@ export class Player {
     if (this.dirty) this.update();
     if (this.needsPicture) {
       this.beams.thin(this.stage.metersPerPixel());
+      this.comparison?.thin(this.stage.metersPerPixel());
       this.stage.render();
       this.needsPicture = false;
       for (const listener of this.listeners) listener();
@@ -146,9 +151,19 @@ export class Player {
     } else this.moment.set(at, this.magnification, this.live?.tracks);
     this.beams.update(this.moment.parts["station.place"], this.moment.parts["station.turn"]);
     this.signs.update(this.moment);
+    this.compare(mode === undefined && !this.live);
     this.trails.update(mode || this.live ? -1 : at.second);
     this.paint(at, mode !== undefined);
     this.place();
+  }
+
+  /** Whether the second run is wanted; a mode and a run that goes on are not compared. */
+  comparing = true;
+
+  private compare(possible: boolean): void {
+    if (!this.comparison) return;
+    this.comparison.group.visible = possible && this.comparing;
+    this.comparison.update(this.run.time, this.magnification);
   }
 
   /** The amount of a mode at which it is drawn with the amplitude 1. */
@@ -207,6 +222,7 @@ export class Player {
   thicken(scale: number): void {
     this.scale = scale;
     this.beams.setScale(scale);
+    this.comparison?.setScale(scale);
     this.refresh();
   }
 

@@ -25,7 +25,7 @@ export class Signs {
   readonly loads = new THREE.Group();
   readonly reactions = new THREE.Group();
   readonly points = new THREE.Group();
-  private readonly springs: THREE.Mesh[] = [];
+  readonly springs = new THREE.Group();
   private readonly arms: THREE.LineSegments;
   private readonly frames: THREE.Object3D[];
   private readonly forces: Arrow[][];
@@ -37,8 +37,8 @@ export class Signs {
     for (const body of scene.bodies) this.bodies.add(solid(body.solid, size));
     for (const joint of scene.joints) this.joints.add(jointSign(joint.kind, joint.grounded, 0.016 * size, up));
     const coil = springShape(0.018 * size);
-    this.springs = scene.springs.map(() => new THREE.Mesh(coil, matt(COLORS.spring)));
-    for (const spring of this.springs) this.joints.add(spring);
+    for (const _ of scene.springs) this.springs.add(new THREE.Mesh(coil, matt(COLORS.spring)));
+    this.joints.add(this.springs);
     this.frames = scene.frames.map(() => new THREE.AxesHelper(0.09 * size));
     for (const frame of this.frames) this.joints.add(frame);
     const arms = new THREE.BufferGeometry();
@@ -80,7 +80,7 @@ export class Signs {
     this.data.scene.joints.forEach((_, k) => upright(this.joints.children[k]));
     this.frames.forEach((frame, k) => put(frame, k, parts["frame.place"], parts["frame.turn"]));
     this.points.children.forEach((point, k) => put(point, k, parts["point.place"]));
-    this.springs.forEach((spring, k) => stretch(spring, parts["spring.a"], parts["spring.b"], k));
+    this.springs.children.forEach((spring, k) => stretch(spring, parts["spring.a"], parts["spring.b"], k));
     const ends = this.arms.geometry.attributes.position as THREE.BufferAttribute;
     this.data.scene.joints.forEach((_, k) => {
       for (const [side, from] of [parts["joint.a"], parts["joint.b"]].entries()) {

@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { shift } from "./comparison";
 import type { Data } from "./data";
 import type { BeamInfo, Solid } from "./format";
 
@@ -47,6 +48,7 @@ export function bounds(data: Data): THREE.Box3 {
     }
   });
   if (box.isEmpty()) box.expandByPoint(point.set(0, 0, 0));
+  if (data.second) box.union(bounds(data.second.data).translate(shift(data)));
   const size = box.getSize(new THREE.Vector3()).length();
   if (size === 0) box.expandByScalar(data.scene.size / 2);
   return box;
@@ -76,6 +78,10 @@ function places(data: Data): Place[] {
     const every = 3 * Math.ceil(values.length / 3 / MOST_PLACES);
     const largest = Math.max(0, ...radii);
     for (let at = 0; at + 2 < values.length; at += every) found.push({ at: new THREE.Vector3(values[at], values[at + 1], values[at + 2]), radius: largest });
+  }
+  if (data.second) {
+    const moved = shift(data);
+    found.push(...places(data.second.data).map(({ at, radius }) => ({ at: at.add(moved), radius })));
   }
   return found;
 }

@@ -49,6 +49,7 @@ export class Page {
     this.charts.element.hidden = data.times.length < 2;
     charts.append(this.panel.element, this.along.element, this.charts.element);
     stage.append(this.legend, this.controls(), this.scaleBar, this.scaleNote, this.video.status);
+    if (data.second) stage.append(this.runs(data.second.names));
     this.scrub = h("input", {
       type: "range", class: "scrub", min: 0, max: 1000, step: "any", "aria-label": "Time",
       oninput: () => {
@@ -83,7 +84,9 @@ export class Page {
 
   private header(): HTMLElement {
     const { scene, notes } = this.data;
-    const notice = notes.map((note) => h("p", { class: "note" }, note));
+    const { second } = this.data;
+    const others = second ? second.data.notes.map((note) => `${second.names[1]}: ${note}`) : [];
+    const notice = [...notes, ...others].map((note) => h("p", { class: "note" }, note));
     const title = h("div", { class: "title" }, h("h1", {}, scene.name), h("p", { class: "description" }, scene.description));
     const tools = h(
       "div", { class: "tools" },
@@ -101,12 +104,18 @@ export class Page {
     h("dl", {}, ...[
       ["Space", "play, pause"], ["← →", "one instant back, on"], ["Home End", "to the start, to the end"], ["− +", "slower, faster"], ["L", "loop"],
       ["1 2 3 4", "views: oblique, front, side, top"], ["F", "fit into the picture"], ["P", "perspective or parallel"], ["C", "next quantity to color by"],
-      ["G", "as drawn, faintly"], ["N", "names"], ["T", "trails"],
+      ["G", "as drawn, faintly"], ["N", "names"], ["T", "trails"], ["B", "the second run, in a comparison"],
       ...(this.video.format ? [["V", "record a video of the motion; again: end and save it"]] : []), ["Esc", "forget the point"],
     ].flatMap(([key, words]) => [h("dt", {}, key), h("dd", {}, words)])),
     h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant. With the solver in the page, Interact lets you drag the mechanism while it is simulated; Esc ends it."),
     h("form", { method: "dialog" }, h("button", {}, "Close")),
   );
+
+  /** Tells the two runs apart, by the color in the picture and the lines in the charts. */
+  private runs(names: [string, string]): HTMLElement {
+    const row = (kind: string, name: string) => h("div", { class: kind }, h("span", { class: "stroke" }), h("span", { class: "name" }, name));
+    return h("div", { class: "runs", role: "note", "aria-label": "Runs" }, row("first", names[0]), row("second", names[1]));
+  }
 
   private controls(): HTMLElement {
     const { player, data } = this;
@@ -160,6 +169,10 @@ export class Page {
       h("div", { class: "ticks" },
         tick("As drawn", false, show(beams.ghosts)), tick("Names", false, (on) => this.labels.show(on)),
         data.scene.points.length > 0 ? tick("Trails", false, show(trails.group)) : undefined,
+        player.comparison ? tick("Second run", true, (on) => {
+          player.comparing = on;
+          player.refresh();
+        }) : undefined,
         tick("Joints", true, show(signs.joints)),
         data.scene.loads.length > 0 ? tick("Loads", true, show(signs.loads)) : undefined,
         data.tracks.has("joint.force") ? tick("Reactions", false, show(signs.reactions)) : undefined,

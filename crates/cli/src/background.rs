@@ -1,9 +1,7 @@
 //! The run beside a motion that tells its mesh error, on a thread of its own.
 
 use ancf14::model::run::accuracy::Differences;
-use ancf14::model::simulation::{Beside, Companion, Lost, Row};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use ancf14::model::simulation::{Beside, Companion, Halt, Lost, Row};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{Builder, JoinHandle};
 
@@ -17,8 +15,8 @@ const ROWS: usize = 4096;
 struct Thread {
     /// None: no more rows come.
     rows: Option<SyncSender<Row>>,
-    /// The run that it follows has ended without asking for the result.
-    is_over: Arc<AtomicBool>,
+    /// Halts it where the run that it follows has ended without asking for the result.
+    halt: Halt,
     /// None: the system gives no thread.
     handle: Option<JoinHandle<Result<Differences, Lost>>>,
 }
@@ -26,18 +24,15 @@ struct Thread {
 /// Starts the thread that `companion` runs on.
 pub fn start(companion: Companion) -> Box<dyn Beside> {
     let (rows, received) = sync_channel(ROWS);
-    let is_over = Arc::new(AtomicBool::new(false));
-    let ends = Arc::clone(&is_over);
+    let halt = companion.halt();
     let thread = Builder::new().name(String::from("ancf14 mesh")).stack_size(STACK);
-    let handle = thread.spawn(move || follow(companion, &received, &ends)).ok();
-    Box::new(Thread { rows: Some(rows), is_over, handle })
+    let handle = thread.spawn(move || follow(companion, &received)).ok();
+    Box::new(Thread { rows: Some(rows), halt, handle })
 }
 
-fn follow(mut companion: Companion, rows: &Receiver<Row>, is_over: &AtomicBool) -> Result<Differences, Lost> {
+fn follow(mut companion: Companion, rows: &Receiver<Row>) -> Result<Differences, Lost> {
+    // Once it is halted it takes the rows that wait, and computes none.
     while let Ok(row) = rows.recv() {
-        if is_over.load(Ordering::Relaxed) {
-            break;
-        }
         companion.go_on(row);
     }
     Box::new(companion).finish()
@@ -62,6 +57,6 @@ impl Beside for Thread {
 
 impl Drop for Thread {
     fn drop(&mut self) {
-        self.is_over.store(true, Ordering::Relaxed);
+        self.halt.set();
     }
 }

@@ -34,7 +34,7 @@ use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
 use ancf14::model::{builder, file, notes};
 use ancf14_pack::libraries::Platform;
 use ancf14_report::draw::Projection;
-use ancf14_view::{Film, Live};
+use ancf14_view::Film;
 use clap::{Args, Parser, Subcommand};
 use inputs::Inputs;
 use std::ffi::{OsStr, OsString};
@@ -131,11 +131,15 @@ enum Command {
     },
     /// Simulate a model and write a page that shows it in motion: one HTML file, in three dimensions, with charts
     ///
-    /// The page opens in any browser, from the disk, without loading anything else. If the run fails, the page shows it up to the failure.
+    /// The page opens in any browser, from the disk, without loading anything else. If the run fails, the page shows it up to the failure. Instead of a model file, a page that this
+    /// command has written, or a folder of results with view.html, gives its run.
     View {
         #[command(flatten)]
         model: ModelArguments,
-        /// The page [default: <file stem>.html, in the current folder]
+        /// Compare with a second run, shown as a ghost: another model file, a page, or a folder of results
+        #[arg(value_name = "OTHER")]
+        other: Option<PathBuf>,
+        /// The page [default: <file stem>.html, of two runs <file stem>-and-<file stem>.html, in the current folder]
         #[arg(short, long, value_name = "PAGE.html")]
         output: Option<PathBuf>,
         /// Also show the N lowest natural modes about the initial state [default of N: 10]
@@ -146,7 +150,7 @@ enum Command {
         #[arg(long, value_name = "FILE.wasm", num_args = 0..=1, require_equals = true)]
         live: Option<Option<PathBuf>>,
         /// Serve the page on this computer instead of writing it. Whenever a file of the model is saved, simulate again and update the page; mistakes appear above the last picture. Ctrl-C ends it
-        #[arg(long, conflicts_with_all = ["output", "live"])]
+        #[arg(long, conflicts_with_all = ["output", "live", "other"])]
         watch: bool,
     },
     /// Simulate a model and write files that ParaView and PyVista read: beams with their section forces, bodies, joints, loads
@@ -371,21 +375,9 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
         }
         Command::View { model, modes, watch: true, .. } => watch::watch(&model, modes.map(modes::count_or_default)),
-        Command::View { model, output, modes, live, .. } => {
-            let (simulation, text) = model.load()?;
-            let file = output.unwrap_or_else(|| model.beside(".html"));
-            let modes = modes.map(modes::count_or_default);
-            let solver = live.map(|given| live::solver(given.as_deref(), program)).transpose()?;
-            let mut read = vec![model.input()];
-            read.extend(solver.iter().map(|(path, _)| (live::SOLVER, path.as_path())));
-            let live = solver.as_ref().map(|(_, solver)| Live {
-                solver: solver.clone(),
-                file: model.name(),
-                overrides: simulation.document().remaining(&model.overrides),
-                text,
-                modes,
-            });
-            view::view(simulation, &file, &read, modes, live.as_ref())
+        Command::View { model, other, output, modes, live, .. } => {
+            let (other, modes) = (other.as_deref(), modes.map(modes::count_or_default));
+            view::view(view::Order { model: &model, other, output, modes, live, program })
         }
         Command::Export { model, vtk, every } => {
             let (simulation, _) = model.load()?;
@@ -429,9 +421,8 @@ impl ModelArguments {
     }
 
     /// The name of the model file without its ending, and `ending`: in the current folder.
-    fn beside(&self, ending: &str) -> PathBuf {
-        let stem = self.file.file_stem().filter(|_| !is_piped(&self.file));
-        let mut name = stem.unwrap_or(OsStr::new("model")).to_owned();
+    fn beside(&self, ending: impl AsRef<OsStr>) -> PathBuf {
+        let mut name = stem(&self.file).to_owned();
         name.push(ending);
         PathBuf::from(name)
     }
@@ -445,6 +436,11 @@ const INPUTS: &str = "the table of inputs";
 /// Whether the model comes from the standard input.
 fn is_piped(path: &Path) -> bool {
     path == Path::new("-")
+}
+
+/// What files that are named after a model file begin with.
+fn stem(path: &Path) -> &OsStr {
+    path.file_stem().filter(|_| !is_piped(path)).unwrap_or(OsStr::new("model"))
 }
 
 /// The model file as messages call it.
@@ -486,7 +482,12 @@ fn failed(simulation: &Simulation, failure: &Failure) -> Stop {
     Stop::Failed(located.map_or_else(|| format!("error: {message}"), |mistake| mistake.to_string()))
 }
 
-/// The page of a film; with the solver, if it brings one.
-fn page(film: &Film, live: Option<&Live>) -> Result<String, Stop> {
-    film.page(live).map_err(|reason| Stop::Failed(format!("error: cannot write the page: {reason}")))
+/// The page of a film.
+fn page(film: &Film) -> Result<String, Stop> {
+    film.page(None).map_err(|reason| unwritten(&reason))
+}
+
+/// The message about a page that cannot be written.
+fn unwritten(reason: &dyn std::fmt::Display) -> Stop {
+    Stop::Failed(format!("error: cannot write the page: {reason}"))
 }

@@ -86,7 +86,7 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
     if let Some(mut film) = film {
         film.look(0, &simulation);
         film.add_modes(&simulation, &found);
-        folder.write(PAGE, &page(&film, None)?)?;
+        folder.write(PAGE, &page(&film)?)?;
     }
     if voice::is_json() {
         voice::deliver(document(&found));

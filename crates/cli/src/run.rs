@@ -28,7 +28,7 @@ const PARTIAL: &str = "results.part.csv";
 /// The table as arrays.
 const ARRAYS: &str = "results.npz";
 /// The page that shows it move.
-const VIEW: &str = "view.html";
+pub const VIEW: &str = "view.html";
 
 /// The files that the table is written to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -190,7 +190,7 @@ fn show(mut film: Film, folder: &Folder, outcome: &Result<(), Stop>, reached: f6
     if film.instants() == 0 {
         return Ok(());
     }
-    folder.write(VIEW, &page(&film, None)?)?;
+    folder.write(VIEW, &page(&film)?)?;
     say(&format!("open {} in a browser to see it move", folder.file(VIEW).display()))
 }
 

@@ -4,7 +4,7 @@ use ancf14::error::decimal;
 use ancf14::fmi::{Failure, Model};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::{notes, rows};
-use ancf14_view::{Film, ended_early};
+use ancf14_view::{Effort, Film, ended_early};
 use serde_json::json;
 
 /// A run under way.
@@ -68,7 +68,7 @@ impl Run {
                 self.warnings.extend(self.simulation.take_warnings());
             }
         }
-        match self.film.data() {
+        match self.film.data(Effort::Soon) {
             Ok(data) => {
                 let (warnings, error) = (json!(self.warnings), json!(self.error));
                 format!("{{\"warnings\":{warnings},\"error\":{error},\"data\":{data}}}")

@@ -6,8 +6,24 @@ use ancf14::model::view::Track;
 
 /// Largest number that a quantized value becomes.
 const LAST: f64 = 65535.0;
-/// Effort of the compression, of 10.
-const EFFORT: u8 = 8;
+/// How much is done to make the text short.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// For a file, which is kept and mailed.
+    Small,
+    /// For a page that is open: it unpacks the text at once and throws it away.
+    Soon,
+}
+
+impl Effort {
+    /// Level of the compression, of 10. Level 8 takes a quarter to a third of the time of the simulation, level 1 a fifth of that; its text is 15 to 30 % longer.
+    fn level(self) -> u8 {
+        match self {
+            Self::Small => 8,
+            Self::Soon => 1,
+        }
+    }
+}
 
 /// Range of each component, and the values as text.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -24,7 +40,7 @@ pub struct Quantized {
 
 /// The values of a track, each as one of 65536 steps from the lowest to the highest of its component. Component after component, thing after thing, instant after
 /// instant; of these integers differences are taken, twice from instant to instant and twice from thing to thing: motions are smooth, and so are beams.
-pub fn quantized(track: &Track) -> Quantized {
+pub fn quantized(track: &Track, effort: Effort) -> Quantized {
     let Track { components, things, values, .. } = track;
     let width = components * things;
     let instants = values.len().checked_div(width).unwrap_or(0);
@@ -46,7 +62,7 @@ pub fn quantized(track: &Track) -> Quantized {
     }
     let folded = || words.iter().map(|word| zigzag(*word));
     let planes: Vec<u8> = folded().map(|word| (word >> 8) as u8).chain(folded().map(|word| word as u8)).collect();
-    Quantized { components: *components, things: *things, ranges, data: packed(&planes) }
+    Quantized { components: *components, things: *things, ranges, data: packed(&planes, effort) }
 }
 
 /// Takes from each number the one `stride` places before it, modulo 65536.
@@ -57,7 +73,7 @@ fn difference(words: &mut [u16], stride: usize) {
 }
 
 /// Doubles, exactly: each as its bits exclusive-or those before, the bytes of one place after those of another, the highest first.
-pub fn doubles(values: &[f64]) -> String {
+pub fn doubles(values: &[f64], effort: Effort) -> String {
     let mut before = 0;
     let changes: Vec<u64> = values
         .iter()
@@ -68,7 +84,7 @@ pub fn doubles(values: &[f64]) -> String {
         .collect();
     let planes: Vec<u8> =
         (0..8).rev().flat_map(|place| changes.iter().map(move |bits| (bits >> (8 * place)) as u8)).collect();
-    packed(&planes)
+    packed(&planes, effort)
 }
 
 fn range(values: &[f64], component: usize, components: usize) -> [f64; 2] {
@@ -85,8 +101,8 @@ fn zigzag(change: u16) -> u16 {
 }
 
 /// Bytes as text: deflated, in base64.
-pub fn packed(bytes: &[u8]) -> String {
-    base64(&miniz_oxide::deflate::compress_to_vec_zlib(bytes, EFFORT))
+pub fn packed(bytes: &[u8], effort: Effort) -> String {
+    base64(&miniz_oxide::deflate::compress_to_vec_zlib(bytes, effort.level()))
 }
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -128,9 +144,35 @@ mod tests {
     fn empty_and_constant_tracks_are_packed() {
         let track =
             |things: usize, values: &[f64]| Track { name: "stress", components: 1, things, values: values.to_vec() };
-        assert_eq!(quantized(&track(0, &[])).ranges, [[0.0, 0.0]]);
-        assert_eq!(quantized(&track(2, &[7.0; 6])).ranges, [[7.0, 7.0]]);
-        assert_eq!(quantized(&track(1, &[-f64::MAX, f64::MAX])).ranges, [[0.0, 0.0]]);
+        let ranges = |track: &Track| quantized(track, Effort::Soon).ranges;
+        assert_eq!(ranges(&track(0, &[])), [[0.0, 0.0]]);
+        assert_eq!(ranges(&track(2, &[7.0; 6])), [[7.0, 7.0]]);
+        assert_eq!(ranges(&track(1, &[-f64::MAX, f64::MAX])), [[0.0, 0.0]]);
+    }
+
+    /// Either effort packs the same bytes; the small one makes the shorter text.
+    #[test]
+    fn efforts_differ_in_length_only() {
+        let values: Vec<f64> = (0..5000).map(|k| (0.01 * f64::from(k)).sin()).collect();
+        let track = Track { name: "stress", components: 1, things: 5, values };
+        let [small, soon] = [Effort::Small, Effort::Soon].map(|effort| quantized(&track, effort).data);
+        assert!(small.len() < soon.len(), "{}, {}", small.len(), soon.len());
+        let [small, soon] = [small, soon].map(|text| inflated(&text));
+        assert!(small == soon && small.len() == 10_000);
+    }
+
+    /// The bytes of a text: the other side of `packed`.
+    fn inflated(text: &str) -> Vec<u8> {
+        let digits: Vec<u32> = text
+            .bytes()
+            .filter(|digit| *digit != b'=')
+            .map(|digit| DIGITS.iter().position(|own| *own == digit).unwrap() as u32)
+            .collect();
+        let bytes = digits.chunks(4).flat_map(|four| {
+            let bits = (0..4).fold(0, |bits, place| bits << 6 | four.get(place).copied().unwrap_or(0));
+            bits.to_be_bytes()[1..four.len()].to_vec()
+        });
+        miniz_oxide::inflate::decompress_to_vec_zlib(&bytes.collect::<Vec<u8>>()).unwrap()
     }
 
     /// viewer/test/packed.json has what this side writes of given numbers; viewer/test/data.test.ts reads it.
@@ -141,7 +183,7 @@ mod tests {
         let numbers = vec![0.1, 1e-300, -0.5, 1.0 / 3.0, 123_456.789, 1e21, 0.0];
         let track = Track { name: "stress", components: 2, things: 2, values: values.clone() };
         let written = serde_json::json!({
-            "track": quantized(&track), "values": values, "doubles": doubles(&numbers), "numbers": numbers,
+            "track": quantized(&track, Effort::Small), "values": values, "doubles": doubles(&numbers, Effort::Small), "numbers": numbers,
         });
         let text = format!("{}\n", serde_json::to_string_pretty(&written).unwrap());
         assert_eq!(text, include_str!("../../../viewer/test/packed.json"), "{text}");

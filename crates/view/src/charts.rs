@@ -1,6 +1,6 @@
 //! All outputs over time, for the charts of the page.
 
-use super::block::doubles;
+use super::block::{Effort, doubles};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::{Causality, Variable};
@@ -78,7 +78,7 @@ impl Charts {
     }
 
     /// As the page has them.
-    pub fn charted(&self) -> Charted {
+    pub fn charted(&self, effort: Effort) -> Charted {
         let mut groups: Vec<Group> = Vec::new();
         for (place, column) in self.columns.iter().enumerate() {
             let name = group(&column.name);
@@ -90,10 +90,10 @@ impl Charts {
         let column = |column: &Column| ChartedColumn {
             name: column.name.clone(),
             unit: column.unit.clone(),
-            data: doubles(&column.values),
+            data: doubles(&column.values, effort),
         };
         let columns = self.columns.iter().map(column).collect();
-        Charted { count: self.times.len(), times: doubles(&self.times), columns, groups }
+        Charted { count: self.times.len(), times: doubles(&self.times, effort), columns, groups }
     }
 }
 

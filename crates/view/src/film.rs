@@ -1,9 +1,11 @@
 //! A simulation as the page will show it: recorded row by row, thinned out where there are too many, written in the end.
 
+use super::block::{Effort, doubles};
 use super::charts::Charts;
 use super::format::{self, Data, FORMAT};
 use super::live::Live;
 use super::page;
+use super::second::Shown;
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::modes::Modes;
@@ -67,14 +69,26 @@ impl Film {
     /// # Errors
     /// Its numbers cannot be written as JSON.
     pub fn page(&self, live: Option<&Live>) -> Result<String, serde_json::Error> {
-        page::html(&self.recording.scene.name, &self.data()?, live)
+        page::html(&self.shown()?, None, live)
+    }
+
+    /// The run as a page has it.
+    ///
+    /// # Errors
+    /// Its numbers cannot be written as JSON.
+    pub fn shown(&self) -> Result<Shown, serde_json::Error> {
+        Ok(Shown {
+            name: self.recording.scene.name.clone(),
+            instants: self.instants(),
+            json: self.data(Effort::Small)?,
+        })
     }
 
     /// The data of the page, as JSON.
     ///
     /// # Errors
     /// Its numbers cannot be written as JSON.
-    pub fn data(&self) -> Result<String, serde_json::Error> {
+    pub fn data(&self, effort: Effort) -> Result<String, serde_json::Error> {
         let Self { recording, charts, swings, .. } = self;
         let rows = self.last_row + 1;
         let thinned = |what: &str, every: u64, count: usize| {
@@ -91,10 +105,10 @@ impl Film {
             program: format!("ancf14 {}", env!("CARGO_PKG_VERSION")),
             scene: format::scene(&recording.scene),
             notes: self.notes.iter().cloned().chain(thinned.into_iter().flatten()).collect(),
-            times: super::block::doubles(&recording.times),
+            times: doubles(&recording.times, effort),
             instants: recording.times.len(),
-            tracks: format::tracks(recording),
-            charts: charts.charted(),
+            tracks: format::tracks(recording, effort),
+            charts: charts.charted(effort),
             modes: swings.iter().map(format::mode).collect(),
         };
         serde_json::to_string(&data)

@@ -1,6 +1,6 @@
 //! What the page is told, as JSON: the words of docs/viewer.md. viewer/src/format.ts is the same from the other side.
 
-use super::block::{Quantized, quantized};
+use super::block::{Effort, Quantized, quantized};
 use super::charts::Charted;
 use ancf14::model::modes::Kind;
 use ancf14::model::view::{BeamLook, Profile, RESULTS, Recording, Scene, Solid, Swing, Track};
@@ -28,9 +28,9 @@ pub struct Data {
 }
 
 /// The tracks of a recording.
-pub fn tracks(recording: &Recording) -> BTreeMap<&'static str, Quantized> {
+pub fn tracks(recording: &Recording, effort: Effort) -> BTreeMap<&'static str, Quantized> {
     let has_things = |track: &&Track| track.things > 0;
-    recording.tracks.iter().filter(has_things).map(|track| (track.name, quantized(track))).collect()
+    recording.tracks.iter().filter(has_things).map(|track| (track.name, quantized(track, effort))).collect()
 }
 
 /// What never changes.
@@ -85,7 +85,7 @@ fn beam(beam: &BeamLook) -> Value {
         "stations": [beam.stations.start, beam.stations.end],
         "fractions": beam.fractions,
         "nodes": beam.nodes,
-        "drawn": { "place": quantized(&places), "turn": quantized(&turns) },
+        "drawn": { "place": quantized(&places, Effort::Small), "turn": quantized(&turns, Effort::Small) },
     });
     if !beam.sizes.is_empty() {
         all["sizes"] = json!(beam.sizes);
@@ -102,10 +102,10 @@ pub fn mode(swing: &Swing) -> Value {
     };
     let motion = |pairs: &[([f64; 3], [f64; 3])]| {
         let (places, turns): (Vec<_>, Vec<_>) = pairs.iter().copied().unzip();
-        json!({ "place": quantized(&vectors_of(&places)), "turn": quantized(&vectors_of(&turns)) })
+        json!({ "place": quantized(&vectors_of(&places), Effort::Small), "turn": quantized(&vectors_of(&turns), Effort::Small) })
     };
     let places: BTreeMap<&str, Quantized> =
-        swing.places.iter().map(|(name, vectors)| (*name, quantized(&vectors_of(vectors)))).collect();
+        swing.places.iter().map(|(name, vectors)| (*name, quantized(&vectors_of(vectors), Effort::Small))).collect();
     json!({
         "kind": kind,
         "frequency": swing.angular_frequency / std::f64::consts::TAU,

@@ -9,7 +9,10 @@ mod film;
 mod format;
 mod live;
 mod page;
+mod second;
 
+pub use block::Effort;
 pub use film::{Film, ended_early};
 pub use live::{Live, SOLVER_MARK, is_solver};
-pub use page::watching;
+pub use page::{html, watching};
+pub use second::{Second, Shown};

@@ -1,7 +1,8 @@
 //! The page: one HTML file with the program of viewer/ and the data in it; nothing is loaded from anywhere.
 
-use super::block::packed;
+use super::block::{Effort, packed};
 use super::live::Live;
+use super::second::{Second, Shown};
 
 /// The program, as viewer/build.mjs makes it.
 const PROGRAM: &str = include_str!("../../../viewer/dist/viewer.js");
@@ -20,10 +21,13 @@ const LIVE_POLICY: &str = " 'wasm-unsafe-eval' blob:; worker-src blob:";
 /// What the policy lets a page of `view --watch` do in addition: ask the program that serves it.
 const WATCH_POLICY: &str = "; connect-src 'self'";
 
-/// The whole file.
-pub fn html(title: &str, data: &str, live: Option<&Live>) -> Result<String, serde_json::Error> {
+/// The whole file; with a second run to compare with, and with the solver.
+pub fn html(run: &Shown, second: Option<&Second>, live: Option<&Live>) -> Result<String, serde_json::Error> {
     let policy = if live.is_some() { LIVE_POLICY } else { "" };
-    Ok(filled(title, policy, &script_safe(data), &live.map(scripts).transpose()?.unwrap_or_default()))
+    let second = second.map(Second::json).transpose()?;
+    let second = second.map(|json| script("application/json", "second", &script_safe(&json))).unwrap_or_default();
+    let live = live.map(scripts).transpose()?.unwrap_or_default();
+    Ok(filled(&run.name, policy, &script_safe(&run.json), &(second + &live)))
 }
 
 /// A page without data: it asks the program that serves it, for `news` and `data`.
@@ -31,7 +35,7 @@ pub fn watching(title: &str) -> String {
     filled(title, WATCH_POLICY, "", "")
 }
 
-fn filled(title: &str, policy: &str, data: &str, live: &str) -> String {
+fn filled(title: &str, policy: &str, data: &str, others: &str) -> String {
     let title = escaped(title);
     // Every second piece is a name; what is put in is not looked at again.
     let pieces = TEMPLATE.split(MARK).map(|piece| match piece {
@@ -39,7 +43,7 @@ fn filled(title: &str, policy: &str, data: &str, live: &str) -> String {
         "policy" => policy,
         "style" => STYLE,
         "data" => data,
-        "live" => live,
+        "others" => others,
         "program" => PROGRAM,
         text => text,
     });
@@ -49,14 +53,18 @@ fn filled(title: &str, policy: &str, data: &str, live: &str) -> String {
 /// The model, the solver and its licences, which no browser shows.
 fn scripts(live: &Live) -> Result<String, serde_json::Error> {
     let model = script_safe(&serde_json::to_string(live)?);
-    let solver = packed(&live.solver);
-    let script = |kind: &str, id: &str, text: &str| format!("<script type=\"{kind}\" id=\"{id}\">{text}</script>\n");
+    let solver = packed(&live.solver, Effort::Small);
     let scripts = [
         script("application/json", "live", &model),
         script("text/plain", "licences", LICENCES),
         script("text/plain", "solver", &solver),
     ];
     Ok(scripts.concat())
+}
+
+/// A script that is not a program.
+fn script(kind: &str, id: &str, text: &str) -> String {
+    format!("<script type=\"{kind}\" id=\"{id}\">{text}</script>\n")
 }
 
 /// JSON that ends no script, whatever names are in it: a `<` of JSON is always inside a string.
@@ -70,6 +78,8 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::format::FORMAT;
+    use super::super::second::data;
     use super::*;
 
     /// A name cannot end the script that it stands in, and reads back as it was.
@@ -80,6 +90,41 @@ mod tests {
         assert!(!json.contains('<'), "{json}");
         assert_eq!(serde_json::from_str::<String>(&json).unwrap(), name);
         assert_eq!(escaped("<b>&"), "&lt;b&gt;&amp;");
+    }
+
+    fn shown(name: &str) -> Shown {
+        let json = serde_json::json!({ "format": FORMAT, "scene": { "name": name }, "instants": 3 }).to_string();
+        Shown { name: name.to_owned(), instants: 3, json }
+    }
+
+    /// A page reads back as the run that it was made of, whatever its name is; of two runs the first one.
+    #[test]
+    fn a_page_has_its_run() {
+        let run = shown("</script><b>");
+        let second = Second { names: ["a".to_owned(), "</script>".to_owned()], run: shown("other") };
+        let page = html(&run, Some(&second), None).unwrap();
+        let found = Shown::of_page(&page).unwrap();
+        assert_eq!((found.name.as_str(), found.instants), ("</script><b>", 3));
+        assert_eq!(html(&found, Some(&second), None).unwrap(), page);
+    }
+
+    /// Other files are refused, and so are pages of another format.
+    #[test]
+    fn other_files_are_refused() {
+        let page = html(&shown("a"), None, None).unwrap();
+        assert!(Shown::of_page(&page).is_some());
+        let format = format!("\"format\":{FORMAT}");
+        let next = format!("\"format\":{}", FORMAT + 1);
+        for text in [String::new(), "<!DOCTYPE html>".to_owned(), page.replace(&format, &next), page.replace("{\"", "")]
+        {
+            assert!(Shown::of_page(&text).is_none(), "{}", &text[..text.len().min(80)]);
+        }
+    }
+
+    /// The place of the data is that of the template.
+    #[test]
+    fn the_data_are_found() {
+        assert_eq!(data(TEMPLATE), Some("@@data@@"));
     }
 
     /// The program itself must not end its script either, nor load anything.

@@ -11,7 +11,7 @@ mod saved;
 mod start_derivatives;
 mod stepping;
 
-pub use companion::{Beside, Companion, Lost, Placement, Row};
+pub use companion::{Beside, Companion, Halt, Lost, Placement, Row};
 pub use kept::{Beginning, Kept};
 pub use saved::Snapshot;
 
@@ -62,8 +62,8 @@ pub struct Simulation {
     overrides: Vec<Override>,
     /// The equilibrium of the most strain energy so far.
     peak: Option<Peak>,
-    /// Where the run that tells the mesh error of motions takes place; none: it is not asked for.
-    placement: Option<Placement>,
+    /// Where the run that tells the mesh error of motions takes place, and what halts it; none: it is not asked for.
+    placement: Option<(Placement, Halt)>,
     /// That run, with its mesh.
     companion: Option<(Box<dyn Beside>, OtherMesh)>,
     /// How far results are off because of the mesh, a family each, as found at the end; empty: not known.

@@ -264,3 +264,55 @@ fn a_run_that_ends_early_leaves_the_error_unknown() {
     let expected = "the mesh error is not known: a run with half the elements, for comparison, stopped early (no step is short enough). The mesh may be too coarse; take more elements";
     assert_eq!(told, [expected]);
 }
+
+/// A run that is halted in the middle of its second row.
+#[derive(Debug)]
+struct Halting {
+    companion: Companion,
+    has_begun: bool,
+}
+
+impl Beside for Halting {
+    fn go_on(&mut self, row: Row) {
+        let (halt, has_begun) = (self.companion.halt(), std::mem::replace(&mut self.has_begun, true));
+        std::thread::scope(|scope| {
+            scope.spawn(|| self.companion.go_on(row));
+            if has_begun {
+                // The row takes a second: it is under way.
+                std::thread::sleep(std::time::Duration::from_millis(20));
+                halt.set();
+            }
+        });
+    }
+
+    fn finish(self: Box<Self>) -> Result<Differences, Lost> {
+        Box::new(self.companion).finish()
+    }
+}
+
+/// A run beside that is halted ends within its row: it never comes to the end, where it would tell the error.
+#[test]
+fn a_run_is_halted_within_a_row() {
+    let long = ["simulation.stop", "simulation.output_step"].map(|key| (key.to_owned(), "40".to_owned()));
+    let mut simulation = Simulation::load("model.toml", SWING, &long).unwrap();
+    simulation.ask_for_mesh_error(|companion| Box::new(Halting { companion, has_begun: false }));
+    let (simulation, rows) = concluded(simulation);
+    assert_eq!(rows.time.len(), 2);
+    assert_eq!(simulation.mesh_errors(), []);
+}
+
+/// Whoever halts the run beside hears nothing of the mesh.
+#[test]
+fn a_halted_run_tells_nothing() {
+    let mut simulation = Simulation::load("model.toml", SWING, &[]).unwrap();
+    simulation.ask_for_mesh_error(|companion| Box::new(companion)).set();
+    let (mut simulation, _) = concluded(simulation);
+    assert_eq!(simulation.mesh_errors(), []);
+    assert_eq!(simulation.take_warnings(), Vec::<String>::new());
+    // Asked again, it compares again.
+    let mut simulation = Simulation::load("model.toml", SWING, &[]).unwrap();
+    simulation.ask_for_mesh_error(|companion| Box::new(companion)).set();
+    simulation.ask_for_mesh_error(|companion| Box::new(companion));
+    let (simulation, _) = concluded(simulation);
+    assert!(!simulation.mesh_errors().is_empty());
+}

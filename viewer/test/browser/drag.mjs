@@ -102,6 +102,14 @@ test("a body is dragged by the point of it that is pressed", async () => {
   await settle(page);
   const pose = await camera(page);
   const from = await last(page, "body.place");
+  // Its lower half is held by a point of the body, not by the end of the rope above.
+  const low = { x: from.x, y: from.y + 25 };
+  await page.mouse.move(low.x, low.y);
+  await page.mouse.down();
+  await settle(page);
+  const [point, rope] = [await held(page), await tip(page)];
+  assert.ok(apart(point, low) < 0.5 * apart(rope, low), `${apart(point, low)} pixels from the point that is held, ${apart(rope, low)} from the rope`);
+  await page.mouse.up();
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   const target = { x: from.x + 50, y: from.y - 30 };

@@ -6,7 +6,8 @@ mod server;
 
 use super::keeper::end_on_interrupt;
 use super::view::filmed;
-use super::{ModelArguments, Stop, complain, is_piped, say, voice};
+use super::{ModelArguments, Stop, complain, is_piped, say, unwritten, voice};
+use ancf14_view::Effort;
 use files::Files;
 use news::News;
 use std::cell::Cell;
@@ -89,6 +90,6 @@ fn simulated(
     look: impl FnMut(f64) -> Result<(), Stop>,
 ) -> Result<Run, Stop> {
     let (film, outcome) = filmed(model.load()?.0, modes, look)?;
-    let data = film.data().map_err(|reason| Stop::Failed(format!("error: cannot write the page: {reason}")))?;
+    let data = film.data(Effort::Soon).map_err(|reason| unwritten(&reason))?;
     Ok((film.instants(), data, outcome))
 }

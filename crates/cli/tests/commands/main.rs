@@ -16,6 +16,7 @@ mod shells;
 mod stages;
 mod summary;
 mod view_command;
+mod view_comparison;
 
 use std::process::Output;
 

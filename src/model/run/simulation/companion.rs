@@ -11,6 +11,7 @@ use crate::model::run::accuracy::{Columns, Differences};
 use crate::model::run::levels::{self, OtherMesh, Override};
 use std::fmt::Debug;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The comparison run ends early when it has tried so many times the steps of the other one, and so many more.
 const MOST_STEPS_TIMES: u64 = 2;
@@ -35,6 +36,23 @@ pub enum Lost {
     Motion(String),
     /// It never ran, or is of another model.
     Start(String),
+    /// It was halted: nobody waits for its result.
+    Halted,
+}
+
+/// Halts a comparison run within its next step, from any thread.
+#[derive(Clone, Debug, Default)]
+pub struct Halt(Arc<AtomicBool>);
+
+impl Halt {
+    /// Halts it.
+    pub fn set(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    fn is_set(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
 }
 
 /// Decides where a companion runs: `|companion| Box::new(companion)` lets it run within each step of the other one.
@@ -62,11 +80,13 @@ pub struct Companion {
     /// None until the first row: building takes time, which another thread may spend.
     simulation: Option<Box<Simulation>>,
     found: Result<Differences, Lost>,
+    /// Of whoever asked for it, and of the placement.
+    halts: [Halt; 2],
 }
 
 impl Companion {
     /// Creates the comparison run of `simulation`, and returns it with its mesh; none if a beam has no other mesh.
-    pub(super) fn new(simulation: &Simulation) -> Option<(Self, OtherMesh)> {
+    pub(super) fn new(simulation: &Simulation, halt: Halt) -> Option<(Self, OtherMesh)> {
         let mesh = OtherMesh::beside(&simulation.document)?;
         let companion = Self {
             document: Arc::clone(&simulation.document),
@@ -74,8 +94,20 @@ impl Companion {
             columns: Arc::clone(&simulation.columns),
             simulation: None,
             found: Ok(Differences::default()),
+            halts: [halt, Halt::default()],
         };
         Some((companion, mesh))
+    }
+
+    /// What halts this run, for the placement: a run that is dropped needs it no more.
+    pub fn halt(&self) -> Halt {
+        self.halts[1].clone()
+    }
+
+    /// # Errors
+    /// The run was halted.
+    fn go_on_if_wanted(&self) -> Result<(), Lost> {
+        if self.halts.iter().any(Halt::is_set) { Err(Lost::Halted) } else { Ok(()) }
     }
 
     fn build(&self) -> Result<Simulation, Lost> {
@@ -86,6 +118,7 @@ impl Companion {
     }
 
     fn compare(&mut self, row: &Row, differences: &mut Differences) -> Result<(), Lost> {
+        self.go_on_if_wanted()?;
         let mut simulation = match self.simulation.take() {
             Some(simulation) => simulation,
             None => Box::new(self.build()?),
@@ -98,6 +131,7 @@ impl Companion {
         if simulation.runner.is_initialized() {
             simulation.begin(*time).map_err(motion)?;
             while !simulation.part().map_err(motion)? {
+                self.go_on_if_wanted()?;
                 if simulation.tried_steps() > MOST_STEPS_TIMES * steps + MOST_STEPS_MORE {
                     let reason = format!("it needed more than {MOST_STEPS_TIMES} times the steps by t = {time} s");
                     return Err(Lost::Motion(reason));

@@ -1,7 +1,7 @@
 //! The error of a run because of the mesh, found at its end: that of equilibria from a finer mesh, that of motions from a run with another mesh.
 
 use super::Simulation;
-use super::companion::{Beside, Companion, Lost, Placement};
+use super::companion::{Beside, Companion, Halt, Lost, Placement};
 use super::runner::Runner;
 use crate::error::decimal;
 use crate::mechanics::state::State;
@@ -24,8 +24,11 @@ pub(super) struct Peak {
 impl Simulation {
     /// Asks for the mesh error of motions: from the next initialization on, a comparison run with another mesh follows this one, where `placement` says, until
     /// [`crate::fmi::Model::conclude`] compares. Restored states, and parameters that are set on the way, leave the error unknown. That of equilibria needs no such run.
-    pub fn ask_for_mesh_error(&mut self, placement: Placement) {
-        self.placement = Some(placement);
+    /// The answer halts the comparison runs that are asked for by this call.
+    pub fn ask_for_mesh_error(&mut self, placement: Placement) -> Halt {
+        let halt = Halt::default();
+        self.placement = Some((placement, halt.clone()));
+        halt
     }
 
     /// Whether the end of the run is to find the mesh error: that of equilibria always, that of motions where it is asked for.
@@ -53,8 +56,8 @@ impl Simulation {
     /// Starts the companion, if one is asked for.
     pub(super) fn start_companion(&mut self) {
         let is_motion = self.document.simulation.analysis == Analysis::Dynamic;
-        let Some(placement) = self.placement.filter(|_| is_motion) else { return };
-        self.companion = Companion::new(self).map(|(companion, mesh)| (placement(companion), mesh));
+        let Some((placement, halt)) = self.placement.clone().filter(|_| is_motion) else { return };
+        self.companion = Companion::new(self, halt).map(|(companion, mesh)| (placement(companion), mesh));
         self.hand_over(self.inputs.parts().map(<[f64]>::to_vec));
     }
 
@@ -108,6 +111,7 @@ impl Simulation {
                         (reason, "stopped early", ". The mesh may be too coarse; take more elements")
                     }
                     Lost::Start(reason) => (reason, "did not start", ""),
+                    Lost::Halted => return,
                 };
                 let reason = reason.lines().next().unwrap_or("").trim_start_matches("error: ").trim_end_matches('.');
                 self.warnings
