@@ -11,6 +11,7 @@ use ancf14_pack::package;
 use ancf14_report::draw::{self, Projection};
 use ancf14_report::modes::word;
 use ancf14_report::{picture, results};
+use ancf14_view::Film;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -51,10 +52,12 @@ pub fn fmu(model: &Simulation, text: &str, library: PathBuf, fmi: u8) -> Result<
     };
     let drawing = Drawing::new(model.document());
     let icon = picture::icon(&drawing).map_err(|reason| format!("cannot draw the mechanism: {reason}"))?;
+    let page = Film::drawn(model).page(None).map_err(|reason| format!("cannot show the mechanism: {reason}"))?;
     let contents = Contents {
         model: text,
         licences: LICENCES,
         icon: &icon,
+        page: &page,
         drawing: &draw::svg(&drawing, "", Projection::default()),
         legend: &draw::legend(&drawing),
     };

@@ -41,7 +41,9 @@ export class Page {
     app.append(this.header(), body);
     this.player = new Player(data, this.viewport);
     const { player } = this;
-    player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
+    // Only as drawn: nothing moves, and nothing bears a load.
+    const still = data.times.length < 2 && data.modes.length === 0;
+    player.colorBy(still ? "" : data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
     this.charts = new Charts(data, player.run);
     this.along = new Along(data);
     this.panel = new PickPanel(player);
@@ -60,7 +62,8 @@ export class Page {
     });
     this.play = button("▶", "Play", () => player.timeline.toggle(), "Space");
     this.play.classList.add("play");
-    app.append(this.timeline());
+    const timeline = this.timeline();
+    if (!still) app.append(timeline);
     this.pointer();
     listenToKeys(this, this.listening.signal);
     player.onupdate(() => this.update());

@@ -2,7 +2,7 @@
 
 use super::output::{self, Input};
 use super::picture::undrawn;
-use super::{MODEL_FILE, Stop, complain, load, say};
+use super::{MODEL_FILE, Stop, complain, load, page, say};
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Model, header};
 use ancf14::model::drawing::Drawing;
@@ -12,6 +12,7 @@ use ancf14_pack::libraries::{self, Platform};
 use ancf14_pack::package;
 use ancf14_report::draw::{self, Projection};
 use ancf14_report::picture;
+use ancf14_view::Film;
 use std::path::{Path, PathBuf};
 
 /// `win64=ancf14.dll`.
@@ -71,6 +72,7 @@ pub fn pack(
         model: &text,
         licences: LICENCES,
         icon: &picture::icon(&drawing).map_err(|reason| undrawn(&*reason))?,
+        page: &page(&Film::drawn(&simulation))?,
         drawing: &draw::svg(&drawing, "", Projection::default()),
         legend: &draw::legend(&drawing),
     };

@@ -15,7 +15,9 @@ pub struct Contents<'a> {
     pub licences: &'a str,
     /// PNG picture that stands for the unit.
     pub icon: &'a [u8],
-    /// SVG drawing for the documentation.
+    /// HTML page that shows the mechanism in three dimensions, for the documentation.
+    pub page: &'a str,
+    /// SVG drawing: the icon of FMI 3.0, and what the documentation shows without JavaScript.
     pub drawing: &'a str,
     /// What is in the drawing.
     pub legend: &'a str,

@@ -16,7 +16,7 @@ const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:70em;margin:2em aut
 h2{margin-top:2em}table{border-collapse:collapse}\
 th,td{text-align:left;vertical-align:top;padding:.2em .8em .2em 0;border-bottom:1px solid #ccc}\
 code,pre{font-size:.9em}td code{white-space:nowrap}pre{background:#f4f4f4;padding:.8em;overflow-x:auto}\
-figure{margin:1em 0}figure svg{max-width:100%;height:auto;border:1px solid #ccc}figcaption{color:#555;font-size:.9em}";
+figure{margin:1em 0}figure svg{max-width:100%;height:auto;border:1px solid #ccc}iframe{width:100%;height:34em;border:1px solid #ccc}figcaption{color:#555;font-size:.9em}";
 
 /// Groups of the variable listing: causality, heading, anchor.
 const GROUPS: [(Causality, &str, &str); 5] = [
@@ -207,7 +207,11 @@ fn write_page(
     if !said.is_empty() {
         writeln!(out, "<p>{}</p>", said.join(" "))?;
     }
-    writeln!(out, "<figure>\n{}<figcaption>{}</figcaption>\n</figure>", contents.drawing, escape(contents.legend))?;
+    // A page in the page: it has its own style, and its policy lets it load nothing.
+    let page = contents.page.replace('&', "&amp;").replace('\'', "&#39;");
+    let (drawing, legend) = (contents.drawing, escape(contents.legend));
+    writeln!(out, "<figure>\n<iframe title=\"The mechanism as drawn\" srcdoc='{page}'></iframe>")?;
+    writeln!(out, "<noscript>{drawing}<figcaption>{legend}</figcaption></noscript>\n</figure>")?;
     let [stop, step] = [about.stop, about.output_step];
     writeln!(out, "<p>Default experiment: from 0 to {stop:?} s, communication step {step:?} s. On this page:")?;
     let rows = rows_of(standard, variables);

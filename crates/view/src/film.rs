@@ -42,6 +42,13 @@ impl Film {
         Self { recording, charts, swings: Vec::new(), notes: Vec::new(), last_row, every }
     }
 
+    /// The mechanism as drawn, without charts: `simulation` has just been loaded.
+    pub fn drawn(simulation: &Simulation) -> Self {
+        let mut recording = Recording::new(simulation);
+        recording.record(simulation);
+        Self { recording, charts: Charts::new(&[]), swings: Vec::new(), notes: Vec::new(), last_row: 0, every: [1; 2] }
+    }
+
     /// Looks at row `row`, which the simulation has reached.
     pub fn look(&mut self, row: u64, simulation: &Simulation) {
         let is_due = |every: u64| row.is_multiple_of(every) || row == self.last_row;

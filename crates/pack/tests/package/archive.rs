@@ -18,8 +18,14 @@ use zip::{CompressionMethod, ZipArchive};
 const MODEL: &str = "format = 1\n";
 
 /// A picture of nothing; what the package does not look at.
-const CONTENTS: Contents<'_> =
-    Contents { model: MODEL, licences: "do", icon: b"\x89PNG", drawing: "<svg></svg>\n", legend: "a & b" };
+const CONTENTS: Contents<'_> = Contents {
+    model: MODEL,
+    licences: "do",
+    icon: b"\x89PNG",
+    page: "<p class=\"x\">'&'</p>",
+    drawing: "<svg></svg>\n",
+    legend: "a & b",
+};
 
 fn packed() -> Vec<u8> {
     packed_for(Standard::Fmi2)
@@ -118,6 +124,7 @@ fn contents_come_back() {
     for variable in toy::variables() {
         assert!(page.contains(&format!("<code>{}</code>", variable.name)), "{} is not documented", variable.name);
     }
+    assert!(page.contains("srcdoc='<p class=\"x\">&#39;&amp;&#39;</p>'"));
     assert!(
         page.contains("<svg></svg>") && page.contains("a &amp; b") && page.contains("href=\"licenses/license.txt\"")
     );
