@@ -28,8 +28,6 @@ pub struct Variable {
     /// Where the initialization calculates it: the inputs and parameters that it is found from, or more, by value references, ascending;
     /// none: all of them.
     pub found_from: Option<Vec<usize>>,
-    /// The value reference of an earlier variable that has the same value by construction.
-    pub alias_of: Option<usize>,
 }
 
 impl Variable {

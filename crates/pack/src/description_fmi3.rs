@@ -27,8 +27,7 @@ pub fn xml(about: &About, variables: &[Variable]) -> Result<String, Error> {
 }
 
 fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<()> {
-    let is_alias = |array: &Array<'_>| variables[array.first].alias_of.is_some();
-    let (aliases, arrays): (Vec<_>, Vec<_>) = arrays(variables).into_iter().partition(is_alias);
+    let arrays = arrays(variables);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     let root = xml
         .create_element("fmiModelDescription")
@@ -49,7 +48,7 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
             if time_reference(variables) == variables.len() {
                 time(xml, variables.len())?;
             }
-            arrays.iter().try_for_each(|array| variable(xml, array, &aliases, variables))
+            arrays.iter().try_for_each(|array| variable(xml, array, variables))
         })?;
         structure(xml, &arrays, variables)?;
         annotations(xml)
@@ -115,8 +114,8 @@ fn time(xml: &mut Xml, reference: usize) -> io::Result<()> {
     empty(xml, "Float64", attributes)
 }
 
-/// A variable: its first element says what all of them are, but for their start values. With it its other names, under which the table has it once more.
-fn variable(xml: &mut Xml, array: &Array<'_>, aliases: &[Array<'_>], variables: &[Variable]) -> io::Result<()> {
+/// A variable: its first element says what all of them are, but for their start values.
+fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Result<()> {
     let elements = &variables[array.first..array.first + array.elements()];
     let first = &elements[0];
     let mut attributes: Attributes<'_> =
@@ -136,17 +135,12 @@ fn variable(xml: &mut Xml, array: &Array<'_>, aliases: &[Array<'_>], variables: 
     attributes.extend(type_attributes(elements));
     let kind = if is_real(first) { "Float64" } else { "Int32" };
     let element = xml.create_element(kind).with_attributes(borrowed(&attributes));
-    let mut aliases = aliases.iter().filter(|alias| variables[alias.first].alias_of == Some(array.first)).peekable();
-    if array.dimensions.is_empty() && aliases.peek().is_none() {
+    if array.dimensions.is_empty() {
         element.write_empty()?;
     } else {
         element.write_inner_content(|xml| {
             let start = |extent: &usize| vec![("start", extent.to_string().into())];
-            array.dimensions.iter().try_for_each(|extent| empty(xml, "Dimension", start(extent)))?;
-            aliases.try_for_each(|alias| {
-                let description = clean(&self::description(alias, &variables[alias.first]));
-                empty(xml, "Alias", vec![("name", alias.name.into()), ("description", description.into())])
-            })
+            array.dimensions.iter().try_for_each(|extent| empty(xml, "Dimension", start(extent)))
         })?;
     }
     Ok(())
@@ -203,9 +197,8 @@ fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
 /// Outputs depend on nothing within the same communication point. What the initial values depend on is said where it is less than everything
 /// that is given: of an array what any of its elements depends on.
 fn structure(xml: &mut Xml, arrays: &[Array<'_>], variables: &[Variable]) -> io::Result<()> {
-    // The variable that each row is an element of. Nothing depends on results, among which the aliases are.
-    let mut owners: Vec<usize> = (0..variables.len()).collect();
-    arrays.iter().for_each(|array| owners[array.first..array.first + array.elements()].fill(array.first));
+    // The variable that each row is an element of.
+    let owners: Vec<usize> = arrays.iter().flat_map(|array| vec![array.first; array.elements()]).collect();
     let outputs = arrays.iter().filter(|array| variables[array.first].causality == Causality::Output);
     let is_unknown = |array: &&Array<'_>| initial(variables[array.first].causality) == Some("calculated");
     let reference = |array: &Array<'_>| array.first.to_string();

@@ -92,7 +92,6 @@ pub fn variables() -> Vec<Variable> {
         nominal: None,
         display_unit: None,
         found_from: None,
-        alias_of: None,
     };
     let real = Value::Real;
     vec![

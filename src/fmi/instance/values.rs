@@ -172,7 +172,10 @@ impl<M: Model> Instance<M> {
             in_range(variable, value.into_value())?;
         }
         self.assign(references, values)?;
-        if !references.is_empty() && self.is_to_split() {
+        if references.is_empty() {
+            return Ok(());
+        }
+        if self.is_to_split() {
             // The part of the step that is done had the values before, and keeps them.
             self.take_back();
             self.split()?;

@@ -104,7 +104,7 @@ pub trait BeamElement {
     /// given and the element has such.
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]);
 
-    /// [`Self::add_damping`] with the velocities, and adds its derivatives by the coordinates and by the velocities, times `scales`, to `block`.
+    /// [`Self::add_damping`] with the velocities, and adds its derivatives with respect to the coordinates and to the velocities, times `scales`, to `block`.
     fn add_damping_and_tangent(
         &self,
         c: &BeamConfiguration,

@@ -80,7 +80,7 @@ impl System {
         }
     }
 
-    /// [`Self::add_material_damping`] with the velocities, and its derivatives by the coordinates and by the velocities, times `scales`.
+    /// [`Self::add_material_damping`] with the velocities, and its derivatives with respect to the coordinates and to the velocities, times `scales`.
     pub(super) fn add_material_damping_and_tangent(
         &self,
         c: &Configuration,

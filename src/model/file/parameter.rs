@@ -64,7 +64,6 @@ fn row(slot: &Slot, value: f64) -> Variable {
         nominal: None,
         display_unit: meta.display.clone(),
         found_from: None,
-        alias_of: None,
     }
 }
 

@@ -1,6 +1,5 @@
 //! The variable table of a model: its parameters, the inputs of a host and the results.
 
-mod aliases;
 mod dependencies;
 pub mod inputs;
 mod measure;

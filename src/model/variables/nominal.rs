@@ -18,7 +18,7 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// Of a system.
+    /// What `system` is measured by.
     pub fn of(system: &System) -> Self {
         let gravity = system.gravity.norm();
         let time = (gravity > 0.0).then(|| (system.size / gravity).sqrt());
@@ -33,12 +33,14 @@ impl Scales {
         let Exponents { kg, m, s, kelvin, .. } = variable.quantity.exponents.filter(|_| measured)?;
         // Stresses follow from sections, which are far smaller than the mechanism.
         let is_stress = kg > 0 && m < 0;
-        if [kg, m, s] == [0; 3] || kelvin != 0 || is_stress {
+        // A time is the parameter of a static path, which has nothing to do with a fall.
+        let is_time = [kg, m, s] == [0, 0, 1];
+        if [kg, m, s] == [0; 3] || kelvin != 0 || is_stress || is_time {
             return None;
         }
         let time = if s == 0 { 1.0 } else { self.time? };
         let size = self.mass.powi(kg) * self.length.powi(m) * time.powi(s);
-        // A power of ten: the last digits of a square root are no matter of the model.
+        // A power of ten: the last digits of a square root mean nothing.
         (size.is_finite() && size > 0.0).then(|| format!("1e{}", size.log10().round()).parse().ok()).flatten()
     }
 }

@@ -1,7 +1,6 @@
 //! The variable table of a model: parameters as the file has them, then results in the order of results.csv.
 //! One row has the FMI variable and what it is read from.
 
-use super::aliases::Measured;
 use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
 use super::measure::{ACCOUNT, Measure};
@@ -76,7 +75,6 @@ impl Table {
         }
         let givens = Givens::new(document);
         let mut sensor = 0;
-        let mut measured = Measured::default();
         for output in &document.outputs {
             let sensors = output.sensors();
             for quantity in &output.quantities {
@@ -87,7 +85,6 @@ impl Table {
                     None => givens.of(*quantity, &output.target),
                 };
                 table.find_from(first, &givens, found);
-                table.alias(first, measured.first(output, *quantity, first));
             }
             sensor += sensors;
         }
@@ -140,16 +137,6 @@ impl Table {
     fn find_from(&mut self, first: usize, givens: &Givens, found: Found) {
         let needed = givens.needed(found);
         self.variables[first..].iter_mut().for_each(|variable| variable.found_from.clone_from(&needed));
-    }
-
-    /// Says of all rows from `first` on that they are those from an earlier `row` on once more.
-    fn alias(&mut self, first: usize, row: usize) {
-        if row == first {
-            return;
-        }
-        for (offset, variable) in self.variables[first..].iter_mut().enumerate() {
-            variable.alias_of = Some(row + offset);
-        }
     }
 
     /// Gives inputs and results the orders of magnitude that the system has as drawn.
@@ -463,6 +450,5 @@ fn result(name: &str, unit: &str, description: String, start: Value) -> Variable
         nominal: None,
         display_unit: None,
         found_from: None,
-        alias_of: None,
     }
 }

@@ -179,19 +179,26 @@ impl ConstrainedMass {
     }
 
     /// [`Self::solve`] with the same `gradients` as it was called with last, but for the last digits.
+    ///
+    /// # Errors
+    /// The solution is not finite; `right` is as it was.
     pub fn solve_roughly(
         &mut self,
         system: &System,
         gradients: &[JointGradient],
         right: &mut [f64],
         vector: &mut [f64],
-    ) {
+    ) -> Result<(), Singular> {
         let (forces, conditions) = right.split_at_mut(vector.len());
         self.begin(forces, vector);
         self.correct(gradients, conditions);
         self.end(system, gradients, forces, vector);
+        if !vector.iter().all(|value| value.is_finite()) {
+            return Err(Singular);
+        }
         forces.copy_from_slice(vector);
         conditions.copy_from_slice(&self.multipliers);
+        Ok(())
     }
 
     /// Sets `vector` to the velocities without conditions, and the held ones to theirs.

@@ -88,10 +88,7 @@ impl Projection {
         vector: &mut [f64],
     ) -> Result<(), Singular> {
         match &mut self.fast {
-            Some(fast) if self.was_fast => {
-                fast.solve_roughly(system, &self.gradients, right, vector);
-                Ok(())
-            }
+            Some(fast) if self.was_fast => fast.solve_roughly(system, &self.gradients, right, vector),
             _ => kkt.solve_roughly(right),
         }
     }

@@ -44,7 +44,7 @@ fn compilers_read_it() {
     fs::write(directory.path().join("toy.h"), text(&toy::about(), &variables, "Toy").unwrap()).unwrap();
     let source = "#include \"toy.h\"\n#include <stdio.h>\n#define SHOW(r, n, u) printf(\"%d %s %s\\n\", (int)r, n, u);\n\
                   #define SIZED(r, n, u, rows, columns) printf(\"%d %s %s %d x %d\\n\", (int)r, n, u, rows, columns);\n\
-                  int main(void) { Toy_INTEGER_OUTPUTS(SHOW) Toy_FLOAT64_OUTPUTS(SIZED) return Toy_STOP_TIME > 0 ? 0 : 1; }\n";
+                  int main(void) { Toy_REAL_OUTPUTS(SHOW) Toy_INTEGER_OUTPUTS(SHOW) Toy_FLOAT64_OUTPUTS(SIZED) return Toy_STOP_TIME > 0 ? 0 : 1; }\n";
     for (file, standard) in [("toy.c", "-std=c99"), ("toy.cpp", "-std=c++17")] {
         fs::write(directory.path().join(file), source).unwrap();
         let built = Command::new("cc")
@@ -57,7 +57,8 @@ fn compilers_read_it() {
         assert!(ran.status.success());
         assert_eq!(
             String::from_utf8_lossy(&ran.stdout),
-            "5 statistics.steps \n4 tip.position m 1 x 1\n8 line.x m 3 x 2\n"
+            "4 tip.position[1] m\n8 line.x[1,1] m\n9 line.x[1,2] m\n10 line.x[2,1] m\n11 line.x[2,2] m\n\
+             12 line.x[3,1] m\n13 line.x[3,2] m\n5 statistics.steps \n4 tip.position m 1 x 1\n8 line.x m 3 x 2\n"
         );
     }
 }

@@ -126,33 +126,6 @@ fn described(from: &str, to: &str) -> (Simulation, [String; 2]) {
     (model, texts)
 }
 
-/// The elements whose name begins so.
-fn elements<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
-    let start = format!("name=\"{name}");
-    text.split('<').filter(|element| element.contains(&start)).collect()
-}
-
-/// What one output measures a second time is an alias of the first: in FMI 3.0 one variable with two names, in FMI 2.0 two variables, whose values are equal anyway.
-#[test]
-fn equal_outputs_are_aliases() {
-    let again = "[output.again]\nat = \"arm.end\"\nquantities = [\"velocity\", \"displacement\"]\n\n[output.line]";
-    let (model, [two, three]) = described("[output.line]", again);
-    let place = |name: &str| model.variables().iter().position(|variable| variable.name == name).unwrap();
-    let reference = |name: &str| format!("valueReference=\"{}\"", place(name));
-    assert_eq!(
-        elements(&three, "again.velocity"),
-        ["Alias name=\"again.velocity\" description=\"again: velocity in global axes\"/>\n    "]
-    );
-    assert!(!three.contains(&reference("again.velocity[1]")));
-    assert!(elements(&three, "again.displacement")[0].contains(&reference("again.displacement[1]")));
-    let inside = three.split("<Float64 name=\"tip.velocity\"").nth(1).unwrap().split("</Float64>").next().unwrap();
-    assert!(
-        inside.contains("<Dimension start=\"3\"/>") && inside.contains("<Alias name=\"again.velocity\""),
-        "{inside}"
-    );
-    assert!(elements(&two, "again.velocity[2]")[0].contains(&reference("again.velocity[2]")));
-}
-
 /// Orders of magnitude follow from the mechanism as drawn: an arm of 0.5 m and 0.12 kg under 9.81 m/s², which falls over its length in 0.23 s. Without gravity only
 /// lengths are known; of quaternions, strains and parameters nothing is.
 #[test]

@@ -43,7 +43,7 @@ pub fn force_of_rates(evaluation: &Evaluation, rates: &[f64; STRAINS]) -> Elemen
     sum
 }
 
-/// [`force`], and `by_q` times its derivative by the coordinates plus `by_v` times that by the velocities, 14×14:
+/// [`force`], and `by_q` times its derivative with respect to the coordinates plus `by_v` times that with respect to the velocities, 14×14:
 /// `by_q (Hess · resultants + Jᵀ c W D ∂(J v)/∂q) + by_v Jᵀ c W D J`.
 pub fn force_and_tangent(
     evaluation: &Evaluation,

@@ -119,11 +119,6 @@ impl Allowed {
 }
 
 impl Anchor {
-    /// Whether another one is the same point, wherever the file says so.
-    pub fn is_where(&self, other: &Self) -> bool {
-        (self.spot, self.point) == (other.spot, other.point)
-    }
-
     /// Reads `key`; none if it is missing or wrong, which is reported.
     pub(in crate::model) fn read(reader: &mut Reader<'_, '_>, key: &'static str, allowed: &Allowed) -> Option<Self> {
         let written = reader.has(key);

@@ -22,7 +22,6 @@ fn row(name: &str, causality: Causality) -> Variable {
         nominal: None,
         display_unit: None,
         found_from: None,
-        alias_of: None,
     }
 }
 

@@ -61,14 +61,14 @@ pub struct CorotatedChange {
 pub struct WayBackChange {
     /// Turn of the first frame, rad.
     turn: Vec3,
-    /// Of chord and second slope as that frame sees them, m and 1.
+    /// Changes of chord and second slope as that frame sees them, m and 1.
     chord: Vec3,
     slope: Vec3,
-    /// Of the first stretch, 1.
+    /// Change of the first stretch, 1.
     stretch: f64,
-    /// Of `k` along `u` and `v`, 1.
+    /// Changes of `k` along `u` and `v`, 1.
     k: [f64; 2],
-    /// Of the derivatives of the holonomy angle by the slopes, rad.
+    /// Changes of the derivatives of the holonomy angle with respect to the slopes, rad.
     twist_p0: Vec3,
     twist_p1: Vec3,
 }
