@@ -75,7 +75,7 @@ def test_fmutool_finds_nothing(fmu3):
 
 
 def test_updates_change_no_bit(fmu3, results, tmp_path):
-    """Of every model, with a host that hears of each internal step and reads all outputs there."""
+    """Results of every model are bit-identical with a host that hears of each internal step and reads all outputs there."""
     header, expected = table(results)
     description = read_model_description(str(fmu3), validate=False)
     places, references, count, told = {}, [], 0, []
@@ -165,7 +165,7 @@ class Slave:
 
 
 def test_intermediate_updates(tmp_path):
-    """With updates and without the bits are the same; during one the tip moves on; a host that asks returns early and goes on from there."""
+    """Results with and without updates are bit-identical; during one the tip moves on; a host that asks returns early and goes on from there."""
     told, ask = [], []
 
     def update(_environment, time, set_requested, get_allowed, finished, can_return, requested, _return_time):
