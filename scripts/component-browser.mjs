@@ -18,6 +18,8 @@ const jco = join(root, "target/component-npm/node_modules/@bytecodealliance/jco-
 const { transpileBytes } = await import(pathToFileURL(jco));
 const RUNS = [["pendulum", 1, 0.01], ["crane", 2, 0.02], ["four_bar", 0.5, 0.02], ["lateral_buckling", 0.2, 5e-4], ["rotating_shaft", 0.05, 2e-3]];
 const LIMIT = 1e-5;
+// A page that has not answered by then has failed, ms. The runs take a fraction of it.
+const PATIENCE = 600_000;
 
 // What the page needs of a model: its file, its token, references and names of its outputs, and the rows of `ancf14 run`.
 function task([model, stop, step], work) {
@@ -114,6 +116,8 @@ const answer = await new Promise((resolve) => {
         response.end(served.get(name));
     });
     let browser;
+    const late = () => resolve({ error: `the page did not answer within ${PATIENCE / 1000} s; open it in a Chromium with a window, and look at its console`, server, browser });
+    setTimeout(late, PATIENCE).unref();
     server.listen(0, "127.0.0.1", () => {
         const address = `http://127.0.0.1:${server.address().port}/`;
         browser = spawn("chromium", ["--headless=new", "--no-sandbox", "--disable-gpu", `--user-data-dir=${join(work, "profile")}`, address], { stdio: "ignore" });

@@ -9,6 +9,7 @@ derivatives with respect to its state, so that an optimization over many steps h
     python crane.py crane.fmu
 """
 
+import shutil
 import sys
 
 import casadi as ca
@@ -30,7 +31,8 @@ class Crane:
         description = read_model_description(path)
         self.reference = {variable.name: variable.valueReference for variable in description.modelVariables}
         identifier = description.coSimulation.modelIdentifier
-        self.fmu = FMU3Slave(guid=description.guid, unzipDirectory=extract(path), modelIdentifier=identifier)
+        self.folder = extract(path)
+        self.fmu = FMU3Slave(guid=description.guid, unzipDirectory=self.folder, modelIdentifier=identifier)
         self.fmu.instantiate()
         self.fmu.enterInitializationMode()
         self.fmu.exitInitializationMode()
@@ -53,7 +55,7 @@ class Crane:
         self.tried, self.steps = foot, self.steps + 1
 
     def gradient(self, seed) -> list[float]:
-        """Of the outputs times `seed`, with respect to the position of the foot."""
+        """The derivative of the outputs times `seed` with respect to the position of the foot."""
         return self.fmu.getAdjointDerivative(self.seen, self.foot, [float(value) for value in seed], 3)
 
     def accept(self):
@@ -65,6 +67,7 @@ class Crane:
         self.fmu.freeFMUState(self.begin)
         self.fmu.terminate()
         self.fmu.freeInstance()
+        shutil.rmtree(self.folder, ignore_errors=True)
 
 
 class Function(ca.Callback):

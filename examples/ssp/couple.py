@@ -18,16 +18,21 @@ SSC = "http://ssp-standard.org/SSP1/SystemStructureCommon"
 
 
 class Unit:
-    """An FMU as a component: the causality of its inputs and outputs, and the members of its terminals."""
+    """An FMU as a component: causality and type of its variables, and the members of its terminals."""
 
     def __init__(self, path: Path):
         self.path, self.name = path, path.stem
         with zipfile.ZipFile(path) as archive:
             description = ElementTree.fromstring(archive.read("modelDescription.xml"))
+            version = description.get("fmiVersion")
+            if version != "2.0":
+                raise SystemExit(f"{path} is an FMU of FMI {version}, and SSP 1.0 takes FMI 2.0: pack it again with --fmi 2")
             terminals = ElementTree.fromstring(archive.read("terminalsAndIcons/terminalsAndIcons.xml"))
         self.stop = float(description.find("DefaultExperiment").get("stopTime"))
         variables = description.find("ModelVariables")
         self.causality = {variable.get("name"): variable.get("causality") for variable in variables}
+        # The first element of a variable is its type.
+        self.type = {variable.get("name"): variable[0].tag for variable in variables}
         self.terminals = {
             terminal.get("name"): {member.get("memberName"): member.get("variableName") for member in terminal}
             for terminal in terminals.iter("Terminal")
@@ -41,10 +46,26 @@ class Unit:
         return {member: name for member, name in members.items() if self.causality[name] == causality}
 
 
+def unique(units: list[Unit]) -> dict[str, Unit]:
+    """The units by their names."""
+    named = {}
+    for unit in units:
+        if unit.name in named:
+            raise SystemExit(f"{named[unit.name].path} and {unit.path} have the same name {unit.name}: rename one of the files")
+        named[unit.name] = unit
+    return named
+
+
 def connections(units: dict[str, Unit], pairs: list[str]):
     """Names of output and input, each with its unit, of all pairs `UNIT.TERMINAL=UNIT.TERMINAL`."""
     for pair in pairs:
-        (source, outlet), (target, inlet) = (side.split(".", 1) for side in pair.split("=", 1))
+        ends = [tuple(side.split(".", 1)) for side in pair.split("=", 1)]
+        if [len(end) for end in ends] != [2, 2]:
+            raise SystemExit(f"{pair} is not a connection: write UNIT.TERMINAL=UNIT.TERMINAL, outputs first")
+        (source, outlet), (target, inlet) = ends
+        for name in (source, target):
+            if name not in units:
+                raise SystemExit(f"{pair}: no FMU is named {name}; the FMUs are {', '.join(units)}")
         outputs, inputs = units[source].members(outlet, "output"), units[target].members(inlet, "input")
         missing = [member for member in inputs if member not in outputs]
         if missing:
@@ -67,7 +88,7 @@ def description(units: dict[str, Unit], wires: list[tuple[str, str, str, str]]) 
         for name, causality in unit.causality.items():
             if causality in ("input", "output"):
                 connector = ElementTree.SubElement(connectors, f"{{{SSD}}}Connector", name=name, kind=causality)
-                ElementTree.SubElement(connector, f"{{{SSC}}}Real" if "statistics." not in name else f"{{{SSC}}}Integer")
+                ElementTree.SubElement(connector, f"{{{SSC}}}{unit.type[name]}")
     drawn = ElementTree.SubElement(system, f"{{{SSD}}}Connections")
     for source, output, target, name in wires:
         ends = {"startElement": source, "startConnector": output, "endElement": target, "endConnector": name}
@@ -83,7 +104,7 @@ def main():
     parser.add_argument("words", nargs="+", help="FMUs, and connections UNIT.TERMINAL=UNIT.TERMINAL from outputs to inputs")
     parser.add_argument("-o", "--output", type=Path, required=True)
     words = parser.parse_args()
-    units = {unit.name: unit for unit in (Unit(Path(word)) for word in words.words if word.endswith(".fmu"))}
+    units = unique([Unit(Path(word)) for word in words.words if word.endswith(".fmu")])
     wires = list(connections(units, [word for word in words.words if not word.endswith(".fmu")]))
     with zipfile.ZipFile(words.output, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("SystemStructure.ssd", description(units, wires))

@@ -80,7 +80,7 @@ pub enum Error {
         /// Its name.
         name: String,
     },
-    /// In Initialization Mode the unknowns are what is calculated.
+    /// The unknown is not calculated in Initialization Mode.
     #[error(
         "`{name}` is not calculated; in Initialization Mode derivatives are those of outputs and calculated parameters"
     )]
@@ -88,7 +88,7 @@ pub enum Error {
         /// Its name.
         name: String,
     },
-    /// In Initialization Mode the knowns are what can be set.
+    /// The known cannot be set in Initialization Mode.
     #[error("`{name}` cannot be set; in Initialization Mode derivatives are taken by inputs and parameters")]
     NotGiven {
         /// Its name.

@@ -53,11 +53,11 @@ struct Arrays {
     time: u32,
     /// Memory for the rows of all elements that a call is about.
     rows: Vec<Vec<u32>>,
-    /// In Intermediate Update Mode: the results are those of its time.
+    /// The results are those of the time of Intermediate Update Mode.
     looked: bool,
     /// Where the communication step under way ends, s; none: it has arrived.
     end: Option<f64>,
-    /// In Intermediate Update Mode: inputs were set, so that the rest of the communication step begins anew.
+    /// The host set inputs in Intermediate Update Mode, so that the rest of the communication step begins anew.
     split: bool,
 }
 
@@ -69,7 +69,7 @@ struct Control {
     start: f64,
     /// Stop time where defined, s.
     stop: Option<f64>,
-    /// In Initialization Mode: the model's initial state belongs to the values as set.
+    /// The model's initial state belongs to the values as set in Initialization Mode.
     solved: bool,
     /// A value was read before initialization, and the host was warned.
     warned_early: bool,

@@ -31,17 +31,17 @@ impl Standard {
 /// Where an instance stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
-    /// After instantiation or a reset.
+    /// State after instantiation or a reset.
     Instantiated,
     /// Initialization Mode.
     Initialization,
     /// Ready for a step: stepComplete of FMI 2.0, Step Mode of FMI 3.0.
     Step,
-    /// After termination.
+    /// State after termination.
     Terminated,
-    /// After a step that failed.
+    /// State after a step that failed.
     Error,
-    /// After an internal fault.
+    /// State after an internal fault.
     Fatal,
     /// Intermediate Update Mode of FMI 3.0: between two internal steps of a communication step.
     Update,

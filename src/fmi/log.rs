@@ -79,7 +79,7 @@ impl Switch {
         Self { on, selected: [true; CATEGORIES.len()] }
     }
 
-    /// On or off for the categories named; none named means all (FMI 2.0, section 2.1.5). Gives back the unknown names.
+    /// Switches the named categories on or off; none named means all (FMI 2.0, section 2.1.5). Gives back the unknown names.
     pub fn select<'a>(&mut self, on: bool, names: &[&'a str]) -> Vec<&'a str> {
         *self = Self::new(on);
         if names.is_empty() || names.contains(&ALL) {
@@ -89,8 +89,7 @@ impl Switch {
         names.iter().copied().filter(|name| CATEGORIES.iter().all(|category| category.name() != *name)).collect()
     }
 
-    /// On or off for the categories named, and as before for the others; none named means all (FMI 3.0, section 2.3.1). Gives back the unknown
-    /// names.
+    /// Switches the named categories on or off and leaves the others; none named means all (FMI 3.0, section 2.3.1). Gives back the unknown names.
     pub fn turn<'a>(&mut self, on: bool, names: &[&'a str]) -> Vec<&'a str> {
         if names.is_empty() {
             *self = Self::new(on);

@@ -78,7 +78,7 @@ pub struct Credits {
     pub author: Option<String>,
     /// Its version.
     pub version: Option<String>,
-    /// Under which terms it may be used.
+    /// The terms of its use.
     pub license: Option<String>,
     /// Whose it is.
     pub copyright: Option<String>,

@@ -58,7 +58,7 @@ class Unit:
         self.slave.setRealInputDerivatives(references, [1] * len(references), [float(slope) for slope in slopes])
 
     def derivatives(self, outputs, inputs) -> np.ndarray:
-        """Of outputs at the end of the last step by inputs of it."""
+        """Derivatives of outputs at the end of the last step with respect to its inputs."""
         unknowns = [self.references[name] for name in outputs]
         columns = [self.slave.getDirectionalDerivative(unknowns, [self.references[name]], [1.0]) for name in inputs]
         return np.column_stack(columns)

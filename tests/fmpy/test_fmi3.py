@@ -165,7 +165,7 @@ class Slave:
 
 
 def test_intermediate_updates(tmp_path):
-    """With updates and without the bits are the same; during one the tip moves on; a host that asks returns early and goes on from there."""
+    """Results with and without updates are bit-identical; during one the tip moves on; a host that asks returns early and goes on from there."""
     told, ask = [], []
 
     def update(_environment, time, set_requested, get_allowed, finished, can_return, requested, _return_time):

@@ -54,6 +54,42 @@ def test_wrong_pairs_are_refused(units, pair, says):
     assert not (units / "wrong.ssp").exists()
 
 
+def fmu(path, version="2.0"):
+    """An FMU without a library: an output and an input, each in a terminal."""
+    path.parent.mkdir(exist_ok=True)
+    variables = "".join(f'<ScalarVariable name="{kind}" causality="{kind}"><{tag}/></ScalarVariable>' for kind, tag in [("output", "Integer"), ("input", "Real")])
+    terminals = "".join(f'<Terminal name="{kind}s"><TerminalMemberVariable memberName="x" variableName="{kind}"/></Terminal>' for kind in ["output", "input"])
+    with zipfile.ZipFile(path, "w") as archive:
+        head = f'<fmiModelDescription fmiVersion="{version}"><DefaultExperiment stopTime="1"/>'
+        archive.writestr("modelDescription.xml", f"{head}<ModelVariables>{variables}</ModelVariables></fmiModelDescription>")
+        archive.writestr("terminalsAndIcons/terminalsAndIcons.xml", f"<fmiTerminalsAndIcons><Terminals>{terminals}</Terminals></fmiTerminalsAndIcons>")
+    return path
+
+
+def test_connectors_have_the_types_of_their_variables(tmp_path):
+    done = couple(fmu(tmp_path / "a.fmu"), fmu(tmp_path / "b.fmu"), "a.outputs=b.inputs", "-o", tmp_path / "system.ssp")
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(tmp_path / "system.ssp") as archive:
+        connectors = etree.fromstring(archive.read("SystemStructure.ssd")).findall(".//{*}Connector")
+    assert {(connector.get("name"), etree.QName(connector[0]).localname) for connector in connectors} == {("output", "Integer"), ("input", "Real")}
+
+
+@pytest.mark.parametrize(
+    "second, version, pair, says",
+    [
+        ("b.fmu", "2.0", "a.outputs=c.inputs", "no FMU is named c; the FMUs are a, b"),
+        ("b.fmu", "2.0", "a.outputs", "write UNIT.TERMINAL=UNIT.TERMINAL"),
+        ("b.fmu", "2.0", "a.outputs=b", "write UNIT.TERMINAL=UNIT.TERMINAL"),
+        ("other/a.fmu", "2.0", "a.outputs=a.inputs", "have the same name a: rename one"),
+        ("b.fmu", "3.0", "a.outputs=b.inputs", "b.fmu is an FMU of FMI 3.0, and SSP 1.0 takes FMI 2.0: pack it again with --fmi 2"),
+    ],
+)
+def test_mistakes_are_refused_in_one_sentence(tmp_path, second, version, pair, says):
+    done = couple(fmu(tmp_path / "a.fmu"), fmu(tmp_path / second, version), pair, "-o", tmp_path / "wrong.ssp")
+    assert done.returncode != 0 and says in done.stderr and "Traceback" not in done.stderr, done.stderr
+    assert not (tmp_path / "wrong.ssp").exists()
+
+
 def places(system, step):
     """Displacements of the end of the arm and of the weight at the ends of the steps, m."""
     rows = simulate_ssp(str(system), stop_time=STOP - step / 2, step_size=step)

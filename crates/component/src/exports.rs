@@ -23,7 +23,7 @@ impl Guest for Fmu {
     type CoSimulationInstance = Unit;
 }
 
-/// The answer of a call that gives nothing but its status.
+/// The status of a check that has no other answer.
 fn status(outcome: Result<(), Status>) -> Status {
     outcome.err().unwrap_or(Status::Ok)
 }
@@ -45,24 +45,24 @@ impl GuestCoSimulationInstance for Unit {
 
     fn set_debug_logging(&self, on: bool, categories: Vec<String>) -> Status {
         let names: Vec<&str> = categories.iter().map(String::as_str).collect();
-        status(self.answer(Call::SetDebugLogging, |instance| instance.set_debug_logging(on, &names)))
+        self.status(Call::SetDebugLogging, |instance| instance.set_debug_logging(on, &names))
     }
 
     fn enter_initialization_mode(&self, tolerance: Option<f64>, start: f64, stop: Option<f64>) -> Status {
         let call = Call::EnterInitializationMode;
-        status(self.answer(call, |instance| instance.enter_initialization_mode_for(tolerance, start, stop)))
+        self.status(call, |instance| instance.enter_initialization_mode_for(tolerance, start, stop))
     }
 
     fn exit_initialization_mode(&self) -> Status {
-        status(self.answer(Call::ExitInitializationMode, |instance| instance.exit_initialization_mode()))
+        self.status(Call::ExitInitializationMode, |instance| instance.exit_initialization_mode())
     }
 
     fn terminate(&self) -> Status {
-        status(self.answer(Call::Terminate, |instance| instance.terminate()))
+        self.status(Call::Terminate, |instance| instance.terminate())
     }
 
     fn reset(&self) -> Status {
-        status(self.answer(Call::Reset, |instance| instance.reset()))
+        self.status(Call::Reset, |instance| instance.reset())
     }
 
     fn get_float64(&self, references: Vec<u32>) -> Result<Vec<f64>, Status> {
@@ -71,7 +71,7 @@ impl GuestCoSimulationInstance for Unit {
     }
 
     fn set_float64(&self, references: Vec<u32>, values: Vec<f64>) -> Status {
-        status(self.answer(Call::SetReal, |instance| instance.set_float64(&references, &values)))
+        self.status(Call::SetReal, |instance| instance.set_float64(&references, &values))
     }
 
     fn get_int32(&self, references: Vec<u32>) -> Result<Vec<i32>, Status> {
@@ -80,7 +80,7 @@ impl GuestCoSimulationInstance for Unit {
     }
 
     fn set_int32(&self, references: Vec<u32>, values: Vec<i32>) -> Status {
-        status(self.answer(Call::SetInteger, |instance| instance.set_int32(&references, &values)))
+        self.status(Call::SetInteger, |instance| instance.set_int32(&references, &values))
     }
 
     fn get_number_of_variable_dependencies(&self, reference: u32) -> Result<u64, Status> {
@@ -113,10 +113,10 @@ impl GuestCoSimulationInstance for Unit {
     }
 
     fn set_fmu_state(&self, bytes: Vec<u8>) -> Status {
-        status(self.answer(Call::SetFMUstate, |instance| {
+        self.status(Call::SetFMUstate, |instance| {
             let state = instance.deserialize(&bytes)?;
             instance.set_state(&state)
-        }))
+        })
     }
 
     fn get_directional_derivative(

@@ -60,15 +60,25 @@ impl Unit {
             return refused(String::from("the instance name is blank; pass a name that is unique in the simulation"));
         }
         if wishes.event_mode {
-            return refused(String::from("eventModeUsed is true, but this unit has no Event Mode"));
+            return refused(String::from(
+                "eventModeUsed is true, but this unit has no Event Mode; pass false, as hasEventMode says",
+            ));
         }
         let path = format!("{}/model.toml", wishes.resources.trim_end_matches('/'));
-        let text = files::read(&path)
-            .map_err(|reason| Error::Instantiate(format!("cannot read the model file {path}: {reason}")))?;
+        let text = files::read(&path).map_err(|reason| {
+            Error::Instantiate(format!(
+                "cannot read the model file {path}: {reason}; the resource path must be the unpacked `resources` \
+                 directory of the FMU, which the host opens for the component"
+            ))
+        })?;
         let model = Simulation::load(&path, &text, &[])?;
         let own = &model.about().guid;
         if *own != wishes.token {
-            return refused(format!("the token `{}` is not that of the model file {path}, `{own}`", wishes.token));
+            return refused(format!(
+                "the token `{}` is not that of the model file {path}, `{own}`: modelDescription.xml and resources belong \
+                 to different models, or the file was changed; pack it again",
+                wishes.token
+            ));
         }
         let list = arrays(model.variables());
         let mut elements: BTreeMap<u32, usize> =
@@ -87,19 +97,33 @@ impl Unit {
         references.iter().map(|reference| self.elements.get(reference).copied().unwrap_or(1)).sum()
     }
 
-    /// Runs the body of a call; an error goes to the log.
+    /// Runs the body of a call that returns values; an error goes to the log. The status of a success has no place next to values: its warnings are in the log.
     pub fn answer<T>(
         &self,
         call: Call,
         body: impl FnOnce(&mut Instance<Simulation>) -> Result<T, Error>,
     ) -> Result<T, Status> {
+        self.run(call, body).map(|(values, _)| values)
+    }
+
+    /// Runs the body of a call that returns its status only; an error goes to the log.
+    pub fn status(&self, call: Call, body: impl FnOnce(&mut Instance<Simulation>) -> Result<(), Error>) -> Status {
+        self.run(call, body).map_or_else(|refused| refused, |((), status)| status)
+    }
+
+    fn run<T>(
+        &self,
+        call: Call,
+        body: impl FnOnce(&mut Instance<Simulation>) -> Result<T, Error>,
+    ) -> Result<(T, Status), Status> {
         let (mode, time) = {
             let instance = self.instance.borrow();
             (instance.mode(), instance.time())
         };
         let outcome = body(&mut self.instance.borrow_mut());
         self.report();
-        outcome.map_err(|error| {
+        let status = word(self.instance.borrow_mut().take_status());
+        outcome.map(|values| (values, status)).map_err(|error| {
             let text = format!("{} {mode} at t = {time} s: {error}", Standard::Fmi3.name(call));
             log_message(&self.name, word(error.status()), error.category().name(), &text);
             word(error.status())

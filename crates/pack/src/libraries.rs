@@ -145,14 +145,16 @@ pub fn find_others(library: &Path) -> Vec<(Platform, PathBuf)> {
 /// Reads libraries from their files.
 ///
 /// # Errors
-/// One cannot be read, is no library for its platform, or is the second one for it.
+/// One cannot be read, is not a library for its platform, or is the second one for it.
 pub fn read(libraries: &[(Platform, PathBuf)]) -> Result<Vec<(Platform, Vec<u8>)>, Error> {
     let mut read: Vec<(Platform, Vec<u8>)> = Vec::new();
     for (platform, file) in libraries {
         let bytes = fs::read(file).map_err(|reason| io(&format!("cannot read {}", file.display()), reason))?;
         let problem = match Platform::of_library(&bytes) {
             Some(found) if found != *platform => format!("it is a shared library for {}", found.name()),
-            None => "it is no shared library for x86, x86-64 or 64-bit ARM, and no component of WebAssembly".to_owned(),
+            None => {
+                "it is neither a shared library for x86, x86-64 or 64-bit ARM nor a component of WebAssembly".to_owned()
+            }
             Some(_) if read.iter().any(|(earlier, _)| earlier == platform) => "there is another one already".to_owned(),
             Some(_) => {
                 read.push((*platform, bytes));

@@ -160,7 +160,7 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// In Initialization Mode derivatives are those of the initial state.
+    /// Derivatives in Initialization Mode are those of the initial state.
     fn start_derivatives(&mut self) -> Result<(), Error> {
         match self.mode() {
             Mode::Initialization => self.solve_initial_state(),

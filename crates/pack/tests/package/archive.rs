@@ -242,7 +242,7 @@ fn libraries_are_for_their_platform() {
     for bytes in [program, module, b"<html>".to_vec(), vec![0xff; 300], Vec::new()] {
         fs::write(&path, bytes).unwrap();
         let error = read(&[(Platform::Win64, path.clone())]).unwrap_err().to_string();
-        assert!(error.contains("no shared library") && error.contains("library for win64"), "{error}");
+        assert!(error.contains("neither a shared library") && error.contains("library for win64"), "{error}");
     }
     fs::remove_file(&path).unwrap();
     let error = read(&[(Platform::Win64, path)]).unwrap_err().to_string();
