@@ -1,6 +1,6 @@
 #!/bin/sh
 # The linker of what is shipped: Zig's, out of target/python-env, against the symbols that glibc had in version 2.17 (2012),
-# with an unwinder of its own instead of libgcc_s. Called by rustc (scripts/build.sh, scripts/build-aarch64.sh). ANCF14_MACHINE is the processor
+# with an unwinder of its own instead of libgcc_s. Called by rustc (scripts/target.sh, scripts/aarch64.sh). ANCF14_MACHINE is the processor
 # [default: x86_64].
 set -eu
 

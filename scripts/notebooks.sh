@@ -7,7 +7,7 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 environment=$target/notebook-env
 rm -rf "$environment" "$target/notebooks"
 "${PYTHON:-python3}" -m venv "$environment"
-"$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$target"/wheels/ancf14-*.whl --requirement python/tests/requirements.txt \
+"$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$target"/wheels/ancf14-*_"$(uname -m)".whl --requirement python/tests/requirements.txt \
     --requirement python/examples/requirements.txt
 # A copy, which the examples write into.
 mkdir -p "$target/notebooks/python"

@@ -41,6 +41,30 @@ def ran(words: list[object], **options) -> str:
     return done.stdout
 
 
+def numbers(table: str) -> np.ndarray:
+    """The rows of a table in CSV."""
+    head, *lines = table.splitlines()
+    # Counts of steps and iterations are no results.
+    kept = [place for place, name in enumerate(next(csv.reader([head]))) if not name.startswith("statistics.")]
+    return np.genfromtxt(lines, delimiter=",", usecols=kept)
+
+
+def largest_share(rows: np.ndarray, here: np.ndarray) -> float:
+    """The largest difference of an output, as a share of its largest value on this computer."""
+    difference, largest = np.abs(rows - here).max(axis=0), np.abs(here).max(axis=0)
+    # An output that is zero here must be zero there.
+    return np.divide(difference, largest, out=np.where(difference > 0, np.inf, 0.0), where=largest > 0).max()
+
+
+def shown(share: float) -> str:
+    return "bit-identical" if share == 0 else f"{share:.0e}"
+
+
+def refuse_more_than_round_off(worst: float) -> None:
+    if not worst <= SHARE:
+        sys.exit(f"an output differs by {worst:.1e} of its largest value; no more than {SHARE:.0e} was expected")
+
+
 def outputs(program: Path, model: Path, folder: Path) -> dict[str, np.ndarray]:
     """The rows of a model on every platform."""
     header, fmu = folder / "model.h", folder / "model.fmu"
@@ -66,10 +90,7 @@ def outputs(program: Path, model: Path, folder: Path) -> dict[str, np.ndarray]:
         # Wine's drive Z is the root of this file system.
         path = f"Z:{resources}" if platform.endswith("windows") else resources
         printed = ran([*emulator, executable, path], cwd=place, env=os.environ | {"WINEDEBUG": "-all", "LD_LIBRARY_PATH": str(place)})
-        head, *lines = printed.splitlines()
-        # Counts of steps and iterations are no results.
-        kept = [place for place, name in enumerate(next(csv.reader([head]))) if not name.startswith("statistics.")]
-        rows[platform] = np.genfromtxt(lines, delimiter=",", usecols=kept)
+        rows[platform] = numbers(printed)
     return rows
 
 
@@ -87,19 +108,15 @@ def main(program: Path) -> None:
             model.write_text(text)
             rows = outputs(program, model, Path(folder))
         here = rows[own]
-        largest = np.abs(here).max(axis=0)
         cells = []
         for other in others:
             if rows[other].shape != here.shape:
                 sys.exit(f"{name} has {rows[other].shape} rows and columns on {other}, and {here.shape} on {own}")
-            difference = np.abs(rows[other] - here).max(axis=0)
-            # An output that is zero here must be zero there.
-            share = np.divide(difference, largest, out=np.where(difference > 0, np.inf, 0.0), where=largest > 0).max()
+            share = largest_share(rows[other], here)
             worst = max(worst, share)
-            cells.append("bit-identical" if difference.max() == 0 else f"{share:.0e}")
+            cells.append(shown(share))
         print(f"| {name}, {stop:g} s | {here.shape[1] - 1} | {len(here)} | {' | '.join(cells)} |", flush=True)
-    if not worst <= SHARE:
-        sys.exit(f"an output differs by {worst:.1e} of its largest value; no more than {SHARE:.0e} was expected")
+    refuse_more_than_round_off(worst)
 
 
 if __name__ == "__main__":

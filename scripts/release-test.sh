@@ -1,6 +1,6 @@
 #!/bin/sh
 # Tests what scripts/release.sh has made: the checksums; the archive, unpacked into another folder, by its program and a C program, and
-# by FMUs on 64-bit ARM (qemu) and Windows (Wine), if it has libraries for them; the wheel, installed into
+# by FMUs on 64-bit ARM (qemu) and Windows (Wine), if it has libraries for them; the wheels, by their tags, hashes and libraries; the one for this computer, installed into
 # an empty environment, target/wheel-env, by the tests of the Python package.
 set -eu
 
@@ -33,15 +33,20 @@ if [ -f "$place/lib/ancf14.wasm" ]; then
     scripts/build-wasm.sh --check "$place/lib/ancf14.wasm"
     echo "archive: the solver of pages is of these sources"
 fi
+scripts/python-env.sh
 if [ -d "$place/lib/aarch64-linux" ] && [ -d "$place/lib/x86_64-windows" ]; then
-    scripts/python-env.sh
     "$target/python-env/bin/python" scripts/platforms.py "$place/bin/ancf14"
 fi
+for wheel in dist/ancf14-*manylinux*.whl; do
+    if [ -f "$wheel" ]; then
+        "$target/python-env/bin/python" scripts/check_wheel.py "$wheel"
+    fi
+done
 
 rm -rf "$target/wheel-env"
 "${PYTHON:-python3}" -m venv "$target/wheel-env"
 python="$target/wheel-env/bin/python"
-"$python" -m pip install --quiet --disable-pip-version-check dist/ancf14-*.whl --requirement python/tests/requirements.txt
+"$python" -m pip install --quiet --disable-pip-version-check dist/ancf14-*_"$(uname -m)".whl --requirement python/tests/requirements.txt
 if [ -f "$target/fmu/ancf14.wasm" ]; then
     "$target/wheel-env/bin/ancf14" view models/cantilever.toml --set simulation.stop=0.05 --live -o "$place/wheel.html" > "$place/wheel.txt"
     grep -q 'id="solver"' "$place/wheel.html"

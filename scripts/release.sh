@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes a release in dist/: the Python wheel; for those without Python an archive with the program, the libraries, the header, files for pkg-config and CMake,
 # models and examples; the list of all components (CycloneDX); checksums. Builds what is missing, but for the libraries of other
-# platforms, which scripts/build-platforms.sh builds: wheel and archive have those that are there.
+# platforms, which scripts/build-platforms.sh builds: wheel and archive have those that are there. With the library for 64-bit ARM there is a wheel for it, too.
 # The same commit gives the same archive.
 set -eu
 
@@ -13,6 +13,9 @@ if [ "${ANCF14_LIVE:-yes}" = yes ]; then
     scripts/build-wasm.sh
 fi
 scripts/wheel.sh
+if [ -f "$target/fmu/aarch64-linux/libancf14.so" ]; then
+    scripts/wheel.sh aarch64-linux
+fi
 version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
 name=ancf14-$version-$(uname -s | tr '[:upper:]' '[:lower:]')-$(uname -m)
 tree=$target/release-tree

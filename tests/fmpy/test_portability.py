@@ -3,7 +3,6 @@ was in 2012, leave nothing behind in the process of their host, and panics stop 
 was built on."""
 
 import ctypes
-import io
 import re
 import subprocess
 import zipfile
@@ -12,13 +11,11 @@ from pathlib import Path
 import _ctypes
 import fmpy
 import pytest
-from elftools.elf.elffile import ELFFile
 
 from conftest import ROOT, executable
+from elf_files import OWN_PARTS_OF_GLIBC, elf, needed, needs_an_old_c_library_only, symbols, versions
 
-GLIBC = (2, 17)
 LIBRARY_BYTES = 4_100_000  # 3.95 MB; the 75 functions of FMI 3.0, each with its own guard against panics, are some 0.19 MB of them
-OWN_PARTS_OF_GLIBC = {"libc.so.6", "libm.so.6", "libpthread.so.0", "libdl.so.2", "ld-linux-x86-64.so.2"}
 
 # Threads, and whatever has to be called when a thread ends: a library that was unloaded by then kills its host, and a key that is
 # taken at every load is not given back.
@@ -43,24 +40,6 @@ def shipped(request) -> bytes:
     return library(request.config.fmus[0])
 
 
-def elf(data: bytes) -> ELFFile:
-    return ELFFile(io.BytesIO(data))
-
-
-def needed(file: ELFFile) -> set[str]:
-    return {tag.needed for tag in file.get_section_by_name(".dynamic").iter_tags("DT_NEEDED")}
-
-
-def versions(file: ELFFile) -> set[str]:
-    section = file.get_section_by_name(".gnu.version_r")
-    return {version.name for _library, auxiliary in section.iter_versions() for version in auxiliary}
-
-
-def symbols(file: ELFFile, *, imported: bool) -> set[str]:
-    table = file.get_section_by_name(".dynsym")
-    return {symbol.name for symbol in table.iter_symbols() if symbol.name and (symbol["st_shndx"] == "SHN_UNDEF") == imported}
-
-
 def test_every_fmu_has_the_same_library(shipped, fmu):
     assert library(fmu) == shipped
 
@@ -72,12 +51,7 @@ def test_the_library_records_no_file_name(shipped):
 
 @pytest.mark.parametrize("what", ["library", "command line"])
 def test_an_old_c_library_is_enough(shipped, what):
-    file = elf(shipped if what == "library" else executable().read_bytes())
-    assert file.get_machine_arch() == "x64"
-    assert {"libc.so.6"} <= needed(file) <= OWN_PARTS_OF_GLIBC
-    assert "GLIBC_2.2.5" in (found := versions(file))
-    for version in found:
-        assert version.startswith("GLIBC_") and tuple(map(int, version[6:].split("."))) <= GLIBC, version
+    needs_an_old_c_library_only(shipped if what == "library" else executable().read_bytes(), "x64")
 
 
 def test_the_names_are_those_of_the_standard_and_our_own(shipped):

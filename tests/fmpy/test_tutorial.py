@@ -26,7 +26,7 @@ PAGES = ["README.md", "docs/tutorial.md"]
 DONE_ELSEWHERE = [
     "sh scripts/build.sh --quick",
     "cargo run --release --example first",
-    "pip install ancf14-*.whl",
+    "pip install ancf14-*_$(uname -m).whl",
     "python heights.py",
 ]
 LISTING = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
