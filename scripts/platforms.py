@@ -6,6 +6,7 @@
 PROGRAM is `ancf14`, beside which the libraries lie. Prints a table in Markdown; fails if a library is missing or does not run, or if outputs differ by more than SHARE."""
 
 import csv
+import math
 import os
 import re
 import shutil
@@ -50,7 +51,11 @@ def numbers(table: str) -> np.ndarray:
 
 
 def largest_share(rows: np.ndarray, here: np.ndarray) -> float:
-    """The largest difference of an output, as a share of its largest value on this computer."""
+    """The largest difference of an output, as a share of its largest value on this computer; infinite if a number is not finite."""
+    if rows.shape != here.shape:
+        sys.exit(f"a table has {rows.shape} rows and columns there, and {here.shape} here")
+    if not (np.isfinite(rows).all() and np.isfinite(here).all()):
+        return math.inf
     difference, largest = np.abs(rows - here).max(axis=0), np.abs(here).max(axis=0)
     # An output that is zero here must be zero there.
     return np.divide(difference, largest, out=np.where(difference > 0, np.inf, 0.0), where=largest > 0).max()
@@ -110,8 +115,6 @@ def main(program: Path) -> None:
         here = rows[own]
         cells = []
         for other in others:
-            if rows[other].shape != here.shape:
-                sys.exit(f"{name} has {rows[other].shape} rows and columns on {other}, and {here.shape} on {own}")
             share = largest_share(rows[other], here)
             worst = max(worst, share)
             cells.append(shown(share))

@@ -37,11 +37,15 @@ scripts/python-env.sh
 if [ -d "$place/lib/aarch64-linux" ] && [ -d "$place/lib/x86_64-windows" ]; then
     "$target/python-env/bin/python" scripts/platforms.py "$place/bin/ancf14"
 fi
-for wheel in dist/ancf14-*manylinux*.whl; do
-    if [ -f "$wheel" ]; then
-        "$target/python-env/bin/python" scripts/check_wheel.py "$wheel"
-    fi
+for wheel in dist/ancf14-*.whl; do
+    case $wheel in
+        *manylinux*) "$target/python-env/bin/python" scripts/check_wheel.py "$wheel" ;;
+        *) test -f "$wheel" ;;
+    esac
 done
+if [ -d "$place/lib/aarch64-linux" ]; then
+    ls dist/ancf14-*_aarch64.whl
+fi
 
 rm -rf "$target/wheel-env"
 "${PYTHON:-python3}" -m venv "$target/wheel-env"

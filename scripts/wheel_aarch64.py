@@ -16,7 +16,7 @@ from pathlib import Path
 
 from platforms import MODELS, ROOT, largest_share, numbers, ran, refuse_more_than_round_off, shown
 
-ENVIRONMENT = Path(sys.prefix).parent / "arm-env"
+ENVIRONMENT = ROOT / "target/arm-env"
 COMMAND = "import sys; from ancf14._command import main; sys.exit(main())"
 MODULE = "import ancf14, sys; ancf14.Model(sys.argv[1]).run(stop=float(sys.argv[2])).to_csv(sys.argv[3])"
 PACK = "import ancf14, sys; ancf14.Model(sys.argv[1]).pack(sys.argv[2], fmi=3)"

@@ -41,14 +41,16 @@ export class Page {
     app.append(this.header(), body);
     this.player = new Player(data, this.viewport);
     const { player } = this;
-    // Only as drawn: nothing moves, and nothing bears a load.
-    const still = data.times.length < 2 && data.modes.length === 0;
-    player.colorBy(still ? "" : data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
+    // A single instant: nothing moves.
+    const still = player.run.times.length < 2 && data.modes.length === 0;
+    player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
+    // As drawn, beams bear nothing.
+    if (still && player.range[0] === player.range[1]) player.colorBy("");
     this.charts = new Charts(data, player.run);
     this.along = new Along(data);
     this.panel = new PickPanel(player);
     this.labels = new Labels(player, this.viewport);
-    this.charts.element.hidden = data.times.length < 2;
+    this.charts.element.hidden = player.run.times.length < 2;
     charts.append(this.panel.element, this.along.element, this.charts.element);
     stage.append(this.legend, this.controls(), this.scaleBar, this.scaleNote, this.video.status);
     if (data.second) stage.append(this.runs(data.second.names));

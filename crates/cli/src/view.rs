@@ -69,7 +69,14 @@ pub fn view(order: Order<'_>) -> Result<(), Stop> {
         let names = names([&source, other], &model.overrides);
         let (run, ended) = second.shown(None)?;
         compared = Some(Second { names, run });
-        outcome = outcome.and(ended);
+        outcome = match (outcome, ended) {
+            // One reason ends the program: the other one is told here.
+            (Err(reason), Err(other)) => {
+                complain(&other.to_string());
+                Err(reason)
+            }
+            (outcome, ended) => outcome.and(ended),
+        };
     }
     let text = html(&run, compared.as_ref(), live.as_ref()).map_err(|reason| unwritten(&reason))?;
     output::write(&file, text.as_bytes())?;

@@ -17,7 +17,7 @@ pub struct Contents<'a> {
     pub icon: &'a [u8],
     /// HTML page that shows the mechanism in three dimensions, for the documentation.
     pub page: &'a str,
-    /// SVG drawing: the icon of FMI 3.0, and what the documentation shows without JavaScript.
+    /// SVG drawing: the icon of FMI 3.0, and the drawing of the documentation, which needs no WebGL.
     pub drawing: &'a str,
     /// What is in the drawing.
     pub legend: &'a str,

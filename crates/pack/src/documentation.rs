@@ -207,11 +207,15 @@ fn write_page(
     if !said.is_empty() {
         writeln!(out, "<p>{}</p>", said.join(" "))?;
     }
-    // A page in the page: it has its own style, and its policy lets it load nothing.
+    // A page in the page: it has its own style, its policy lets it load nothing, and its sandbox keeps it apart from this one.
     let page = contents.page.replace('&', "&amp;").replace('\'', "&#39;");
     let (drawing, legend) = (contents.drawing, escape(contents.legend));
-    writeln!(out, "<figure>\n<iframe title=\"The mechanism as drawn\" srcdoc='{page}'></iframe>")?;
-    writeln!(out, "<noscript>{drawing}<figcaption>{legend}</figcaption></noscript>\n</figure>")?;
+    let may = "allow-scripts allow-downloads allow-forms";
+    writeln!(out, "<figure>\n<iframe title=\"The mechanism as drawn\" sandbox=\"{may}\" srcdoc='{page}'></iframe>")?;
+    writeln!(
+        out,
+        "<figcaption>{legend}</figcaption>\n<details><summary>Drawing</summary>\n{drawing}</details>\n</figure>"
+    )?;
     let [stop, step] = [about.stop, about.output_step];
     writeln!(out, "<p>Default experiment: from 0 to {stop:?} s, communication step {step:?} s. On this page:")?;
     let rows = rows_of(standard, variables);

@@ -48,7 +48,7 @@ impl Shown {
 }
 
 impl Second {
-    /// As JSON.
+    /// The second run as the page has it, in JSON.
     pub(crate) fn json(&self) -> Result<String, serde_json::Error> {
         Ok(format!(r#"{{"names":{},"data":{}}}"#, serde_json::to_string(&self.names)?, self.run.json))
     }

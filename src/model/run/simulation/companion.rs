@@ -45,7 +45,7 @@ pub enum Lost {
 pub struct Halt(Arc<AtomicBool>);
 
 impl Halt {
-    /// Halts it.
+    /// Halts the run that has this.
     pub fn set(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
@@ -80,7 +80,7 @@ pub struct Companion {
     /// None until the first row: building takes time, which another thread may spend.
     simulation: Option<Box<Simulation>>,
     found: Result<Differences, Lost>,
-    /// Of whoever asked for it, and of the placement.
+    /// The halt of whoever asked for the run, and that of the placement.
     halts: [Halt; 2],
 }
 
