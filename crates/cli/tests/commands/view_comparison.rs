@@ -99,6 +99,11 @@ fn a_second_run_may_fail() {
         "{}",
         second["data"]["notes"]
     );
+    // If both fail, both reasons are told.
+    std::fs::copy(directory.path().join("ring.toml"), directory.path().join("wheel.toml")).unwrap();
+    let words = [&["view", "ring.toml", "wheel.toml", "-o", "both.html"], &settings[..]].concat();
+    let told = String::from_utf8(ancf14(directory.path(), &words).stderr).unwrap();
+    assert_eq!(told.matches("error: ").count(), 2, "{told}");
 }
 
 /// Wrong files and options are refused with a remedy, and nothing is written.

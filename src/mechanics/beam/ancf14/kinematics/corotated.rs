@@ -134,19 +134,13 @@ impl<'a> CorotatedShape<'a> {
         let (by_chord, by_slope) = (first.in_space(&by_chord), first.in_space(&by_slope));
         let by_p0 = first.in_space(&moved) + twist_p0 * by[TWIST];
         let by_p1 = by_slope + twist_p1 * by[TWIST];
-        let mut sum = ElementVector::zeros();
-        for i in 0..3 {
-            sum[R + i] = -by_chord[i];
-            sum[P + i] = by_p0[i];
-            sum[NODE + R + i] = by_chord[i];
-            sum[NODE + P + i] = by_p1[i];
-        }
+        let mut sum = by_coordinates(&by_chord, &by_p0, &by_p1);
         sum[THETA] = by[ANGLE] - by[TWIST];
         sum[NODE + THETA] = by[TWIST];
         sum
     }
 
-    /// What [`Self::gradient`] of the same derivatives `by` changes by with a small change of the coordinates, 14×1.
+    /// What [`Self::gradient`] of the same derivatives `by` changes by with a small change of the coordinates, 14×1: `Ṡᵀ by` (MECHANICS 3.8).
     pub fn gradient_change(&self, by: &CorotatedVector, change: &WayBackChange) -> ElementVector {
         let [first, _] = self.frames;
         let WayBackChange { turn, chord, slope, stretch, k, twist_p0, twist_p1 } = change;
@@ -160,17 +154,10 @@ impl<'a> CorotatedShape<'a> {
         let by_chord = first.in_space(&turn.cross(&by_chord));
         let by_p0 = first.in_space(&(force_change + turn.cross(&moved) + twist_p0 * by_twist));
         let by_p1 = first.in_space(&(turn.cross(&by_slope) + twist_p1 * by_twist));
-        let mut sum = ElementVector::zeros();
-        for i in 0..3 {
-            sum[R + i] = -by_chord[i];
-            sum[P + i] = by_p0[i];
-            sum[NODE + R + i] = by_chord[i];
-            sum[NODE + P + i] = by_p1[i];
-        }
-        sum
+        by_coordinates(&by_chord, &by_p0, &by_p1)
     }
 
-    /// What the way back from its derivatives to the coordinates changes by with small changes `change` (14) of the coordinates, by which it changes itself by `own`.
+    /// What the derivatives of the shape with respect to the coordinates change by with small changes `change` (14) of the coordinates; these change the shape by `own`.
     pub fn way_back_change(&self, change: &[f64], own: &CorotatedChange) -> WayBackChange {
         let [first, second] = self.frames;
         let holonomy = self.holonomy.local(first, second);
@@ -356,6 +343,19 @@ pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3,
         }
     }
     sum[STRETCH][STRETCH] += pp[(0, 0)] * square(1) + 2.0 * pw[(0, 0)] * both(1);
+}
+
+/// The derivatives with respect to the coordinates, 14×1, of what has these with respect to the chord and to both slopes; 0 with respect to the angles.
+#[inline]
+fn by_coordinates(by_chord: &Vec3, by_p0: &Vec3, by_p1: &Vec3) -> ElementVector {
+    let mut sum = ElementVector::zeros();
+    for i in 0..3 {
+        sum[R + i] = -by_chord[i];
+        sum[P + i] = by_p0[i];
+        sum[NODE + R + i] = by_chord[i];
+        sum[NODE + P + i] = by_p1[i];
+    }
+    sum
 }
 
 /// The three numbers of `vector` from `place` on.

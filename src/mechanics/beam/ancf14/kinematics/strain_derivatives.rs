@@ -92,7 +92,7 @@ impl<'a> Gradients<'a> {
         [strain([cos, sin], gamma2, 0.0), strain([-sin, cos], -gamma1, 0.0), strain([0.0, 0.0], 0.0, by_twist)]
     }
 
-    /// What [`Self::strains`] of all bending points change by with a small change of the corotated shape.
+    /// What [`Self::strains`] of all bending points change by with a small change of the corotated shape: `H_i ṡ` of each strain (MECHANICS 3.8).
     pub fn strain_changes(&self, evaluation: &Evaluation, change: &CorotatedChange) -> [[CorotatedVector; 3]; 3] {
         let rules = &evaluation.element.bending;
         // Of the curvatures and the twist rate of a point, and of their gradients.
