@@ -34,18 +34,17 @@ echo "| part of a step | instructions | share |"
 echo "|---|---|---|"
 row() {
     own=$(difference "$2")
-    echo "| $1 | $((own / 200)) | $((own * 100 / whole)) % |"
+    echo "| $1 | $((own / 300)) | $((own * 100 / whole)) % |"
 }
 row 'step, all of it' 'simulation::Simulation as ancf14::fmi::Model>::advance'
-row 'start' 'midpoint::scratch::Scratch::prepare'
+row 'strains at the start' 'System>::begin_step'
 row 'matrix and right side of an iteration' 'Problem>::linearize'
 row '- elements, loads, springs' 'System>::forces_and_tangent'
 row '- derivatives of joints' 'Kkt::set_curvatures'
 row 'factorization' 'Multifrontal::factorize'
-row '- elimination of fronts' 'frontal_matrix::eliminate'
 row 'solution, refined' 'Multifrontal::solve'
 row 'forces at the end' 'midpoint::scratch::Scratch::evaluate'
-row 'solutions with the same factors' 'DirectSolver::solve_roughly'
+row 'solutions with the same factors' 'Multifrontal::substitute_in'
 row 'velocities' 'Projection::set_velocity'
 row 'error of the steps' 'Estimator::carry'
 row 'its velocities' 'Estimator::project'

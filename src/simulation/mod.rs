@@ -90,8 +90,9 @@ impl Simulation {
     fn load(folder: Option<&Path>, name: &str, text: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
         let overrides: Vec<(String, String)> =
             overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
-        let model = model::simulation::Simulation::load_in(folder, name, text, &overrides)
+        let mut model = model::simulation::Simulation::load_in(folder, name, text, &overrides)
             .map_err(|failure| Error::Mistakes { mistakes: failure.message, line: failure.line })?;
+        model.heed_mesh_error();
         let warnings = notes::notes(model.document());
         Ok(Self { instance: Instance::new(model, false), warnings, rows: 0 })
     }
@@ -207,7 +208,7 @@ impl Simulation {
 
     /// Asks for the mesh error of motions, before [`Self::initialize`]: the model runs once more beside this run, with half the elements. `placement` says where, for
     /// instance on a thread. [`Self::finish`] waits for it, and warns where the mesh is too coarse. Results do not change. [`Self::restore`], and parameters that are set
-    /// during the run, leave the error unknown. The answer halts the run beside, from any thread, where nobody waits for the error any more.
+    /// during the run, leave the error unknown. `mesh_error = true` in the model file asks for it within each step of this run. The answer halts the run beside, from any thread, where nobody waits for the error any more.
     pub fn ask_for_mesh_error(&mut self, placement: Placement) -> Halt {
         self.instance.model_mut().ask_for_mesh_error(placement)
     }

@@ -71,7 +71,7 @@ impl Unit {
                  directory of the FMU, which the host opens for the component"
             ))
         })?;
-        let model = Simulation::load(&path, &text, &[])?;
+        let model = Simulation::load_unit(&path, &text)?;
         let own = &model.about().guid;
         if *own != wishes.token {
             return refused(format!(

@@ -79,7 +79,9 @@ impl JointGradient {
 
 /// The gradient of `lambda·phi` from those of all rows.
 fn weighted(rows_x: &[PairVector], lambda: &[f64]) -> PairVector {
-    rows_x.iter().zip(lambda).map(|(row, lambda)| row * *lambda).sum()
+    let mut sum = PairVector::zeros();
+    rows_x.iter().zip(lambda).for_each(|(row, lambda)| sum += row * *lambda);
+    sum
 }
 
 impl Joint {
@@ -155,20 +157,25 @@ impl Joint {
         }
     }
 
-    /// Gradients of all rows by the vectors of both poses, in order; `part` is [`Self::gear_part`].
-    fn rows_x(&self, a: &Pose, b: &Pose, part: Option<Jet>) -> ([PairVector; MOST_CONDITIONS], usize) {
-        let mut gradients = [PairVector::zeros(); MOST_CONDITIONS];
+    /// Sets `gradients`, which are zero, to those of all rows by the vectors of both poses, in order, and returns those; `part` is [`Self::gear_part`].
+    fn rows_x<'g>(
+        &self,
+        a: &Pose,
+        b: &Pose,
+        part: Option<Jet>,
+        gradients: &'g mut [PairVector; MOST_CONDITIONS],
+    ) -> &'g [PairVector] {
         let mut row = 0;
         for primitive in self.primitives {
             for local in 0..primitive.rows() {
-                gradients[row] = primitive.phi_x(a, b, local);
+                primitive.set_phi_x(a, b, local, &mut gradients[row]);
                 if let Some(part) = part {
                     gradients[row] *= part.first;
                 }
                 row += 1;
             }
         }
-        (gradients, row)
+        &gradients[..row]
     }
 
     /// Sets `gradient` to `∂phi/∂q` of both sides.
@@ -181,8 +188,9 @@ impl Joint {
         let carried = self.carried(c);
         let [a, b] = self.sides(&carried);
         let poses = [a.pose(c), b.pose(c)];
-        let (rows_x, rows) = self.rows_x(&poses[0], &poses[1], self.gear_part(c, &poses[0], &poses[1]));
-        gradient.set(&[a.pose_q(c), b.pose_q(c)], &rows_x[..rows]);
+        let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
+        let rows_x = self.rows_x(&poses[0], &poses[1], self.gear_part(c, &poses[0], &poses[1]), &mut rows_x);
+        gradient.set(&[a.pose_q(c), b.pose_q(c)], rows_x);
     }
 
     /// Second derivative of `lambda·phi` by the vectors of both poses; `part` is [`Self::gear_part`].
@@ -223,10 +231,12 @@ impl Joint {
         let own = self.sides(&carried);
         let [a, b] = own.map(|side| side.pose(c));
         let part = self.gear_part(c, &a, &b);
-        let (rows_x, rows) = self.rows_x(&a, &b, part);
-        let sides = own.map(|side| side.pose_q(c));
-        gradient.set(&sides, &rows_x[..rows]);
-        let (force, stiffness) = (weighted(&rows_x[..rows], lambda), self.stiffness_x(&a, &b, part, lambda));
+        let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
+        let rows_x = self.rows_x(&a, &b, part, &mut rows_x);
+        // They are large: `map` would copy them.
+        let sides = [own[0].pose_q(c), own[1].pose_q(c)];
+        gradient.set(&sides, rows_x);
+        let (force, stiffness) = (weighted(rows_x, lambda), self.stiffness_x(&a, &b, part, lambda));
         pull_back(c, own, &sides, &force, &stiffness, blocks);
     }
 
@@ -249,11 +259,12 @@ impl Joint {
             acceleration.fixed_columns_mut::<VECTORS>(start).copy_from(&(convective + second));
         }
         let part = self.gear_part(c, &a, &b);
-        let (rows_x, rows) = self.rows_x(&a, &b, part);
+        let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
+        let rows_x = self.rows_x(&a, &b, part, &mut rows_x);
         for (row, phi_tt) in phi_tt.iter_mut().enumerate() {
             let mut unit = [0.0; MOST_CONDITIONS];
             unit[row] = 1.0;
-            let stiffness = self.stiffness_x(&a, &b, part, &unit[..rows]);
+            let stiffness = self.stiffness_x(&a, &b, part, &unit[..rows_x.len()]);
             *phi_tt = stiffness.times(&rate).dot(&rate) + rows_x[row].dot(&acceleration) - self.prescribed(c).second;
         }
     }
@@ -272,8 +283,9 @@ impl Joint {
         let sides = self.sides(&carried);
         let moving = sides.map(|marker| marker.pose_t(c)[0].vectors());
         let [a, b] = sides.map(|side| side.pose(c));
-        let (gradients, rows) = self.rows_x(&a, &b, self.gear_part(c, &a, &b));
-        for (phi_t, gradient) in phi_t.iter_mut().zip(&gradients[..rows]) {
+        let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
+        let rows_x = self.rows_x(&a, &b, self.gear_part(c, &a, &b), &mut rows_x);
+        for (phi_t, gradient) in phi_t.iter_mut().zip(rows_x) {
             let by_frames: f64 = (0..2).map(|side| of_side(gradient, side).dot(&moving[side])).sum();
             *phi_t = by_frames - self.prescribed(c).first;
         }
@@ -286,8 +298,8 @@ impl Joint {
         }
         let carried = self.carried(c);
         let [a, b] = self.sides(&carried).map(|side| side.pose(c));
-        let (rows_x, rows) = self.rows_x(&a, &b, self.gear_part(c, &a, &b));
-        weighted(&rows_x[..rows], lambda)
+        let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
+        weighted(self.rows_x(&a, &b, self.gear_part(c, &a, &b), &mut rows_x), lambda)
     }
 
     /// Whether the sides are as meant, not half-turn relatives of it (MECHANICS 6).

@@ -3,7 +3,7 @@
 //! All but angles are bilinear in the two poses. Conditions by products of axes hold at half-turn relatives of what is meant
 //! too; `is_upright` tells them apart (MECHANICS 6).
 
-use crate::mechanics::geometry::pose::{Pose, VECTORS, axis_vector};
+use crate::mechanics::geometry::pose::{PLACE, Pose, VECTORS, axis_vector};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
 use crate::mechanics::marker::relative_coordinate::{Measure, near};
 
@@ -73,24 +73,27 @@ impl Primitive {
         }
     }
 
-    /// Gradient of row `row` by the vectors of both poses.
-    pub fn phi_x(self, a: &Pose, b: &Pose, row: usize) -> PairVector {
-        let mut sum = PairVector::zeros();
+    /// Sets `gradient`, which is zero, to that of row `row` by the vectors of both poses.
+    #[inline]
+    pub fn set_phi_x(self, a: &Pose, b: &Pose, row: usize, gradient: &mut PairVector) {
         match self {
-            Self::Coincident => sum = -Measure::Distance(row).gradient(a, b),
-            Self::Measured(measure) => sum = measure.gradient(a, b),
+            Self::Coincident => {
+                gradient.set_column(axis_vector(row), &(a.place - b.place));
+                gradient.set_column(PLACE, &a.axis(row));
+                gradient.set_column(VECTORS + PLACE, &-a.axis(row));
+            }
+            Self::Measured(measure) => *gradient = measure.gradient(a, b),
             Self::Rigid(i, j) => {
-                sum.set_column(VECTORS + axis_vector(i), &b.axis(j));
-                sum.set_column(VECTORS + axis_vector(j), &b.axis(i));
+                gradient.set_column(VECTORS + axis_vector(i), &b.axis(j));
+                gradient.set_column(VECTORS + axis_vector(j), &b.axis(i));
             }
             _ => {
                 if let Some((i, j)) = self.product(row) {
-                    sum.set_column(axis_vector(i), &b.axis(j));
-                    sum.set_column(VECTORS + axis_vector(j), &a.axis(i));
+                    gradient.set_column(axis_vector(i), &b.axis(j));
+                    gradient.set_column(VECTORS + axis_vector(j), &a.axis(i));
                 }
             }
         }
-        sum
     }
 
     /// Adds the second derivative of `Σ lambda·phi` by the vectors of both poses.

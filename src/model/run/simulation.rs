@@ -100,6 +100,16 @@ impl Simulation {
         Self::of(document, overrides.to_vec())
     }
 
+    /// Reads and builds the model file of a unit, whose host cannot ask for the mesh error: the file does.
+    ///
+    /// # Errors
+    /// As [`Self::load`].
+    pub fn load_unit(file_name: &str, text: &str) -> Result<Self, Failure> {
+        let mut simulation = Self::load(file_name, text, &[])?;
+        simulation.heed_mesh_error();
+        Ok(simulation)
+    }
+
     /// Builds a model file that was read with `overrides`.
     fn of(document: Document, overrides: Vec<Override>) -> Result<Self, Failure> {
         let built = builder::build(&document, 0.0).map_err(|mistakes| mistaken(&mistakes))?;
@@ -193,7 +203,8 @@ impl Simulation {
             }
             self.runner.stale = true;
             // They are of other parameters.
-            (self.peak, self.companion) = (None, None);
+            self.peak = None;
+            self.lose_companion("a parameter was set");
             self.derived.forget_rates();
         }
         Ok(())

@@ -16,7 +16,7 @@ const TABLE: &str = "axes";
 const SECTION: &str = "curve";
 
 /// The keys of the section [simulation] that are often set, and as often without its name.
-const SIMULATION: [&str; 11] = [
+const SIMULATION: [&str; 12] = [
     "analysis",
     "follow",
     "initial",
@@ -28,6 +28,7 @@ const SIMULATION: [&str; 11] = [
     "integrator",
     "tolerance",
     "verify",
+    "mesh_error",
 ];
 
 /// What an override sets.

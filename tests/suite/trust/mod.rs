@@ -6,6 +6,7 @@ pub mod coarse_meshes;
 pub mod energy_watch;
 pub mod finer_meshes;
 pub mod limits_of_models;
+pub mod mesh_error_of_units;
 pub mod mesh_truth;
 pub mod motion_meshes;
 pub mod scales;

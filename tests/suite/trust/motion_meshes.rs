@@ -11,7 +11,7 @@ const CANTILEVER: &str = include_str!("../../../models/cantilever.toml");
 const CRANE: &str = include_str!("../../../models/crane.toml");
 
 /// A shaft of 10 elements that a torque twists smoothly, and that swings back; a joint holds its middle.
-const SHAFT: &str = r#"
+pub const SHAFT: &str = r#"
 format = 1
 [model]
 name = "Shaft"

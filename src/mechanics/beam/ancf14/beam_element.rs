@@ -7,6 +7,7 @@ use super::kinematics::Holonomy;
 use super::kinematics::section_point::SectionPoint;
 use super::over_step::StepStart;
 use super::{damping, section};
+use crate::math::lanes::in_widest;
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
@@ -21,13 +22,14 @@ const SMALLEST_COSINE: f64 = 0.2;
 const LARGEST_TWIST_CHANGE: f64 = 2.0;
 
 impl Element {
+    #[inline(always)]
     fn add(&self, values: &ElementVector, sum: &mut [f64]) {
         let own = &mut sum[self.place.start..self.place.start + ELEMENT];
         own.iter_mut().zip(values).for_each(|(target, value)| *target += value);
     }
 
     /// Strains as `passage` says.
-    #[inline]
+    #[inline(always)]
     fn passing<'a>(&'a self, c: &BeamConfiguration<'a>, passage: &Passage) -> Evaluation<'a> {
         match passage {
             Passage::Rest | Passage::Instant { .. } => self.evaluation(c),
@@ -92,7 +94,10 @@ impl BeamElement for Element {
     }
 
     fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
-        self.add(&self.passing(c, passage).gradient(), forces);
+        in_widest(
+            #[inline(always)]
+            || self.add(&self.passing(c, passage).gradient(), forces),
+        );
     }
 
     fn add_gradient_and_set_hessian(
@@ -105,7 +110,10 @@ impl BeamElement for Element {
     ) {
         let (columns, _) = block.as_chunks_mut::<ELEMENT>();
         let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
-        self.add(&self.passing(c, passage).gradient_and_set_hessian(scale, columns), forces);
+        in_widest(
+            #[inline(always)]
+            || self.add(&self.passing(c, passage).gradient_and_set_hessian(scale, columns), forces),
+        );
     }
 
     fn finish_step(
@@ -115,12 +123,17 @@ impl BeamElement for Element {
         forces: &mut [f64],
         strain_rates: &mut [f64],
     ) -> [f64; 3] {
-        let end = self.evaluation(step.end);
-        let middle = self.with_end(&end, c, step);
-        self.add(&middle.gradient(), forces);
-        *self.own_rates_mut(strain_rates) = middle.added.rates;
-        let heat = if self.heating.is_some() { self.work_of_heat(&middle, step) } else { 0.0 };
-        [end.energy(), middle.added.taken, heat]
+        in_widest(
+            #[inline(always)]
+            || {
+                let end = self.evaluation(step.end);
+                let middle = self.with_end(&end, c, step);
+                self.add(&middle.gradient(), forces);
+                *self.own_rates_mut(strain_rates) = middle.added.rates;
+                let heat = if self.heating.is_some() { self.work_of_heat(&middle, step) } else { 0.0 };
+                [end.energy(), middle.added.taken, heat]
+            },
+        )
     }
 
     fn begin_step(
@@ -130,15 +143,23 @@ impl BeamElement for Element {
         starts: &mut [StepStart],
         strain_rates: Option<&mut [f64]>,
     ) {
-        let evaluation = self.evaluation(c);
-        starts[self.place.branch] = StepStart::new(&evaluation);
-        if let Some(all) = strain_rates {
-            *self.own_rates_mut(all) = self.strain_rates(&evaluation, self.own(velocity));
-        }
+        in_widest(
+            #[inline(always)]
+            || {
+                let evaluation = self.evaluation(c);
+                starts[self.place.branch] = StepStart::new(&evaluation);
+                if let Some(all) = strain_rates {
+                    *self.own_rates_mut(all) = self.strain_rates(&evaluation, self.own(velocity));
+                }
+            },
+        );
     }
 
     fn set_strain_rates(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: &mut [f64]) {
-        *self.own_rates_mut(strain_rates) = self.strain_rates(&self.evaluation(c), self.own(velocity));
+        *self.own_rates_mut(strain_rates) = in_widest(
+            #[inline(always)]
+            || self.strain_rates(&self.evaluation(c), self.own(velocity)),
+        );
     }
 
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]) {

@@ -30,6 +30,8 @@ pub struct SimulationSpec {
     pub tolerance: Number,
     /// Whether `run` estimates the errors of its results.
     pub verify: bool,
+    /// Whether units and programs in C find the mesh error of a motion.
+    pub mesh_error: bool,
     /// The results of the whole mechanism that stand behind those of the outputs.
     pub totals: Vec<Total>,
 }
@@ -169,6 +171,11 @@ impl SimulationSpec {
             reader.refuse("verify", message, "remove it, and compare with a run of a finer mesh");
         }
         let verify = reader.boolean("verify", false);
+        if analysis == Analysis::Static {
+            let message = "`mesh_error` belongs to a motion: equilibria always tell their mesh error";
+            reader.refuse("mesh_error", message, "remove it, or set analysis = \"dynamic\"");
+        }
+        let mesh_error = reader.boolean("mesh_error", false);
         let totals = totals(&mut reader, analysis);
         let steps = match step {
             Some(step) => {
@@ -211,6 +218,7 @@ impl SimulationSpec {
             output_step,
             tolerance,
             verify,
+            mesh_error,
             totals,
         }
     }

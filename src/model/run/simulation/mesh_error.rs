@@ -31,6 +31,22 @@ impl Simulation {
         halt
     }
 
+    /// Asks for the mesh error of motions, within each step, if the model file does.
+    pub fn heed_mesh_error(&mut self) {
+        if self.document.simulation.mesh_error {
+            self.ask_for_mesh_error(|companion| Box::new(companion));
+        }
+    }
+
+    /// Ends the comparison run, if there is one, since `what` has happened, and says so.
+    pub(super) fn lose_companion(&mut self, what: &str) {
+        if self.companion.take().is_some() {
+            let time = decimal(self.runner.state.instant());
+            self.warnings
+                .push(format!("the mesh error is not known: the comparison run ended at t = {time} s, since {what}"));
+        }
+    }
+
     /// Whether the end of the run is to find the mesh error: that of equilibria always, that of motions where it is asked for.
     pub fn seeks_mesh_error(&self) -> bool {
         let is_sought = self.document.simulation.analysis == Analysis::Static || self.placement.is_some();

@@ -193,6 +193,7 @@ impl Simulation {
 
     /// Goes back to a copy.
     pub(super) fn go_back_to(&mut self, snapshot: &Snapshot) {
+        self.lose_companion("a saved state was restored");
         let runner = &mut self.runner;
         self.document = Arc::clone(&snapshot.document);
         runner.drawn = Arc::clone(&snapshot.drawn);
@@ -204,7 +205,7 @@ impl Simulation {
         self.results.clone_from(&snapshot.results);
         self.watch.clone_from(&snapshot.watch);
         self.accuracy.clone_from(&snapshot.accuracy);
-        (self.peak, self.companion) = (None, None);
+        self.peak = None;
         self.inputs.copy_from(&snapshot.inputs);
         self.derived = Derived::default();
         self.under_way = None;

@@ -5,6 +5,7 @@
 use crate::mechanics::beam::ancf14::strain::{BendingStiffness, Resultants, Rigidities, Strains};
 
 /// Energy density, J/m.
+#[inline(always)]
 pub fn energy(stiffness: &BendingStiffness, strains: &Strains) -> f64 {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau] = [strains[0] * strains[0], strains[1] * strains[1], strains[2] * strains[2]];
@@ -17,7 +18,7 @@ pub fn energy(stiffness: &BendingStiffness, strains: &Strains) -> f64 {
 }
 
 /// Derivatives by the strains: moments and torque, N m.
-#[inline]
+#[inline(always)]
 pub fn gradient(stiffness: &BendingStiffness, strains: &Strains) -> Resultants {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau, _] = (*strains).into();
@@ -30,7 +31,7 @@ pub fn gradient(stiffness: &BendingStiffness, strains: &Strains) -> Resultants {
 }
 
 /// Second derivatives by the strains.
-#[inline]
+#[inline(always)]
 pub fn hessian(stiffness: &BendingStiffness, strains: &Strains) -> Rigidities {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau, _] = (*strains).into();
