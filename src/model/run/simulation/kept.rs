@@ -230,7 +230,7 @@ impl Runner {
         state.time = from.time;
         state.prescribed.holds = system.holds_at(state.time, &state.targets).map(Hold::drawn).collect();
         state.take_place_of(from, counterparts);
-        state.prescribed.heats = system.heats.iter().map(|heat| heat.at(state.time)).collect();
+        system.set_heats(state.time, &state.targets, &mut state.prescribed.heats);
         let mut frames = FrameCache::default();
         frames.of(system, state);
         // Angles and sensors that the other run did not have are where the parts are.
