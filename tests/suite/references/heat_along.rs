@@ -4,21 +4,10 @@
 use super::stress_as_drawn::{AREA, HELD, STATIC, at_end, strip};
 use crate::running::{run, start, value, vector};
 use ancf14::fmi::{Model, Value};
-use ancf14::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
+use ancf14::math::integral::integral;
 use ancf14::model::simulation::Simulation;
 
 const EXPANSION: f64 = 1.2e-5;
-
-/// `∫ f` from `from` to `to`, with an error below round-off for the functions here.
-fn integral(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let pieces = 40;
-    let length = (to - from) / f64::from(pieces);
-    let piece = |k: i32| {
-        let begin = from + f64::from(k) * length;
-        FIVE_POINTS.iter().zip(FIVE_WEIGHTS).map(|(xi, weight)| weight * length * f(begin + xi * length)).sum::<f64>()
-    };
-    (0..pieces).map(piece).sum()
-}
 
 /// A bar that is warm along half of its length grows by `α T L/2`, and between walls it presses with half of the force of one that is warm everywhere. Both are exact where
 /// the temperature jumps at a node: each element has its own side of it.
@@ -60,7 +49,7 @@ fn the_bend_of_a_strip_is_of_order_4() {
     let curvature = |s: f64| EXPANSION * 4e4 * (1.5 * s).sin();
     let turn = |s: f64| EXPANSION * 4e4 * (1.0 - (1.5 * s).cos()) / 1.5;
     // A positive curvature bends down.
-    let exact = [integral(0.0, 2.0, |s| turn(s).cos()) - 2.0, -integral(0.0, 2.0, |s| turn(s).sin())];
+    let exact = [integral(&|s| turn(s).cos(), 0.0, 2.0) - 2.0, -integral(&|s| turn(s).sin(), 0.0, 2.0)];
     let orders = orders(&[4, 8, 16], |elements| {
         let keys = format!("elements = {elements}\ntemperature_gradient = [0, \"4e4*sin(1.5*s)*t\"]");
         let bent = at_end(&strip(&keys, STATIC));
