@@ -380,7 +380,7 @@ ancf14_status ancf14_set(ancf14_simulation *simulation,
                          double value);
 
 /*
- Builds the mechanism from the parameters as set, and finds its initial state at t = 0. After a failure other parameters can be tried.
+ Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the state that the model begins with. After a failure other parameters can be tried.
  */
 ancf14_status ancf14_initialize(ancf14_simulation *simulation);
 

@@ -55,6 +55,7 @@ pub fn fmu(model: &Simulation, text: &str, library: PathBuf, fmi: u8) -> Result<
     let page = Film::drawn(model).page(None).map_err(|reason| format!("cannot show the mechanism: {reason}"))?;
     let contents = Contents {
         model: text,
+        state: model.first_state().map(|state| &*state.bytes),
         licences: LICENCES,
         icon: &icon,
         page: &page,

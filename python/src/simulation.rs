@@ -63,7 +63,7 @@ impl Simulation {
         let about = simulation.model().about();
         let rows = simulation.stop_time() / simulation.output_step();
         let last = rows::last(about).ok_or(Error::TooManyRows { rows }).map_err(|error| refusal(&error))?;
-        Ok((0..=last).map(|row| if row == 0 { 0.0 } else { rows::time(about, row, last) }).collect())
+        Ok((0..=last).map(|row| rows::time(about, row, last)).collect())
     }
 
     fn value(&self, name: &str) -> PyResult<f64> {

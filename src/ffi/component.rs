@@ -148,14 +148,14 @@ impl<M: Model> Component<M> {
     }
 }
 
-/// Loads the model of an unpacked FMU, by `load` from file name and text.
+/// Loads the model of an unpacked FMU, by `load` from the directory of its resources, file name and text.
 ///
 /// # Errors
 /// No resources, no readable model file, a file that is no model, or another GUID than the description's.
 pub fn load<M: Model>(
     guid: &str,
     resources: &str,
-    load: impl FnOnce(&str, &str) -> Result<M, Failure>,
+    load: impl FnOnce(&Path, &str, &str) -> Result<M, Failure>,
 ) -> Result<M, Error> {
     let directory = match location::directory(resources)? {
         Some(directory) => directory,
@@ -169,7 +169,7 @@ pub fn load<M: Model>(
             path.display()
         ))
     })?;
-    let model = load(&path.display().to_string(), &text)?;
+    let model = load(&directory, &path.display().to_string(), &text)?;
     let own = &model.about().guid;
     if own != guid {
         return Err(Error::Instantiate(format!(

@@ -126,7 +126,7 @@ unsafe fn instantiate(
     let guid = unsafe { text(guid, "fmuGUID") }?;
     // SAFETY: the caller's promise.
     let resources = if resources.is_null() { "" } else { unsafe { text(resources, "fmuResourceLocation") }? };
-    component::load(guid, resources, Simulation::load_unit)
+    component::load(guid, resources, Simulation::load_packed)
 }
 
 /// Gives an instance back; NULL is fine (section 2.1.5).

@@ -133,7 +133,7 @@ unsafe fn instantiate(
     let token = unsafe { text(token, "instantiationToken") }?;
     // SAFETY: the caller's promise.
     let resources = if resources.is_null() { "" } else { unsafe { text(resources, "resourcePath") }? };
-    component::load(token, resources, Simulation::load_unit)
+    component::load(token, resources, Simulation::load_packed)
 }
 
 /// Gives an instance back; NULL is fine (section 2.3.1).

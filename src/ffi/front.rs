@@ -165,7 +165,7 @@ pub unsafe extern "C" fn ancf14_set(simulation: *mut ancf14_simulation, variable
     }
 }
 
-/// Builds the mechanism from the parameters as set, and finds its initial state at t = 0. After a failure other parameters can be tried.
+/// Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the state that the model begins with. After a failure other parameters can be tried.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_initialize(simulation: *mut ancf14_simulation) -> ancf14_status {
     // SAFETY: the rules at the head of the header.

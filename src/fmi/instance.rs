@@ -77,8 +77,8 @@ struct Control {
 }
 
 impl Control {
-    fn new(logging: Switch) -> Self {
-        Self { mode: Mode::Instantiated, start: 0.0, stop: None, solved: false, warned_early: false, logging }
+    fn new(start: f64, logging: Switch) -> Self {
+        Self { mode: Mode::Instantiated, start, stop: None, solved: false, warned_early: false, logging }
     }
 }
 
@@ -113,10 +113,11 @@ impl<M: Model> Instance<M> {
                 ..Arrays::default()
             },
         };
+        let control = Control::new(model.about().start, logging);
         let mut instance = Self {
             model,
             standard,
-            control: Control::new(logging),
+            control,
             first_logging: logging,
             entries: Vec::new(),
             status: Status::Ok,
@@ -282,7 +283,7 @@ impl<M: Model> Instance<M> {
     pub fn reset(&mut self) -> Result<(), Error> {
         self.check(Call::Reset)?;
         self.model.reset();
-        self.control = Control::new(self.first_logging);
+        self.control = Control::new(self.model.about().start, self.first_logging);
         self.event(|| "reset".to_owned());
         Ok(())
     }

@@ -7,6 +7,9 @@ use std::path::PathBuf;
 
 use super::error::Error;
 
+/// The state that a model begins with, inside `resources`.
+pub const STATE_FILE: &str = "start.state";
+
 /// The model file inside `resources`.
 pub const MODEL_FILE: &str = "model.toml";
 

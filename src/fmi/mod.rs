@@ -63,7 +63,9 @@ pub struct About {
     pub credits: Credits,
     /// Hash of the model and of what matters in the XML, with braces: `{8c4e810f-...}`.
     pub guid: String,
-    /// Default stop time (the default start time is 0), s.
+    /// Default start time, s: 0, or that of the state that the model begins with.
+    pub start: f64,
+    /// Default stop time, s.
     pub stop: f64,
     /// Default communication step, s.
     pub output_step: f64,

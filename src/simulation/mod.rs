@@ -190,7 +190,8 @@ impl Simulation {
         outcome.map_err(|error| Error::of_value(error, self.time()))
     }
 
-    /// Builds the mechanism from the parameters as set, and finds its initial state at t = 0: from here on there are results.
+    /// Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the state that the model begins
+    /// with: from here on there are results.
     ///
     /// # Errors
     /// The parameters do not make a mechanism, or it has no initial state: other values can be tried. Or it is initialized already.

@@ -70,6 +70,7 @@ pub fn pack(
     let drawing = Drawing::new(simulation.document());
     let contents = Contents {
         model: &text,
+        state: simulation.first_state().map(|state| &*state.bytes),
         licences: LICENCES,
         icon: &picture::icon(&drawing).map_err(|reason| undrawn(&*reason))?,
         page: &page(&Film::drawn(&simulation))?,

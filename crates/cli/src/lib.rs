@@ -333,6 +333,10 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
                 let reason = "error: a run with --from-state cannot be verified: simulation.verify = true asks for it";
                 return Err(Stop::Bad(format!("{reason}; add --set simulation.verify=false")));
             }
+            let named = stages::named(&simulation, &model.file, is_wanted)?;
+            if let (Some(path), Some(named)) = (&from_state, &named) {
+                return Err(stages::named_twice(path, named));
+            }
             let from = from_state.as_deref().map(|path| stages::read(path, &simulation)).transpose()?;
             let table = inputs.as_deref().map(|path| Inputs::read(path, &mut simulation)).transpose()?;
             let accuracy = verify.flatten().unwrap_or(verify::ACCURACY);
@@ -342,7 +346,8 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let film = view.then(|| Film::new(&simulation, plan.count));
             let (directory, wish) = (model.directory(out), is_wanted.then_some(wish));
             let read = [model.input()].into_iter().chain(inputs.iter().map(|path| (INPUTS, path.as_path())));
-            let read: Vec<_> = read.chain(from_state.iter().map(|path| (stages::STATE, path.as_path()))).collect();
+            let states = from_state.iter().chain(&named).map(|path| (stages::STATE, path.as_path()));
+            let read: Vec<_> = read.chain(states).collect();
             output::spare(&read, save_state.as_slice())?;
             let (inputs, settings, save) = (table.as_ref(), &*model.overrides, save_state.as_deref());
             let order = run::Order {
@@ -468,7 +473,8 @@ fn load(path: &Path, overrides: &[(String, String)]) -> Result<(Simulation, Stri
 /// Finds the initial state, with the warnings about it and about the file.
 fn start(simulation: &mut Simulation) -> Result<(), Stop> {
     let notes = notes::notes(simulation.document());
-    let initialized = simulation.initialize(0.0);
+    let start = simulation.about().start;
+    let initialized = simulation.initialize(start);
     for warning in notes.into_iter().chain(simulation.take_warnings()) {
         complain(&format!("warning: {warning}"));
     }

@@ -28,10 +28,10 @@ pub struct Plan {
     pub count: u64,
 }
 
-/// The rows of a run that begins at 0, or with the state of another one.
+/// The rows of a run that begins where the model file says, or with the state of another one.
 pub fn plan(simulation: &Simulation, from: Option<&Beginning>) -> Result<Plan, Stop> {
     let (about, last) = (simulation.about(), last_row(simulation)?);
-    let Some(from) = from else { return Ok(Plan { begin: 0.0, rows: [1, last], count: last }) };
+    let Some(from) = from else { return Ok(Plan { begin: about.start, rows: [1, last], count: last }) };
     let (begin, stop) = (from.time(), about.stop);
     let first = rows::first_after(about, begin, last).ok_or_else(|| {
         Stop::Bad(format!(

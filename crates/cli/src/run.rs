@@ -91,7 +91,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     }
     folder.claim("run", &simulation.about().guid, &names, read)?;
     // The further runs of --verify tell it; a run that begins with a state has none on another mesh.
-    if !is_alone && wish.is_none() && from.is_none() {
+    if !is_alone && wish.is_none() && from.is_none() && simulation.first_state().is_none() {
         simulation.ask_for_mesh_error(background::start);
     }
     let keeper = Keeper::start(Shared::clone(&rows))

@@ -53,6 +53,13 @@ pub fn view(order: Order<'_>) -> Result<(), Stop> {
     let solver_file = solver.iter().map(|(path, _)| (live::SOLVER, path.as_path()));
     let read: Vec<Input<'_>> = sources().map(Source::input).chain(solver_file).collect();
     output::spare(&read, slice::from_ref(&file))?;
+    if let (Opened::Model(simulation, _), true) = (&opened, solver.is_some())
+        && simulation.first_state().is_some()
+    {
+        let reason =
+            "error: a page with the solver cannot begin with a state: the model file has simulation.from_state";
+        return Err(Stop::Bad(format!("{reason}; leave out --live")));
+    }
     let live = match (&opened, solver) {
         (Opened::Model(simulation, text), Some((_, solver))) => Some(Live {
             solver,

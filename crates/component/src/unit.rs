@@ -14,6 +14,7 @@ use ancf14::fmi::{
     error::Error,
     instance::Instance,
     lifecycle::{Call, Standard},
+    location::STATE_FILE,
 };
 use ancf14::model::simulation::Simulation;
 
@@ -64,14 +65,19 @@ impl Unit {
                 "eventModeUsed is true, but this unit has no Event Mode; pass false, as hasEventMode says",
             ));
         }
-        let path = format!("{}/model.toml", wishes.resources.trim_end_matches('/'));
-        let text = files::read(&path).map_err(|reason| {
+        let resources = wishes.resources.trim_end_matches('/');
+        let path = format!("{resources}/model.toml");
+        let text = files::text(&path).map_err(|reason| {
             Error::Instantiate(format!(
                 "cannot read the model file {path}: {reason}; the resource path must be the unpacked `resources` \
                  directory of the FMU, which the host opens for the component"
             ))
         })?;
-        let model = Simulation::load_unit(&path, &text)?;
+        let mut model = Simulation::load_with(None, &path, &text, &[], &|_| {
+            let path = format!("{resources}/{STATE_FILE}");
+            files::read(&path).map_err(|reason| format!("cannot read {path}: {reason}"))
+        })?;
+        model.heed_mesh_error();
         let own = &model.about().guid;
         if *own != wishes.token {
             return refused(format!(

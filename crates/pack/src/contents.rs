@@ -11,6 +11,8 @@ pub const LICENCES_FILE: &str = "licenses/license.txt";
 pub struct Contents<'a> {
     /// The model file.
     pub model: &'a str,
+    /// The state that the model begins with; none: it begins as drawn, or at an equilibrium.
+    pub state: Option<&'a [u8]>,
     /// Licences of all that is in the libraries.
     pub licences: &'a str,
     /// PNG picture that stands for the unit.

@@ -216,8 +216,8 @@ fn write_page(
         out,
         "<figcaption>{legend}</figcaption>\n<details><summary>Drawing</summary>\n{drawing}</details>\n</figure>"
     )?;
-    let [stop, step] = [about.stop, about.output_step];
-    writeln!(out, "<p>Default experiment: from 0 to {stop:?} s, communication step {step:?} s. On this page:")?;
+    let [start, stop, step] = [about.start, about.stop, about.output_step];
+    writeln!(out, "<p>Default experiment: from {start} to {stop:?} s, communication step {step:?} s. On this page:")?;
     let rows = rows_of(standard, variables);
     let heading = |(causality, heading, anchor): &(Causality, &str, &str)| {
         let count = rows.iter().filter(|row| variables[row.first].causality == *causality).count();
@@ -301,7 +301,7 @@ fn table_of<const N: usize>(
 
 /// What to type or click in five hosts.
 fn hosts(out: &mut String, standard: Standard, about: &About, variables: &[Variable]) -> Result<(), Error> {
-    let About { identifier, stop, output_step: step, .. } = about;
+    let About { identifier, start, stop, output_step: step, .. } = about;
     // A scalar, which has the same name in both versions.
     let mut scalars = rows_of(standard, variables).into_iter().filter(|row| row.dimensions.is_empty());
     let parameter = scalars.find(|row| variables[row.first].causality == Causality::Parameter);
@@ -341,16 +341,16 @@ fn hosts(out: &mut String, standard: Standard, about: &About, variables: &[Varia
         Standard::Fmi2 => writeln!(
             out,
             "<pre>c = fmi2Instantiate(\"{identifier}\", fmi2CoSimulation, \"{guid}\",\n\
-             \x20                   \"file:///path/to/resources\", &amp;callbacks, fmi2False, fmi2False);\nfmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2True, {stop:?});\nfmi2EnterInitializationMode(c);\n\
-             fmi2ExitInitializationMode(c);\nfmi2DoStep(c, 0.0, {step:?}, fmi2True);</pre>\n\
+             \x20                   \"file:///path/to/resources\", &amp;callbacks, fmi2False, fmi2False);\nfmi2SetupExperiment(c, fmi2False, 0.0, {start:?}, fmi2True, {stop:?});\nfmi2EnterInitializationMode(c);\n\
+             fmi2ExitInitializationMode(c);\nfmi2DoStep(c, {start:?}, {step:?}, fmi2True);</pre>\n\
              <p><code>ancf14 header model.toml -o model.h</code> writes names for the GUID and the references below.</p>",
         ),
         Standard::Fmi3 => writeln!(
             out,
             "<pre>c = fmi3InstantiateCoSimulation(\"{identifier}\", \"{guid}\",\n\
              \x20                               \"/path/to/resources/\", fmi3False, fmi3True, fmi3False, fmi3False,\n\
-             \x20                               NULL, 0, NULL, log_message, NULL);\nfmi3EnterInitializationMode(c, fmi3False, 0.0, 0.0, fmi3True, {stop:?});\n\
-             fmi3ExitInitializationMode(c);\nfmi3DoStep(c, 0.0, {step:?}, fmi3True, &amp;event, &amp;end, &amp;early, &amp;time);</pre>\n\
+             \x20                               NULL, 0, NULL, log_message, NULL);\nfmi3EnterInitializationMode(c, fmi3False, 0.0, {start:?}, fmi3True, {stop:?});\n\
+             fmi3ExitInitializationMode(c);\nfmi3DoStep(c, {start:?}, {step:?}, fmi3True, &amp;event, &amp;end, &amp;early, &amp;time);</pre>\n\
              <p><code>ancf14 header model.toml -o model.h</code> writes names for the token (as the GUID) and the references below.</p>",
         ),
     }

@@ -163,7 +163,7 @@ pub(crate) fn log_categories(xml: &mut Xml, standard: Standard) -> io::Result<()
 
 pub(crate) fn default_experiment(xml: &mut Xml, about: &About) -> io::Result<()> {
     let attributes = vec![
-        ("startTime", "0".into()),
+        ("startTime", if about.start == 0.0 { "0".into() } else { real(about.start).into() }),
         ("stopTime", real(about.stop).into()),
         ("tolerance", real(about.tolerance).into()),
         ("stepSize", real(about.output_step).into()),

@@ -12,7 +12,7 @@ use crate::libraries::Platform;
 use crate::{description, description_fmi3, documentation, terminals};
 use ancf14::fmi::About;
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::fmi::location::MODEL_FILE;
+use ancf14::fmi::location::{MODEL_FILE, STATE_FILE};
 use ancf14::fmi::variable::Variable;
 use quick_xml::events::{BytesDecl, Event};
 use std::io::{Cursor, Write};
@@ -65,6 +65,9 @@ pub fn fmu(
     entries.push(("documentation/index.html".to_owned(), page.as_bytes()));
     entries.push((format!("documentation/{LICENCES_FILE}"), contents.licences.as_bytes()));
     entries.push((format!("resources/{MODEL_FILE}"), contents.model.as_bytes()));
+    if let Some(state) = contents.state {
+        entries.push((format!("resources/{STATE_FILE}"), state));
+    }
     archive(&entries)
         .map_err(|reason| Error::Io { what: "cannot make the archive".to_owned(), reason: reason.to_string() })
 }

@@ -2,6 +2,7 @@
 #![allow(missing_docs, reason = "only tests and programs of this repository use it")]
 #![allow(clippy::unwrap_used, reason = "an unmet expectation is a failed test")]
 
+pub mod blades;
 pub mod curves;
 pub mod golden;
 pub mod integrate;

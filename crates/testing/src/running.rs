@@ -7,7 +7,7 @@ use ancf14::model::simulation::Simulation;
 /// Loads and initializes; the message where that fails.
 pub fn try_start(text: &str) -> Result<Simulation, String> {
     let mut simulation = Simulation::load("m.toml", text, &[]).map_err(|failure| failure.message)?;
-    simulation.initialize(0.0).map_err(|failure| failure.message)?;
+    simulation.initialize(simulation.about().start).map_err(|failure| failure.message)?;
     Ok(simulation)
 }
 

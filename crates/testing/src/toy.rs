@@ -70,6 +70,7 @@ pub fn about() -> About {
         identifier: "Toy".to_owned(),
         description: "One line: x' = gain * force, a < b".to_owned(),
         guid: "{00000000-0000-0000-0000-000000000001}".to_owned(),
+        start: 0.0,
         stop: 2.0,
         output_step: 0.1,
         tolerance: 1e-6,

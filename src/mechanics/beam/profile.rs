@@ -23,9 +23,14 @@ impl Profile {
     }
 
     /// The section at the place `xi` (0 to 1) of the element between two fractions.
-    pub fn inside(&self, [begin, end]: [f64; 2], xi: f64) -> Section {
-        self.at(begin + (end - begin) * xi.clamp(INSIDE, 1.0 - INSIDE))
+    pub fn inside(&self, fractions: [f64; 2], xi: f64) -> Section {
+        self.at(inside(fractions, xi))
     }
+}
+
+/// The fraction at the place `xi` (0 to 1) of the element between two fractions, inside the element.
+pub fn inside([begin, end]: [f64; 2], xi: f64) -> f64 {
+    begin + (end - begin) * xi.clamp(INSIDE, 1.0 - INSIDE)
 }
 
 impl fmt::Debug for Profile {

@@ -1,48 +1,31 @@
 //! Temperatures of beams, by which they expand and bend.
 
-use super::signal::Signal;
 use serde::{Deserialize, Serialize};
 
-/// The temperature of a beam's sections at an instant, against the one at which they are as drawn.
+/// Points of an element at which a temperature is known: as many on the axis as for gradients.
+pub const POINTS: usize = 3;
+
+/// The temperature of an element's sections at an instant, against the one at which they are as drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Heat {
-    /// On the axis, K.
-    pub temperature: f64,
-    /// How it changes along y and z of the section, K/m.
-    pub gradient: [f64; 2],
+    /// On the axis, at both ends and in the middle, K.
+    pub temperature: [f64; POINTS],
+    /// How it changes along y and z of the section, at the Gauss points, K/m.
+    pub gradient: [[f64; 2]; POINTS],
 }
 
 impl Heat {
+    /// The same along the whole element: a temperature (K) and its gradient (K/m).
+    pub fn uniform(temperature: f64, gradient: [f64; 2]) -> Self {
+        Self { temperature: [temperature; POINTS], gradient: [gradient; POINTS] }
+    }
+
     /// At `share` (0 to 1) of the way from `start` to `end`.
     pub fn between(start: &Self, end: &Self, share: f64) -> Self {
         let part = |from: f64, to: f64| from + share * (to - from);
         Self {
-            temperature: part(start.temperature, end.temperature),
-            gradient: [0, 1].map(|axis| part(start.gradient[axis], end.gradient[axis])),
+            temperature: std::array::from_fn(|m| part(start.temperature[m], end.temperature[m])),
+            gradient: std::array::from_fn(|g| [0, 1].map(|axis| part(start.gradient[g][axis], end.gradient[g][axis]))),
         }
-    }
-}
-
-/// The temperature of a beam as a function of time.
-#[derive(Clone, Debug)]
-pub struct HeatGuide {
-    /// On the axis, K.
-    pub temperature: Signal,
-    /// Along y and z of the section, K/m.
-    pub gradient: [Signal; 2],
-}
-
-impl HeatGuide {
-    /// At `time`, s.
-    pub fn at(&self, time: f64) -> Heat {
-        Heat {
-            temperature: self.temperature.at(time),
-            gradient: self.gradient.each_ref().map(|signal| signal.at(time)),
-        }
-    }
-
-    /// Its functions of time.
-    pub fn signals(&self) -> impl Iterator<Item = &Signal> {
-        [&self.temperature].into_iter().chain(&self.gradient)
     }
 }

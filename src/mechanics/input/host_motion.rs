@@ -11,9 +11,10 @@
 //! start, by the derivatives that the host gives, and `H′ = 0`. `a` is the change of velocity between the middles of the two steps.
 //! Constant accelerations, along a line or about a fixed axis, are followed exactly; the velocity has no jumps, which would strike all that is
 //! held rigidly; and nothing goes further back than two steps, so that no error is carried on.
-//! Frames turn by a rotation vector on such a cubic, from where they are along the shortest arc.
+//! Frames turn by a rotation vector on such a cubic, from where they are along the shortest arc. Temperatures go on a straight line.
 
 use super::excitation::{HostEffort, HostWrench};
+use super::heat::Heat;
 use super::prescribed::{MovingPose, Prescribed};
 use crate::math::Vec3;
 use crate::math::jet::Jet;
@@ -39,6 +40,8 @@ pub struct Targets {
     pub efforts: Vec<HostEffort>,
     /// Values of the switches; those of functions are not used.
     pub switches: Vec<f64>,
+    /// Temperatures that a host gives.
+    pub heats: Vec<Heat>,
     /// From where, and how fast.
     pub departure: Departure,
 }
@@ -54,6 +57,8 @@ pub struct Departure {
     pub drives: Vec<Course<f64, f64>>,
     /// Poses of the frames; velocities in m/s, angular velocities in rad/s.
     pub frames: Vec<Course<Pose, [Vec3; 2]>>,
+    /// Temperatures that a host gives.
+    pub heats: Vec<Heat>,
 }
 
 /// How one of them moves at a communication point.
@@ -90,14 +95,20 @@ impl Targets {
         self.loads.clone_from(&other.loads);
         self.efforts.clone_from(&other.efforts);
         self.switches.clone_from(&other.switches);
+        self.heats.clone_from(&other.heats);
         (self.departure.time, self.departure.step) = (other.departure.time, other.departure.step);
         self.departure.drives.clone_from(&other.departure.drives);
         self.departure.frames.clone_from(&other.departure.frames);
+        self.departure.heats.clone_from(&other.departure.heats);
     }
 
     /// A communication step begins at `time`, s, where everything moves as `prescribed`.
     pub fn depart(&mut self, time: f64, prescribed: &Prescribed) {
-        let Departure { time: own, step, drives, frames } = &mut self.departure;
+        self.departure.heats.resize_with(self.heats.len(), Heat::default);
+        for number in 0..self.heats.len() {
+            self.departure.heats[number] = self.heat(number, time);
+        }
+        let Departure { time: own, step, drives, frames, .. } = &mut self.departure;
         *step = time - *own;
         *own = time;
         // The very first one: nothing has moved yet.
@@ -158,6 +169,17 @@ impl Targets {
         let omega = angular_velocity(&reached, &velocity).cross_matrix();
         let axes = (omega * omega + spin.acceleration.cross_matrix()) * pose.axes;
         MovingPose { pose, velocity, acceleration: Pose { place: line.acceleration, axes } }
+    }
+
+    /// Temperature number `number` of those that a host gives, at `time`, s: it goes linearly to the one that is wanted.
+    pub(super) fn heat(&self, number: usize, time: f64) -> Heat {
+        match self.leg(time) {
+            // At the end the very temperature that was wanted.
+            Some(leg) if leg.share < 1.0 => {
+                Heat::between(&self.departure.heats[number], &self.heats[number], leg.share)
+            }
+            _ => self.heats[number],
+        }
     }
 
     /// The communication step, at `time`, s; none: it has no length.

@@ -3,6 +3,7 @@
 pub mod excitation;
 pub mod guide;
 pub mod heat;
+pub mod heat_guide;
 pub mod host_motion;
 pub mod prescribed;
 pub mod signal;

@@ -104,7 +104,8 @@ impl State {
             let switches = [prescribed.holds.len(), targets.switches.len()];
             let departure = [targets.departure.drives.len(), targets.departure.frames.len()];
             let given = [targets.loads.len(), targets.efforts.len()];
-            (lists, triads.len(), rotations.len(), motions, switches, given, departure)
+            let heats = [prescribed.heats.len(), targets.heats.len(), targets.departure.heats.len()];
+            (lists, triads.len(), rotations.len(), motions, switches, given, heats, departure)
         };
         // Nothing yet, or all of them.
         let optional = |list: usize, whole: usize| list == 0 || list == whole;

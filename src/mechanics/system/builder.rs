@@ -1,6 +1,7 @@
 //! Puts a system together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
 mod driving;
+mod heating;
 
 use super::System;
 use super::joint_parts::JointParts;
@@ -10,7 +11,6 @@ use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::ancf14::natural::Heating;
 use crate::mechanics::beam::ancf24;
 use crate::mechanics::beam::centerline::Station;
 use crate::mechanics::beam::configuration::BeamConfiguration;
@@ -28,7 +28,6 @@ use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::{Excitation, HostEffort, HostWrench};
 use crate::mechanics::input::guide::{FrameGuide, MovingFrame};
-use crate::mechanics::input::heat::HeatGuide;
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::input::switch::Hold;
@@ -178,18 +177,6 @@ impl SystemBuilder {
                 let properties = design.properties(poisson, shear);
                 let reference = std::array::from_fn(|index| reference[index]);
                 AnyElement::Ancf24(ancf24::element::Element::new(start, length, properties, &reference))
-            }
-        }
-    }
-
-    /// Lets `heat` act on beam `beam`, of ANCF14, whose material expands by `expansion`, 1/K.
-    pub fn heat(&mut self, beam: usize, heat: HeatGuide, expansion: f64) {
-        let number = self.system.heats.len();
-        self.prescribed.heats.push(heat.at(self.start));
-        self.system.heats.push(heat);
-        for element in &mut self.system.mesh.elements[self.system.beams[beam].element_range()] {
-            if let AnyElement::Ancf14(element) = element {
-                element.heating = Some(Heating { number, expansion });
             }
         }
     }

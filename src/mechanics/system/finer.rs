@@ -46,6 +46,8 @@ impl System {
             }
         }
         copy_all_but_the_mesh(state, from);
+        // Along a beam there is one an element.
+        self.set_heats(from.instant(), &from.targets, &mut state.prescribed.heats);
         true
     }
 }

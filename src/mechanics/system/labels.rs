@@ -1,7 +1,6 @@
 //! What the unknowns of a system are, in words: for messages.
 
 use crate::mechanics::beam::Beam;
-use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::primitive::Primitive;
@@ -73,22 +72,12 @@ impl System {
         let load = load.map(|load| format!("the force or moment of load {}", load.name));
         let actuator = self.actuators.iter().find(|actuator| !actuator.at(time, &HostEffort::default()).is_finite());
         let actuator = actuator.map(|actuator| format!("the effort of actuator {}", actuator.name));
-        let heat = self.heats.iter().position(|heat| !heat.signals().all(|signal| signal.at(time).is_finite()));
-        let heat = heat.map(|number| format!("the temperature of beam {}", self.heated_beam(number)));
+        let heat = self.undefined_heat(time).map(|beam| format!("the temperature of beam {beam}"));
         let what = load.or(actuator).or(heat).or_else(|| self.undefined_motion(time))?;
         Some(match self.signals().find_map(|signal| signal.undefined(time)) {
             Some(reason) => format!("{what}, where {reason},"),
             None => what,
         })
-    }
-
-    /// The name of the beam that temperature `number` is of.
-    fn heated_beam(&self, number: usize) -> &str {
-        let is_heated = |beam: &&Beam| match &self.mesh.elements[beam.first_element] {
-            AnyElement::Ancf14(element) => element.heating.is_some_and(|heating| heating.number == number),
-            AnyElement::Ancf24(_) => false,
-        };
-        self.beams.iter().find(is_heated).map_or("", |beam| &beam.name)
     }
 
     /// The first spring or gear whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its last accepted value.

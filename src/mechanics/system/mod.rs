@@ -9,6 +9,7 @@ mod equations;
 mod finer;
 pub mod frame_cache;
 pub mod gyroscopic;
+mod heating;
 pub mod joint_parts;
 mod labels;
 mod limits;
@@ -40,7 +41,8 @@ use crate::mechanics::force::load::{Direction, Load};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::guide::{Drive, MovingFrame};
-use crate::mechanics::input::heat::HeatGuide;
+use crate::mechanics::input::heat::Heat;
+use crate::mechanics::input::heat_guide::HeatGuide;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::input::switch::Switch;
@@ -65,7 +67,7 @@ pub struct System {
     pub bodies: Vec<RigidBody>,
     /// Moving frames in file order.
     pub moving_frames: Vec<MovingFrame>,
-    /// Temperatures of beams in file order.
+    /// Temperatures of beams in file order: one a beam, or one an element where it is not the same along the beam.
     pub heats: Vec<HeatGuide>,
     /// Everything that holds the system together: joints, the rigidity of bodies, drives, each in file order.
     pub joints: Vec<Joint>,
@@ -136,7 +138,7 @@ impl System {
         Prescribed {
             drives: drives.map(|((drive, from), target)| drive.start(time, from.value, *target)).collect(),
             frames: frames.map(|(frame, target)| frame.start(time, target)).collect(),
-            heats: self.heats.iter().map(|heat| heat.at(time)).collect(),
+            heats: self.heats.iter().map(|heat| heat.start(time, targets)).collect(),
             holds: from.holds.clone(),
         }
     }
@@ -157,8 +159,7 @@ impl System {
         let frames = self.moving_frames.iter().enumerate();
         prescribed.frames.clear();
         prescribed.frames.extend(frames.map(|(k, frame)| frame.at(k, next, targets)));
-        prescribed.heats.clear();
-        prescribed.heats.extend(self.heats.iter().map(|heat| heat.at(next)));
+        self.set_heats(next, targets, &mut prescribed.heats);
         prescribed.holds.clone_from(&from.holds);
     }
 
@@ -168,6 +169,7 @@ impl System {
             end: time,
             drives: vec![0.0; self.drives.len()],
             frames: vec![crate::mechanics::geometry::pose::Pose::default(); self.moving_frames.len()],
+            heats: vec![Heat::default(); self.heats.len()],
             ..Targets::default()
         };
         let from = Prescribed { drives: vec![Jet::default(); self.drives.len()], ..Prescribed::default() };

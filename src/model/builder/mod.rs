@@ -2,6 +2,7 @@
 //!
 //! A file a kind of part; what may change while the system runs is in tune.rs.
 
+mod heat;
 mod joints;
 mod origin;
 mod parts;
@@ -102,7 +103,11 @@ fn signal(document: &Document, number: Number) -> Signal {
 
 /// The function of time that a number of the file is, counted from `origin`.
 fn signal_from(document: &Document, number: Number, origin: f64) -> Signal {
-    let function = document.function(number);
+    function_signal(document, document.function(number), origin)
+}
+
+/// A function of time, counted from `origin`.
+fn function_signal(document: &Document, function: Function, origin: f64) -> Signal {
     if function.is_constant() {
         return Signal::Constant(function.value(0.0) - origin);
     }

@@ -9,8 +9,6 @@ use crate::mechanics::body::rigid_body::BodyDesign;
 use crate::mechanics::force::load::{self, Direction, LoadGuide};
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::guide::FrameGuide;
-use crate::mechanics::input::heat::HeatGuide;
-use crate::mechanics::input::signal::Signal;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::body::{BodySpec, Inertia};
 use crate::model::file::entries::frame::{FrameSpec, Orientation};
@@ -42,16 +40,7 @@ impl Builder<'_> {
             velocity: vector(document, beam.velocity),
             angular_velocity: vector(document, beam.angular_velocity),
         });
-        let heat = HeatGuide {
-            temperature: beam.temperature.map_or(Signal::Constant(0.0), |number| signal(document, number)),
-            gradient: match beam.temperature_gradient {
-                Some(numbers) => numbers.map(|number| signal(document, number)),
-                None => [Signal::Constant(0.0), Signal::Constant(0.0)],
-            },
-        };
-        if beam.temperature.is_some() || beam.temperature_gradient.is_some() {
-            self.system.heat(number, heat, sections::expansion(document, beam).unwrap_or_default());
-        }
+        self.heat(number, beam, line);
         if let Some(element) = self.system.impossible_element(number) {
             let message = format!("beam {} is bent or pretwisted too sharply for a solid section", beam.name);
             let label = format!("element {element}, counted from 0, has fibers without length");

@@ -1,6 +1,6 @@
 //! What may change while the system runs: gravity, loads, actuators, springs and dampers, and where a host wants drives and frames to be.
 
-use super::{signal, vector};
+use super::{heat, signal, vector};
 use crate::math::jet::Jet;
 use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
 use crate::math::{Mat3, Vec3};
@@ -241,6 +241,13 @@ pub fn aim(
     for (target, actuator) in actuators.filter(|(_, actuator)| actuator.input) {
         let (value, rate) = line(actuator.effort);
         *target = HostEffort { value, rate, since: begin };
+    }
+    let heated = document.beams.iter().filter(|beam| beam.temperature_input);
+    for ((target, departure), beam) in targets.heats.iter_mut().zip(&mut targets.departure.heats).zip(heated) {
+        *target = heat::given(beam, at_end);
+        if begin == end {
+            *departure = *target;
+        }
     }
     // In the order of their building.
     for (target, switch) in targets.switches.iter_mut().zip(switches(document)) {

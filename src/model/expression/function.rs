@@ -41,6 +41,11 @@ impl Formula {
         self.pieces.iter().any(|piece| piece.is.may_be_undefined())
     }
 
+    /// Whether the rate of the variable occurs, or what stands in its place.
+    pub fn has_rate(&self) -> bool {
+        self.pieces.iter().any(|piece| piece.is.has_rate())
+    }
+
     /// The numbers of the readings that occur, ascending.
     pub fn readings(&self) -> Vec<usize> {
         let mut all: Vec<usize> = self.pieces.iter().flat_map(|piece| piece.is.readings()).collect();
@@ -135,6 +140,13 @@ impl Function {
     /// Whether the rate of the variable occurs.
     pub fn has_rate(&self) -> bool {
         self.pieces.iter().any(Program::has_rate)
+    }
+
+    /// The same function with the rate of the variable, or what stands in its place, as a number.
+    #[must_use]
+    pub fn at_rate(&self, rate: f64) -> Self {
+        let pieces = self.pieces.iter().map(|piece| piece.clone().at_rate(rate)).collect();
+        Self { limits: self.limits.clone(), pieces }
     }
 
     /// The number of the piece that is valid at t.

@@ -26,6 +26,8 @@ pub enum Variable {
     Time,
     /// `s`, the curve parameter.
     Curve,
+    /// `t`, time, with the arc length `s` of a beam as a second variable.
+    AlongInTime,
     /// `t`, time, and coordinates of joints with their rates.
     Control,
     /// `x`, the elongation of a spring, with its rate `v` as a second variable.
@@ -39,14 +41,18 @@ impl Variable {
     pub fn word(self) -> &'static str {
         match self {
             Self::None => "",
-            Self::Time | Self::Control => "t",
+            Self::Time | Self::Control | Self::AlongInTime => "t",
             Self::Curve => "s",
             Self::Elongation | Self::Followed => "x",
         }
     }
 
-    /// How its rate is written, where an expression may use it.
+    /// How its rate, or the second variable in the place of a rate, is written, where an expression may use it.
     pub fn rate(self) -> &'static str {
-        if self == Self::Elongation { "v" } else { "" }
+        match self {
+            Self::Elongation => "v",
+            Self::AlongInTime => "s",
+            Self::None | Self::Time | Self::Curve | Self::Control | Self::Followed => "",
+        }
     }
 }

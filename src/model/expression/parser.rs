@@ -384,7 +384,7 @@ impl Parser<'_> {
             "s" => {
                 return Err(error(
                     "`s` is not known here",
-                    "`s` is known in x, y and z of a curve and in sections along a beam only",
+                    "`s` is known in x, y and z of a curve, in sections along a beam and in temperatures only",
                     range,
                 ));
             }

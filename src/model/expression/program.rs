@@ -293,6 +293,16 @@ impl Program {
         Self { operations, calls, cost: self.cost }
     }
 
+    /// The same program with the rate of the variable as a number.
+    #[must_use]
+    pub fn at_rate(mut self, rate: f64) -> Self {
+        self.operations
+            .iter_mut()
+            .filter(|own| **own == Operation::Rate)
+            .for_each(|own| *own = Operation::Constant(rate));
+        self
+    }
+
     /// The same program, as a number where the variable does not occur.
     #[must_use]
     pub fn folded(self) -> Self {

@@ -19,6 +19,14 @@ pub fn text(path: &Path) -> Result<String, String> {
     utf8(&name, bytes)
 }
 
+/// The bytes of the file at `path`.
+///
+/// # Errors
+/// As a sentence: the file cannot be read.
+pub fn content(path: &Path) -> Result<Vec<u8>, String> {
+    std::fs::read(path).map_err(|reason| format!("cannot read {}: {reason}", path.display()))
+}
+
 /// The text of a model file that comes from a pipe; messages call it `name`.
 ///
 /// # Errors

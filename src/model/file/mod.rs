@@ -16,4 +16,4 @@ pub(super) mod schema;
 mod settings;
 pub mod unit;
 
-pub use disk::{piped, text};
+pub use disk::{content, piped, text};

@@ -239,9 +239,10 @@ impl Numbers {
             }
             let end = match self.slots[place].meta.variable {
                 Variable::Time | Variable::Control => stop,
+                Variable::AlongInTime if !formula.has_rate() => stop,
                 Variable::None => 0.0,
-                // The curve is looked at where it is drawn, laws of springs and gears where they go.
-                Variable::Curve | Variable::Elongation | Variable::Followed => return None,
+                // The curve is looked at where it is drawn, a temperature along the beam, laws of springs and gears where they go.
+                Variable::Curve | Variable::AlongInTime | Variable::Elongation | Variable::Followed => return None,
             };
             let (time, undefined) = formula.undefined_between([0.0, end], |used| self.values[used])?;
             Some((Number(place), time, undefined))

@@ -18,7 +18,7 @@ pub struct Rule {
     pub integer: bool,
     /// The solver takes a change between two steps.
     pub tunable: bool,
-    /// What it may depend on: t, along a curve s, in the law of a spring x and v.
+    /// What it may depend on: t, along a curve s, of a temperature both, in the law of a spring x and v.
     pub variable: Variable,
 }
 
@@ -79,6 +79,11 @@ impl Rule {
 
     const fn along_beam(mut self) -> Self {
         self.variable = Variable::Curve;
+        self
+    }
+
+    const fn along_in_time(mut self) -> Self {
+        self.variable = Variable::AlongInTime;
         self
     }
 
@@ -157,9 +162,9 @@ pub const FREE_TORSION: Rule = rule("free_torsion", "torsion of the beam without
 pub const TENSION_DAMPING: Rule =
     rule("tension_damping", "damping of the axial strain, beyond that of the material", "s").from(0.0).tunable();
 pub const TEMPERATURE: Rule =
-    rule("temperature", "temperature of the beam, above that at which it is as drawn", "K").in_time();
+    rule("temperature", "temperature of the beam, above that at which it is as drawn", "K").along_in_time();
 pub const TEMPERATURE_GRADIENT: Rule =
-    rule("temperature_gradient", "gradient of the temperature along the section's y and z", "K/m").in_time();
+    rule("temperature_gradient", "gradient of the temperature along the section's y and z", "K/m").along_in_time();
 pub const VELOCITY: Rule = rule("velocity", "initial velocity of the start, global axes", "m/s");
 pub const ANGULAR_VELOCITY: Rule = rule("angular_velocity", "initial angular velocity, global axes", "rad/s");
 

@@ -26,7 +26,7 @@ pub(super) enum Role {
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 111] = [
+const ROLES: [(&str, &str, Role); 112] = [
     ("function", "argument", Role::Word),
     ("function", "table", Role::Number),
     ("function", "file", Role::Word),
@@ -130,6 +130,7 @@ const ROLES: [(&str, &str, Role); 111] = [
     ("beam", "tension_damping", Role::Number),
     ("beam", "temperature", Role::Number),
     ("beam", "temperature_gradient", Role::Number),
+    ("beam", "temperature_input", Role::Word),
     ("", "stiffness", Role::Number),
     ("", "damping", Role::Number),
     ("", "rotational_stiffness", Role::Number),

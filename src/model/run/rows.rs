@@ -9,19 +9,28 @@ pub const MOST: f64 = 1e8;
 
 /// Number of the last row; row 0 is the start. None: there would be more than [`MOST`].
 pub fn last(about: &About) -> Option<u64> {
-    (about.stop / about.output_step <= MOST).then(|| rows_until(about.stop, about.output_step))
+    let is_possible = about.stop / about.output_step <= MOST;
+    is_possible.then(|| (rows_until(about.stop, about.output_step) - passed(about, about.start)).max(1))
 }
 
-/// The time of a row, s.
+/// The time of a row, s: after the start, multiples of the output step.
 pub fn time(about: &About, row: u64, last: u64) -> f64 {
-    if row == last { about.stop } else { row as f64 * about.output_step }
+    match row {
+        _ if row == last => about.stop,
+        0 => about.start,
+        _ => (passed(about, about.start) + row) as f64 * about.output_step,
+    }
+}
+
+/// Number of the last row up to `time`, s, of a run from 0.
+fn passed(about: &About, time: f64) -> u64 {
+    (time / about.output_step + ROUNDING).floor().max(0.0) as u64
 }
 
 /// Number of the first row after `begin`, s, where a run begins there instead of at 0; `last` is that of the last row. None: nothing is left to run.
 pub fn first_after(about: &About, begin: f64, last: u64) -> Option<u64> {
     let margin = ROUNDING * about.output_step;
-    let passed = (begin / about.output_step + ROUNDING).floor().max(0.0) as u64;
-    (begin + margin < about.stop).then(|| (passed + 1).min(last))
+    (begin + margin < about.stop).then(|| (passed(about, begin) + 1).min(last))
 }
 
 fn rows_until(stop: f64, step: f64) -> u64 {
@@ -41,6 +50,20 @@ mod tests {
         assert_eq!(first_after(&about(1.0, 0.3), 0.95, 4), Some(4));
         assert_eq!(first_after(&about(1.0, 0.3), 0.7, 4), Some(3));
         assert_eq!(first_after(&about(0.3, 0.1), 0.3, 3), None);
+    }
+
+    /// A model that begins with a state has its row 0 there, and the rows after it at multiples of the output step.
+    #[test]
+    fn rows_of_a_model_that_begins_with_a_state() {
+        let times = |start: f64, stop: f64| {
+            let about = About { start, stop, output_step: 0.1, ..About::default() };
+            let last = last(&about).unwrap();
+            (0..=last).map(|row| time(&about, row, last)).collect::<Vec<f64>>()
+        };
+        assert_eq!(times(0.0, 0.3), [0.0, 0.1, 0.2, 0.3]);
+        assert_eq!(times(0.1 + 0.2, 0.6), [0.1 + 0.2, 0.4, 0.5, 0.6]);
+        assert_eq!(times(0.25, 0.45), [0.25, 3.0 * 0.1, 0.4, 0.45]);
+        assert_eq!(times(0.25, 0.26), [0.25, 0.26]);
     }
 
     /// The last row is at the end, no row twice, also where the division is not exact.

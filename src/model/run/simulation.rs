@@ -3,8 +3,10 @@
 mod companion;
 mod conclusion;
 mod derivatives;
+mod first_state;
 mod guid;
 mod kept;
+mod loading;
 mod mesh_error;
 mod runner;
 mod saved;
@@ -12,6 +14,7 @@ mod start_derivatives;
 mod stepping;
 
 pub use companion::{Beside, Companion, Halt, Lost, Placement, Row};
+pub use first_state::{FirstState, ReadState};
 pub use kept::{Beginning, Kept};
 pub use saved::Snapshot;
 
@@ -38,7 +41,6 @@ use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::text::diagnostic::Diagnostics;
 use crate::model::variables::inputs::Inputs;
 use crate::model::variables::{Moment, Source, Table};
-use std::path::Path;
 use std::sync::Arc;
 
 /// The parameter that a host's tolerance stands for.
@@ -66,6 +68,8 @@ pub struct Simulation {
     placement: Option<(Placement, Halt)>,
     /// That run, with its mesh.
     companion: Option<(Box<dyn Beside>, OtherMesh)>,
+    /// The state that the file begins with; none: it begins as drawn, or at an equilibrium.
+    first_state: Option<Arc<FirstState>>,
     /// How far results are off because of the mesh, a family each, as found at the end; empty: not known.
     mesh_errors: Vec<Inexact>,
     inputs: Inputs,
@@ -77,39 +81,6 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// Reads and builds a model file; `overrides` are keys and values of `--set`, `file_name` is for messages.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the file, each with its place.
-    pub fn load(file_name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, Failure> {
-        Self::load_in(None, file_name, text, overrides)
-    }
-
-    /// Reads and builds a model file as [`Self::load`] does; paths in it are relative to `folder`, without which it includes no other file.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the file, each with its place.
-    pub fn load_in(
-        folder: Option<&Path>,
-        file_name: &str,
-        text: &str,
-        overrides: &[(String, String)],
-    ) -> Result<Self, Failure> {
-        let document =
-            Document::parse_in(folder, file_name, text, overrides).map_err(|mistakes| mistaken(&mistakes))?;
-        Self::of(document, overrides.to_vec())
-    }
-
-    /// Reads and builds the model file of a unit, whose host cannot ask for the mesh error: the file does.
-    ///
-    /// # Errors
-    /// As [`Self::load`].
-    pub fn load_unit(file_name: &str, text: &str) -> Result<Self, Failure> {
-        let mut simulation = Self::load(file_name, text, &[])?;
-        simulation.heed_mesh_error();
-        Ok(simulation)
-    }
-
     /// Builds a model file that was read with `overrides`.
     fn of(document: Document, overrides: Vec<Override>) -> Result<Self, Failure> {
         let built = builder::build(&document, 0.0).map_err(|mistakes| mistaken(&mistakes))?;
@@ -120,6 +91,7 @@ impl Simulation {
             identifier: document.model.identifier.clone(),
             description: document.model.description.clone(),
             guid: guid(document.text(), &document.remaining(&overrides), &table),
+            start: 0.0,
             stop: document.value(document.simulation.stop),
             credits: document.model.credits.clone(),
             output_step: document.output_step(),
@@ -135,6 +107,7 @@ impl Simulation {
             peak: None,
             placement: None,
             companion: None,
+            first_state: None,
             mesh_errors: Vec::new(),
             table: Arc::new(table),
             runner: Runner::new(built, &document, 0.0),
@@ -369,6 +342,9 @@ impl Model for Simulation {
             starts.iter().for_each(|(number, value)| document.set_start(*number, *value));
         }
         self.document.check().map_err(wrong)?;
+        if let Some(first) = self.first_state.clone() {
+            return self.begin_with_first(&first, start);
+        }
         let document = &self.document;
         let mut runner = match self.runner.if_drawn(document, start) {
             Some(runner) => runner,

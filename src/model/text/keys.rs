@@ -77,6 +77,7 @@ const KEYS: [(&str, &[&str]); 17] = [
             "tension_damping",
             "temperature",
             "temperature_gradient",
+            "temperature_input",
             "velocity",
             "angular_velocity",
         ],

@@ -16,11 +16,12 @@ const TABLE: &str = "axes";
 const SECTION: &str = "curve";
 
 /// The keys of the section [simulation] that are often set, and as often without its name.
-const SIMULATION: [&str; 12] = [
+const SIMULATION: [&str; 13] = [
     "analysis",
     "follow",
     "initial",
     "preload",
+    "from_state",
     "stop",
     "step",
     "accuracy",

@@ -3,6 +3,7 @@
 //!
 //! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here. The lines of beams are in lines.rs.
 
+pub mod heat;
 mod lines;
 pub mod notes;
 mod paths;
@@ -189,7 +190,7 @@ impl Checker<'_> {
         self.check_law(beam);
         elements?;
         self.mistakes.extend(lines::overtwisted(document, beam, &line));
-        self.mistakes.extend(sections::mistake(document, beam, &line));
+        self.mistakes.extend(sections::mistake(document, beam, &line).or_else(|| heat::mistake(document, beam, &line)));
         Some(line)
     }
 

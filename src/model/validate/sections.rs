@@ -185,13 +185,6 @@ pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Optio
         let label = format!("this is {}", shown(document.value(number)));
         return Some(document.diagnostic(document.place(number), &message, &label, ""));
     }
-    let heat = beam.temperature.or(beam.temperature_gradient.map(|gradient| gradient[0]));
-    if let (Some(heat), None) = (heat, expansion(document, beam)) {
-        let message = format!("beam {} has a temperature, and its material no thermal expansion", beam.name);
-        let label = "by this the beam would expand";
-        let help = "give the material `expansion`, in 1/K: 1.2e-5 for steel";
-        return Some(document.diagnostic(document.place(heat), &message, label, help));
-    }
     if functions.is_empty() {
         let is_told = written.objection(|number| document.value(number)).is_some();
         return if is_told { None } else { unstable(document, written, &at_start(document, written), "") };

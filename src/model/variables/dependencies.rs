@@ -17,9 +17,9 @@ use crate::model::file::reader::anchor::{Anchor, Spot};
 pub enum Found {
     /// Every input.
     All,
-    /// No input: it is as drawn.
+    /// Temperatures alone, which strains are without stress by: else it is as drawn.
     Drawing,
-    /// Where frames and drives are, and how fast: not the loads.
+    /// Where frames and drives are, how fast, and temperatures: not the loads.
     Motion,
     /// Where this frame is.
     Frame(usize),
@@ -36,6 +36,8 @@ pub struct Givens {
     drives: Vec<usize>,
     /// Of each frame.
     frames: Vec<Vec<usize>>,
+    /// Temperatures.
+    heats: Vec<usize>,
     /// The system begins as drawn, and moves.
     as_drawn: bool,
 }
@@ -72,6 +74,12 @@ impl Givens {
                     };
                     frame.position.iter().chain(turn).copied().filter_map(input).collect()
                 })
+                .collect(),
+            heats: document
+                .beams
+                .iter()
+                .flat_map(|beam| [beam.temperature].into_iter().chain(beam.gradients()).flatten())
+                .filter_map(input)
                 .collect(),
             as_drawn: simulation.analysis == Analysis::Dynamic && simulation.initial == Initial::AsDrawn,
         }
@@ -111,11 +119,11 @@ impl Givens {
         let frames = || self.frames.iter().flatten();
         let inputs: Vec<usize> = match found {
             Found::All => return None,
-            Found::Drawing => Vec::new(),
-            Found::Motion => self.drives.iter().chain(frames()).copied().collect(),
+            Found::Drawing => self.heats.clone(),
+            Found::Motion => self.drives.iter().chain(frames()).chain(&self.heats).copied().collect(),
             Found::Frame(frame) => self.frames[frame].clone(),
         };
-        if inputs.len() == self.loads.len() + self.drives.len() + frames().count() {
+        if inputs.len() == self.loads.len() + self.drives.len() + frames().count() + self.heats.len() {
             return None;
         }
         let mut needed = [self.parameters.clone(), inputs].concat();

@@ -4,6 +4,7 @@ pub mod bend_45;
 pub mod damped_vibration;
 pub mod four_bar;
 pub mod frequencies;
+mod heat_along;
 pub mod helical_spring;
 pub mod helix;
 pub mod lateral_buckling;

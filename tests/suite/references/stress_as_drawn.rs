@@ -5,7 +5,7 @@ use ancf14::fmi::Model;
 use std::f64::consts::{PI, TAU};
 
 /// A steel strip of 2 m along x, 20 mm wide (y) and 10 mm high (z).
-fn strip(keys: &str, rest: &str) -> String {
+pub fn strip(keys: &str, rest: &str) -> String {
     format!(
         "format = 1
         [model]
@@ -39,13 +39,13 @@ fn strip(keys: &str, rest: &str) -> String {
     )
 }
 
-const HELD: &str = "[joint.right]\ntype = \"weld\"\na = \"ground\"\nb = \"strip.end\"\n";
-const STATIC: &str = "[simulation]\nanalysis = \"static\"\nstop = 1\n";
+pub const HELD: &str = "[joint.right]\ntype = \"weld\"\na = \"ground\"\nb = \"strip.end\"\n";
+pub const STATIC: &str = "[simulation]\nanalysis = \"static\"\nstop = 1\n";
 
-const AREA: f64 = 0.02 * 0.01;
+pub const AREA: f64 = 0.02 * 0.01;
 const ABOUT_Y: f64 = 0.02 * 0.01 * 0.01 * 0.01 / 12.0;
 
-fn at_end(text: &str) -> ancf14::model::simulation::Simulation {
+pub fn at_end(text: &str) -> ancf14::model::simulation::Simulation {
     let mut simulation = start(text);
     simulation.advance(1.0).unwrap_or_else(|failure| panic!("{}", failure.message));
     simulation

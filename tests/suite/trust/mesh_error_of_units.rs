@@ -20,7 +20,8 @@ fn unit(elements: u32, asks: bool) -> Instance<Simulation> {
         .replace("elements = 10", &format!("elements = {elements}"))
         .replace("node[5]", &format!("node[{}]", elements / 2))
         .replace("[simulation]", &format!("[simulation]\nmesh_error = {asks}"));
-    let model = Simulation::load_unit("model.toml", &text).unwrap_or_else(|failure| panic!("{}", failure.message));
+    let mut model = Simulation::load("model.toml", &text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
+    model.heed_mesh_error();
     let mut unit = Instance::new(model, false);
     unit.setup_experiment(None, 0.0, None).unwrap();
     unit.enter_initialization_mode().unwrap();

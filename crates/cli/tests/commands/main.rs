@@ -5,6 +5,7 @@
 mod command_line;
 mod drawing_views;
 mod export_command;
+mod first_state;
 mod index_page;
 mod inputs_command;
 mod modes_command;

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// A clamped strip under a load, with a block on a spring at its end.
-const MODEL: &str = r#"format = 1
+pub const MODEL: &str = r#"format = 1
 [model]
 name = "Strip"
 gravity = [0, 0, -9.81]
@@ -60,19 +60,19 @@ output_step = 0.005
 totals = ["energy", "work", "statistics"]
 "#;
 
-fn run(folder: &Path, model: &str, out: &str, arguments: &[&str]) -> Output {
+pub fn run(folder: &Path, model: &str, out: &str, arguments: &[&str]) -> Output {
     fs::write(folder.join("m.toml"), model).unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_ancf14"));
     command.current_dir(folder).args(["run", "m.toml", "-o", out]).args(arguments);
     command.output().unwrap()
 }
 
-fn rows(folder: &Path, out: &str) -> Vec<String> {
+pub fn rows(folder: &Path, out: &str) -> Vec<String> {
     fs::read_to_string(folder.join(out).join("results.csv")).unwrap().lines().map(str::to_owned).collect()
 }
 
 /// The columns of a name, row by row.
-fn column(rows: &[String], name: &str) -> Vec<f64> {
+pub fn column(rows: &[String], name: &str) -> Vec<f64> {
     let place = rows[0].split(',').position(|own| own == name).unwrap_or_else(|| panic!("no column {name}"));
     rows[1..].iter().map(|row| row.split(',').nth(place).unwrap().parse().unwrap()).collect()
 }

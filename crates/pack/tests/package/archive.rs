@@ -7,6 +7,7 @@ use std::{
     path::Path,
 };
 
+use ancf14::fmi::About;
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::location::{CARGO_LIBRARY, LIBRARY};
 use ancf14_pack::contents::Contents;
@@ -19,6 +20,7 @@ const MODEL: &str = "format = 1\n";
 
 /// A picture of nothing; what the package does not look at.
 const CONTENTS: Contents<'_> = Contents {
+    state: None,
     model: MODEL,
     licences: "do",
     icon: b"\x89PNG",
@@ -29,6 +31,25 @@ const CONTENTS: Contents<'_> = Contents {
 
 fn packed() -> Vec<u8> {
     packed_for(Standard::Fmi2)
+}
+
+/// The state that a model begins with is among the resources, and the default experiment starts at its time.
+#[test]
+fn states_are_packed() {
+    let contents = Contents { state: Some(b"bytes"), ..CONTENTS };
+    for standard in [Standard::Fmi2, Standard::Fmi3] {
+        let about = About { start: 0.5, ..toy::about() };
+        let fmu = fmu(standard, &about, &toy::variables(), &contents, &[(Platform::Linux64, vec![7])]).unwrap();
+        let mut archive = ZipArchive::new(Cursor::new(fmu)).unwrap();
+        let mut content = |name: &str| {
+            let mut bytes = Vec::new();
+            archive.by_name(name).unwrap().read_to_end(&mut bytes).unwrap();
+            bytes
+        };
+        assert_eq!(content("resources/start.state"), b"bytes");
+        let description = String::from_utf8(content("modelDescription.xml")).unwrap();
+        assert!(description.contains("startTime=\"0.5\""), "{description}");
+    }
 }
 
 fn packed_for(standard: Standard) -> Vec<u8> {

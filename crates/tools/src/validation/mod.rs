@@ -2,6 +2,7 @@
 //! result is typed by hand: what the page says about sizes stands in tables that come from the runs.
 
 mod bend;
+mod blades;
 mod buckling;
 mod chosen_steps;
 mod comparison;
@@ -18,6 +19,7 @@ mod shaft;
 mod spring;
 mod static_buckling;
 mod study;
+mod unstressed;
 
 use ancf14_report::chart::{Chart, Layout, Line, Stroke};
 use std::fmt::Write;
@@ -51,7 +53,7 @@ pub enum Runs {
 }
 
 /// All sections in the order of the page.
-pub const CASES: [Case; 19] = [
+pub const CASES: [Case; 21] = [
     Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
     Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
     Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
@@ -65,9 +67,11 @@ pub const CASES: [Case; 19] = [
     Case { title: "Rolling up to a circle", runs: Runs::Short, write: roll_up::write },
     Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
     Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
+    Case { title: "Stress as drawn and heat", runs: Runs::Short, write: unstressed::write },
     Case { title: "Paths past a limit load", runs: Runs::Short, write: paths::write },
     Case { title: "Paths past a limit load: the peer", runs: Runs::Asked, write: paths::peer },
     Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
+    Case { title: "Blades", runs: Runs::Long, write: blades::write },
     Case { title: "Steps chosen by an accuracy", runs: Runs::Long, write: chosen_steps::write },
     Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },
     Case { title: "Estimated errors: motion", runs: Runs::Long, write: estimates::motion },

@@ -2,7 +2,7 @@
 
 use super::energy::quadratic_twist;
 use super::kinematics::points::BendingPoint;
-use super::natural::Natural;
+use super::natural::curvature_about;
 use super::strain::Strains;
 
 impl BendingPoint {
@@ -13,19 +13,20 @@ impl BendingPoint {
         [cos / self.reference_stretch, sin / self.reference_stretch]
     }
 
-    /// `gammahat` and the strains, where the carried frame has the `curvatures` and the section is turned by `turn`; `twist` is that of the element.
+    /// `gammahat` and the strains, where the carried frame has the `curvatures` and the section is turned by `turn`; `twist` is that of the element, `natural` are the
+    /// curvatures without stress here.
     #[inline(always)]
     pub fn strains(
         &self,
         ([kappa1, kappa2], twist): ([f64; 2], f64),
         bubble: f64,
         [cos, sin]: [f64; 2],
-        natural: &Natural,
+        natural: [f64; 2],
         green: &[f64; 3],
     ) -> ([f64; 2], Strains) {
         let gammahat = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
         let twist_xi = twist + bubble * quadratic_twist::shape_xi(self.xi);
-        let natural = natural.curvature_about(self.principal - self.turn);
+        let natural = curvature_about(natural, self.principal - self.turn);
         let strains = Strains::new(
             gammahat[0] - self.reference[0] - natural[0],
             gammahat[1] - self.reference[1] - natural[1],

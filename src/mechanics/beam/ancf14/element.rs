@@ -267,16 +267,16 @@ impl<'a> Evaluation<'a> {
         natural: &Natural,
     ) -> Self {
         let kinematics = Kinematics::new(element, q, frames, previous);
-        let slope = |point: &AxialPoint| axial::Slope {
+        let slope = |point: &AxialPoint, natural: f64| axial::Slope {
             middle: slope_at(&point.shape_x, q),
             increment: increment.map_or_else(Vec3::zeros, |increment| slope_at(&point.shape_x, increment)),
             reference_stretch: point.reference_stretch,
             reference_square: point.reference_square,
-            natural: point.natural + natural.axial,
+            natural: point.natural + natural,
         };
         let torsion = |point: &AxialPoint| kinematics.twist * point.torsion_by_twist - point.reference_torsion;
         let [first, middle, last] = &element.axial;
-        let slopes = [slope(first), slope(middle), slope(last)];
+        let slopes = [slope(first, natural.axial[0]), slope(middle, natural.axial[1]), slope(last, natural.axial[2])];
         let green = match element.stiffness.strain {
             // Nothing depends on them.
             Strain::Small => [0.0; 3],
@@ -287,7 +287,7 @@ impl<'a> Evaluation<'a> {
         let turn = [turned(0), turned(1), turned(2)];
         let strained = |g: usize| {
             let of_kinematics = (kinematics.points[g].curvatures, kinematics.twist);
-            element.bending[g].strains(of_kinematics, 0.0, turn[g], natural, &green)
+            element.bending[g].strains(of_kinematics, 0.0, turn[g], natural.curvature[g], &green)
         };
         let [(gamma0, strains0), (gamma1, strains1), (gamma2, strains2)] = [strained(0), strained(1), strained(2)];
         // All of it at once, where the caller has room for it: it is large, and nothing of it is copied.
@@ -334,7 +334,7 @@ impl<'a> Evaluation<'a> {
         let Self { kinematics, natural, green, bubble, .. } = self;
         for (g, point) in self.element.bending.iter().enumerate() {
             let of_kinematics = (kinematics.points[g].curvatures, kinematics.twist);
-            let found = point.strains(of_kinematics, *bubble, self.turn[g], natural, green);
+            let found = point.strains(of_kinematics, *bubble, self.turn[g], natural.curvature[g], green);
             (self.gammahat[g], self.strains[g]) = found;
         }
     }

@@ -3,7 +3,7 @@
 //! Heat and tension are strains that are taken off those of the geometry: `e = e(q) − e_0`. A stress-free curvature or torsion takes the place of the one as
 //! drawn.
 
-use crate::mechanics::input::heat::Heat;
+use crate::mechanics::input::heat::{Heat, POINTS};
 
 /// How a beam is under stress where it is drawn; nothing: not at all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,37 +25,39 @@ pub struct Heating {
     pub expansion: f64,
 }
 
-/// Strains without stress, in the axes of a section.
+/// Strains without stress of an element, in the axes of its sections.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Natural {
-    /// Axial strain, 1.
-    pub axial: f64,
-    /// Curvature about z and the negative one about y, 1/m: in the order of the energy.
-    pub curvature: [f64; 2],
+    /// Axial strain at the axial points, 1.
+    pub axial: [f64; POINTS],
+    /// Curvature about z and the negative one about y at the bending points, 1/m: in the order of the energy.
+    pub curvature: [[f64; 2]; POINTS],
 }
 
 impl Natural {
     /// The fiber at (y, z) expands by `α (T + y T_y + z T_z)`.
     pub(super) fn of_heat(expansion: f64, heat: &Heat) -> Self {
-        let [y, z] = heat.gradient;
-        Self { axial: expansion * heat.temperature, curvature: [-expansion * y, -expansion * z] }
+        Self {
+            axial: heat.temperature.map(|temperature| expansion * temperature),
+            curvature: heat.gradient.map(|[y, z]| [-expansion * y, -expansion * z]),
+        }
     }
 
     /// The mean of two.
     pub fn mean(&self, other: &Self) -> Self {
         let mean = |a: f64, b: f64| 0.5 * (a + b);
         Self {
-            axial: mean(self.axial, other.axial),
-            curvature: [0, 1].map(|i| mean(self.curvature[i], other.curvature[i])),
+            axial: std::array::from_fn(|m| mean(self.axial[m], other.axial[m])),
+            curvature: std::array::from_fn(|g| [0, 1].map(|i| mean(self.curvature[g][i], other.curvature[g][i]))),
         }
     }
+}
 
-    /// Its curvatures about axes that are turned by `angle`, rad.
-    pub fn curvature_about(&self, angle: f64) -> [f64; 2] {
-        if angle == 0.0 {
-            return self.curvature;
-        }
-        let ((sin, cos), [g1, g2]) = (angle.sin_cos(), self.curvature);
-        [cos * g1 + sin * g2, cos * g2 - sin * g1]
+/// The curvatures `g1`, `g2` about axes that are turned by `angle`, rad.
+pub fn curvature_about([g1, g2]: [f64; 2], angle: f64) -> [f64; 2] {
+    if angle == 0.0 {
+        return [g1, g2];
     }
+    let (sin, cos) = angle.sin_cos();
+    [cos * g1 + sin * g2, cos * g2 - sin * g1]
 }

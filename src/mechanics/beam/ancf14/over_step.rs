@@ -9,6 +9,7 @@ use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, N
 use super::element::{Element, Evaluation};
 use super::energy::quadratic_twist::{self, Twist};
 use super::frame::NodeFrame;
+use super::natural::curvature_about;
 use super::strain::{Resultants, Strain};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::configuration::{BeamConfiguration, TimeStep};
@@ -295,8 +296,10 @@ impl Element {
                 Strain::Large | Strain::LargeTruncated => middle.green_force(g, &resultants),
             };
             let [[a1, a2], [b1, b2]] =
-                [&after, &before].map(|natural| natural.curvature_about(point.principal - point.turn));
-            work -= axial * (after.axial - before.axial) + resultants[g][0] * (a1 - b1) + resultants[g][1] * (a2 - b2);
+                [&after, &before].map(|natural| curvature_about(natural.curvature[g], point.principal - point.turn));
+            work -= axial * (after.axial[g] - before.axial[g])
+                + resultants[g][0] * (a1 - b1)
+                + resultants[g][1] * (a2 - b2);
         }
         work
     }

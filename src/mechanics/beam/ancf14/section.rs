@@ -42,7 +42,7 @@ pub fn strains(element: &Element, c: &BeamConfiguration, xi: f64, drawn: &Sectio
     };
     let now = shape(element, c, &evaluation.kinematics, xi, evaluation.bubble);
     let (j0, turn) = (drawn.stretch, element.along.as_ref().map_or(0.0, |along| along.at(xi).turn));
-    let (curvature, torsion) = element.unstressed_beyond(c, drawn, turn);
+    let (curvature, torsion) = element.unstressed_beyond(c, xi, drawn, turn);
     let bent = turned([0, 1].map(|i| now.curvature[i] / j0 - drawn.curvature[i] / j0), turn);
     SectionStrains {
         axial,

@@ -1,8 +1,9 @@
 //! Elements that are under stress where they are drawn, or expand with heat.
 
 use super::element::Element;
-use super::natural::{Natural, Prestress};
+use super::natural::{Natural, Prestress, curvature_about};
 use super::section::turned;
+use crate::math::quadrature::{GAUSS_POINTS, lagrange};
 use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::resultants::SectionShape;
 
@@ -23,8 +24,8 @@ impl Element {
         }
         for point in &mut self.bending {
             if let Some([about_y, about_z]) = prestress.curvature {
-                let natural = Natural { axial: 0.0, curvature: [about_z, -about_y] };
-                [point.reference[0], point.reference[1]] = natural.curvature_about(point.principal - point.turn);
+                let free = curvature_about([about_z, -about_y], point.principal - point.turn);
+                [point.reference[0], point.reference[1]] = free;
             }
             point.reference[2] = prestress.torsion.unwrap_or(point.reference[2]);
         }
@@ -35,10 +36,15 @@ impl Element {
         self
     }
 
-    /// Curvatures about y and z and torsion without stress, beyond those of a section that as drawn is `drawn` and is turned by `turn`, rad, 1/m and rad/m.
-    pub fn unstressed_beyond(&self, c: &BeamConfiguration, drawn: &SectionShape, turn: f64) -> ([f64; 2], f64) {
-        let [g1, g2] = self.natural(c).curvature;
-        let (mut curvature, mut torsion) = ([-g2, g1], 0.0);
+    /// Curvatures about y and z and torsion without stress at `xi`, beyond those of a section that as drawn is `drawn` and is turned by `turn`, rad, 1/m and rad/m.
+    pub fn unstressed_beyond(
+        &self,
+        c: &BeamConfiguration,
+        xi: f64,
+        drawn: &SectionShape,
+        turn: f64,
+    ) -> ([f64; 2], f64) {
+        let (mut curvature, mut torsion) = (self.curvature_of_heat(c, xi), 0.0);
         if let Some(prestress) = &self.prestress {
             if let Some(free) = prestress.curvature {
                 let as_drawn = turned(drawn.curvature.map(|curvature| curvature / drawn.stretch), turn);
@@ -49,5 +55,18 @@ impl Element {
             }
         }
         (curvature, torsion)
+    }
+
+    /// Curvatures about y and z by heat at `xi`, 1/m: the quadratic through those of the bending points.
+    fn curvature_of_heat(&self, c: &BeamConfiguration, xi: f64) -> [f64; 2] {
+        let points = self.natural(c).curvature;
+        // The same at all points: without the round-off of weights.
+        if points.iter().all(|point| *point == points[0]) {
+            let [g1, g2] = points[0];
+            return [-g2, g1];
+        }
+        let weights = lagrange(&GAUSS_POINTS, xi);
+        let at = |i: usize| points.iter().zip(weights).map(|(point, weight)| weight * point[i]).sum::<f64>();
+        [-at(1), at(0)]
     }
 }

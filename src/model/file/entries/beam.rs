@@ -8,6 +8,7 @@ use crate::mechanics::beam::ancf24::law::Shear;
 use crate::mechanics::beam::design::{Elements, Torsion};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
+use crate::model::file::reader::input::{RAMPED, make_input};
 use crate::model::file::schema;
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::Kind;
@@ -45,6 +46,8 @@ pub struct BeamSpec {
     pub temperature: Option<Number>,
     /// Its gradient along y and z of the section, K/m.
     pub temperature_gradient: Option<[Number; 2]>,
+    /// true: the host gives both; the numbers are start values.
+    pub temperature_input: bool,
     /// Initial velocity of the start, m/s.
     pub velocity: [Number; 3],
     /// Initial angular velocity, rad/s.
@@ -93,6 +96,7 @@ fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
         "tension_damping",
         "temperature",
         "temperature_gradient",
+        "temperature_input",
     ];
     let own24 = ["ancf24_poisson", "ancf24_shear"];
     match reader.word("element", &ELEMENTS, Some(Word::Ancf14)).unwrap_or(Word::Ancf14) {
@@ -114,7 +118,34 @@ fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
     }
 }
 
+/// Reads the temperature, its gradient, and whether the host gives them.
+fn temperature(reader: &mut Reader<'_, '_>) -> (Option<Number>, Option<[Number; 2]>, bool) {
+    let input = reader.boolean("temperature_input", false);
+    let temperature = match input {
+        true => Some(reader.number_or(&schema::TEMPERATURE, 0.0)),
+        false => reader.optional(&schema::TEMPERATURE),
+    };
+    let gradient = reader.optional_pair(&schema::TEMPERATURE_GRADIENT);
+    if input {
+        for number in temperature.into_iter().chain(gradient.into_iter().flatten()) {
+            make_input(reader.context, number);
+            reader.context.numbers.slots[number.0].meta.description.push_str(&format!(", {RAMPED}"));
+        }
+    }
+    (temperature, gradient, input)
+}
+
 impl BeamSpec {
+    /// Whether it has a temperature.
+    pub fn is_heated(&self) -> bool {
+        self.temperature.is_some() || self.temperature_gradient.is_some()
+    }
+
+    /// The gradients of its temperature along y and z of the section, K/m.
+    pub fn gradients(&self) -> [Option<Number>; 2] {
+        self.temperature_gradient.map_or([None; 2], |numbers| numbers.map(Some))
+    }
+
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, sections: &[SectionSpec]) -> Option<Self> {
         // The first ones stand in for what is reported: the beam must keep its place in the list.
         let section = reader.reference("section", Kind::Section).unwrap_or(0);
@@ -135,8 +166,7 @@ impl BeamSpec {
         let free_curvature = reader.optional_pair(&schema::FREE_CURVATURE);
         let free_torsion = reader.optional(&schema::FREE_TORSION);
         let tension_damping = reader.optional(&schema::TENSION_DAMPING);
-        let temperature = reader.optional(&schema::TEMPERATURE);
-        let temperature_gradient = reader.optional_pair(&schema::TEMPERATURE_GRADIENT);
+        let (temperature, temperature_gradient, temperature_input) = temperature(&mut reader);
         let velocity = reader.vector_or(&schema::VELOCITY, [0.0; 3]);
         let angular_velocity = reader.vector_or(&schema::ANGULAR_VELOCITY, [0.0; 3]);
         let place = reader.place;
@@ -157,6 +187,7 @@ impl BeamSpec {
             tension_damping,
             temperature,
             temperature_gradient,
+            temperature_input,
             velocity,
             angular_velocity,
         })

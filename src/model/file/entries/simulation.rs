@@ -18,6 +18,8 @@ pub struct SimulationSpec {
     pub integrator: IntegratorSpec,
     /// Where the state comes from at the start.
     pub initial: Initial,
+    /// The file with the state of another run that this one begins with, and where it is named; none: it begins as `initial` says.
+    pub from_state: Option<(String, Place)>,
     /// Duration of the static path that leads to the initial equilibrium, s; none: that equilibrium is found at once.
     pub preload: Option<Number>,
     /// End, s.
@@ -151,6 +153,7 @@ impl SimulationSpec {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
         let analysis = reader.word("analysis", &ANALYSES, Some(Analysis::Dynamic)).unwrap_or(Analysis::Dynamic);
         let follow = follow(&mut reader, analysis);
+        let initial_place = reader.place_of("initial");
         let initial = reader.word("initial", &INITIALS, Some(Initial::AsDrawn));
         if initial != Some(Initial::Equilibrium) || analysis == Analysis::Static {
             let message = "`preload` belongs to a motion that begins at an equilibrium";
@@ -161,6 +164,12 @@ impl SimulationSpec {
             );
         }
         let preload = reader.optional(&schema::PRELOAD);
+        let from_state = reader.text("from_state");
+        if from_state.is_some() && initial == Some(Initial::Equilibrium) {
+            let message = "`initial` and `from_state` both say what the motion begins with";
+            let label = "remove it: the motion begins with the state";
+            reader.context.report.error(initial_place, message, label, "");
+        }
         let stop = reader.number(&schema::STOP);
         let step = reader.optional(&schema::STEP);
         let output_step = reader.optional(&schema::OUTPUT_STEP);
@@ -169,6 +178,10 @@ impl SimulationSpec {
         if follow != Follow::Time {
             let message = "`verify` cannot compare paths: the same equilibrium has another arc length with every mesh";
             reader.refuse("verify", message, "remove it, and compare with a run of a finer mesh");
+        }
+        if from_state.is_some() {
+            let message = "`verify` needs a run that begins as drawn or at an equilibrium: a state fits one mesh";
+            reader.refuse("verify", message, "remove it, or remove `from_state`");
         }
         let verify = reader.boolean("verify", false);
         if analysis == Analysis::Static {
@@ -212,6 +225,7 @@ impl SimulationSpec {
             follow,
             integrator,
             initial,
+            from_state,
             preload,
             stop,
             steps,

@@ -8,6 +8,9 @@ pub const HELD: &str = "held during a communication step";
 /// What becomes of the value of a prescribed motion during a communication step.
 pub const REACHED: &str = "reached at the end of the communication step, smoothly from the value before";
 
+/// What becomes of a temperature during a communication step.
+pub const RAMPED: &str = "reached at the end of the communication step, on a straight line from the value before";
+
 /// What becomes of the value of a switch during a communication step.
 pub const SWITCHED: &str = "switched at the start of the communication step";
 

@@ -77,7 +77,7 @@ struct Given<'a> {
 impl<'a> Given<'a> {
     fn new(document: &'a Document, inputs: &'a Inputs, span: [f64; 2], system: &System) -> Self {
         let size = system.size;
-        // A load is linear in what the host gives: any change will do.
+        // Forces are linear in loads and temperatures that the host gives: any change will do.
         let mut units = vec![f64::INFINITY; inputs.count()];
         let mut set = |number: Number, unit: f64| {
             if let Some(place) = inputs.place(number) {

@@ -21,6 +21,12 @@ pub(super) fn guid(text: &str, overrides: &[(String, String)], table: &Table) ->
     format!("{{{}}}", uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_URL, &content))
 }
 
+/// The GUID of a model that begins with a state: of other bytes it is another one.
+pub(super) fn with_state(guid: &str, state: &[u8]) -> String {
+    let content = [guid.as_bytes(), state].concat();
+    format!("{{{}}}", uuid::Uuid::new_v5(&uuid::Uuid::NAMESPACE_URL, &content))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -155,6 +155,18 @@ impl Simulation {
     /// # Errors
     /// It cannot: the state belongs to a mechanism with other parts, in words.
     pub fn fit(&self, kept: Kept) -> Result<Beginning, String> {
+        self.fit_as(kept, true)
+    }
+
+    /// How this simulation begins with a state, also with one that a run of the same file has left.
+    ///
+    /// # Errors
+    /// As [`Self::fit`].
+    pub(super) fn fit_to_begin(&self, kept: Kept) -> Result<Beginning, String> {
+        self.fit_as(kept, false)
+    }
+
+    fn fit_as(&self, kept: Kept, may_continue: bool) -> Result<Beginning, String> {
         let drawing = self.drawing()?;
         let (own, theirs) = (self.label(&drawing, kept.time()), &kept.label);
         own.check_parts(theirs)?;
@@ -164,7 +176,7 @@ impl Simulation {
                 "the lists of the state do not have the lengths that its mechanism needs. Write the state again",
             ));
         }
-        let continues = own.file == theirs.file;
+        let continues = may_continue && own.file == theirs.file;
         if !continues && kept.state.path.is_some() {
             return Err(String::from(
                 "the state is at an arc length of a path, not at a time, and only the same model with the same overrides can continue it. For another model, \
@@ -230,7 +242,7 @@ impl Runner {
         state.time = from.time;
         state.prescribed.holds = system.holds_at(state.time, &state.targets).map(Hold::drawn).collect();
         state.take_place_of(from, counterparts);
-        state.prescribed.heats = system.heats.iter().map(|heat| heat.at(state.time)).collect();
+        system.set_heats(state.time, &state.targets, &mut state.prescribed.heats);
         let mut frames = FrameCache::default();
         frames.of(system, state);
         // Angles and sensors that the other run did not have are where the parts are.
