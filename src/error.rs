@@ -138,6 +138,21 @@ t = decimal(*.time)
         /// Where its joint is.
         reading: f64,
     },
+    /// A winch hauls in too much.
+    #[error(
+        "winch {winch} leaves {left:.3} m of its beam at t = {t} s: at least {least:.3} m must stay; haul in less",
+t = decimal(*.time)
+)]
+    HauledIn {
+        /// Time, s.
+        time: f64,
+        /// The winch.
+        winch: String,
+        /// The free length that is left, m.
+        left: f64,
+        /// The smallest one, m.
+        least: f64,
+    },
     /// A drive moves too far within one increment of a static analysis.
     #[error(
         "drive {drive} turns {turns:.1e} times from t = {begin} s to t = {end} s; a static analysis follows at most {limit} turns in each \

@@ -2,6 +2,7 @@
 
 use super::ancf14::frame::NodeFrame;
 use super::ancf14::over_step::StepStart;
+use crate::math::jet::Jet;
 use crate::mechanics::input::heat::Heat;
 
 /// Beams at one instant: all that their elements and nodes compute from.
@@ -15,6 +16,8 @@ pub struct BeamConfiguration<'a> {
     pub holonomy: &'a [f64],
     /// Temperatures of beams.
     pub heats: &'a [Heat],
+    /// Values of all drives: those of winches are lengths that have been paid out, m.
+    pub drives: &'a [Jet],
 }
 
 /// How the system passes through the configuration in which its forces are taken, `C`: that of the beams for elements.

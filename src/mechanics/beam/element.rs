@@ -5,6 +5,7 @@ use super::configuration::{BeamConfiguration, Passage, TimeStep};
 use super::resultants::{SectionForces, SectionShape, SectionStrains};
 use super::{ancf14, ancf24};
 use crate::math::Vec3;
+use crate::math::jet::Jet;
 use crate::mechanics::geometry::marker_jacobian::{MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::{Deref, DerefMut, Range};
@@ -18,6 +19,8 @@ use std::ops::{Deref, DerefMut, Range};
 pub enum AnyElement {
     /// Center-line and twist.
     Ancf14(ancf14::element::Element),
+    /// One of ANCF14 that is paid out.
+    PaidOut(ancf14::paid_out::PaidOut),
     /// Center-line and gradients of the section.
     Ancf24(ancf24::element::Element),
 }
@@ -44,10 +47,15 @@ pub trait BeamElement {
     /// The place `xi` (0 to 1) of the axis, of what `q` interpolates: places, or displacements, m.
     fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3;
 
-    /// Adds `factor` times the weight in the field `gravity`, m/s².
+    /// Free length with the values `drives` of the drives, over that as drawn: what mass and weight are multiplied with.
+    fn extent(&self, _drives: &[Jet]) -> f64 {
+        1.0
+    }
+
+    /// Adds `factor` times the weight as drawn in the field `gravity`, m/s².
     fn add_weight(&self, gravity: &Vec3, factor: f64, forces: &mut [f64]);
 
-    /// Adds `factor` times the mass matrix, which is constant.
+    /// Adds `factor` times the mass matrix as drawn.
     fn add_mass(&self, factor: f64, block: &mut [f64]);
 
     /// `vectorᵀ M vector`: twice the kinetic energy, J.
@@ -77,7 +85,7 @@ pub trait BeamElement {
     );
 
     /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole system, to the rates over it. Returns the elastic energy
-    /// at the end of the step, what the material's damping has taken over it, and what heat has given, J.
+    /// at the end of the step, what the material's damping has taken over it, and what heat or a winch has given, J.
     fn finish_step(
         &self,
         c: &BeamConfiguration,
@@ -87,10 +95,11 @@ pub trait BeamElement {
     ) -> [f64; 3];
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole system, the rates there; none:
-    /// they are known.
+    /// they are known. `middle` has the values of the drives in the middle of the step.
     fn begin_step(
         &self,
         _c: &BeamConfiguration,
+        _middle: &[Jet],
         _velocity: &[f64],
         _starts: &mut [StepStart],
         _strain_rates: Option<&mut [f64]>,
@@ -160,12 +169,32 @@ pub trait BeamElement {
     fn distortion(&self, c: &BeamConfiguration) -> Option<&'static str>;
 }
 
+impl AnyElement {
+    /// The element of ANCF14, as drawn; none of ANCF24.
+    pub fn ancf14(&self) -> Option<&ancf14::element::Element> {
+        match self {
+            Self::Ancf14(element) => Some(element),
+            Self::PaidOut(element) => Some(element.drawn()),
+            Self::Ancf24(_) => None,
+        }
+    }
+
+    /// The element, if it is paid out.
+    pub fn paid_out(&self) -> Option<&ancf14::paid_out::PaidOut> {
+        match self {
+            Self::PaidOut(element) => Some(element),
+            Self::Ancf14(_) | Self::Ancf24(_) => None,
+        }
+    }
+}
+
 impl Deref for AnyElement {
     type Target = dyn BeamElement;
 
     fn deref(&self) -> &Self::Target {
         match self {
             Self::Ancf14(element) => element,
+            Self::PaidOut(element) => element,
             Self::Ancf24(element) => element,
         }
     }
@@ -175,6 +204,7 @@ impl DerefMut for AnyElement {
     fn deref_mut(&mut self) -> &mut Self::Target {
         match self {
             Self::Ancf14(element) => element,
+            Self::PaidOut(element) => element,
             Self::Ancf24(element) => element,
         }
     }

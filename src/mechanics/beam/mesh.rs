@@ -28,7 +28,7 @@ impl Mesh {
 
     /// Whether the rates of all strains are known: elements of ANCF24 tell none.
     pub fn tells_strain_rates(&self) -> bool {
-        self.elements.iter().all(|element| matches!(element, AnyElement::Ancf14(_)))
+        self.elements.iter().all(|element| element.ancf14().is_some())
     }
 
     /// Number of strains of all elements that have a numerical dissipation: ANCF14's.

@@ -23,13 +23,13 @@ pub enum Guide {
     HostRate,
 }
 
-/// A drive: prescribes a relative coordinate.
+/// A drive: prescribes a relative coordinate, or how much of a beam a winch has paid out.
 #[derive(Clone, Debug)]
 pub struct Drive {
     /// Name in the model file.
     pub name: String,
-    /// What it prescribes, by the number of the relative coordinate.
-    pub coordinate: usize,
+    /// What it prescribes, by the number of the relative coordinate; none: a length that is paid out, m.
+    pub coordinate: Option<usize>,
     /// Where its motion comes from.
     pub guide: Guide,
     /// What engages and releases it; none: it always drives.

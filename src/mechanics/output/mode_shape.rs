@@ -107,7 +107,7 @@ impl System {
     /// Share of the kinetic energy of velocities `motion` that is in the spin of sections and the turning of bodies, 0 to 1.
     fn turning_share(&self, motion: &[f64]) -> f64 {
         let mut momentum = vec![0.0; motion.len()];
-        self.mass_times(motion, &mut momentum);
+        self.mass_times(&[], motion, &mut momentum);
         let (mut turning, mut whole) = (0.0, 0.0);
         let mut count = |index: usize, is_turn: bool| {
             let energy = motion[index] * momentum[index];

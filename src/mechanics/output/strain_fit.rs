@@ -51,7 +51,7 @@ impl<'a> StrainFit<'a> {
     pub fn of(system: &'a System, beam: &Beam, number: usize, c: &Configuration<'a>) -> Option<Self> {
         match &system.mesh.elements[beam.first_element + number] {
             AnyElement::Ancf14(element) => Some(Self::new(element, c)),
-            AnyElement::Ancf24(_) => None,
+            AnyElement::PaidOut(_) | AnyElement::Ancf24(_) => None,
         }
     }
 

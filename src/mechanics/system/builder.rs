@@ -407,7 +407,7 @@ impl SystemBuilder {
 
     fn configuration<'a>(&'a self, frames: &'a [NodeFrame], holonomy: &'a [f64]) -> Configuration<'a> {
         Configuration {
-            beams: BeamConfiguration { q: &self.q, frames, holonomy, heats: &self.prescribed.heats },
+            beams: BeamConfiguration { q: &self.q, frames, holonomy, heats: &self.prescribed.heats, drives: &[] },
             relative_values: &[],
             prescribed: &self.prescribed,
             mesh: &self.system.mesh,

@@ -23,8 +23,9 @@ impl System {
     }
 
     /// Adds the forces of damping in proportion to mass, `a M v`; over a step the velocity is the change of the coordinates over its length.
-    pub(super) fn add_mass_damping(&self, passage: &Passage, forces: &mut [f64]) {
+    pub(super) fn add_mass_damping(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
         for (_, element, rate) in self.dragged_elements() {
+            let rate = rate * element.extent(c.beams.drives);
             match passage {
                 Passage::Rest => {}
                 Passage::Instant { velocity, .. } => element.add_mass_times(rate, velocity, forces),
@@ -34,22 +35,31 @@ impl System {
     }
 
     /// Adds `scale` times the derivative of [`Self::add_mass_damping`], over a step twice that with respect to the coordinates at its end.
-    pub(super) fn add_mass_damping_tangent(&self, passage: &Passage, scale: f64, tangent: &mut Blocks) {
+    pub(super) fn add_mass_damping_tangent(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        scale: f64,
+        tangent: &mut Blocks,
+    ) {
         let Passage::Step(step) = passage else { return };
         let layout = TangentLayout::of(self);
         for (number, element, rate) in self.dragged_elements() {
+            let rate = rate * element.extent(c.beams.drives);
             element.add_mass(2.0 * scale * rate / step.duration, tangent.block_mut(layout.element(number)));
         }
     }
 
     /// Energy that damping in proportion to mass takes over a step that changes the coordinates by `increment` in `duration` s, J.
-    pub(super) fn taken_by_mass_damping(&self, increment: &[f64], duration: f64) -> f64 {
-        self.dragged_elements().map(|(_, element, rate)| rate / duration * element.mass_form(increment)).sum()
+    pub(super) fn taken_by_mass_damping(&self, c: &Configuration, increment: &[f64], duration: f64) -> f64 {
+        let rate = |element: &AnyElement, rate: f64| rate * element.extent(c.beams.drives) / duration;
+        self.dragged_elements().map(|(_, element, own)| rate(element, own) * element.mass_form(increment)).sum()
     }
 
     /// Power that damping in proportion to mass takes, W.
-    pub(super) fn power_of_mass_damping(&self, velocity: &[f64]) -> f64 {
-        self.dragged_elements().map(|(_, element, rate)| rate * element.mass_form(velocity)).sum()
+    pub(super) fn power_of_mass_damping(&self, c: &Configuration, velocity: &[f64]) -> f64 {
+        let rate = |element: &AnyElement, rate: f64| rate * element.extent(c.beams.drives);
+        self.dragged_elements().map(|(_, element, own)| rate(element, own) * element.mass_form(velocity)).sum()
     }
 
     /// Whether a beam is damped in proportion to its mass.
@@ -108,7 +118,7 @@ impl System {
         self.add_effort_damping(c, velocity, excitation, factor, tangent);
         let layout = TangentLayout::of(self);
         for (number, element, rate) in self.dragged_elements() {
-            element.add_mass(factor * rate, tangent.block_mut(layout.element(number)));
+            element.add_mass(factor * rate * element.extent(c.beams.drives), tangent.block_mut(layout.element(number)));
         }
         for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.is_damped()) {
             let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());

@@ -1,12 +1,14 @@
 //! Energies and momenta of a system.
 
 use crate::math::Vec3;
+use crate::math::jet::Jet;
 use crate::math::vectors::vec3;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::geometry::pose::axis_place;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
+use crate::mechanics::system::winches::is_at_rest;
 
 /// A part that has mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,9 +28,16 @@ impl System {
             .fold(beams, |sum, spring| sum + spring.energy(&self.relative_coordinates[spring.coordinate], c))
     }
 
-    /// `vᵀ M v / 2`, J.
-    pub fn kinetic_energy(&self, velocity: &[f64]) -> f64 {
-        let beams: f64 = self.mesh.elements.iter().map(|element| element.mass_form(velocity)).sum();
+    /// Kinetic energy with the velocities `velocity` at `c`, J.
+    pub fn kinetic_energy(&self, c: &Configuration, velocity: &[f64]) -> f64 {
+        let of_mesh = self.kinetic_energy_of_mesh(c.beams.drives, velocity);
+        if self.winches.is_empty() { of_mesh } else { of_mesh + self.transport_energy(c, velocity) }
+    }
+
+    /// `vᵀ M v / 2` at the values `drives` of the drives, J.
+    pub fn kinetic_energy_of_mesh(&self, drives: &[Jet], velocity: &[f64]) -> f64 {
+        let beams: f64 =
+            self.mesh.elements.iter().map(|element| element.extent(drives) * element.mass_form(velocity)).sum();
         let bodies = self.bodies.iter().flat_map(|body| {
             let own = velocity[body.start..body.start + BODY].iter().enumerate();
             own.map(|(local, velocity)| body.inertia(local) * velocity * velocity)
@@ -37,12 +46,12 @@ impl System {
     }
 
     /// `−Σ m g·r`, J; zero at the origin.
-    pub fn gravity_energy(&self, q: &[f64]) -> f64 {
+    pub fn gravity_energy(&self, c: &Configuration) -> f64 {
         // From +0: without gravity the energy is 0, not −0.
-        let beams = self.mesh.elements.iter().fold(0.0, |sum, element| sum - element.weight_form(&self.gravity, q));
-        let energy =
-            self.bodies.iter().fold(beams, |sum, body| sum - body.mass * self.gravity.dot(&vec3(q, body.start)));
-        if self.is_near() { energy } else { energy - self.mass * self.gravity.dot(&self.origin) }
+        let beams = self.mesh.elements.iter().fold(0.0, |sum, element| sum - self.weight_form(element, c));
+        let bodies = self.bodies.iter();
+        let energy = bodies.fold(beams, |sum, body| sum - body.mass * self.gravity.dot(&vec3(c.beams.q, body.start)));
+        if self.is_near() { energy } else { energy - self.mass_at(c) * self.gravity.dot(&self.origin) }
     }
 
     /// Strain energy of a part, J: a body has none.
@@ -50,33 +59,50 @@ impl System {
         self.elements_of(part).iter().fold(0.0, |sum, element| sum + element.energy(&c.beams))
     }
 
+    /// Work of the weight of `element` at `c` against that at the origin, J.
+    fn weight_form(&self, element: &AnyElement, c: &Configuration) -> f64 {
+        element.extent(c.beams.drives) * element.weight_form(&self.gravity, c.beams.q)
+    }
+
     /// The share of a part in [`System::kinetic_energy`], J.
-    pub fn kinetic_energy_of(&self, part: Part, velocity: &[f64]) -> f64 {
-        let beam = self.elements_of(part).iter().fold(0.0, |sum, element| sum + element.mass_form(velocity));
-        let Part::Body(body) = part else { return 0.5 * beam };
+    pub fn kinetic_energy_of(&self, part: Part, c: &Configuration, velocity: &[f64]) -> f64 {
+        let twice = |element: &AnyElement| element.extent(c.beams.drives) * element.mass_form(velocity);
+        let beam = self.elements_of(part).iter().fold(0.0, |sum, element| sum + twice(element));
+        let Part::Body(body) = part else {
+            let paid_out = self.elements_of(part).iter().filter_map(AnyElement::paid_out);
+            let transports = paid_out.filter(|_| !is_at_rest(velocity));
+            return transports.fold(0.5 * beam, |sum, own| sum + own.transport_energy(&c.beams, velocity));
+        };
         let body = &self.bodies[body];
         let own = velocity[body.start..body.start + BODY].iter().enumerate();
         0.5 * own.fold(0.0, |sum, (local, velocity)| sum + body.inertia(local) * velocity * velocity)
     }
 
     /// The share of a part in [`System::gravity_energy`], J; zero at the origin.
-    pub fn gravity_energy_of(&self, part: Part, q: &[f64]) -> f64 {
+    pub fn gravity_energy_of(&self, part: Part, c: &Configuration) -> f64 {
         let energy = match part {
-            Part::Beam(_) => {
-                self.elements_of(part).iter().fold(0.0, |sum, element| sum - element.weight_form(&self.gravity, q))
-            }
+            Part::Beam(_) => self.elements_of(part).iter().fold(0.0, |sum, element| sum - self.weight_form(element, c)),
             Part::Body(body) => {
                 let body = &self.bodies[body];
-                0.0 - body.mass * self.gravity.dot(&vec3(q, body.start))
+                0.0 - body.mass * self.gravity.dot(&vec3(c.beams.q, body.start))
             }
         };
-        if self.is_near() { energy } else { energy - self.mass_of(part) * self.gravity.dot(&self.origin) }
+        if self.is_near() { energy } else { energy - self.mass_of(part, c) * self.gravity.dot(&self.origin) }
     }
 
-    /// Mass of a part, kg.
-    fn mass_of(&self, part: Part) -> f64 {
+    /// Mass of everything at `c`, kg.
+    fn mass_at(&self, c: &Configuration) -> f64 {
+        self.winches
+            .iter()
+            .fold(self.mass, |sum, winch| sum + self.mass_of(Part::Beam(winch.beam), c) - self.beam_masses[winch.beam])
+    }
+
+    /// Mass of a part at `c`, kg.
+    fn mass_of(&self, part: Part, c: &Configuration) -> f64 {
         match part {
-            Part::Beam(beam) => self.beam_masses[beam],
+            Part::Beam(beam) => {
+                self.beam_masses[beam] * self.mesh.elements[self.beams[beam].first_element].extent(c.beams.drives)
+            }
             Part::Body(body) => self.bodies[body].mass,
         }
     }

@@ -1,6 +1,7 @@
 //! The equations of a system: forces, tangent, mass and constraints, summed over its parts in file order.
 
 use crate::math::blocks::{Block, Blocks};
+use crate::math::jet::Jet;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
 use crate::mechanics::input::excitation::Excitation;
@@ -49,7 +50,7 @@ impl System {
         for element in &self.mesh.elements {
             element.add_gradient(&c.beams, &of_beams, forces);
         }
-        self.add_mass_damping(passage, forces);
+        self.add_mass_damping(c, passage, forces);
         if let Passage::Instant { velocity, strain_rates, .. } = passage {
             self.add_material_damping(c, velocity, *strain_rates, forces);
         }
@@ -73,8 +74,8 @@ impl System {
             let block = tangent.block_mut(layout.element(number));
             element.add_gradient_and_set_hessian(&c.beams, &of_beams, scale, forces, block);
         }
-        self.add_mass_damping(passage, forces);
-        self.add_mass_damping_tangent(passage, scale, tangent);
+        self.add_mass_damping(c, passage, forces);
+        self.add_mass_damping_tangent(c, passage, scale, tangent);
         if let Passage::Instant { velocity, velocity_by_q, .. } = passage {
             self.add_material_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, tangent);
         }
@@ -126,7 +127,7 @@ impl System {
     ) {
         forces.fill(0.0);
         for element in &self.mesh.elements {
-            element.add_weight(&excitation.gravity, -1.0, forces);
+            element.add_weight(&excitation.gravity, -element.extent(c.beams.drives), forces);
         }
         for body in &self.bodies {
             add(forces, body.start, (excitation.gravity * -body.mass).as_slice());
@@ -141,11 +142,11 @@ impl System {
         self.subtract_efforts(c, passage, excitation, forces);
     }
 
-    /// Adds `factor` times the mass matrix to the blocks of elements and bodies in `tangent`.
-    pub fn add_mass(&self, factor: f64, tangent: &mut Blocks) {
+    /// Adds `factor` times the mass matrix at the values `drives` of the drives to the blocks of elements and bodies in `tangent`; without values: as drawn.
+    pub fn add_mass(&self, drives: &[Jet], factor: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         for (number, element) in self.mesh.elements.iter().enumerate() {
-            element.add_mass(factor, tangent.block_mut(layout.element(number)));
+            element.add_mass(factor * element.extent(drives), tangent.block_mut(layout.element(number)));
         }
         for (number, body) in self.bodies.iter().enumerate() {
             let block = tangent.block_mut(layout.body(number));
@@ -155,11 +156,11 @@ impl System {
         }
     }
 
-    /// `product = M vector`.
-    pub fn mass_times(&self, vector: &[f64], product: &mut [f64]) {
+    /// `product = M vector`, with the mass matrix of [`Self::add_mass`].
+    pub fn mass_times(&self, drives: &[Jet], vector: &[f64], product: &mut [f64]) {
         product.fill(0.0);
         for element in &self.mesh.elements {
-            element.add_mass_times(1.0, vector, product);
+            element.add_mass_times(element.extent(drives), vector, product);
         }
         for body in &self.bodies {
             for local in 0..BODY {

@@ -6,12 +6,12 @@
 //! or loses angular momentum.
 
 use crate::math::blocks::Blocks;
+use crate::math::jet::Jet;
 use crate::math::rotation::{half_turn, half_turn_by_second};
 use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, NODE, P, THETA};
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
-use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -39,16 +39,17 @@ pub fn add_forces(
     }
 }
 
-/// Subtracts `h ∂C/∂q` from the element blocks of a step's matrix; what `Uth` adds is of third order in the step and left out.
+/// Subtracts `h ∂C/∂q` from the element blocks of a step's matrix; what `Uth` adds is of third order in the step and left out. `drives` are the values of
+/// the drives in its middle.
 pub fn add_tangent(
     system: &System,
-    start: &FrameCache,
-    end: &FrameCache,
+    [start, end]: [&FrameCache; 2],
+    drives: &[Jet],
     mass_increment: &[f64],
     step: f64,
     blocks: &mut Blocks,
 ) {
-    add_by_node(system, blocks, |own, frame| {
+    add_by_node(system, drives, blocks, |own, frame| {
         let (first, last) = (&start.frames[frame], &end.frames[frame]);
         let kap = half_turn(&first.t, &last.t);
         let spin_momentum = mass_increment[own + THETA] / step;
@@ -59,8 +60,13 @@ pub fn add_tangent(
 
 /// Adds what the force on the slope of each node has as derivatives to the element blocks of `blocks`: by the node's own slope,
 /// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbors through M.
-/// `derivatives` is asked with the first coordinate and the frame of a node.
-fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize, usize) -> (Mat3, Vec3)) {
+/// `drives` are the values of the drives; `derivatives` is asked with the first coordinate and the frame of a node.
+fn add_by_node(
+    system: &System,
+    drives: &[Jet],
+    blocks: &mut Blocks,
+    derivatives: impl Fn(usize, usize) -> (Mat3, Vec3),
+) {
     for beam in &system.beams {
         for node in beam.node_range() {
             let Node::Ancf14 { start, frame } = system.mesh.nodes[node] else { continue };
@@ -78,12 +84,13 @@ fn add_by_node(system: &System, blocks: &mut Blocks, derivatives: impl Fn(usize,
             }
             for (element, local) in neighbors.into_iter().zip([NODE, 0]) {
                 let Some(number) = element else { continue };
-                let AnyElement::Ancf14(element) = &system.mesh.elements[number] else { continue };
+                let Some(element) = system.mesh.elements[number].ancf14() else { continue };
+                let extent = system.mesh.elements[number].extent(drives);
                 let block = blocks.block_mut(number);
                 for (other, column) in [THETA, NODE + THETA].into_iter().enumerate() {
                     for row in 0..3 {
                         block[column * ELEMENT + local + P + row] +=
-                            by_spin[row] * element.mass.spin(local / NODE, other);
+                            by_spin[row] * extent * element.mass.spin(local / NODE, other);
                     }
                 }
             }
@@ -136,13 +143,13 @@ pub fn add_chart_forces(system: &System, frames: &FrameCache, momentum_rate: &[f
 /// `blocks`, when velocities and accelerations follow the coordinates with the factors `by_q`, 1/s and 1/s².
 pub fn add_rate_tangent(
     system: &System,
-    frames: &FrameCache,
+    (frames, drives): (&FrameCache, &[Jet]),
     [velocity, momentum, momentum_rate]: [&[f64]; 3],
     [velocity_by_q, acceleration_by_q]: [f64; 2],
     scale: f64,
     blocks: &mut Blocks,
 ) {
-    add_by_node(system, blocks, |own, frame| {
+    add_by_node(system, drives, blocks, |own, frame| {
         let frame = &frames.frames[frame];
         let (t, stretch) = (&frame.t, frame.stretch);
         let [spin, spin_rate] = [momentum, momentum_rate].map(|momentum| momentum[own + THETA]);

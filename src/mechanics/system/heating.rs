@@ -2,7 +2,6 @@
 
 use super::System;
 use crate::mechanics::beam::Beam;
-use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::input::heat::Heat;
 use crate::mechanics::input::host_motion::Targets;
 
@@ -17,9 +16,8 @@ impl System {
     pub(super) fn undefined_heat(&self, time: f64) -> Option<&str> {
         let number = self.heats.iter().position(|heat| !heat.signals().all(|signal| signal.at(time).is_finite()))?;
         let is_heated = |beam: &&Beam| {
-            self.mesh.elements[beam.element_range()].iter().any(|element| match element {
-                AnyElement::Ancf14(element) => element.heating.is_some_and(|heating| heating.number == number),
-                AnyElement::Ancf24(_) => false,
+            self.mesh.elements[beam.element_range()].iter().any(|element| {
+                element.ancf14().is_some_and(|element| element.heating.is_some_and(|heating| heating.number == number))
             })
         };
         self.beams.iter().find(is_heated).map(|beam| beam.name.as_str())

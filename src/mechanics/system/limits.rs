@@ -57,6 +57,7 @@ impl System {
     /// A tangent, a section, a body or an angle turned too far, an element is bent or twisted too far, a slope is out of range, a joint
     /// stands the wrong way round.
     pub fn check(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
+        self.check_winches(c, time)?;
         self.check_nodes(c, state, turn, time)?;
         self.check_elements(c, time)?;
         self.check_bodies(c, state, turn, time)?;
@@ -67,7 +68,7 @@ impl System {
         for (number, node) in self.mesh.nodes.iter().enumerate() {
             let place = || self.describe_node(number);
             let [before, slope] = [node.slope(&state.q), node.slope(c.beams.q)];
-            let stretch = slope.norm();
+            let stretch = slope.norm() / self.free_slope(number, c);
             if !stretch.is_finite() || !STRETCHES.contains(&stretch) {
                 return Err(Error::Stretched { time, place: place(), stretch });
             }
@@ -152,7 +153,8 @@ impl System {
         for joint in &self.joints {
             let Some(number) = joint.drive.filter(|_| !joint.is_released(c)) else { continue };
             let drive = &self.drives[number];
-            let reading = self.relative_coordinates[drive.coordinate].value(c, state.relative_values[drive.coordinate]);
+            let Some(coordinate) = drive.coordinate else { continue };
+            let reading = self.relative_coordinates[coordinate].value(c, state.relative_values[coordinate]);
             let prescribed = joint.prescribed(c).value;
             if (reading - prescribed).abs() > DRIVE_GAP {
                 return Err(Error::DriveMissed { time, drive: drive.name.clone(), prescribed, reading });

@@ -17,11 +17,13 @@ pub mod step_starts;
 mod switching;
 mod tangent_layout;
 pub mod variation;
+mod winches;
 pub mod work;
 
 pub use breaks::AT_BREAK;
 pub use equations::{copy_corner, copy_transposed};
 pub use switching::Lock;
+pub use winches::Winch;
 
 use self::frame_cache::FrameCache;
 use self::joint_parts::JointParts;
@@ -30,7 +32,6 @@ use crate::math::jet::Jet;
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14::kinematics::Holonomy;
 use crate::mechanics::beam::configuration::BeamConfiguration;
-use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::kinematics::BODY;
@@ -73,8 +74,10 @@ pub struct System {
     pub joints: Vec<Joint>,
     /// What is measured between two markers: by springs, drives, outputs.
     pub relative_coordinates: Vec<RelativeCoordinate>,
-    /// Drives in file order.
+    /// Drives in file order, then those of winches.
     pub drives: Vec<Drive>,
+    /// Beams that are paid out, in file order.
+    pub winches: Vec<Winch>,
     /// What engages and releases joints, locks and drives.
     pub switches: Vec<Switch>,
     /// Locks in file order.
@@ -233,7 +236,13 @@ impl System {
     ) -> Configuration<'a> {
         let (holonomy, relative_values) = (&state.holonomy, &state.relative_values);
         Configuration {
-            beams: BeamConfiguration { q, frames: &frames.frames, holonomy, heats: &prescribed.heats },
+            beams: BeamConfiguration {
+                q,
+                frames: &frames.frames,
+                holonomy,
+                heats: &prescribed.heats,
+                drives: &prescribed.drives,
+            },
             relative_values,
             prescribed,
             mesh: &self.mesh,
@@ -255,7 +264,7 @@ impl System {
         }
         (state.rotations, state.relative_values) = (rotations, relative_values);
         for element in &self.mesh.elements {
-            if let AnyElement::Ancf14(element) = element {
+            if let Some(element) = element.ancf14() {
                 let [first, second] = [0, 1].map(|node| &frames.frames[element.place.frame + node]);
                 let angle = &mut state.holonomy[element.place.branch];
                 *angle = Holonomy::new(first, second, *angle).angle;

@@ -1,6 +1,7 @@
 //! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the system may change by.
 
 use crate::math::Vec3;
+use crate::math::jet::Jet;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::force::actuator;
@@ -23,6 +24,8 @@ pub struct StepEnergy {
     pub by_frames: f64,
     /// The part of it that heat does through beams, J.
     pub by_heat: f64,
+    /// The part of it that winches give, but for the velocity of what they pay out, J.
+    pub by_winches: f64,
     /// The part of it that dampers take, J.
     pub dissipated: f64,
 }
@@ -30,13 +33,13 @@ pub struct StepEnergy {
 impl System {
     /// Kinetic energy with the velocities `velocity`, and elastic energy at `c`, J.
     pub fn energies(&self, c: &Configuration, velocity: &[f64]) -> Energies {
-        Energies { kinetic: self.kinetic_energy(velocity), elastic: self.elastic_energy(c) }
+        Energies { kinetic: self.kinetic_energy(c, velocity), elastic: self.elastic_energy(c) }
     }
 
     /// Kinetic, elastic and gravity energy at `c` with the velocities `velocity`, J.
-    pub fn whole_energy(&self, c: &Configuration, q: &[f64], velocity: &[f64]) -> f64 {
+    pub fn whole_energy(&self, c: &Configuration, velocity: &[f64]) -> f64 {
         let Energies { kinetic, elastic } = self.energies(c, velocity);
-        kinetic + elastic + self.gravity_energy(q)
+        kinetic + elastic + self.gravity_energy(c)
     }
 
     /// Energy that is round-off of the weight, J.
@@ -68,15 +71,17 @@ impl System {
         self.add_external(c, &passage, excitation, forces);
         let mut found = StepEnergy { work: -dot(forces, step.increment), ..StepEnergy::default() };
         let of_beams = step.of_beams();
+        found.by_winches = self.lifted_by_winches(c, step, &excitation.gravity);
+        found.work += found.by_winches;
         for element in &self.mesh.elements {
-            let [energy, taken, heat] = element.finish_step(&c.beams, &of_beams, forces, strain_rates);
+            let [energy, taken, given] = element.finish_step(&c.beams, &of_beams, forces, strain_rates);
             found.elastic += energy;
-            found.work += heat - taken;
-            found.by_heat += heat;
+            found.work += given - taken;
+            *(if element.paid_out().is_some() { &mut found.by_winches } else { &mut found.by_heat }) += given;
             found.dissipated += taken;
         }
-        self.add_mass_damping(&passage, forces);
-        let taken = self.taken_by_mass_damping(step.increment, step.duration);
+        self.add_mass_damping(c, &passage, forces);
+        let taken = self.taken_by_mass_damping(c, step.increment, step.duration);
         found.work -= taken;
         found.dissipated += taken;
         self.add_springs(c, &passage, forces);
@@ -122,17 +127,18 @@ impl System {
     }
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates` to the rates there of all strains, and of the
-    /// relative coordinates of springs; none: they are known.
+    /// relative coordinates of springs; none: they are known. `middle` has the values of the drives in the middle of the step.
     pub fn begin_step(
         &self,
         c: &Configuration,
+        middle: &[Jet],
         velocity: &[f64],
         starts: &mut StepStarts,
         mut strain_rates: Option<&mut [f64]>,
     ) {
         starts.list.resize_with(self.mesh.branches, Default::default);
         for element in &self.mesh.elements {
-            element.begin_step(&c.beams, velocity, &mut starts.list, strain_rates.as_deref_mut());
+            element.begin_step(&c.beams, middle, velocity, &mut starts.list, strain_rates.as_deref_mut());
         }
         let Some(strain_rates) = strain_rates else { return };
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
@@ -155,7 +161,7 @@ impl System {
         };
         let springs =
             self.springs.iter().map(|spring| spring.power(&self.relative_coordinates[spring.coordinate], c, velocity));
-        springs.fold([external, viscous + self.power_of_mass_damping(velocity)], |[given, taken], own| {
+        springs.fold([external, viscous + self.power_of_mass_damping(c, velocity)], |[given, taken], own| {
             [given + own[0], taken + own[1]]
         })
     }

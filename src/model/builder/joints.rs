@@ -31,6 +31,7 @@ use crate::model::file::entries::gear::{GearSpec, Relation};
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
 use crate::model::file::entries::reading::Reading;
 use crate::model::file::entries::spring::SpringLaw;
+use crate::model::file::entries::winch::WinchSpec;
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::Anchor;
 use std::sync::Arc;
@@ -94,12 +95,7 @@ impl Builder<'_> {
             Coordinate::Angle => Driven::Angle,
             Coordinate::Distance => Driven::Distance,
         };
-        let (guide, target) = match (written.motion, written.input) {
-            (Motion::Value(number), false) => (Guide::Value(signal(document, number)), 0.0),
-            (Motion::Rate(number), false) => (Guide::Rate(signal(document, number)), 0.0),
-            (Motion::Value(number), true) => (Guide::HostValue, document.value(number)),
-            (Motion::Rate(number), true) => (Guide::HostRate, document.value(number)),
-        };
+        let guide = self.guide(written.motion, written.input);
         let within = self.joint_switch(written.joint);
         let switch = match (written.switch, within) {
             (Some(own), _) => Some(self.add_switch(format!("drive {}", written.name), own, within)),
@@ -109,8 +105,24 @@ impl Builder<'_> {
             }
             (None, None) => None,
         };
-        let drive = self.system.add_drive(&written.name, sides, driven, (guide, target), switch);
+        let drive = self.system.add_drive(&written.name, sides, driven, guide, switch);
         self.system.add_drive_of(written.joint, drive);
+    }
+
+    /// Where a drive or a winch has its motion from, and its value or rate at the start, where a host gives it.
+    fn guide(&self, motion: Motion, is_input: bool) -> (Guide, f64) {
+        let document = self.document;
+        match (motion, is_input) {
+            (Motion::Value(number), false) => (Guide::Value(signal(document, number)), 0.0),
+            (Motion::Rate(number), false) => (Guide::Rate(signal(document, number)), 0.0),
+            (Motion::Value(number), true) => (Guide::HostValue, document.value(number)),
+            (Motion::Rate(number), true) => (Guide::HostRate, document.value(number)),
+        }
+    }
+
+    pub(super) fn add_winch(&mut self, written: &WinchSpec) {
+        let guide = self.guide(written.motion, written.input);
+        self.system.add_winch(&written.name, (written.beam, written.at_end), guide);
     }
 
     pub(super) fn add_actuator(&mut self, written: &ActuatorSpec) {

@@ -72,6 +72,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     document.joints.iter().for_each(|joint| builder.add_joint(joint));
     builder.join_springs();
     document.drives.iter().for_each(|drive| builder.add_drive(drive));
+    document.winches.iter().for_each(|winch| builder.add_winch(winch));
     document.actuators.iter().for_each(|actuator| builder.add_actuator(actuator));
     document.locks.iter().for_each(|lock| builder.add_lock(lock));
     document.gears.iter().for_each(|gear| builder.add_gear(gear));

@@ -208,13 +208,11 @@ pub fn aim(
     targets.end = end;
     let departure = &mut targets.departure;
     let first = departure.is_first();
-    for ((target, course), drive) in targets.drives.iter_mut().zip(&mut departure.drives).zip(&document.drives) {
-        let number = drive.motion.number();
-        if !drive.input {
-            continue;
-        }
+    let drives = targets.drives.iter_mut().zip(&mut departure.drives).zip(document.motions());
+    for ((target, course), (motion, _)) in drives.filter(|(_, (_, is_input))| *is_input) {
+        let number = motion.number();
         *target = at_end(number);
-        if first && matches!(drive.motion, Motion::Value(_)) {
+        if first && matches!(motion, Motion::Value(_)) {
             course.start_with(line(number).1);
         }
     }

@@ -18,9 +18,10 @@ use super::entries::overview::ModelSpec;
 use super::entries::parameters;
 use super::entries::point::PointSpec;
 use super::entries::section::SectionSpec;
-use super::entries::simulation::{Analysis, Follow, SimulationSpec, Steps};
+use super::entries::simulation::{Analysis, SimulationSpec, Steps};
 use super::entries::spring::SpringSpec;
 use super::entries::stop::StopSpec;
+use super::entries::winch::WinchSpec;
 use super::number::{Number, Numbers};
 use super::objections;
 use super::parameter::Parameter;
@@ -33,10 +34,6 @@ use crate::model::text::names::{Kind, Named, Names, SECTIONS, is_legal, is_reser
 use crate::model::text::overrides;
 use crate::model::text::tree::{self, Entry, Node};
 use crate::solve::step::pacing::Pacing;
-
-/// Rows of results of a file that says neither how far they are apart nor a step: of a motion, and of a row of equilibria.
-const ROWS_OF_MOTION: f64 = 500.0;
-const ROWS_OF_EQUILIBRIA: f64 = 50.0;
 
 /// A model file.
 #[derive(Clone, Debug)]
@@ -62,6 +59,8 @@ pub struct Document {
     pub joints: Vec<JointSpec>,
     /// Drives, in file order.
     pub drives: Vec<DriveSpec>,
+    /// Winches, in file order.
+    pub winches: Vec<WinchSpec>,
     /// Actuators, in file order.
     pub actuators: Vec<ActuatorSpec>,
     /// Gears, in file order.
@@ -119,6 +118,8 @@ impl Document {
         let joints = tree.named(&mut context, "joint", JointSpec::read);
         let drives = tree.named(&mut context, "drive", |name, reader| DriveSpec::read(name, reader, &joints));
         DriveSpec::report_doubles(&drives, &mut context.report);
+        let winches = tree.named(&mut context, "winch", WinchSpec::read);
+        WinchSpec::report_doubles(&winches, &mut context.report);
         let actuators = tree.named(&mut context, "actuator", |name, reader| ActuatorSpec::read(name, reader, &joints));
         let gears = tree.named(&mut context, "gear", |name, reader| GearSpec::read(name, reader, &joints));
         let springs = tree.named(&mut context, "spring", |name, reader| SpringSpec::read(name, reader, &joints));
@@ -175,6 +176,7 @@ impl Document {
             points,
             joints,
             drives,
+            winches,
             actuators,
             gears,
             springs,
@@ -218,46 +220,6 @@ impl Document {
     /// The value of a number, parameters resolved; of one that changes in time the value at 0.
     pub fn value(&self, number: Number) -> f64 {
         self.numbers.values[number.0]
-    }
-
-    /// The instant at which the mechanism is as drawn, s, in a run that begins at `start`, s: the beginning of its preload.
-    pub fn drawn_at(&self, start: f64) -> f64 {
-        self.simulation.preload.map_or(start, |preload| start - self.value(preload))
-    }
-
-    /// First and last instant of a run that begins at 0, its preload included, s.
-    pub fn span(&self) -> [f64; 2] {
-        [self.drawn_at(0.0), self.value(self.simulation.stop)]
-    }
-
-    /// Whether equilibria are followed by the arc length of their path, which then stands where a run has its time.
-    pub fn follows_arc_length(&self) -> bool {
-        self.simulation.follow != Follow::Time
-    }
-
-    /// What the rows of results are at, for headings: an instant, or the arc length of a path.
-    pub fn row_heading(&self) -> &'static str {
-        if self.follows_arc_length() { "at arc length" } else { "at t (s)" }
-    }
-
-    /// Time between two rows of results, s.
-    pub fn output_step(&self) -> f64 {
-        let SimulationSpec { analysis, stop, steps, output_step, .. } = &self.simulation;
-        match (output_step, steps, analysis) {
-            (Some(number), ..) | (None, Steps::Fixed(number), _) => self.value(*number),
-            (None, Steps::ForAccuracy(_), Analysis::Dynamic) => self.value(*stop) / ROWS_OF_MOTION,
-            (None, Steps::ForAccuracy(_), Analysis::Static) => self.value(*stop) / ROWS_OF_EQUILIBRIA,
-        }
-    }
-
-    /// The largest internal step, s; where the solver chooses the steps of a motion, one that does not depend on the rows.
-    pub fn largest_step(&self) -> f64 {
-        let SimulationSpec { analysis, stop, steps, .. } = &self.simulation;
-        match (steps, analysis) {
-            (Steps::Fixed(step), _) => self.value(*step),
-            (Steps::ForAccuracy(_), Analysis::Dynamic) => self.value(*stop) / ROWS_OF_MOTION,
-            (Steps::ForAccuracy(_), Analysis::Static) => self.output_step(),
-        }
     }
 
     /// What a host's relative tolerance stands for: the accuracy of a motion whose steps follow from it, else what Newton may leave of a step.

@@ -14,6 +14,7 @@ pub(super) mod reader;
 mod released;
 pub(super) mod schema;
 mod settings;
+mod timing;
 pub mod unit;
 
 pub use disk::{content, piped, text};

@@ -1,9 +1,16 @@
 //! The parts of a model file with their places: where a message of the solver belongs.
 
 use super::document::Document;
+use super::entries::drive::Motion;
 use crate::model::text::diagnostic::{Diagnostic, Place};
 
 impl Document {
+    /// What drives and winches prescribe, in the order of the drives of the system, and whether a host gives it.
+    pub fn motions(&self) -> impl Iterator<Item = (Motion, bool)> + '_ {
+        let drives = self.drives.iter().map(|drive| (drive.motion, drive.input));
+        drives.chain(self.winches.iter().map(|winch| (winch.motion, winch.input)))
+    }
+
     /// A message of the solver at the line of the first part of the model that it names; none if it names none.
     pub fn locate(&self, message: &str) -> Option<Diagnostic> {
         let words: Vec<&str> =
@@ -26,6 +33,7 @@ impl Document {
         let points = self.points.iter().map(|part| ("point", part.name.as_str(), part.place));
         let joints = self.joints.iter().map(|part| ("joint", part.name.as_str(), part.place));
         let drives = self.drives.iter().map(|part| ("drive", part.name.as_str(), part.place));
+        let winches = self.winches.iter().map(|part| ("winch", part.name.as_str(), part.place));
         let actuators = self.actuators.iter().map(|part| ("actuator", part.name.as_str(), part.place));
         let gears = self.gears.iter().map(|part| ("gear", part.name.as_str(), part.place));
         let springs = self.springs.iter().map(|part| ("spring", part.name.as_str(), part.place));
@@ -33,7 +41,7 @@ impl Document {
         let stops = self.stops.iter().map(|part| ("stop", part.name.as_str(), part.place));
         let locks = self.locks.iter().map(|part| ("lock", part.name.as_str(), part.place));
         let loads = self.loads.iter().map(|part| ("load", part.name.as_str(), part.place));
-        let motions = joints.chain(drives).chain(actuators).chain(gears);
+        let motions = joints.chain(drives).chain(winches).chain(actuators).chain(gears);
         beams
             .chain(bodies)
             .chain(frames)

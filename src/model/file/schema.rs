@@ -209,6 +209,10 @@ pub const DISTANCE: Rule = rule("value", "distance that the drive prescribes", "
 pub const ANGLE_RATE: Rule = rule("rate", "rate of the angle that the drive prescribes", "rad/s").in_time();
 pub const DISTANCE_RATE: Rule = rule("rate", "rate of the distance that the drive prescribes", "m/s").in_time();
 
+pub const PAID_OUT: Rule =
+    rule("length", "length of the beam that the winch has paid out, beyond the one as drawn", "m").in_time();
+pub const PAYOUT_RATE: Rule = rule("rate", "rate at which the winch pays out the beam", "m/s").in_time();
+
 pub const TORQUE: Rule =
     rule("effort", "torque of the actuator on side b about the axis", "N.m").tunable().in_control();
 pub const THRUST: Rule =

@@ -1,7 +1,7 @@
 //! The keys of the sections with a name: where several sections have one name, the key says which of them is meant.
 
 /// Every section with the keys that it may have.
-const KEYS: [(&str, &[&str]); 17] = [
+const KEYS: [(&str, &[&str]); 18] = [
     ("function", &["value", "argument", "table", "file", "column", "interpolation", "outside"]),
     (
         "material",
@@ -102,6 +102,7 @@ const KEYS: [(&str, &[&str]); 17] = [
         ],
     ),
     ("drive", &["joint", "coordinate", "value", "rate", "active", "input"]),
+    ("winch", &["at", "length", "rate", "input"]),
     ("actuator", &["joint", "coordinate", "a", "b", "effort", "input"]),
     ("gear", &["a", "a_coordinate", "b", "b_coordinate", "ratio", "law"]),
     ("spring", &["a", "b", "joint", "coordinate", "stiffness", "damping", "length", "rest", "only", "force"]),

@@ -18,6 +18,7 @@ pub enum Kind {
     Point,
     Joint,
     Drive,
+    Winch,
     Actuator,
     Gear,
     Spring,
@@ -29,7 +30,7 @@ pub enum Kind {
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 17] = [
+pub const SECTIONS: [(&str, Kind); 18] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -39,6 +40,7 @@ pub const SECTIONS: [(&str, Kind); 17] = [
     ("point", Kind::Point),
     ("joint", Kind::Joint),
     ("drive", Kind::Drive),
+    ("winch", Kind::Winch),
     ("actuator", Kind::Actuator),
     ("gear", Kind::Gear),
     ("spring", Kind::Spring),

@@ -9,6 +9,7 @@ pub mod notes;
 mod paths;
 mod places;
 pub mod sections;
+mod winches;
 
 pub use lines::{Lines, division, fits};
 
@@ -106,6 +107,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
             checker.check_ends(&format!("spring {}", spring.name), ends);
         }
     }
+    document.winches.iter().for_each(|winch| checker.check_winch(winch));
     document.gears.iter().for_each(|gear| checker.check_ratio(gear));
     document.stops.iter().for_each(|stop| checker.check_limits(stop));
     for actuator in &document.actuators {

@@ -58,9 +58,8 @@ impl Givens {
                 .filter_map(input)
                 .collect(),
             drives: document
-                .drives
-                .iter()
-                .map(|drive| drive.motion.number())
+                .motions()
+                .map(|(motion, _)| motion.number())
                 .chain(builder::switches(document).flatten().map(|switch| switch.active))
                 .filter_map(input)
                 .collect(),

@@ -105,8 +105,8 @@ pub(super) fn of_spring(spring: &Spring, quantity: Quantity, moment: &Moment, c:
 pub(super) fn of_part(part: Part, quantity: Quantity, moment: &Moment, c: &Configuration) -> f64 {
     let Moment { system, state, .. } = moment;
     match quantity {
-        Quantity::KineticEnergy => system.kinetic_energy_of(part, &state.velocity),
-        Quantity::GravityEnergy => system.gravity_energy_of(part, &state.q),
+        Quantity::KineticEnergy => system.kinetic_energy_of(part, c, &state.velocity),
+        Quantity::GravityEnergy => system.gravity_energy_of(part, c),
         _ => system.elastic_energy_of(part, c),
     }
 }

@@ -370,6 +370,7 @@ impl Table {
                 }
                 Measure::Drive(number, quantity) => {
                     let coordinate = system.drives[*number].coordinate;
+                    let coordinate = coordinate.expect("outputs look at drives of joints");
                     let effort = || loads.effort(*number);
                     values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
                 }
@@ -399,9 +400,9 @@ impl Table {
                 }
                 Measure::Energy => {
                     let parts = [
-                        system.kinetic_energy(&state.velocity),
+                        system.kinetic_energy(&configuration, &state.velocity),
                         system.elastic_energy(&configuration),
-                        system.gravity_energy(&state.q),
+                        system.gravity_energy(&configuration),
                     ];
                     values.extend(parts);
                     values.push(parts.iter().sum());
@@ -412,6 +413,7 @@ impl Table {
                 }
                 Measure::Momentum => {
                     let (linear, angular) = system.momentum(&state.q, &state.momentum);
+                    let [linear, angular] = system.with_transport([linear, angular], &configuration, &state.velocity);
                     values.extend(linear.iter().chain(angular.iter()));
                 }
                 Measure::Path => {

@@ -240,8 +240,8 @@ impl Scratch {
             self.algorithmic[index] = a_end;
         }
         self.frames.set(system, &self.q, &state.triads);
-        system.mass_times(&self.velocity, &mut self.momentum);
-        system.mass_times(&self.acceleration, &mut self.momentum_rate);
+        system.mass_times(&self.prescribed.drives, &self.velocity, &mut self.momentum);
+        system.mass_times(&self.prescribed.drives, &self.acceleration, &mut self.momentum_rate);
     }
 
     /// Forces without those of spins and joints, and gradients of these, at the current positions.
@@ -287,7 +287,9 @@ impl Scratch {
         if balance.last.is_none() {
             let (energies, power, shares) = begin_balance(system, state);
             (balance.last, balance.power) = (Some(energies), power);
-            let energy = Some(energies.kinetic + energies.elastic + system.gravity_energy(&state.q));
+            let start = FrameCache::default();
+            let start = system.configuration(&state.q, &start, state, &state.prescribed);
+            let energy = Some(energies.kinetic + energies.elastic + system.gravity_energy(&start));
             balance.account = balance.account.map(|account| EnergyAccount { power: shares, energy, ..account });
         }
         let shares = balance
@@ -302,7 +304,7 @@ impl Scratch {
             let mut work = Work::default();
             [account.power, shares].iter().for_each(|power| work.add(power, 0.5 * step));
             account.power = shares;
-            let energy = energies.kinetic + energies.elastic + system.gravity_energy(&self.q);
+            let energy = energies.kinetic + energies.elastic + system.gravity_energy(&configuration);
             let begin = account.energy.unwrap_or(energy);
             balance.add_work(&work, [begin, energy]);
         }
@@ -405,9 +407,16 @@ impl Problem for Step<'_> {
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
         let given = (&scratch.velocity[..], &scratch.excitation);
         system.add_damping_matrix(&configuration, given, scale * by_q[0], tangent);
-        system.add_mass(1.0, tangent);
+        system.add_mass(&scratch.prescribed.drives, 1.0, tangent);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
-        gyroscopic::add_rate_tangent(system, &scratch.frames, motion, by_q, scale, tangent);
+        gyroscopic::add_rate_tangent(
+            system,
+            (&scratch.frames, &scratch.prescribed.drives),
+            motion,
+            by_q,
+            scale,
+            tangent,
+        );
         kkt.set_curvatures_and_gradients(
             system,
             &configuration,

@@ -195,14 +195,15 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
         return Err(Error::NotFinite { time: state.time, what });
     }
     let given = state.velocity.clone();
-    system.mass_times(&state.velocity, &mut state.momentum);
+    system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
     Projection::once(system).set_velocity(system, integrator.kkt(), &mut FrameCache::default(), state)?;
     integrator.kkt().check_unique(system, state.time)?;
-    system.mass_times(&state.velocity, &mut state.momentum);
+    system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
     state.constraint_momenta.fill(0.0);
     integrator.begin(system, state)?;
     let change: Vec<f64> = state.velocity.iter().zip(&given).map(|(now, given)| now - given).collect();
-    let (changed, given) = (system.kinetic_energy(&change), system.kinetic_energy(&given));
+    let kinetic = |velocity: &[f64]| system.kinetic_energy_of_mesh(&state.prescribed.drives, velocity);
+    let (changed, given) = (kinetic(&change), kinetic(&given));
     // Whoever divides first and chooses afterwards, as compilers do, must not divide by 0: hosts may trap that.
     let share = changed / f64::max(given, f64::MIN_POSITIVE);
     Ok(if given > 0.0 && changed > CHANGED * given { share } else { 0.0 })

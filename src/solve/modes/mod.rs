@@ -167,7 +167,7 @@ pub fn positive_shift(
 ) -> Result<f64, Error> {
     for _ in 0..MOST_SHIFTS {
         kkt.blocks.clone_from(stiffness);
-        system.add_mass(shift, &mut kkt.blocks);
+        system.add_mass(&[], shift, &mut kkt.blocks);
         kkt.factorize(system, time)?;
         if kkt.releasing_motions(system).is_none_or(|count| count == 0) {
             break;
@@ -187,7 +187,7 @@ pub fn first_shift(system: &System, stiffness: &Blocks) -> f64 {
 fn without_pattern(system: &System) -> (Vec<f64>, f64) {
     let vector: Vec<f64> = (0..system.coordinates()).map(|index| irregular(index) * size(system, index)).collect();
     let mut mass = vec![0.0; vector.len()];
-    system.mass_times(&vector, &mut mass);
+    system.mass_times(&[], &vector, &mut mass);
     let mass = dot(&vector, &mass);
     (vector, mass)
 }
@@ -214,7 +214,7 @@ fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt)
 fn scales(system: &System, stiffness: &Blocks, response: &Response) -> [f64; 2] {
     let (vector, mass) = without_pattern(system);
     let mut inertia = vec![0.0; vector.len()];
-    system.mass_times(&response.acceleration, &mut inertia);
+    system.mass_times(&[], &response.acceleration, &mut inertia);
     let transmitted: f64 = response.multipliers.iter().map(|force| force.abs() * system.size).sum();
     let accelerating: f64 = inertia.iter().enumerate().map(|(index, force)| force.abs() * size(system, index)).sum();
     [stiffness.magnitude(&vector) / mass, (transmitted + accelerating) / mass]
@@ -223,7 +223,7 @@ fn scales(system: &System, stiffness: &Blocks, response: &Response) -> [f64; 2] 
 /// Size of the correction by which Newton would go to the equilibrium from where the system has this `acceleration`.
 fn imbalance(system: &System, acceleration: &[f64], kkt: &mut Kkt) -> f64 {
     let mut right = vec![0.0; system.coordinates() + system.constraints()];
-    system.mass_times(acceleration, &mut right[..system.coordinates()]);
+    system.mass_times(&[], acceleration, &mut right[..system.coordinates()]);
     // Without a solution it is far from any.
     if kkt.solve_again(&mut right).is_err() { f64::INFINITY } else { system.correction_size(&right).0 }
 }

@@ -78,7 +78,7 @@ impl Subspace {
             let strayed: Vec<f64> =
                 image.iter().zip(mixed(&before.vectors)).map(|(image, x)| image - inverse * x).collect();
             let mut mass = vec![0.0; coordinates];
-            system.mass_times(&strayed, &mut mass);
+            system.mass_times(&[], &strayed, &mut mass);
             let error = dot(&strayed, &mass).max(0.0).sqrt() / inverse.abs();
             let held = self.vectors.len();
             self.take(system, image);
@@ -92,7 +92,7 @@ impl Subspace {
     /// Adds `vector`, made orthonormal to the others, unless it is made of them.
     fn take(&mut self, system: &System, mut vector: Vec<f64>) {
         let mut mass = vec![0.0; vector.len()];
-        system.mass_times(&vector, &mut mass);
+        system.mass_times(&[], &vector, &mut mass);
         let whole = dot(&vector, &mass);
         // Twice: what the first time leaves by round-off is gone after the second.
         for _ in 0..2 {
@@ -101,7 +101,7 @@ impl Subspace {
                 vector.iter_mut().zip(other).for_each(|(value, other)| *value -= share * other);
             }
         }
-        system.mass_times(&vector, &mut mass);
+        system.mass_times(&[], &vector, &mut mass);
         let left = dot(&vector, &mass);
         if left > DEPENDENT * DEPENDENT * whole {
             let scale = 1.0 / left.sqrt();

@@ -70,7 +70,7 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         if I::PROJECTS {
             mover.gradients_at(system, after, gradients_after);
             flow.blocks.clear();
-            system.add_mass(1.0, &mut flow.blocks);
+            system.add_mass(&after.prescribed.drives, 1.0, &mut flow.blocks);
             flow.set_constraints(system, gradients_after, gradients_after, 1.0);
             flow.factorize(system, span.end)?;
             // P = M v + Gᵀ ν before the momentum was steadied.
@@ -145,6 +145,11 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
                 system.constraint_rates(&configuration, rates);
                 system.add_constraint_rates(gradients, &after.velocity, rates);
                 forces.fill(0.0);
+                if !system.winches.is_empty() {
+                    // The mass of what is paid out: dP = M dv + dM v.
+                    system.mass_times(&arrived.prescribed.drives, &after.velocity, forces);
+                    add_scaled(&mut constraint_forces[..coordinates], forces, weight);
+                }
                 system.add_constraint_forces(gradients, constraint_momenta, 1.0, forces);
                 add_scaled(sum, right, -weight);
                 system.add_constraint_forces(
@@ -160,7 +165,7 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
     /// Projects the derivatives of the end: `[M Gᵀ; G 0][dv; dν] = [dP − dGᵀ ν; −d(g_t + G v)]`, then `dP = M dv + Gᵀ ds + dGᵀ s` with the
     /// steadied `s`.
     fn project(&mut self) -> Result<(), Error> {
-        let Self { system, span, flow, .. } = self;
+        let Self { system, after, span, flow, .. } = self;
         let Scratch { sum, constraint_forces, gradients_after, variation, .. } = &mut *self.scratch;
         let coordinates = system.coordinates();
         add_scaled(sum, &variation.momentum, 1.0);
@@ -170,7 +175,7 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         for (own, own_now) in variation.constraint_momenta.iter_mut().zip(own_now) {
             *own = 0.5 * (*own + own_now);
         }
-        system.mass_times(velocity, &mut variation.momentum);
+        system.mass_times(&after.prescribed.drives, velocity, &mut variation.momentum);
         system.add_constraint_forces(gradients_after, &variation.constraint_momenta, 1.0, &mut variation.momentum);
         add_scaled(&mut variation.momentum, &constraint_forces[..coordinates], 1.0);
         Ok(())

@@ -50,7 +50,7 @@ impl Statics {
                 most = MOST_DAMPING * first;
                 first
             });
-            system.add_mass(current, &mut self.kkt.blocks);
+            system.add_mass(&[], current, &mut self.kkt.blocks);
             state.statistics.iterations += 1;
             self.kkt.solve(system, &mut self.right, time)?;
             let (size, _) = system.correction_size(&self.right);
@@ -127,7 +127,7 @@ fn first_damping(system: &System, forces: &[f64]) -> f64 {
     let places = (0..coordinates).filter(|index| system.is_place(*index));
     places.for_each(|index| ones[index] = 1.0);
     let mut masses = vec![0.0; coordinates];
-    system.mass_times(&ones, &mut masses);
+    system.mass_times(&[], &ones, &mut masses);
     let mut fastest = 0.0_f64;
     for index in (0..coordinates).filter(|index| system.is_place(*index) && masses[*index] > 0.0) {
         fastest = fastest.max(forces[index].abs() / masses[index]);

@@ -25,9 +25,8 @@ pub fn check_drives(system: &System, state: &State, end: f64, count: u64) -> Res
     system.prescribe(state, end, &mut prescribed);
     for ((drive, to), from) in system.drives.iter().zip(&prescribed.drives).zip(&state.prescribed.drives) {
         let turns = (to.value - from.value).abs() / std::f64::consts::TAU;
-        if matches!(system.relative_coordinates[drive.coordinate].measure, Measure::Angle(_))
-            && turns > MOST_TURNS * count as f64
-        {
+        let measure = drive.coordinate.map(|coordinate| system.relative_coordinates[coordinate].measure);
+        if matches!(measure, Some(Measure::Angle(_))) && turns > MOST_TURNS * count as f64 {
             let (drive, from) = (drive.name.clone(), state.time);
             return Err(Error::DriveTooFast { drive, turns, from, to: end, limit: MOST_TURNS });
         }

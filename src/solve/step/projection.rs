@@ -29,8 +29,12 @@ impl Projection {
 
     /// For many states of `system`; the matrix of `kkt` is scratch memory.
     pub fn new(system: &System, kkt: &mut Kkt) -> Self {
+        if !system.winches.is_empty() {
+            // Their mass matrix is not the same in every state.
+            return Self::once(system);
+        }
         kkt.blocks.clear();
-        system.add_mass(1.0, &mut kkt.blocks);
+        system.add_mass(&[], 1.0, &mut kkt.blocks);
         let fast = ConstrainedMass::new(system, &kkt.blocks);
         kkt.blocks.clear();
         Self { fast, ..Self::once(system) }
@@ -68,7 +72,7 @@ impl Projection {
         let Self { right, gradients, .. } = self;
         if !solved {
             kkt.blocks.clear();
-            system.add_mass(1.0, &mut kkt.blocks);
+            system.add_mass(&state.prescribed.drives, 1.0, &mut kkt.blocks);
             kkt.set_constraints(system, gradients, gradients, 1.0);
             kkt.solve(system, right, state.time)?;
         }

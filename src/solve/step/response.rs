@@ -68,7 +68,7 @@ impl Responder {
     pub fn respond(&mut self, system: &System, state: &State, response: &mut Response) -> Result<(), Error> {
         self.set_right(system, state)?;
         self.kkt.blocks.clear();
-        system.add_mass(1.0, &mut self.kkt.blocks);
+        system.add_mass(&state.prescribed.drives, 1.0, &mut self.kkt.blocks);
         self.kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
         self.kkt.solve(system, &mut self.right, state.time)?;
         let (acceleration, multipliers) = self.right.split_at(state.q.len());
@@ -92,7 +92,7 @@ impl Responder {
     ) -> Result<(), Error> {
         self.set_right(system, state)?;
         let (forces, conditions) = right.split_at_mut(state.q.len());
-        system.mass_times(&response.acceleration, forces);
+        system.mass_times(&state.prescribed.drives, &response.acceleration, forces);
         system.add_constraint_forces(&self.gradients, &response.multipliers, 1.0, forces);
         conditions.fill(0.0);
         system.add_constraint_rates(&self.gradients, &response.acceleration, conditions);
@@ -111,7 +111,7 @@ impl Responder {
 
         let (forces, conditions) = self.right.split_at_mut(state.q.len());
         system.forces(&configuration, &passage, &self.excitation, forces);
-        system.mass_times(&state.velocity, &mut self.momentum);
+        system.mass_times(&state.prescribed.drives, &state.velocity, &mut self.momentum);
         gyroscopic::add_rate_forces(system, &self.frames, &state.velocity, &self.momentum, forces);
         system.constraint_accelerations(&configuration, &state.velocity, conditions);
         self.right.iter_mut().for_each(|value| *value = -*value);

@@ -24,7 +24,7 @@ pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> R
         return Ok(false);
     }
     // The momentum that only the earlier constraints knew is no part of the motion.
-    system.mass_times(&state.velocity, &mut state.momentum);
+    system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
     state.constraint_momenta.fill(0.0);
     if system.switch(state, time) {
         collide(system, kkt, state)?;
@@ -38,14 +38,14 @@ pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> R
 /// Brings the velocities of `state` to what the constraints allow, and its energies.
 fn collide(system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Error> {
     let before = state.velocity.clone();
-    let kinetic_before = system.kinetic_energy(&before);
+    let kinetic_before = system.kinetic_energy(&FrameCache::default().of(system, state), &before);
     let (mut projection, mut frames) = (Projection::once(system), FrameCache::default());
     projection.set_velocity(system, kkt, &mut frames, state)?;
     kkt.check_unique(system, state.time)?;
-    system.mass_times(&state.velocity, &mut state.momentum);
+    system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
     let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
-    let dissipated = system.kinetic_energy(&change);
-    let gained = system.kinetic_energy(&state.velocity) - kinetic_before;
+    let dissipated = system.kinetic_energy_of_mesh(&state.prescribed.drives, &change);
+    let gained = system.kinetic_energy(&frames.of(system, state), &state.velocity) - kinetic_before;
     if let Some(last) = &mut state.balance.last {
         last.kinetic += gained;
     }

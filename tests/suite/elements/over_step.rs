@@ -67,6 +67,7 @@ impl Case {
             frames: &frames[i],
             holonomy: &holonomy,
             heats: &[],
+            drives: &[],
         };
         let (start, middle, end) = (at(0), at(1), at(2));
         let still = [0.0; STRAINS];
@@ -235,7 +236,13 @@ fn damping_over_a_short_step_is_that_of_an_instant() {
         let damped = case.over(&end, Dissipation::default());
         let frames = case.frames(&case.start);
         let holonomy = [case.previous];
-        let c = BeamConfiguration { q: case.start.as_slice(), frames: &frames, holonomy: &holonomy, heats: &[] };
+        let c = BeamConfiguration {
+            q: case.start.as_slice(),
+            frames: &frames,
+            holonomy: &holonomy,
+            heats: &[],
+            drives: &[],
+        };
         let expected = damping::force(&case.element.evaluation(&c), &(increment / STEP));
         let error = (damped.force - still.force - expected).amax() / expected.amax();
         assert!(error < 1e-5, "{error:e} in {:?}", case.element.stiffness);
@@ -254,7 +261,13 @@ fn rates_of_an_instant_are_those_of_a_short_step() {
             [1e-4, -1e-4].map(|time| case.over(&(case.start + velocity * time), Dissipation::default()).rates);
         let holonomy = [case.previous];
         let frames = case.frames(&case.start);
-        let c = BeamConfiguration { q: case.start.as_slice(), frames: &frames, holonomy: &holonomy, heats: &[] };
+        let c = BeamConfiguration {
+            q: case.start.as_slice(),
+            frames: &frames,
+            holonomy: &holonomy,
+            heats: &[],
+            drives: &[],
+        };
         let found = case.element.strain_rates(&case.element.evaluation(&c), velocity.as_slice());
         // Central differences over the time of both steps.
         let expected: Vec<f64> = there.iter().zip(&back).map(|(a, b)| 0.5 * (a - b) * STEP / 1e-4).collect();

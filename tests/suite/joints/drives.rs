@@ -176,7 +176,7 @@ fn powers(simulation: &Simulation, rates: &[f64], efforts: &[f64]) -> [f64; 2] {
     let mut response = Response::default();
     Responder::new(system).respond(system, state, &mut response).unwrap();
     let mut inertia = vec![0.0; state.q.len()];
-    system.mass_times(&response.acceleration, &mut inertia);
+    system.mass_times(&[], &response.acceleration, &mut inertia);
     let kinetic: f64 = inertia.iter().zip(&state.velocity).map(|(force, velocity)| force * velocity).sum();
     let lift: f64 = system
         .bodies

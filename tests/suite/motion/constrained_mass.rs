@@ -20,7 +20,7 @@ use ancf14::solve::step::constrained_mass::{ConstrainedMass, MOST_ROWS};
 /// The masses alone.
 fn masses(system: &System) -> Kkt {
     let mut kkt = Kkt::for_projections(system);
-    system.add_mass(1.0, &mut kkt.blocks);
+    system.add_mass(&[], 1.0, &mut kkt.blocks);
     kkt
 }
 
@@ -53,7 +53,7 @@ fn solutions_are_those_of_the_whole_system() {
             let velocity: Vec<f64> = (0..system.coordinates()).map(|_| random.signed()).collect();
             let mut right = vec![0.1; size];
             let (forces, conditions) = right.split_at_mut(system.coordinates());
-            system.mass_times(&velocity, forces);
+            system.mass_times(&[], &velocity, forces);
             conditions.iter_mut().for_each(|value| *value *= random.signed());
             let mut expected = right.clone();
             fast.solve(&system, &gradients, &mut right, &mut vec![0.0; system.coordinates()])

@@ -47,7 +47,7 @@ pub fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, mult
     let factor = if step > 0.0 { 0.25 * step * step } else { 1.0 };
     system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, factor, &mut forces, &mut kkt.blocks);
     if step > 0.0 {
-        system.add_mass(1.0, &mut kkt.blocks);
+        system.add_mass(&[], 1.0, &mut kkt.blocks);
     }
     let mut gradients = Vec::new();
     kkt.set_curvatures_and_gradients(system, &configuration, multipliers, factor, &mut gradients);

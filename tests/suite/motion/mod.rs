@@ -16,3 +16,4 @@ pub mod rigid_rotation;
 pub mod rollback;
 pub mod start_derivatives;
 pub mod step_derivatives;
+pub mod winches;

@@ -44,7 +44,7 @@ fn largest_product(system: &System, found: &Modes) -> f64 {
     let mut largest = 0.0_f64;
     for (number, a) in found.modes.iter().enumerate() {
         let mut mass = vec![0.0; a.shape.len()];
-        system.mass_times(&a.shape, &mut mass);
+        system.mass_times(&[], &a.shape, &mut mass);
         for b in &found.modes[..number] {
             largest = largest.max(b.shape.iter().zip(&mass).map(|(b, mass)| b * mass).sum::<f64>().abs());
         }
@@ -271,7 +271,7 @@ fn a_machine_swings_in_its_modes() {
         let mut state = rest.clone();
         state.velocity = mode.shape.iter().map(|value| speed * value).collect();
         let mut mass = vec![0.0; mode.shape.len()];
-        system.mass_times(&mode.shape, &mut mass);
+        system.mass_times(&[], &mode.shape, &mut mass);
         let discrete = 2.0 / step * (0.5 * omega * step).atan();
         let (mut count, mut largest) = (0, 0.0_f64);
         integrate(system, &mut state, 1.0, (step, 200), |state| {

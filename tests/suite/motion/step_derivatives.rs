@@ -138,7 +138,7 @@ pub fn set_out(simulation: &mut Simulation, step: f64, steps: u32) -> f64 {
 
 /// Largest difference between the derivatives and central differences of fourth order through repeated steps; over the largest derivative
 /// of the same family of results by the same input.
-fn worst(mut simulation: Simulation, step: f64, steps: u32) -> (f64, String) {
+pub fn worst(mut simulation: Simulation, step: f64, steps: u32) -> (f64, String) {
     let begin = if steps > 1 { set_out(&mut simulation, step, steps - 1) } else { 0.0 };
     let start = simulation.snapshot();
     let end = begin + step;

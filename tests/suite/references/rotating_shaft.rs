@@ -115,7 +115,7 @@ fn first_frequencies() {
     system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, 1.0, &mut forces, &mut blocks);
     let stiffness = dense(&blocks);
     blocks.clear();
-    system.add_mass(1.0, &mut blocks);
+    system.add_mass(&[], 1.0, &mut blocks);
     let mass = dense(&blocks);
     let mut gradients = Vec::new();
     system.constraint_gradients(&configuration, &mut gradients);

@@ -40,7 +40,7 @@ pub fn ancf14(strain: Strain, twist: Twist) -> Elements {
 pub fn ancf14_elements(system: &System) -> impl Iterator<Item = &element::Element> {
     system.mesh.elements.iter().map(|element| match element {
         AnyElement::Ancf14(element) => element,
-        AnyElement::Ancf24(_) => panic!("an element of ANCF24"),
+        AnyElement::PaidOut(_) | AnyElement::Ancf24(_) => panic!("another element than one of ANCF14"),
     })
 }
 
@@ -48,7 +48,7 @@ pub fn ancf14_elements(system: &System) -> impl Iterator<Item = &element::Elemen
 pub fn ancf24_elements(system: &System) -> impl Iterator<Item = &ancf24::element::Element> {
     system.mesh.elements.iter().map(|element| match element {
         AnyElement::Ancf24(element) => element,
-        AnyElement::Ancf14(_) => panic!("an element of ANCF14"),
+        AnyElement::Ancf14(_) | AnyElement::PaidOut(_) => panic!("an element of ANCF14"),
     })
 }
 
@@ -167,5 +167,9 @@ pub fn drift(text: &str, radius: f64, steps: (f64, u32)) -> [f64; 2] {
 pub fn energies(system: &System, state: &State) -> [f64; 3] {
     let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(system, state);
-    [system.kinetic_energy(&state.velocity), system.elastic_energy(&configuration), system.gravity_energy(&state.q)]
+    [
+        system.kinetic_energy(&configuration, &state.velocity),
+        system.elastic_energy(&configuration),
+        system.gravity_energy(&configuration),
+    ]
 }

@@ -93,6 +93,7 @@ impl Machine {
                 frames: &self.frames,
                 holonomy: &self.holonomy,
                 heats: &[],
+                drives: &[],
             },
             relative_values: &[0.0],
             prescribed: &self.prescribed,
@@ -158,6 +159,7 @@ impl Machine {
                 tied(vector(q, place), columns, offset, axes)
             }
             Marker::Section { element, xi, offset, axes } => match &self.mesh.elements[*element] {
+                AnyElement::PaidOut(_) => panic!("the oracle knows no winches"),
                 AnyElement::Ancf14(part) => {
                     let own = &q[part.place.start..part.place.start + 14];
                     let triads = [self.triads[part.place.frame], self.triads[part.place.frame + 1]];

@@ -163,6 +163,7 @@ fn results(text: &str, overrides: &[(String, String)], count: u32) -> (Vec<Vec<(
     let system = simulation.system();
     let axial = |element: &AnyElement| match element {
         AnyElement::Ancf14(element) => element.stiffness.axial,
+        AnyElement::PaidOut(element) => element.drawn().stiffness.axial,
         AnyElement::Ancf24(element) => element.properties.law[(0, 0)] * element.properties.fibers.area,
     };
     let rigidity = system.mesh.elements.iter().map(axial).fold(0.0, f64::max);

@@ -7,6 +7,7 @@ use super::kinematics::Holonomy;
 use super::kinematics::section_point::SectionPoint;
 use super::over_step::StepStart;
 use super::{damping, section};
+use crate::math::jet::Jet;
 use crate::math::lanes::in_widest;
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
@@ -23,7 +24,7 @@ const LARGEST_TWIST_CHANGE: f64 = 2.0;
 
 impl Element {
     #[inline(always)]
-    fn add(&self, values: &ElementVector, sum: &mut [f64]) {
+    pub(super) fn add(&self, values: &ElementVector, sum: &mut [f64]) {
         let own = &mut sum[self.place.start..self.place.start + ELEMENT];
         own.iter_mut().zip(values).for_each(|(target, value)| *target += value);
     }
@@ -35,6 +36,20 @@ impl Element {
             Passage::Rest | Passage::Instant { .. } => self.evaluation(c),
             Passage::Step(step) => self.over_step(c, step),
         }
+    }
+
+    /// Adds the gradient of `evaluation`, and sets `block` to `scale` times its Hessian.
+    #[inline(always)]
+    pub(super) fn add_gradient_and_hessian_of(
+        &self,
+        evaluation: &Evaluation,
+        scale: f64,
+        forces: &mut [f64],
+        block: &mut [f64],
+    ) {
+        let (columns, _) = block.as_chunks_mut::<ELEMENT>();
+        let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
+        self.add(&evaluation.gradient_and_set_hessian(scale, columns), forces);
     }
 
     /// Internal coordinate of the quadratic twist, rad; 0 for linear twist.
@@ -108,11 +123,9 @@ impl BeamElement for Element {
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        let (columns, _) = block.as_chunks_mut::<ELEMENT>();
-        let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
         in_widest(
             #[inline(always)]
-            || self.add(&self.passing(c, passage).gradient_and_set_hessian(scale, columns), forces),
+            || self.add_gradient_and_hessian_of(&self.passing(c, passage), scale, forces, block),
         );
     }
 
@@ -139,6 +152,7 @@ impl BeamElement for Element {
     fn begin_step(
         &self,
         c: &BeamConfiguration,
+        _middle: &[Jet],
         velocity: &[f64],
         starts: &mut [StepStart],
         strain_rates: Option<&mut [f64]>,

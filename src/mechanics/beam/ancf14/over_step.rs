@@ -41,6 +41,11 @@ impl StepStart {
         }
         Self { strains, twist: evaluation.kinematics.twist, bubble: evaluation.bubble }
     }
+
+    /// Strain of axial point `m`, 1.
+    pub fn axial_strain(&self, m: usize) -> f64 {
+        self.strains[m]
+    }
 }
 
 /// What a step adds to the elastic resultants of the mean strains, quadrature weights included; nothing at an instant.

@@ -80,6 +80,16 @@ impl Evaluation<'_> {
         }
     }
 
+    /// Takes `strains` off the axial strains.
+    pub(super) fn take_off_axial(&mut self, strains: [f64; 3]) {
+        for (m, strain) in strains.into_iter().enumerate() {
+            match self.element.stiffness.strain {
+                Strain::Small => self.slopes[m].natural += strain,
+                Strain::Large | Strain::LargeTruncated => self.green[m] -= strain,
+            }
+        }
+    }
+
     /// Strains of the bending points in the axes of their sections, which need not be the principal ones.
     pub fn section_strains(&self) -> [Strains; 3] {
         std::array::from_fn(|g| {

@@ -1,6 +1,9 @@
 //! Adds what acts on the free coordinates of joints by conditions: drives, locks and gears; and the switches that engage and release these and joints.
 
 use super::SystemBuilder;
+use crate::mechanics::beam::ancf14::paid_out::PaidOut;
+use crate::mechanics::beam::ancf14::payout::Payout;
+use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::constraint::driven::Driven;
 use crate::mechanics::constraint::gear::{CamLaw, GearSide};
 use crate::mechanics::constraint::joint::{Held, Holding, Joint};
@@ -8,7 +11,7 @@ use crate::mechanics::input::guide::{Drive, Guide};
 use crate::mechanics::input::switch::Switch;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
-use crate::mechanics::system::Lock;
+use crate::mechanics::system::{Lock, Winch};
 
 impl SystemBuilder {
     /// Adds a switch and returns its number; `target` is its value at the start, where a host gives it.
@@ -39,9 +42,27 @@ impl SystemBuilder {
             gear: None,
             holding: switch.map(|switch| Holding { switch, held: Held::Coordinate(coordinate) }),
         });
-        self.system.drives.push(Drive { name: name.into(), coordinate, guide, switch });
+        self.system.drives.push(Drive { name: name.into(), coordinate: Some(coordinate), guide, switch });
         self.targets.drives.push(target);
         number
+    }
+
+    /// Lets beam `beam`, of ANCF14 with the same section everywhere, be paid out at its end, or at its start; arguments as of [`Self::add_drive`].
+    pub fn add_winch(&mut self, name: &str, (beam, at_end): (usize, bool), (guide, target): (Guide, f64)) {
+        let drive = self.system.drives.len();
+        let range = self.system.beams[beam].element_range();
+        let length = self.system.mesh.elements[range.clone()].iter().map(|element| element.length()).sum();
+        let payout = Payout { drive, length, far_end: if at_end { 0.0 } else { length } };
+        let mut begin = 0.0;
+        for element in &mut self.system.mesh.elements[range] {
+            let AnyElement::Ancf14(drawn) = element else { continue };
+            let own = drawn.length;
+            *element = AnyElement::PaidOut(PaidOut::new(drawn.clone(), begin, payout));
+            begin += own;
+        }
+        self.system.drives.push(Drive { name: name.into(), coordinate: None, guide, switch: None });
+        self.system.winches.push(Winch { beam, drive, length });
+        self.targets.drives.push(target);
     }
 
     /// Adds drive `drive` to what joint `joint` of the model file consists of.

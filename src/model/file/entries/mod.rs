@@ -24,5 +24,6 @@ pub mod simulation;
 pub mod spring;
 pub mod stop;
 pub mod switch;
+pub mod winch;
 
 pub use super::reader::anchor;

@@ -84,9 +84,10 @@ impl<'a> Given<'a> {
                 units[place] = unit;
             }
         };
-        for drive in &document.drives {
-            let unit = if drive.is_angle() { 1.0 } else { size };
-            match drive.motion {
+        let drives = document.drives.iter().map(|drive| (drive.motion, if drive.is_angle() { 1.0 } else { size }));
+        let winches = document.winches.iter().map(|winch| (winch.motion, size));
+        for (motion, unit) in drives.chain(winches) {
+            match motion {
                 Motion::Value(number) => set(number, unit),
                 Motion::Rate(number) => set(number, unit / (span[1] - span[0])),
             }

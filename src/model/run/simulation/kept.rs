@@ -320,6 +320,7 @@ fn parts(document: &Document, system: &System) -> Vec<String> {
         .chain(named("frame", document.frames.iter().map(|own| &own.name).collect()))
         .chain(named("joint", document.joints.iter().map(|own| &own.name).collect()))
         .chain(named("drive", document.drives.iter().map(|own| &own.name).collect()))
+        .chain(named("winch", document.winches.iter().map(|own| &own.name).collect()))
         .chain(named("lock", document.locks.iter().map(|own| &own.name).collect()))
         .chain(named("gear", document.gears.iter().map(|own| &own.name).collect()))
         .chain(named("spring", document.springs.iter().map(|own| &own.name).collect()))

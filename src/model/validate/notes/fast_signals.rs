@@ -3,7 +3,6 @@
 use super::{Note, STEPS_PER_PERIOD, step_for};
 use crate::model::expression::function::Function;
 use crate::model::file::document::Document;
-use crate::model::file::entries::drive::Motion;
 use crate::model::file::entries::frame::Orientation;
 use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::file::number::Number;
@@ -42,8 +41,7 @@ pub fn fast_signals(document: &Document) -> Vec<Note> {
 fn signals(document: &Document) -> Vec<Number> {
     let loads = document.loads.iter().filter(|load| !load.input).flat_map(|load| [load.force, load.moment].concat());
     let actuators = document.actuators.iter().filter(|own| !own.input).map(|own| own.effort);
-    let drives = document.drives.iter().filter(|drive| !drive.input).map(|drive| drive.motion);
-    let drives = drives.map(|(Motion::Value(number) | Motion::Rate(number))| number);
+    let drives = document.motions().filter(|(_, is_input)| !is_input).map(|(motion, _)| motion.number());
     let frames = document.frames.iter().filter(|frame| !frame.input).flat_map(|frame| {
         let turn = match &frame.orientation {
             Orientation::Rotation(numbers) => &numbers[..],

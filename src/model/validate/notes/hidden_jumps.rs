@@ -15,9 +15,9 @@ const LEFT: f64 = 0.5;
 /// Jumps below this are round-off, m or rad.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Names drives and frames whose motion jumps inside an expression.
+/// Names drives, winches and frames whose motion jumps inside an expression.
 pub fn hidden_jumps(document: &Document) -> Vec<Note> {
-    let drives = document.drives.iter().filter(|drive| !drive.input).filter_map(|drive| match drive.motion {
+    let drives = document.motions().filter(|(_, is_input)| !is_input).filter_map(|(motion, _)| match motion {
         Motion::Value(number) => Some(number),
         Motion::Rate(_) => None,
     });

@@ -5,6 +5,7 @@ use crate::math::Vec3;
 use crate::model::file::document::Document;
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::simulation::Analysis;
+use crate::model::file::entries::winch::WinchSpec;
 use crate::model::file::number::Number;
 use crate::model::validate::{Lines, sections, shown};
 
@@ -29,11 +30,7 @@ pub fn jumps(document: &Document, lines: &Lines) -> Vec<Note> {
     let Some(sound) = speeds.reduce(f64::min) else { return Vec::new() };
     let jump = |drive: &DriveSpec| {
         let number = drive.motion.number();
-        let function = document.function(number);
-        let rate = match drive.motion {
-            Motion::Value(_) => function.jet(0.0).first,
-            Motion::Rate(_) => function.value(0.0),
-        };
+        let rate = rate_at_start(document, drive.motion);
         let (arm, unit) = if drive.is_angle() { (reach(document, lines, drive)?, "rad/s") } else { (1.0, "m/s") };
         let strain = rate.abs() * arm / sound;
         (!drive.input && strain > NOTABLE).then(|| {
@@ -47,7 +44,27 @@ pub fn jumps(document: &Document, lines: &Lines) -> Vec<Note> {
             Note::of(document, number, &text)
         })
     };
-    document.drives.iter().filter_map(jump).collect()
+    let reel = |winch: &WinchSpec| {
+        let number = winch.motion.number();
+        let rate = rate_at_start(document, winch.motion);
+        (!winch.input && rate.abs() / sound > NOTABLE).then(|| {
+            let text = format!(
+                "begins with a jump of velocity: winch {} starts at {} m/s, and its beam is at rest. This is a blow. Let it begin with rate 0",
+                winch.name,
+                shown(rate)
+            );
+            Note::of(document, number, &text)
+        })
+    };
+    document.drives.iter().filter_map(jump).chain(document.winches.iter().filter_map(reel)).collect()
+}
+
+/// The rate at the start of what a drive or a winch prescribes.
+fn rate_at_start(document: &Document, motion: Motion) -> f64 {
+    match motion {
+        Motion::Value(number) => document.function(number).jet(0.0).first,
+        Motion::Rate(number) => document.function(number).value(0.0),
+    }
 }
 
 /// The largest distance of a beam that a joint holds from that joint, m; of all beams where it holds none.

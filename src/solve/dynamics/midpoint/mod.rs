@@ -147,6 +147,7 @@ impl Integrator for Midpoint {
         let outcome = self.projection.set_velocity(system, &mut self.kkt, frames, &mut next);
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
+            let transport = self.scratch.transport_energies(system, state, &next);
             self.project_error(system, &mut next);
             prediction::learn(system, state, &self.scratch.increment, step, &convergence, &mut next);
             next.balance.last = Some(energy_before);
@@ -162,9 +163,11 @@ impl Integrator for Midpoint {
                 }
             }
             let losses = if self.dissipation == Dissipation::default() { Losses::None } else { Losses::Numerical };
-            let energies = Energies { kinetic, elastic: found.elastic };
-            next.balance.account(end, work, energies, system.energy_noise(), losses);
-            if let Some((work, begin)) = account {
+            let energies = Energies { kinetic: kinetic + transport[1], elastic: found.elastic };
+            let winding = transport[1] - transport[0];
+            next.balance.account(end, work + winding, energies, system.energy_noise(), losses);
+            if let Some((mut work, begin)) = account {
+                work.drives += winding;
                 next.balance.add_work(&work, [begin, self.scratch.whole_energy_of_end(system, state, &next)]);
             }
             std::mem::swap(state, &mut next);
@@ -367,11 +370,11 @@ impl Problem for Step<'_> {
             &mut scratch.forces,
             &mut kkt.blocks,
         );
-        system.add_mass(1.0, &mut kkt.blocks);
+        system.add_mass(&scratch.prescribed_middle.drives, 1.0, &mut kkt.blocks);
         system.constraint_gradients(&end, &mut scratch.gradients_end);
         kkt.set_curvatures_and_gradients(system, &middle, &scratch.impulses, 0.5 * h, &mut scratch.gradients_middle);
-        let (first, last) = (&scratch.frames_start, &scratch.frames_end);
-        gyroscopic::add_tangent(system, first, last, &scratch.mass_increment, h, &mut kkt.blocks);
+        let (frames, drives) = ([&scratch.frames_start, &scratch.frames_end], &scratch.prescribed_middle.drives);
+        gyroscopic::add_tangent(system, frames, drives, &scratch.mass_increment, h, &mut kkt.blocks);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients_middle, &self.scratch.gradients_end, h);
         state.time + 0.5 * h

@@ -67,7 +67,8 @@ impl Scratch {
         system.prescribe(state, end, &mut self.prescribed_end);
         self.start_rates.resize(state.strain_rates.len(), 0.0);
         let start = self.frames_start.of(system, state);
-        system.begin_step(&start, &state.velocity, &mut self.starts, Some(&mut self.start_rates));
+        let middle = &self.prescribed_middle.drives;
+        system.begin_step(&start, middle, &state.velocity, &mut self.starts, Some(&mut self.start_rates));
     }
 
     /// Start of the iteration: the predicted increment, and the impulses of the last step.
@@ -93,7 +94,7 @@ impl Scratch {
         }
         self.frames_middle.set(system, &self.q_middle, &state.triads);
         self.frames_end.set(system, &self.q_end, &state.triads);
-        system.mass_times(&self.increment, &mut self.mass_increment);
+        system.mass_times(&self.prescribed_middle.drives, &self.increment, &mut self.mass_increment);
     }
 
     /// Sets the forces without those of the joints, at the current positions.
@@ -147,19 +148,30 @@ impl Scratch {
         let driven = system.driven_work(&gradients, &next.multipliers, &self.increment);
         let [loads, actuators] =
             system.loads_and_actuators(&middle, &Passage::Step(over), &self.excitation, &self.increment);
-        Work { loads: loads + found.by_heat, actuators, drives: driven + found.by_frames, dissipated: found.dissipated }
+        let drives = driven + found.by_frames + found.by_winches;
+        Work { loads: loads + found.by_heat, actuators, drives, dissipated: found.dissipated }
     }
 
     /// Kinetic, elastic and gravity energy at the start of the step from `state`, J.
     pub fn whole_energy(&self, system: &System, state: &State) -> f64 {
         let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
-        system.whole_energy(&start, &state.q, &state.velocity)
+        system.whole_energy(&start, &state.velocity)
     }
 
     /// The same at the end, `next`.
     pub fn whole_energy_of_end(&self, system: &System, state: &State, next: &State) -> f64 {
         let end = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
-        system.whole_energy(&end, &next.q, &next.velocity)
+        system.whole_energy(&end, &next.velocity)
+    }
+
+    /// Kinetic energy that what winches pay out has beyond that of the mesh, at the start of the step from `state` and at its end, `next`, J.
+    pub fn transport_energies(&self, system: &System, state: &State, next: &State) -> [f64; 2] {
+        if system.winches.is_empty() {
+            return [0.0; 2];
+        }
+        let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
+        let end = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
+        [system.transport_energy(&start, &state.velocity), system.transport_energy(&end, &next.velocity)]
     }
 
     /// Gradients of the conditions in the middle, at the current positions.

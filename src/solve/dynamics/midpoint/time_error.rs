@@ -107,7 +107,8 @@ impl Estimator {
         let coordinates = self.jerk.len();
         let scale = TRAPEZOIDAL * h * h * h;
         self.filtered.iter_mut().zip(&self.jerk).for_each(|(own, jerk)| *own = scale * jerk);
-        system.mass_times(&self.filtered[..coordinates], &mut self.right[..coordinates]);
+        let drives = &taken.solution.prescribed_middle.drives;
+        system.mass_times(drives, &self.filtered[..coordinates], &mut self.right[..coordinates]);
         self.right[coordinates..].fill(0.0);
         match kkt.solve_roughly(&mut self.right) {
             Ok(()) => Some(system.motion_sizes(&self.right[..coordinates])),
@@ -164,7 +165,7 @@ impl Estimator {
             scratch.differentiate(system, start);
         }
         Step { system, state: start, dissipation, step: h, scratch }.balance(right);
-        system.mass_times(&self.source, &mut self.mass);
+        system.mass_times(&taken.solution.prescribed_middle.drives, &self.source, &mut self.mass);
         for (right, source) in right.iter_mut().zip(&self.mass) {
             *right += multiple * source;
         }
@@ -217,7 +218,7 @@ impl Estimator {
         let Taken { state, dissipation, span: Span { step: h, .. }, solution, strain_rates } = *taken;
         let start = self.start.get_or_insert_default();
         start.copy_motion_from(state);
-        system.mass_times(&error.velocity, &mut self.mass);
+        system.mass_times(&state.prescribed.drives, &error.velocity, &mut self.mass);
         for (list, change) in
             [(&mut start.q, &error.position), (&mut start.velocity, &error.velocity), (&mut start.momentum, &self.mass)]
         {
@@ -238,7 +239,7 @@ impl Estimator {
         scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
         scratch.prescribed_end.copy_from(&solution.prescribed_end);
         let first = scratch.frames_start.of(system, start);
-        system.begin_step(&first, &start.velocity, &mut scratch.starts, None);
+        system.begin_step(&first, &solution.prescribed_middle.drives, &start.velocity, &mut scratch.starts, None);
         // The dissipation is that of the step, as far as it knows the start.
         scratch.start_rates.clone_from(&solution.start_rates);
         let known = error.velocity.iter().zip(&error.acceleration).zip(&solution.increment);
@@ -303,7 +304,7 @@ impl Estimator {
         targets.iter_mut().for_each(|target| *target = -*target);
         system.add_constraint_rates(projection.constraint_momenta(system).0, &next.velocity, targets);
         let (momentum, conditions) = right.split_at_mut(velocity.len());
-        system.mass_times(velocity, momentum);
+        system.mass_times(&next.prescribed.drives, velocity, momentum);
         for (condition, target) in conditions.iter_mut().zip(&*targets) {
             *condition = target / multiple;
         }
@@ -326,10 +327,11 @@ impl Estimator {
         let coordinates = velocity.len();
         targets.fill(0.0);
         system.add_constraint_rates(&solution.gradients_end, velocity, targets);
-        system.mass_times(velocity, &mut right[..coordinates]);
+        let drives = &solution.prescribed_middle.drives;
+        system.mass_times(drives, velocity, &mut right[..coordinates]);
         right[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(right)?;
-        system.mass_times(&right[..coordinates], &mut filtered[..coordinates]);
+        system.mass_times(drives, &right[..coordinates], &mut filtered[..coordinates]);
         filtered[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(filtered)?;
         for (velocity, (once, twice)) in velocity.iter_mut().zip(right.iter().zip(&*filtered)) {

@@ -1,0 +1,92 @@
+//! What is wrong with the beams that winches pay out: the material passes through the mesh, so that it must be alike everywhere and free between the ends.
+
+use super::{Checker, sections};
+use crate::mechanics::beam::design::Elements;
+use crate::model::file::entries::actuator::Action;
+use crate::model::file::entries::curve::Line;
+use crate::model::file::entries::load::Target;
+use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
+use crate::model::file::entries::winch::WinchSpec;
+use crate::model::file::reader::anchor::{Anchor, Spot};
+
+impl Checker<'_> {
+    /// Reports what a winch and its beam cannot have.
+    pub(super) fn check_winch(&mut self, winch: &WinchSpec) {
+        self.check_paid_out(winch);
+        let document = self.document;
+        let mut held: Vec<(&str, &str, Anchor)> = Vec::new();
+        for joint in &document.joints {
+            held.extend([joint.a, joint.b].map(|side| ("joint", joint.name.as_str(), side)));
+        }
+        for spring in &document.springs {
+            held.extend(spring.ends().into_iter().flatten().map(|end| ("spring", spring.name.as_str(), end)));
+        }
+        for actuator in &document.actuators {
+            if let Action::Between { a, b } = actuator.action {
+                held.extend([a, b].map(|end| ("actuator", actuator.name.as_str(), end)));
+            }
+        }
+        for load in &document.loads {
+            match load.target {
+                Target::At(anchor) => held.push(("load", &load.name, anchor)),
+                Target::On(beam) if beam == winch.beam => {
+                    let message = format!("winch {} pays out a beam with load {} along it", winch.name, load.name);
+                    let label = "a beam that is paid out has its weight along it, and no other load";
+                    self.mistake(
+                        load.place,
+                        &message,
+                        label,
+                        "apply the load to the far end of the beam, or to another beam",
+                    );
+                }
+                Target::On(_) => {}
+            }
+        }
+        for (kind, name, anchor) in held {
+            if matches!(anchor.spot, Spot::Beam { beam, .. } if beam == winch.beam)
+                && let Some((_, fraction)) = self.fraction(&anchor)
+                && fraction > 0.0
+                && fraction < 1.0
+            {
+                let message =
+                    format!("{kind} {name} holds on to a beam that winch {} pays out, between its ends", winch.name);
+                let label = "the material passes through there: only .start and .end can be held";
+                self.mistake(anchor.place, &message, label, "hold an end of the beam, or divide it into two beams");
+            }
+        }
+        let simulation = &document.simulation;
+        if simulation.analysis == Analysis::Dynamic
+            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
+        {
+            let message = format!("generalized_alpha does not support winches, and {} is one", winch.name);
+            self.mistake(
+                winch.place,
+                &message,
+                "a model with this winch needs another integrator",
+                "leave integrator out: the default supports winches",
+            );
+        }
+    }
+
+    /// Reports a beam that cannot be paid out.
+    fn check_paid_out(&mut self, winch: &WinchSpec) {
+        let document = self.document;
+        let Some(beam) = document.beams.get(winch.beam) else { return };
+        let varies =
+            document.sections.get(beam.section).is_some_and(|own| sections::along(document, own, 1.0).is_some());
+        let has_corners = matches!(&beam.line, Some(Line::Curved(curve)) if curve.polyline);
+        let objection = if matches!(beam.formulation, Elements::Ancf24 { .. }) {
+            "its elements are of ancf24: use element = \"ancf14\""
+        } else if varies {
+            "its section must be the same everywhere, with y and z as its principal axes and the tension center on the axis"
+        } else if beam.free_curvature.is_some() || beam.free_torsion.is_some() {
+            "it can have no free_curvature or free_torsion of its own"
+        } else if has_corners {
+            "it has corners: use a straight line, or a smooth curve"
+        } else {
+            return;
+        };
+        let message = format!("winch {} cannot pay out beam {}", winch.name, beam.name);
+        self.mistake(winch.place, &message, objection, "");
+    }
+}

@@ -1,0 +1,354 @@
+//! Beams that winches pay out. At a given instant such a beam is one of another free length; in motion its mass grows and passes through the mesh.
+
+use crate::curves::{Curves, load};
+use crate::motion::step_derivatives::worst;
+use crate::running;
+use ancf14::fmi::{Model, Value};
+
+/// A bent and twisted cantilever of 1 m that is drawn with `length` m and pays out `paid` m, with a body, its weight and a force and a moment at its end.
+fn cantilever(length: f64, paid: f64, more: &str) -> String {
+    format!(
+        "format = 1
+        [model]
+        name = \"cantilever\"
+        gravity = [1, -3, -2]
+        [section.strip]
+        shape = \"rigidities\"
+        EA = 2e3
+        EI_y = 3
+        EI_z = 2
+        GJ = 1
+        line_density = 0.4
+        [beam.strip]
+        section = \"strip\"
+        from = [0, 0, 0]
+        to = [{length}, 0, 0]
+        elements = 5
+        {more}
+        [joint.root]
+        type = \"weld\"
+        a = \"ground\"
+        b = \"strip.start\"
+        [winch.reel]
+        at = \"strip.start\"
+        length = {paid}
+        [load.hand]
+        at = \"strip.end\"
+        force = [-1, 2, 1]
+        moment = [0.5, 0.2, 0.1]
+        [output.end]
+        at = \"strip.end\"
+        quantities = [\"position\"]
+        [output.within]
+        at = \"strip@0.3\"
+        quantities = [\"section_force\", \"section_moment\", \"curvature\", \"torsion\"]
+        [output.root]
+        at = \"root\"
+        quantities = [\"reaction_force\", \"reaction_moment\"]
+        [simulation]
+        analysis = \"static\"
+        stop = 1
+        step = 1
+        totals = [\"energy\"]"
+    )
+}
+
+/// A beam that has paid out 0.4 m, or hauled it in, is the beam that is drawn as long: the same equations, but for round-off, which a tolerance of 1e-10 leaves.
+#[test]
+fn a_length_paid_out_is_a_length_drawn() {
+    // A pretwist is a torsion without stress, which stays what it is per length.
+    for more in [
+        "strain = \"small\"",
+        "strain = \"large\"",
+        "twist = \"quadratic\"",
+        "strain = \"large_truncated\"",
+        "pretwist = 0.3*LENGTH",
+    ] {
+        for paid in [0.4, -0.4] {
+            let run = |length: f64, paid: &str| {
+                // As drawn at t = 0, and then at the length of t = 1.
+                let more = more.replace("0.3*LENGTH", &(0.3 * length).to_string());
+                let text = cantilever(length, 0.0, &more).replace("length = 0\n", &format!("length = {paid}\n"));
+                Curves::run(&text, &[("simulation.tolerance", "1e-12")])
+            };
+            let (winch, drawn) = (run(1.0, &format!("\"{paid}*t\"")), run(1.0 + paid, "0"));
+            let of_outputs = ["end.position", "within.", "root.", "energy."];
+            for name in winch.names().iter().filter(|name| of_outputs.iter().any(|own| name.starts_with(own))) {
+                let (own, other) = (winch.last(name), drawn.last(name));
+                assert!((own - other).abs() < 1e-9 * other.abs().max(1.0), "{more} {paid} {name}: {own} {other}");
+            }
+        }
+    }
+}
+
+/// A load of 20 kg on a rope of 1.2 kg/m, let down from 4 m by 6 m within 2 s, as stiff as a bar.
+fn hoist(motion: &str, more: &str) -> String {
+    format!(
+        "format = 1
+        [model]
+        name = \"hoist\"
+        gravity = [0, 0, -10]
+        [section.rope]
+        shape = \"rigidities\"
+        EA = 1e7
+        EI_y = 1
+        EI_z = 1
+        GJ = 1
+        line_density = 1.2
+        [beam.rope]
+        section = \"rope\"
+        from = [0, 0, 0]
+        to = [0, 0, -4]
+        y_axis = [0, 1, 0]
+        elements = 4
+        tension_damping = 1e-2
+        [body.load]
+        mass = 20
+        position = [0, 0, -4]
+        inertia = [1, 1, 1]
+        [joint.top]
+        type = \"weld\"
+        a = \"ground\"
+        b = \"rope.start\"
+        [joint.hook]
+        type = \"weld\"
+        a = \"rope.end\"
+        b = \"load\"
+        [winch.hoist]
+        at = \"rope.start\"
+        {motion}
+        [output.mass]
+        at = \"load\"
+        quantities = [\"position\", \"velocity\"]
+        [output.hang]
+        at = \"top\"
+        quantities = [\"reaction_force\"]
+        [simulation]
+        initial = \"equilibrium\"
+        stop = 2
+        step = 1e-3
+        output_step = 0.05
+        totals = [\"energy\", \"work\", \"momentum\"]
+        {more}"
+    )
+}
+
+/// From rest to rest: `6 (10 x³ − 15 x⁴ + 6 x⁵)` with `x = t/2`.
+const SMOOTH: &str = "length = \"6*(10*(t/2)^3 - 15*(t/2)^4 + 6*(t/2)^5)\"";
+
+/// The same with its rate and acceleration, m.
+fn smooth(t: f64) -> [f64; 3] {
+    let x = 0.5 * t;
+    [
+        6.0 * x * x * x * (10.0 - 15.0 * x + 6.0 * x * x),
+        3.0 * 30.0 * x * x * (1.0 - 2.0 * x + x * x),
+        1.5 * 60.0 * x * (1.0 - 3.0 * x + 2.0 * x * x),
+    ]
+}
+
+/// All of the rope moves as the load does: the winch holds `(m + ρ L)(g − a)`, the energies are those of a rigid rope, and the winch gives what they change by. The rope stretches by 3e-5; the
+/// vibration that the jerk of the winch raises is damped within 1e-2 of its period.
+#[test]
+fn a_heavy_rope_lets_down_a_load() {
+    let curves = Curves::run(&hoist(SMOOTH, ""), &[]);
+    let column = |name: &str| curves.column(name);
+    let (pull, height, work) = (column("hang.reaction_force[3]"), column("mass.position[3]"), column("work.drives"));
+    let (kinetic, total) = (column("energy.kinetic"), column("energy.total"));
+    let (momentum, drift) = (column("momentum.linear[3]"), column("work.drift"));
+    for (row, &t) in curves.time.iter().enumerate() {
+        let [paid, v, a] = smooth(t);
+        let length = 4.0 + paid;
+        let mass = 20.0 + 1.2 * length;
+        assert!((height[row] + length).abs() < 1e-3, "{t}: {} {length}", height[row]);
+        assert!((pull[row] - mass * (10.0 - a)).abs() < 0.5, "{t}: {} {}", pull[row], mass * (10.0 - a));
+        assert!((momentum[row] + mass * v).abs() < 5e-3 * mass * 5.6, "{t}: {} {}", momentum[row], mass * v);
+        assert!(
+            (kinetic[row] - 0.5 * mass * v * v).abs() < 5e-3 * 500.0,
+            "{t}: {} {}",
+            kinetic[row],
+            0.5 * mass * v * v
+        );
+        let gravity = -10.0 * (20.0 * length + 0.6 * length * length);
+        assert!((total[row] - kinetic[row] - gravity).abs() < 0.5, "{t}: {} {gravity}", total[row] - kinetic[row]);
+        assert!((work[row] - (total[row] - total[0])).abs() < 1e-4 * 2000.0, "{t}: {} {}", work[row], drift[row]);
+    }
+    let [first, last] = [0, curves.time.len() - 1].map(|row| pull[row]);
+    assert!((first - 248.0).abs() < 1e-6 && (last - 320.0).abs() < 0.5, "{first} {last}");
+}
+
+/// What the winch does not account for falls with the square of the step.
+#[test]
+fn the_account_of_a_winch_closes_to_second_order() {
+    let drift = |step: &str| {
+        let curves = Curves::run(&hoist(SMOOTH, ""), &[("simulation.step", step)]);
+        curves.column("work.drift").iter().fold(0.0, |most: f64, own| most.max(own.abs()))
+    };
+    let found = ["4e-3", "2e-3", "1e-3"].map(drift);
+    let orders = [0, 1].map(|k| (found[k] / found[k + 1]).log2());
+    println!("{found:?} {orders:?}");
+    assert!(orders.iter().all(|order| *order > 1.6), "{found:?}");
+    assert!(found[2] < 1e-4 * 2000.0);
+}
+
+/// A rod on a pivot that is pushed out while it swings, as stiff as can be.
+fn rod(step: &str) -> String {
+    format!(
+        "format = 1
+        [model]
+        name = \"rod\"
+        gravity = [0, 0, -10]
+        [section.rod]
+        shape = \"rigidities\"
+        EA = 1e6
+        EI_y = 1e5
+        EI_z = 1e5
+        GJ = 1e3
+        line_density = 2
+        damping = 1e-3
+        [beam.rod]
+        section = \"rod\"
+        from = [0, 0, 0]
+        to = [1, 0, 0]
+        elements = 3
+        [joint.pivot]
+        type = \"revolute\"
+        a = \"ground\"
+        b = \"rod.start\"
+        axis = [0, 1, 0]
+        [winch.push]
+        at = \"rod.start\"
+        length = \"0.3*t^3*(2 - t)\"
+        [output.tip]
+        at = \"rod.end\"
+        quantities = [\"position\"]
+        [output.swing]
+        at = \"pivot\"
+        quantities = [\"angle\"]
+        [simulation]
+        initial = \"as_drawn\"
+        stop = 1.5
+        step = {step}
+        output_step = 0.05"
+    )
+}
+
+/// The angular momentum of a rod that comes out of its pivot: `(ρL³/3) φ'' + ρL² L' φ' = (ρ g L²/2) cos φ`. Without the Coriolis forces of what moves through the mesh, the swing would be off
+/// by a tenth. The rod bends by 1e-4.
+#[test]
+fn a_rod_that_is_pushed_out_swings_slower() {
+    let curves = Curves::run(&rod("1e-3"), &[]);
+    let angle = curves.column("swing.angle");
+    let rate = |t: f64, [phi, omega]: [f64; 2]| {
+        let (length, speed) = (1.0 + 0.3 * t * t * t * (2.0 - t), 0.3 * t * t * (6.0 - 4.0 * t));
+        [omega, 1.5 * 10.0 / length * phi.cos() - 3.0 * speed / length * omega]
+    };
+    let (mut state, mut t) = ([0.0, 0.0], 0.0);
+    let h = 1e-3;
+    for (row, &time) in curves.time.iter().enumerate() {
+        while t < time - 0.5 * h {
+            let add = |from: [f64; 2], by: [f64; 2], h: f64| [from[0] + h * by[0], from[1] + h * by[1]];
+            let k1 = rate(t, state);
+            let k2 = rate(t + 0.5 * h, add(state, k1, 0.5 * h));
+            let k3 = rate(t + 0.5 * h, add(state, k2, 0.5 * h));
+            let k4 = rate(t + h, add(state, k3, h));
+            for i in 0..2 {
+                state[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+            }
+            t += h;
+        }
+        assert!((angle[row] - state[0]).abs() < 2e-3, "{time}: {} {}", angle[row], state[0]);
+    }
+    assert!(angle.iter().any(|angle| *angle > 2.0), "it has swung through");
+}
+
+/// A host that gives the length or the rate moves the load as a function of time does, as far as its straight pieces follow it.
+#[test]
+fn a_host_pays_out() {
+    let function = Curves::run(&hoist("length = \"0.5*t^2\"", ""), &[]);
+    for (motion, value) in [("input = \"length\"", "length"), ("input = \"rate\"", "rate")] {
+        let mut simulation = load(&hoist(motion, ""), &[]);
+        let name = format!("hoist.{value}");
+        let input = simulation.variables().iter().position(|variable| variable.name == name).unwrap();
+        let height = function.column("mass.position[3]");
+        let mut largest = 0.0_f64;
+        for (row, &t) in function.time.iter().enumerate().skip(1) {
+            let given = if *value == *"rate" { t } else { 0.5 * t * t };
+            simulation.set_value(input, Value::Real(given)).unwrap();
+            simulation.advance(t).unwrap();
+            largest = largest.max((running::value(&simulation, "mass.position[3]") - height[row]).abs());
+        }
+        println!("{motion}: {largest:.1e} m");
+        assert!(largest < 1e-5, "{motion}: {largest}");
+    }
+}
+
+/// Hauling in all of a beam is refused in words, and the state before stays.
+#[test]
+fn a_winch_must_leave_something() {
+    let mut simulation = load(&hoist("length = \"-3.9*t*t\"", ""), &[]);
+    simulation.advance(0.9).unwrap();
+    let failure = simulation.advance(1.2).unwrap_err().message;
+    assert!(failure.contains("winch hoist leaves") && failure.contains("haul in less"), "{failure}");
+}
+
+/// A rope with a load that a host pays out: the free length changes strains, mass and what passes through the mesh.
+#[test]
+fn derivatives_by_what_a_winch_pays_out() {
+    for word in ["length", "rate"] {
+        let model = format!(
+            "format = 1
+            [model]
+            name = \"Winch\"
+            gravity = [1, 2, -9.81]
+            [section.rope]
+            shape = \"rigidities\"
+            EA = 1e4
+            EI_y = 2
+            EI_z = 2
+            GJ = 1
+            line_density = 2
+            damping = 1e-3
+            [beam.rope]
+            section = \"rope\"
+            from = [0, 0, 0]
+            to = [0, 0, -1]
+            y_axis = [0, 1, 0]
+            elements = 3
+            [body.load]
+            mass = 1
+            position = [0, 0, -1]
+            inertia = [0.1, 0.1, 0.1]
+            [joint.top]
+            type = \"weld\"
+            a = \"ground\"
+            b = \"rope.start\"
+            [joint.hook]
+            type = \"weld\"
+            a = \"rope.end\"
+            b = \"load\"
+            [winch.hoist]
+            at = \"rope.start\"
+            input = \"{word}\"
+            [output.hanging]
+            at = \"load\"
+            quantities = [\"position\", \"velocity\", \"acceleration\"]
+            [output.pull]
+            at = \"top\"
+            quantities = [\"reaction_force\", \"reaction_moment\"]
+            [output.within]
+            at = \"rope@0.5\"
+            quantities = [\"section_force\", \"curvature\", \"velocity\"]
+            [simulation]
+            stop = 1
+            step = 2e-3
+            output_step = 2e-3
+            tolerance = 1e-12"
+        );
+        for (step, steps) in [(2e-3, 1), (4e-3, 5)] {
+            let (error, what) = worst(load(&model, &[]), step, steps);
+            println!("{word}, {steps} steps: {error:.1e} ({what})");
+            // The differences leave 5e-5 of a family; a term that is missing shows at 1e-2.
+            assert!(error < 1e-4, "{word}: {error:.1e} ({what})");
+        }
+    }
+}
