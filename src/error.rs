@@ -138,6 +138,18 @@ t = decimal(*.time)
         /// Where its joint is.
         reading: f64,
     },
+    /// A motion begins with a state in which a winch has paid out another length.
+    #[error(
+        "winch {winch} has paid out {then:.6} m in the state, but begins at {now:.6} m; let `length` begin there, or give its rate"
+    )]
+    PaidOutOtherwise {
+        /// The winch.
+        winch: String,
+        /// What it has paid out in the state, m.
+        then: f64,
+        /// What it begins with, m.
+        now: f64,
+    },
     /// A winch hauls in too much.
     #[error(
         "winch {winch} leaves {left:.3} m of its beam at t = {t} s: at least {least:.3} m must stay; haul in less",
@@ -171,6 +183,16 @@ end = decimal(*.to)
         to: f64,
         /// Most turns in a step.
         limit: f64,
+    },
+    /// A winch does not begin at the length as drawn.
+    #[error(
+        "winch {winch} begins at {value} m, but nothing has been paid out as drawn; let `length` begin at 0, or take initial = \"equilibrium\""
+    )]
+    WinchNotAtZero {
+        /// The winch.
+        winch: String,
+        /// What it has paid out at the start, m.
+        value: f64,
     },
     /// A drive does not begin where the system is drawn.
     #[error(

@@ -70,6 +70,12 @@ impl Drive {
         }
     }
 
+    /// Its name with what it is.
+    pub fn label(&self) -> String {
+        let kind = if self.coordinate.is_some() { "drive" } else { "winch" };
+        format!("{kind} {}", self.name)
+    }
+
     /// The function of time that its value or rate is; none where a host gives it.
     pub fn signal(&self) -> Option<&Signal> {
         match &self.guide {

@@ -99,7 +99,7 @@ impl System {
                     && signal.breaks_at(time)
                     && signal.jump(time).abs() > least
                 {
-                    tell(format!("the value of drive {}", drive.name), signal.jump(time));
+                    tell(format!("the value of {}", drive.label()), signal.jump(time));
                 }
             }
             for frame in &self.moving_frames {

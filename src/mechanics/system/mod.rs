@@ -184,7 +184,7 @@ impl System {
             (true, false) => "rate",
             (true, true) => "acceleration",
         };
-        let drive = drive.map(|(drive, jet)| format!("the {} of drive {}", part(jet), drive.name));
+        let drive = drive.map(|(drive, jet)| format!("the {} of {}", part(jet), drive.label()));
         drive.or_else(|| frame.map(|(frame, _)| format!("the motion of frame {}", frame.name)))
     }
 

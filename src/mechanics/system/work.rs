@@ -71,8 +71,8 @@ impl System {
         self.add_external(c, &passage, excitation, forces);
         let mut found = StepEnergy { work: -dot(forces, step.increment), ..StepEnergy::default() };
         let of_beams = step.of_beams();
+        // Not part of the work: the energies of that account have no weight in them.
         found.by_winches = self.lifted_by_winches(c, step, &excitation.gravity);
-        found.work += found.by_winches;
         for element in &self.mesh.elements {
             let [energy, taken, given] = element.finish_step(&c.beams, &of_beams, forces, strain_rates);
             found.elastic += energy;

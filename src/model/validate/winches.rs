@@ -1,4 +1,4 @@
-//! What is wrong with the beams that winches pay out: the material passes through the mesh, so that it must be alike everywhere and free between the ends.
+//! What is wrong with the beams that winches pay out: the material passes through the mesh, so that it must be the same everywhere and free between the ends.
 
 use super::{Checker, sections};
 use crate::mechanics::beam::design::Elements;
@@ -14,6 +14,7 @@ impl Checker<'_> {
     pub(super) fn check_winch(&mut self, winch: &WinchSpec) {
         self.check_paid_out(winch);
         let document = self.document;
+        let Some(paid_out) = document.beams.get(winch.beam).map(|_| winch.beam) else { return };
         let mut held: Vec<(&str, &str, Anchor)> = Vec::new();
         for joint in &document.joints {
             held.extend([joint.a, joint.b].map(|side| ("joint", joint.name.as_str(), side)));
@@ -44,7 +45,8 @@ impl Checker<'_> {
         }
         for (kind, name, anchor) in held {
             if matches!(anchor.spot, Spot::Beam { beam, .. } if beam == winch.beam)
-                && let Some((_, fraction)) = self.fraction(&anchor)
+                && let Spot::Beam { along, .. } = anchor.spot
+                && let Some(fraction) = self.lines.fraction(document, paid_out, along)
                 && fraction > 0.0
                 && fraction < 1.0
             {
@@ -81,6 +83,10 @@ impl Checker<'_> {
             "its section must be the same everywhere, with y and z as its principal axes and the tension center on the axis"
         } else if beam.free_curvature.is_some() || beam.free_torsion.is_some() {
             "it can have no free_curvature or free_torsion of its own"
+        } else if beam.temperature.is_some() || beam.temperature_gradient.is_some() {
+            "it can have no temperature: its material passes from place to place"
+        } else if sections::damping(document, beam).is_some_and(|[_, mass]| mass != 0.0) {
+            "it can have no damping in proportion to its mass (mass_damping, damping_ratios), which does not know how fast its material moves"
         } else if has_corners {
             "it has corners: use a straight line, or a smooth curve"
         } else {

@@ -71,6 +71,21 @@ pub fn check_assembled(system: &System, state: &State) -> Result<(), Error> {
     Ok(())
 }
 
+/// Checks that the winches of `state`, the start of a motion, have paid out what they had in the state `from` that it begins with.
+///
+/// # Errors
+/// One has not.
+pub fn check_paid_out(system: &System, from: &State, state: &State) -> Result<(), Error> {
+    for winch in &system.winches {
+        let [then, now] = [from, state].map(|state| state.prescribed.drives[winch.drive].value);
+        let gap = (now - then).abs();
+        if gap.is_nan() || gap > DRAWN_GAP * system.size.max(1.0) {
+            return Err(Error::PaidOutOtherwise { winch: system.drives[winch.drive].name.clone(), then, now });
+        }
+    }
+    Ok(())
+}
+
 /// Checks that the drives begin where the system is drawn: at zero.
 ///
 /// # Errors
@@ -82,7 +97,11 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
     let motion = system.prescribe_start(state.time, &state.prescribed, &state.targets);
     for (drive, jet) in system.drives.iter().zip(&motion.drives) {
         if jet.value.is_nan() || jet.value.abs() > DRAWN_GAP {
-            return Err(Error::DriveNotAtZero { drive: drive.name.clone(), value: jet.value });
+            let (name, value) = (drive.name.clone(), jet.value);
+            return Err(match drive.coordinate {
+                Some(_) => Error::DriveNotAtZero { drive: name, value },
+                None => Error::WinchNotAtZero { winch: name, value },
+            });
         }
     }
     Ok(())

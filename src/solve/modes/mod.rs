@@ -9,6 +9,7 @@ pub mod subspace;
 use self::subspace::{Subspace, combination, dot};
 use crate::error::Error;
 use crate::math::blocks::Blocks;
+use crate::math::jet::Jet;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
@@ -102,15 +103,16 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     let constraints = system.constraints() - system.released_constraints(&state.prescribed);
     let freedoms = system.coordinates().saturating_sub(constraints);
     let wanted = count.min(freedoms);
-    let mut block = Subspace::new(system, wanted + GUARDS.max(wanted).min(freedoms - wanted));
-    let [stiff, forced] = scales(system, &symmetric, &response);
+    let drives = &rest.prescribed.drives;
+    let mut block = Subspace::new(system, drives, wanted + GUARDS.max(wanted).min(freedoms - wanted));
+    let [stiff, forced] = scales(system, drives, &symmetric, &response);
     let largest = stiff + forced;
     // Without any stiffness every shift is as good.
     let [mut shift, mut least] =
         if largest > 0.0 { [FIRST_SHIFT, LEAST_SHIFT].map(|share| share * largest) } else { [1.0; 2] };
-    shift = positive_shift(system, &mut kkt, &symmetric, shift, time)?;
+    shift = positive_shift(system, drives, &mut kkt, &symmetric, shift, time)?;
     kkt.check_unique(system, time)?;
-    let imbalance = imbalance(system, &response.acceleration, &mut kkt);
+    let imbalance = imbalance(system, drives, &response.acceleration, &mut kkt);
 
     let mut last = f64::INFINITY;
     for number in 0.. {
@@ -131,7 +133,7 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
         if number >= MOST_SWEEPS {
             return Err(Error::ModesNotFound { time, error });
         } else if WORTHWHILE * better < shift {
-            let lower = positive_shift(system, &mut kkt, &symmetric, better, time)?;
+            let lower = positive_shift(system, drives, &mut kkt, &symmetric, better, time)?;
             if WORTHWHILE * better < lower {
                 // Below this one round-off counts motions that release energy: another attempt would end here again.
                 least = lower;
@@ -160,6 +162,7 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
 /// The matrix is singular.
 pub fn positive_shift(
     system: &System,
+    drives: &[Jet],
     kkt: &mut Kkt,
     stiffness: &Blocks,
     mut shift: f64,
@@ -167,7 +170,7 @@ pub fn positive_shift(
 ) -> Result<f64, Error> {
     for _ in 0..MOST_SHIFTS {
         kkt.blocks.clone_from(stiffness);
-        system.add_mass(&[], shift, &mut kkt.blocks);
+        system.add_mass(drives, shift, &mut kkt.blocks);
         kkt.factorize(system, time)?;
         if kkt.releasing_motions(system).is_none_or(|count| count == 0) {
             break;
@@ -178,16 +181,16 @@ pub fn positive_shift(
 }
 
 /// The `μ` to begin with where nothing is known but the stiffness, 1/s².
-pub fn first_shift(system: &System, stiffness: &Blocks) -> f64 {
-    let (vector, mass) = without_pattern(system);
+pub fn first_shift(system: &System, drives: &[Jet], stiffness: &Blocks) -> f64 {
+    let (vector, mass) = without_pattern(system, drives);
     FIRST_SHIFT * stiffness.magnitude(&vector) / mass
 }
 
 /// A motion without pattern, and `xᵀ M x` of it.
-fn without_pattern(system: &System) -> (Vec<f64>, f64) {
+fn without_pattern(system: &System, drives: &[Jet]) -> (Vec<f64>, f64) {
     let vector: Vec<f64> = (0..system.coordinates()).map(|index| irregular(index) * size(system, index)).collect();
     let mut mass = vec![0.0; vector.len()];
-    system.mass_times(&[], &vector, &mut mass);
+    system.mass_times(drives, &vector, &mut mass);
     let mass = dot(&vector, &mass);
     (vector, mass)
 }
@@ -211,19 +214,19 @@ fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt)
 
 /// `ω²` of a motion without pattern, if nothing canceled, 1/s²: by the stiffness, and by what the forces that act, of constraints and
 /// of inertia, would do in such a motion: a stiffness far below that is round-off of theirs.
-fn scales(system: &System, stiffness: &Blocks, response: &Response) -> [f64; 2] {
-    let (vector, mass) = without_pattern(system);
+fn scales(system: &System, drives: &[Jet], stiffness: &Blocks, response: &Response) -> [f64; 2] {
+    let (vector, mass) = without_pattern(system, drives);
     let mut inertia = vec![0.0; vector.len()];
-    system.mass_times(&[], &response.acceleration, &mut inertia);
+    system.mass_times(drives, &response.acceleration, &mut inertia);
     let transmitted: f64 = response.multipliers.iter().map(|force| force.abs() * system.size).sum();
     let accelerating: f64 = inertia.iter().enumerate().map(|(index, force)| force.abs() * size(system, index)).sum();
     [stiffness.magnitude(&vector) / mass, (transmitted + accelerating) / mass]
 }
 
 /// Size of the correction by which Newton would go to the equilibrium from where the system has this `acceleration`.
-fn imbalance(system: &System, acceleration: &[f64], kkt: &mut Kkt) -> f64 {
+fn imbalance(system: &System, drives: &[Jet], acceleration: &[f64], kkt: &mut Kkt) -> f64 {
     let mut right = vec![0.0; system.coordinates() + system.constraints()];
-    system.mass_times(&[], acceleration, &mut right[..system.coordinates()]);
+    system.mass_times(drives, acceleration, &mut right[..system.coordinates()]);
     // Without a solution it is far from any.
     if kkt.solve_again(&mut right).is_err() { f64::INFINITY } else { system.correction_size(&right).0 }
 }

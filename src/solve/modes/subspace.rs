@@ -3,6 +3,7 @@
 //!
 //! The vectors stay a block, so that motions of one frequency come out together, as many as there are.
 
+use crate::math::jet::Jet;
 use crate::mechanics::system::System;
 use crate::solve::linear::{Singular, irregular};
 use crate::solve::newton::kkt::Kkt;
@@ -26,14 +27,16 @@ pub struct Subspace {
     vectors: Vec<Vec<f64>>,
     /// `M` times each.
     masses: Vec<Vec<f64>>,
+    /// The values of the drives that the mass is at.
+    drives: Vec<Jet>,
 }
 
 impl Subspace {
     /// `count` vectors without pattern; the first sweep makes them motions that the constraints allow, and its numbers mean nothing.
-    pub fn new(system: &System, count: usize) -> Self {
+    pub fn new(system: &System, drives: &[Jet], count: usize) -> Self {
         let odd = |vector: usize, index: usize| irregular((2 * vector + 1) * index + vector) - 1.0;
         let vectors = (0..count).map(|vector| (0..system.coordinates()).map(|index| odd(vector, index)).collect());
-        let mut block = Self::default();
+        let mut block = Self { drives: drives.to_vec(), ..Self::default() };
         vectors.for_each(|vector| block.take(system, vector));
         block
     }
@@ -69,6 +72,7 @@ impl Subspace {
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_by(|a, b| eigen.eigenvalues[*b].abs().total_cmp(&eigen.eigenvalues[*a].abs()));
         let before = std::mem::take(self);
+        self.drives.clone_from(&before.drives);
         let mut outcome = Vec::with_capacity(count);
         for own in order {
             let weights = eigen.eigenvectors.column(own);
@@ -78,7 +82,7 @@ impl Subspace {
             let strayed: Vec<f64> =
                 image.iter().zip(mixed(&before.vectors)).map(|(image, x)| image - inverse * x).collect();
             let mut mass = vec![0.0; coordinates];
-            system.mass_times(&[], &strayed, &mut mass);
+            system.mass_times(&self.drives, &strayed, &mut mass);
             let error = dot(&strayed, &mass).max(0.0).sqrt() / inverse.abs();
             let held = self.vectors.len();
             self.take(system, image);
@@ -92,7 +96,7 @@ impl Subspace {
     /// Adds `vector`, made orthonormal to the others, unless it is made of them.
     fn take(&mut self, system: &System, mut vector: Vec<f64>) {
         let mut mass = vec![0.0; vector.len()];
-        system.mass_times(&[], &vector, &mut mass);
+        system.mass_times(&self.drives, &vector, &mut mass);
         let whole = dot(&vector, &mass);
         // Twice: what the first time leaves by round-off is gone after the second.
         for _ in 0..2 {
@@ -101,7 +105,7 @@ impl Subspace {
                 vector.iter_mut().zip(other).for_each(|(value, other)| *value -= share * other);
             }
         }
-        system.mass_times(&[], &vector, &mut mass);
+        system.mass_times(&self.drives, &vector, &mut mass);
         let left = dot(&vector, &mass);
         if left > DEPENDENT * DEPENDENT * whole {
             let scale = 1.0 / left.sqrt();

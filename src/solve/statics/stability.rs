@@ -142,10 +142,12 @@ fn moved(system: &System, state: &State, softest: &Softest) -> String {
 /// The softest motion about `state` of the system whose matrix `kkt` has and has factorized; it then has another one. None where it is not found.
 pub fn softest(system: &System, kkt: &mut Kkt, state: &State) -> Option<Softest> {
     let stiffness = kkt.blocks.symmetric_part();
-    modes::positive_shift(system, kkt, &stiffness, modes::first_shift(system, &stiffness), state.time).ok()?;
+    let drives = &state.prescribed.drives;
+    let shift = modes::first_shift(system, drives, &stiffness);
+    modes::positive_shift(system, drives, kkt, &stiffness, shift, state.time).ok()?;
     let constraints = system.constraints() - system.released_constraints(&state.prescribed);
     let freedoms = system.coordinates().saturating_sub(constraints);
-    let mut block = Subspace::new(system, BLOCK.min(freedoms));
+    let mut block = Subspace::new(system, drives, BLOCK.min(freedoms));
     let (mut sweep, mut is_found) = (0, false);
     while sweep < MOST_SWEEPS && !is_found {
         let ritz = block.sweep(system, kkt).ok()?;

@@ -81,6 +81,71 @@ fn a_length_paid_out_is_a_length_drawn() {
     }
 }
 
+/// A rope that is drawn slack, pinned at both ends, and paid out: a catenary of the length `L = 2 a sinh(d/2a)`, with the sag `a (cosh(d/2a) − 1)` and the horizontal pull `ρ g a`. The rope stretches by 1e-4,
+/// and its bending stiffness rounds off its ends by `sqrt(EI/H)`, 2 mm.
+#[test]
+fn a_rope_that_is_paid_out_hangs_as_a_catenary() {
+    let text = "format = 1
+        [model]
+        name = \"catenary\"
+        gravity = [0, 0, -10]
+        [section.rope]
+        shape = \"rigidities\"
+        EA = 1e5
+        EI_y = 2e-5
+        EI_z = 2e-5
+        GJ = 1e-3
+        line_density = 1
+        [beam.rope]
+        section = \"rope\"
+        curve = { x = \"s\", y = 0, z = \"-1.2*s*(1 - s)\", s = [0, 1] }
+        elements = 24
+        [joint.left]
+        type = \"revolute\"
+        a = \"ground\"
+        b = \"rope.start\"
+        axis = [0, 1, 0]
+        [joint.right]
+        type = \"revolute\"
+        a = \"ground\"
+        b = \"rope.end\"
+        axis = [0, 1, 0]
+        [winch.reel]
+        at = \"rope.end\"
+        length = \"0.5*t\"
+        [output.middle]
+        at = \"rope@0.5\"
+        quantities = [\"position\"]
+        [output.pull]
+        at = \"left\"
+        quantities = [\"reaction_force\"]
+        [simulation]
+        analysis = \"static\"
+        stop = 1
+        step = 0.02
+        output_step = 0.1";
+    let curves = Curves::run(text, &[]);
+    let (height, pull) = (curves.column("middle.position[3]"), curves.column("pull.reaction_force[1]"));
+    let weight = curves.column("pull.reaction_force[3]");
+    // The arc of a parabola that rises by 0.3 m on half a meter, `4 f/d = 1.2`.
+    let drawn = 0.5 * (1.0 + 1.44_f64).sqrt() + 1.2_f64.asinh() / 2.4;
+    for (row, t) in curves.time.iter().enumerate() {
+        let length = drawn + 0.5 * t;
+        // The half span over a, by bisection.
+        let (mut low, mut high) = (1e-6_f64, 20.0_f64);
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            if middle.sinh() / middle < length { low = middle } else { high = middle }
+        }
+        let a = 0.5 / low;
+        let sag = a * (low.cosh() - 1.0);
+        assert!((height[row] + sag).abs() < 2e-3 * sag, "{t}: {} {sag}", height[row]);
+        assert!((pull[row].abs() - 10.0 * a).abs() < 5e-3 * 10.0 * a, "{t}: {} {}", pull[row], 10.0 * a);
+        // Half of the weight, of all that is out.
+        assert!((weight[row].abs() - 5.0 * length).abs() < 1e-6 * length, "{t}: {}", weight[row]);
+    }
+}
+
 /// A load of 20 kg on a rope of 1.2 kg/m, let down from 4 m by 6 m within 2 s, as stiff as a bar.
 fn hoist(motion: &str, more: &str) -> String {
     format!(

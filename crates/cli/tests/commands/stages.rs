@@ -175,6 +175,36 @@ fn other_states_are_refused() {
     refused(MODEL, &from, "checksum");
 }
 
+/// A strip that has been paid out goes on with the length that it has, by another rate; a file that begins at another length, or pays out the other end, is refused.
+#[test]
+fn winches_go_on_from_their_length() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let winch = |at: &str, law: &str| format!("{MODEL}[winch.reel]\nat = \"strip.{at}\"\n{law}\n");
+    let first = winch("start", "length = \"0.05*smoothstep(0, 0.1, t)\"");
+    printed(&run(folder, &first, "first", &["--set", "simulation.stop=0.1", "--save-state", "state"]));
+    let from = ["--from-state", "state"];
+    let (whole, second) =
+        (run(folder, &first, "whole", &[]), run(folder, &winch("start", "rate = 0"), "second", &from));
+    printed(&whole);
+    printed(&second);
+    let [whole, second] = ["whole", "second"].map(|out| rows(folder, out));
+    for name in ["tip.displacement[3]", "energy.elastic"] {
+        let (own, other) = (column(&second, name), column(&whole, name));
+        let (own, other) = (own[own.len() - 1], other[other.len() - 1]);
+        // Both choose their steps.
+        assert!((own - other).abs() < 1e-2 * other.abs(), "{name}: {own} {other}");
+    }
+    for (model, text) in [
+        (winch("start", "length = 0"), "winch reel has paid out 0.050000 m in the state, but begins at 0.000000 m"),
+        (winch("end", "rate = 0"), "the state has winch reel at strip.start"),
+    ] {
+        let ran = run(folder, &model, "refused", &from);
+        let message = String::from_utf8_lossy(&ran.stderr).into_owned();
+        assert!(!ran.status.success() && message.contains(text), "{message}");
+    }
+}
+
 /// A frame that moves is drawn where it is at t = 0 in every part of the motion: another file takes the strip over from it, and a run of that file in two parts has the bits of one.
 #[test]
 fn moving_frames_go_on() {

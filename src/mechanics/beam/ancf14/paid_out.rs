@@ -187,26 +187,27 @@ impl PaidOut {
             Strain::Large | Strain::LargeTruncated => to_middle * to_middle,
         };
         let (ends, start) = ([before / now, after / now].map(power), &step.starts[self.drawn.place.branch]);
-        let stretches = [0, 1, 2].map(|m| scale * self.stretch_square(start.axial_strain(m)));
+        let stretches = [0, 1, 2].map(|m| scale * self.stretch_power(m, start.axial_strain(m)));
         Growth {
             change: stretches.map(|own| own * (ends[1] - ends[0])),
             mean: stretches.map(|own| own * 0.5 * (ends[0] + ends[1])),
         }
     }
 
-    /// What multiplies `lambda'/lambda` in the rate of an axial strain at coordinates that stand still, with the sign reversed: `1 + e`, for Green's strain `1 + 2 E`.
-    fn stretch_square(&self, strain: f64) -> f64 {
+    /// What multiplies `lambda'/lambda` in the rate of the axial strain of point `m` at coordinates that stand still, with the sign reversed: the stretch, for Green's strain its square.
+    fn stretch_power(&self, m: usize, strain: f64) -> f64 {
+        let whole = strain + self.drawn.axial[m].natural;
         match self.drawn.stiffness.strain {
-            Strain::Small => 1.0 + strain,
-            Strain::Large | Strain::LargeTruncated => 1.0 + 2.0 * strain,
+            Strain::Small => 1.0 + whole,
+            Strain::Large | Strain::LargeTruncated => 1.0 + 2.0 * whole,
         }
     }
 
     /// Rates of the strains of `evaluation`, at `c`, with the velocities `velocity` of the system, but for what the free length grows by.
     fn rates(&self, evaluation: &Evaluation, c: &BeamConfiguration, velocity: &[f64]) -> [f64; STRAINS] {
         let mut rates = evaluation.element.strain_rates(evaluation, self.drawn.own(velocity));
-        for (rate, strain) in rates.iter_mut().zip(evaluation.axial_strains()) {
-            *rate -= self.extent(c.drives).rate * self.stretch_square(strain);
+        for (m, strain) in evaluation.axial_strains().into_iter().enumerate() {
+            rates[m] -= self.extent(c.drives).rate * self.stretch_power(m, strain);
         }
         rates
     }
@@ -215,7 +216,7 @@ impl PaidOut {
     fn over(&self, c: &BeamConfiguration, passage: &Passage) -> Element {
         let mut element = self.at(c);
         if let Passage::Step(step) = passage {
-            // At the free length of the middle, whose strains the force takes, the means have what the length lacks of the mean of both ends' lengths: far more than stiff ropes bear.
+            // At the free length of the middle, whose strains the force takes, the means have what the length lacks of the mean of both ends' lengths: far more than the strain of a stiff rope.
             for (point, mean) in element.axial.iter_mut().zip(self.growth(c, step).mean) {
                 point.natural += mean;
             }
@@ -232,8 +233,8 @@ impl PaidOut {
         element.with_end(&end, c, step)
     }
 
-    /// Energy that the winch has given over a step whose middle is `c`, with its `added` resultants, but for that of the weight and of [`Self::transport_energy`], J: the elastic energy that another
-    /// free length has at the coordinates of both ends, and what the inertia, the added resultants and the means of the strains do not work.
+    /// Energy that the winch has given over a step whose middle is `c`, with its `added` resultants, J: the elastic energy that another free length has at the coordinates of both ends, less the work
+    /// of inertia, of the added resultants and of the means of the strains against the growth. The energy of the weight and the change of [`Self::transport_energy`] are not in it.
     fn given(&self, c: &BeamConfiguration, step: &TimeStep, added: &Added) -> f64 {
         let middle = self.at(c);
         let elastic =
@@ -342,8 +343,7 @@ impl BeamElement for PaidOut {
         element.add(&middle.gradient(), forces);
         self.add_transport(c, &passage, forces);
         *element.own_rates_mut(strain_rates) = middle.added.rates;
-        let heat = if element.heating.is_some() { element.work_of_heat(&middle, step) } else { 0.0 };
-        [self.energy(step.end), middle.added.taken, heat + self.given(c, step, &middle.added)]
+        [self.energy(step.end), middle.added.taken, self.given(c, step, &middle.added)]
     }
 
     fn begin_step(
@@ -356,13 +356,14 @@ impl BeamElement for PaidOut {
     ) {
         starts[self.drawn.place.branch] = StepStart::new(&self.paid_out_to(middle).evaluation(c));
         if let Some(all) = strain_rates {
-            self.set_strain_rates(c, velocity, all);
+            let element = self.at(c);
+            *element.own_rates_mut(all) = self.rates(&element.evaluation(c), c, velocity);
         }
     }
 
+    /// Those of changes, in which the free length stays what it is.
     fn set_strain_rates(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: &mut [f64]) {
-        let element = self.at(c);
-        *element.own_rates_mut(strain_rates) = self.rates(&element.evaluation(c), c, velocity);
+        self.at(c).set_strain_rates(c, velocity, strain_rates);
     }
 
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]) {
@@ -375,7 +376,7 @@ impl BeamElement for PaidOut {
         element.add(&damping::force_of_rates(&here, &rates), forces);
     }
 
-    /// Not at the rates of what grows: `generalized_alpha`, which asks for this, knows no winches.
+    /// Not at the rates of what grows: `generalized_alpha`, which asks for this, does not support winches.
     fn add_damping_and_tangent(
         &self,
         c: &BeamConfiguration,

@@ -188,6 +188,10 @@ impl SimulationSpec {
             let message = "`mesh_error` belongs to a motion: equilibria always tell their mesh error";
             reader.refuse("mesh_error", message, "remove it, or set analysis = \"dynamic\"");
         }
+        if from_state.is_some() {
+            let message = "`mesh_error` needs a run that begins as drawn or at an equilibrium: a state fits one mesh";
+            reader.refuse("mesh_error", message, "remove it, or remove `from_state`");
+        }
         let mesh_error = reader.boolean("mesh_error", false);
         let totals = totals(&mut reader, analysis);
         let steps = match step {

@@ -258,6 +258,7 @@ impl Runner {
             Analysis::Dynamic => {
                 warnings.extend(self.system.jumps(self.start, document.value(document.simulation.stop)));
                 self.set_motion(given, &mut warnings)?;
+                start::check_paid_out(&self.system, from, &self.state)?;
             }
             Analysis::Static => self.find_equilibrium(given, &mut warnings)?,
         }
@@ -312,6 +313,10 @@ fn angle(document: &Document, system: &System, own: &RelativeCoordinate) -> Stri
 /// What has a place in the state, in its order.
 fn parts(document: &Document, system: &System) -> Vec<String> {
     let beams = system.beams.iter().map(|beam| format!("beam {} with {} elements", beam.name, beam.elements()));
+    let winches = document.winches.iter().map(|own| {
+        let (beam, end) = (&document.beams[own.beam].name, if own.at_end { "end" } else { "start" });
+        format!("winch {} at {beam}.{end}", own.name)
+    });
     let named = |what: &'static str, names: Vec<&String>| {
         names.into_iter().map(move |name| format!("{what} {name}")).collect::<Vec<_>>()
     };
@@ -320,7 +325,7 @@ fn parts(document: &Document, system: &System) -> Vec<String> {
         .chain(named("frame", document.frames.iter().map(|own| &own.name).collect()))
         .chain(named("joint", document.joints.iter().map(|own| &own.name).collect()))
         .chain(named("drive", document.drives.iter().map(|own| &own.name).collect()))
-        .chain(named("winch", document.winches.iter().map(|own| &own.name).collect()))
+        .chain(winches)
         .chain(named("lock", document.locks.iter().map(|own| &own.name).collect()))
         .chain(named("gear", document.gears.iter().map(|own| &own.name).collect()))
         .chain(named("spring", document.springs.iter().map(|own| &own.name).collect()))
