@@ -9,7 +9,6 @@ pub mod hermite;
 pub mod histogram;
 pub mod integral;
 pub mod jet;
-pub mod lanes;
 pub mod monotone;
 pub mod quadrature;
 pub mod rotation;

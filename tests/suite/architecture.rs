@@ -260,13 +260,6 @@ fn faer_lives_in_the_linear_solver_only() {
 }
 
 #[test]
-fn the_choice_of_lanes_is_one_file() {
-    for (name, code) in sources("src") {
-        assert!(name == "src/math/lanes.rs" || !code.contains("pulp::"), "{name} knows pulp");
-    }
-}
-
-#[test]
 fn printing_lives_in_the_command_line_only() {
     for (name, code) in everything() {
         let prints = ["println!", "eprintln!", "print!(", "dbg!", "io::stdout", "io::stderr"]

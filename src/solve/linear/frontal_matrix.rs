@@ -53,7 +53,6 @@ impl Shape {
 ///
 /// # Errors
 /// A pivot is zero or not finite.
-#[inline(always)]
 pub fn eliminate(
     shape: Shape,
     own: &mut [f64],
@@ -75,7 +74,6 @@ pub fn eliminate(
 }
 
 /// With a number of pivots that the compiler knows and may unroll: column by column, each with all pivots before it.
-#[inline(always)]
 fn eliminate_sized<const PIVOTS: usize>(
     shape: Shape,
     own: &mut [f64],
@@ -109,7 +107,6 @@ fn eliminate_sized<const PIVOTS: usize>(
 }
 
 /// With any number of pivots: some of them at a time, each lot taken out of all columns to its right.
-#[inline(always)]
 fn eliminate_panels(
     shape: Shape,
     own: &mut [f64],
@@ -132,7 +129,6 @@ fn eliminate_panels(
 }
 
 /// Eliminates the pivots from `done` on, as many as the panel has.
-#[inline(always)]
 fn eliminate_panel<const WIDTH: usize>(
     shape: Shape,
     done: usize,
@@ -197,7 +193,6 @@ fn eliminate_panel<const WIDTH: usize>(
 ///
 /// # Errors
 /// All are zero, or the largest is not finite.
-#[inline(always)]
 fn best_row(column: &[f64], weights: &[f64]) -> Result<usize, Singular> {
     let (mut best, mut largest) = (0, 0.0);
     for (row, (value, weight)) in column.iter().zip(weights).enumerate() {
@@ -243,7 +238,6 @@ fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64]
 }
 
 /// Solves with `L`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they leave on the border.
-#[inline(always)]
 pub fn solve_lower(shape: Shape, factors: &[f64], rows: &[usize], column: &mut [f64]) {
     for (number, row) in rows.iter().enumerate() {
         if *row != number {
@@ -257,7 +251,6 @@ pub fn solve_lower(shape: Shape, factors: &[f64], rows: &[usize], column: &mut [
 }
 
 /// Solves with `U`: `column` has the right sides of the pivots, then the solution on the border; afterwards the whole solution.
-#[inline(always)]
 pub fn solve_upper(shape: Shape, factors: &[f64], column: &mut [f64]) {
     match shape.pivots {
         7 => solve_upper_sized::<7>(shape, factors, column),
@@ -265,7 +258,6 @@ pub fn solve_upper(shape: Shape, factors: &[f64], column: &mut [f64]) {
     }
 }
 
-#[inline(always)]
 fn solve_upper_sized<const PIVOTS: usize>(shape: Shape, factors: &[f64], column: &mut [f64]) {
     let pivots = if PIVOTS > 0 { PIVOTS } else { shape.pivots };
     let stride = shape.stride();

@@ -8,7 +8,6 @@ use super::elimination_tree::{Front, Fronts, Run, Unknowns};
 use super::frontal_matrix::{Shape, eliminate, solve_lower, solve_upper};
 use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
 use crate::math::blocks::{Block, Blocks};
-use crate::math::lanes::in_widest;
 use std::ops::Range;
 
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
@@ -82,14 +81,6 @@ impl Multifrontal {
     /// # Errors
     /// A pivot vanishes, or a value is not finite.
     pub fn factorize(&mut self, units: &[f64], blocks: &Blocks) -> Result<(), Singular> {
-        in_widest(
-            #[inline(always)]
-            || self.factorize_kernel(units, blocks),
-        )
-    }
-
-    #[inline(always)]
-    fn factorize_kernel(&mut self, units: &[f64], blocks: &Blocks) -> Result<(), Singular> {
         self.set_scale(units, blocks);
         let Self { fronts, coordinates, factors, right, rests, rows, scale, column, .. } = self;
         for front in &fronts.fronts {
@@ -119,7 +110,6 @@ impl Multifrontal {
     }
 
     /// Sets the scale of all unknowns.
-    #[inline(always)]
     fn set_scale(&mut self, units: &[f64], blocks: &Blocks) {
         let Self { scale, .. } = self;
         scale.fill(0.0);
@@ -182,14 +172,6 @@ impl Multifrontal {
     /// # Errors
     /// The solution is not finite or not accurate; `vector` is as it was.
     pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
-        in_widest(
-            #[inline(always)]
-            || self.solve_kernel(blocks, vector),
-        )
-    }
-
-    #[inline(always)]
-    fn solve_kernel(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
         self.remainder.copy_from_slice(vector);
         self.solution.fill(0.0);
         for _ in 0..=REFINEMENTS {
@@ -206,10 +188,7 @@ impl Multifrontal {
     /// Solves for the right side `vector`, in place, with the factors as they are.
     pub fn substitute_in(&mut self, vector: &mut [f64]) {
         self.remainder.copy_from_slice(vector);
-        in_widest(
-            #[inline(always)]
-            || self.apply_inverse(),
-        );
+        self.apply_inverse();
         vector.copy_from_slice(&self.remainder);
     }
 
@@ -244,7 +223,6 @@ impl Multifrontal {
     }
 
     /// `remainder = A⁻¹ remainder`.
-    #[inline(always)]
     fn apply_inverse(&mut self) {
         for (unknown, value) in self.fronts.unknowns.iter().zip(&mut self.work) {
             *value = self.remainder[*unknown];
@@ -256,7 +234,6 @@ impl Multifrontal {
     }
 
     /// Solves the renumbered system for `work`, in place.
-    #[inline(always)]
     fn substitute(&mut self) {
         let Self { fronts, factors, rows, work, column, .. } = self;
         for front in &fronts.fronts {
@@ -285,7 +262,6 @@ impl Multifrontal {
 
     /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| + |b|)_i` (Oettli-Prager); infinite
     /// when not finite. `|A|` is the sum of the sizes of blocks that overlap, where `sparse_lu` takes the size of their sum: a little less strict.
-    #[inline(always)]
     fn backward_error(&mut self, blocks: &Blocks, vector: &[f64]) -> f64 {
         let Self { scale, solution, remainder, magnitude, .. } = self;
         remainder.copy_from_slice(vector);
@@ -333,14 +309,12 @@ impl Multifrontal {
 }
 
 /// The unknowns whose diagonal entries are in a block.
-#[inline(always)]
 fn diagonal(block: &Block) -> Range<usize> {
     block.row.max(block.column)..(block.row + block.rows).min(block.column + block.columns)
 }
 
 /// Takes the products of some rows of a block, whose columns are `stride` apart, with the solution out of `remainder`, and adds their sizes to `magnitude`; `factors`
 /// are the solution and what sizes are multiplied with. Returns how many rows.
-#[inline(always)]
 fn subtract_rows<const ROWS: usize>(
     values: &[f64],
     stride: usize,
@@ -364,7 +338,6 @@ fn subtract_rows<const ROWS: usize>(
 }
 
 /// `target += column`.
-#[inline(always)]
 fn add(target: &mut [f64], column: &[f64]) {
     // The coordinates of a node: the compiler unrolls what it knows.
     if let (Ok(target), Ok(column)) = (<&mut [f64; NODE]>::try_from(&mut *target), <&[f64; NODE]>::try_from(column)) {
@@ -377,7 +350,6 @@ fn add(target: &mut [f64], column: &[f64]) {
 }
 
 /// `target = column`.
-#[inline(always)]
 fn copy(column: &[f64], target: &mut [f64]) {
     if let (Ok(target), Ok(column)) = (<&mut [f64; NODE]>::try_from(&mut *target), <&[f64; NODE]>::try_from(column)) {
         *target = *column;
@@ -387,7 +359,6 @@ fn copy(column: &[f64], target: &mut [f64]) {
 }
 
 /// Adds the pieces of the matrix that belong to a front, whose columns of pivots are `own`, those of the border `right`.
-#[inline(always)]
 fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], own: &mut [f64], right: &mut [f64]) {
     let stride = front.shape.stride();
     for piece in &fronts.pieces[front.pieces.clone()] {
@@ -404,7 +375,6 @@ fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], own: &mut [f64], r
 }
 
 /// Adds what is left of a child, among `rests`, to the columns of its parent of the shape `shape`: of pivots, of the border.
-#[inline(always)]
 fn add_rest(rests: &[f64], child: &Front, runs: &[Run], shape: Shape, [own, right]: [&mut [f64]; 2]) {
     let (stride, Shape { pivots, border }) = (shape.stride(), child.shape);
     let rest = &rests[child.rest..child.rest + child.shape.rest()];

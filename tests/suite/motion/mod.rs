@@ -9,7 +9,6 @@ pub mod energies_of_parts;
 pub mod energy_account;
 pub mod generalized_alpha;
 pub mod generalized_alpha_steps;
-pub mod lanes;
 pub mod modes;
 pub mod released_motions;
 pub mod rigid_rotation;

@@ -8,7 +8,6 @@ use super::kinematics::section_point::SectionPoint;
 use super::over_step::StepStart;
 use super::{damping, section};
 use crate::math::jet::Jet;
-use crate::math::lanes::in_widest;
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
@@ -23,14 +22,13 @@ const SMALLEST_COSINE: f64 = 0.2;
 const LARGEST_TWIST_CHANGE: f64 = 2.0;
 
 impl Element {
-    #[inline(always)]
     pub(super) fn add(&self, values: &ElementVector, sum: &mut [f64]) {
         let own = &mut sum[self.place.start..self.place.start + ELEMENT];
         own.iter_mut().zip(values).for_each(|(target, value)| *target += value);
     }
 
     /// Strains as `passage` says.
-    #[inline(always)]
+    #[inline]
     fn passing<'a>(&'a self, c: &BeamConfiguration<'a>, passage: &Passage) -> Evaluation<'a> {
         match passage {
             Passage::Rest | Passage::Instant { .. } => self.evaluation(c),
@@ -39,7 +37,6 @@ impl Element {
     }
 
     /// Adds the gradient of `evaluation`, and sets `block` to `scale` times its Hessian.
-    #[inline(always)]
     pub(super) fn add_gradient_and_hessian_of(
         &self,
         evaluation: &Evaluation,
@@ -109,10 +106,7 @@ impl BeamElement for Element {
     }
 
     fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
-        in_widest(
-            #[inline(always)]
-            || self.add(&self.passing(c, passage).gradient(), forces),
-        );
+        self.add(&self.passing(c, passage).gradient(), forces);
     }
 
     fn add_gradient_and_set_hessian(
@@ -123,10 +117,7 @@ impl BeamElement for Element {
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        in_widest(
-            #[inline(always)]
-            || self.add_gradient_and_hessian_of(&self.passing(c, passage), scale, forces, block),
-        );
+        self.add_gradient_and_hessian_of(&self.passing(c, passage), scale, forces, block);
     }
 
     fn finish_step(
@@ -136,17 +127,12 @@ impl BeamElement for Element {
         forces: &mut [f64],
         strain_rates: &mut [f64],
     ) -> [f64; 3] {
-        in_widest(
-            #[inline(always)]
-            || {
-                let end = self.evaluation(step.end);
-                let middle = self.with_end(&end, c, step);
-                self.add(&middle.gradient(), forces);
-                *self.own_rates_mut(strain_rates) = middle.added.rates;
-                let heat = if self.heating.is_some() { self.work_of_heat(&middle, step) } else { 0.0 };
-                [end.energy(), middle.added.taken, heat]
-            },
-        )
+        let end = self.evaluation(step.end);
+        let middle = self.with_end(&end, c, step);
+        self.add(&middle.gradient(), forces);
+        *self.own_rates_mut(strain_rates) = middle.added.rates;
+        let heat = if self.heating.is_some() { self.work_of_heat(&middle, step) } else { 0.0 };
+        [end.energy(), middle.added.taken, heat]
     }
 
     fn begin_step(
@@ -157,23 +143,15 @@ impl BeamElement for Element {
         starts: &mut [StepStart],
         strain_rates: Option<&mut [f64]>,
     ) {
-        in_widest(
-            #[inline(always)]
-            || {
-                let evaluation = self.evaluation(c);
-                starts[self.place.branch] = StepStart::new(&evaluation);
-                if let Some(all) = strain_rates {
-                    *self.own_rates_mut(all) = self.strain_rates(&evaluation, self.own(velocity));
-                }
-            },
-        );
+        let evaluation = self.evaluation(c);
+        starts[self.place.branch] = StepStart::new(&evaluation);
+        if let Some(all) = strain_rates {
+            *self.own_rates_mut(all) = self.strain_rates(&evaluation, self.own(velocity));
+        }
     }
 
     fn set_strain_rates(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: &mut [f64]) {
-        *self.own_rates_mut(strain_rates) = in_widest(
-            #[inline(always)]
-            || self.strain_rates(&self.evaluation(c), self.own(velocity)),
-        );
+        *self.own_rates_mut(strain_rates) = self.strain_rates(&self.evaluation(c), self.own(velocity));
     }
 
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]) {

@@ -7,7 +7,7 @@ use super::strain::Strains;
 
 impl BendingPoint {
     /// `cos/J0` and `sin/J0` of the angle of the section, which `alpha` and the internal coordinate `bubble` of the quadratic twist make, rad.
-    #[inline(always)]
+    #[inline]
     pub fn turn(&self, alpha: f64, bubble: f64) -> [f64; 2] {
         let (sin, cos) = (alpha + self.principal + bubble * quadratic_twist::shape(self.xi)).sin_cos();
         [cos / self.reference_stretch, sin / self.reference_stretch]
@@ -15,7 +15,7 @@ impl BendingPoint {
 
     /// `gammahat` and the strains, where the carried frame has the `curvatures` and the section is turned by `turn`; `twist` is that of the element, `natural` are the
     /// curvatures without stress here.
-    #[inline(always)]
+    #[inline]
     pub fn strains(
         &self,
         ([kappa1, kappa2], twist): ([f64; 2], f64),

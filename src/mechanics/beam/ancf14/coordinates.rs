@@ -30,14 +30,14 @@ pub type ElementMatrix = SMatrix<f64, ELEMENT, ELEMENT>;
 pub type ElementColumns = [[f64; ELEMENT]; ELEMENT];
 
 /// `Σ_a weight_a X_a` of the element coordinates `q` (14).
-#[inline(always)]
+#[inline]
 pub fn interpolate(weights: &[f64; 4], q: &[f64]) -> Vec3 {
     let q = &q[..ELEMENT];
     vec3(q, R) * weights[0] + vec3(q, P) * weights[1] + vec3(q, NODE + R) * weights[2] + vec3(q, NODE + P) * weights[3]
 }
 
 /// `r'` at an axial point where `X_a` have the weights `weights`: at the ends of the element it is the slope of a node.
-#[inline(always)]
+#[inline]
 pub fn slope(weights: &[f64; 4], q: &[f64]) -> Vec3 {
     match slope_of_node(weights) {
         Some((a, place)) => vec3(q, place) * weights[a],
@@ -46,13 +46,13 @@ pub fn slope(weights: &[f64; 4], q: &[f64]) -> Vec3 {
 }
 
 /// Which `X_a` alone has a weight in `r'`, and where it starts, at the ends of the element.
-#[inline(always)]
+#[inline]
 fn slope_of_node(weights: &[f64; 4]) -> Option<(usize, usize)> {
     (weights[2] == 0.0).then_some(if weights[1] == 0.0 { (3, NODE + P) } else { (1, P) })
 }
 
 /// Adds `weightsᵀ v` to `sum`, 14×1, where `weights` are those of [`slope`].
-#[inline(always)]
+#[inline]
 pub fn add_slope_force(weights: &[f64; 4], v: &Vec3, sum: &mut ElementVector) {
     match slope_of_node(weights) {
         Some((a, place)) => add_vec3(sum.as_mut_slice(), place, &(v * weights[a])),
@@ -65,7 +65,7 @@ pub fn add_slope_force(weights: &[f64; 4], v: &Vec3, sum: &mut ElementVector) {
 }
 
 /// `weightsᵀ v`, 14×1: the generalized force of a vector `v` that works on `Σ_a weight_a X_a`.
-#[inline(always)]
+#[inline]
 pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
     let mut sum = ElementVector::zeros();
     for (weight, place) in weights.iter().zip(SHAPE_PLACES) {
@@ -76,7 +76,7 @@ pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
 
 /// Adds `weightsᵀ block weights`, 14×14, to `sum`: the stiffness of a force that changes by `block` with `Σ_a weight_a X_a`, without
 /// the rows and columns of `r_0`, which [`complete`] sets.
-#[inline(always)]
+#[inline]
 pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementColumns) {
     if let Some((a, place)) = slope_of_node(weights) {
         add_block(&(block * (weights[a] * weights[a])), place, place, sum);
@@ -89,7 +89,7 @@ pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementColumns) {
     }
 }
 
-#[inline(always)]
+#[inline]
 fn add_block(block: &Mat3, row: usize, column: usize, sum: &mut ElementColumns) {
     for j in 0..3 {
         for i in 0..3 {
@@ -100,7 +100,7 @@ fn add_block(block: &Mat3, row: usize, column: usize, sum: &mut ElementColumns) 
 
 /// Adds `by_q (weightsᵀ right)ᵀ + weightsᵀ left by_endᵀ`, 14×14, to `sum`, without the rows and columns of `r_0`: of what `by_q`, or by the end of a step `by_end`,
 /// changes by with a function of `Σ_a weight_a X_a` that has the derivatives `left`, or `right` by the end of a step.
-#[inline(always)]
+#[inline]
 pub fn add_between(
     [by_q, by_end]: [&ElementVector; 2],
     weights: &[f64; 4],
@@ -127,7 +127,7 @@ pub fn add_between(
 }
 
 /// Adds `factor by_row by_columnᵀ`, 14×14, to `sum`, without the rows and columns of `r_0`.
-#[inline(always)]
+#[inline]
 pub fn add_product(factor: f64, by_row: &ElementVector, by_column: &ElementVector, sum: &mut ElementColumns) {
     for column in P..ELEMENT {
         let factor = factor * by_column[column];
@@ -138,7 +138,7 @@ pub fn add_product(factor: f64, by_row: &ElementVector, by_column: &ElementVecto
 }
 
 /// Sets the rows and columns of `r_0` to the opposite of those of `r_1`: of the two places only the chord between them counts.
-#[inline(always)]
+#[inline]
 pub fn complete(sum: &mut ElementColumns) {
     for column in &mut sum[P..] {
         for i in 0..3 {

@@ -76,7 +76,7 @@ pub struct Element {
 impl Element {
     /// An element that is stress free at the coordinates `reference` (14) with the nodes' frames `first` and `second`.
     /// `density` is `[ρA, ρIp]` in kg/m and kg m; `holonomy` the holonomy angle of the reference's branch, rad.
-    #[inline(always)]
+    #[inline]
     pub fn new(
         place: Place,
         length: f64,
@@ -157,38 +157,34 @@ impl Element {
     }
 
     /// Its coordinates (14) among those `q` of the whole system.
-    #[inline(always)]
     pub fn own<'a>(&self, q: &'a [f64]) -> &'a [f64] {
         &q[self.place.start..self.place.start + ELEMENT]
     }
 
     /// The frames of its two nodes.
-    #[inline(always)]
     pub fn frames<'a>(&self, c: &BeamConfiguration<'a>) -> [&'a NodeFrame; 2] {
         [&c.frames[self.place.frame], &c.frames[self.place.frame + 1]]
     }
 
     /// In-element kinematics.
-    #[inline(always)]
     pub fn kinematics<'a>(&self, c: &BeamConfiguration<'a>) -> Kinematics<'a> {
         Kinematics::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch])
     }
 
     /// Strains at `c`.
-    #[inline(always)]
+    #[inline]
     pub fn evaluation<'a>(&'a self, c: &BeamConfiguration<'a>) -> Evaluation<'a> {
         Evaluation::new(self, self.own(c.q), self.frames(c), c.holonomy[self.place.branch], &self.natural(c))
     }
 
     /// Strains with linear twist, whatever the element's is: those that material damping sees at an instant.
-    #[inline(always)]
     pub fn linear_evaluation<'a>(&'a self, c: &BeamConfiguration<'a>) -> Evaluation<'a> {
         let previous = c.holonomy[self.place.branch];
         Evaluation::with_linear_twist(self, self.own(c.q), None, self.frames(c), previous, &self.natural(c))
     }
 
     /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the `increment` of all coordinates and the `natural` strains of the step.
-    #[inline(always)]
+    #[inline]
     pub(super) fn with_increment<'a>(
         &'a self,
         c: &BeamConfiguration<'a>,
@@ -242,7 +238,7 @@ struct FirstOrder {
 impl<'a> Evaluation<'a> {
     /// Of `element` at the coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last
     /// accepted state, rad, and `natural` strains.
-    #[inline(always)]
+    #[inline]
     pub fn new(element: &'a Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64, natural: &Natural) -> Self {
         // As two ways out: what one of them returns is not copied.
         match element.stiffness.twist {
@@ -257,7 +253,7 @@ impl<'a> Evaluation<'a> {
 
     /// As [`Self::new`], but with linear twist whatever the element's is; `increment` is what the coordinates change by over a step whose middle is
     /// `q`, or none.
-    #[inline(always)]
+    #[inline]
     pub fn with_linear_twist(
         element: &'a Element,
         q: &[f64],
@@ -308,7 +304,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Sets the internal coordinate of the quadratic twist, rad, and the strains that follow from it.
-    #[inline(always)]
+    #[inline]
     pub(super) fn set_bubble(&mut self, bubble: f64) {
         self.bubble = bubble;
         for (g, point) in self.element.bending.iter().enumerate() {
@@ -318,7 +314,6 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Adds to the internal coordinate a `correction` so small that its square is below rounding: the sine of such a turn is its angle.
-    #[inline(always)]
     pub(super) fn correct_bubble(&mut self, correction: f64) {
         self.bubble += correction;
         for (turn, point) in self.turn.iter_mut().zip(&self.element.bending) {
@@ -329,7 +324,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Strains of the bending points, as `bubble` and `turn` are.
-    #[inline(always)]
+    #[inline]
     fn set_strains(&mut self) {
         let Self { kinematics, natural, green, bubble, .. } = self;
         for (g, point) in self.element.bending.iter().enumerate() {
@@ -340,7 +335,6 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Strain energy, J.
-    #[inline(always)]
     pub fn energy(&self) -> f64 {
         let mut sum = 0.0;
         for (point, strains) in self.element.bending.iter().zip(&self.strains) {
@@ -364,7 +358,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// `∂U/∂q`, 14×1, J per unit of each coordinate; over a step its force (MECHANICS 7.6).
-    #[inline(always)]
+    #[inline]
     pub fn gradient(&self) -> ElementVector {
         let first = self.first_order();
         let by_shape = first.forces.factors(self.element).gradient(self.element, &self.kinematics);
@@ -378,7 +372,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`].
-    #[inline(always)]
+    #[inline]
     pub fn gradient_and_set_hessian(&self, scale: f64, hessian: &mut ElementColumns) -> ElementVector {
         let (element, first) = (self.element, self.first_order());
         let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
@@ -418,7 +412,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Derivatives of the energy by the strains of bending point `g`, quadrature weight included.
-    #[inline(always)]
+    #[inline]
     pub(super) fn resultants(&self, g: usize) -> Resultants {
         let (stiffness, strains) = (&self.element.bending[g].stiffness, &self.strains[g]);
         let mut density = bending::gradient(stiffness, strains) + torsion::gradient(stiffness, strains);
@@ -432,7 +426,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Second derivatives of the energy by the strains of bending point `g`, quadrature weight included.
-    #[inline(always)]
+    #[inline]
     pub(super) fn rigidities(&self, g: usize) -> Rigidities {
         let (stiffness, strains) = (&self.element.bending[g].stiffness, &self.strains[g]);
         let mut density = bending::hessian(stiffness, strains) + torsion::hessian(stiffness, strains);
@@ -446,7 +440,6 @@ impl<'a> Evaluation<'a> {
         density * self.element.bending[g].weight
     }
 
-    #[inline(always)]
     fn first_order(&self) -> FirstOrder {
         let element = self.element;
         let resultants = [self.resultants(0), self.resultants(1), self.resultants(2)];
@@ -461,7 +454,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// The whole gradient, of which `by_shape` is the part of bending and torsion by the corotated shape.
-    #[inline(always)]
+    #[inline]
     fn with_axial_forces(&self, by_shape: &CorotatedVector, resultants: &[Resultants; 3]) -> ElementVector {
         let mut sum = self.kinematics.shape.gradient(by_shape);
         for (m, point) in self.element.axial.iter().enumerate() {
@@ -471,7 +464,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// Derivative of the energy by `r'` at axial point `m`, N m.
-    #[inline(always)]
+    #[inline]
     fn axial_force(&self, m: usize, resultants: &[Resultants; 3]) -> Vec3 {
         match self.element.stiffness.strain {
             Strain::Small => self.slopes[m].engineering_strain_mean_p() * self.engineering_force(m),
@@ -480,7 +473,6 @@ impl<'a> Evaluation<'a> {
     }
 
     /// `F_m`, N m: derivative of the large-strain energy by the Green strain of axial point `m`.
-    #[inline(always)]
     pub(super) fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
         let (element, point) = (self.element, &self.element.axial[m]);
         let here = axial::large::gradient(&point.stiffness, self.green[m], self.mean_torsion[m])[0];
@@ -489,7 +481,7 @@ impl<'a> Evaluation<'a> {
     }
 
     /// `EA eps W`, N m: derivative of the small-strain energy by the strain of axial point `m`.
-    #[inline(always)]
+    #[inline]
     pub(super) fn engineering_force(&self, m: usize) -> f64 {
         let point = &self.element.axial[m];
         point.weight * axial::small::force(&point.stiffness, self.slopes[m].engineering_strain()) + self.added.axial[m]

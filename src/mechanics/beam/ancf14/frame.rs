@@ -39,7 +39,7 @@ impl NodeFrame {
     }
 
     /// `∂t/∂p = (I − t tᵀ)/|p|`, 3×3.
-    #[inline(always)]
+    #[inline]
     pub fn t_p(&self) -> Mat3 {
         normal_projector(&self.t) / self.stretch
     }
@@ -52,13 +52,13 @@ impl NodeFrame {
     }
 
     /// `k` along `u` and `v`; there is nothing of it along `t`.
-    #[inline(always)]
+    #[inline]
     pub fn k_local(&self) -> [f64; 2] {
         [self.u.dot(&self.k), self.v.dot(&self.k)]
     }
 
     /// `∂φ/∂p change`, rad, of a small change of `p`; both in the axes `[t u v]`.
-    #[inline(always)]
+    #[inline]
     pub fn turn_along(&self, change: &Vec3) -> Vec3 {
         let [k_u, k_v] = self.k_local();
         Vec3::new(-k_u * change[1] - k_v * change[2], -change[2], change[1]) / self.stretch
@@ -76,25 +76,25 @@ impl NodeFrame {
     }
 
     /// The derivative by `p` of what has the derivative `by_t` by the tangent: `by_t ∂t/∂p`, 3×3.
-    #[inline(always)]
+    #[inline]
     fn by_p(&self, by_t: &Mat3) -> Mat3 {
         (by_t - by_t * self.t * self.t.transpose()) / self.stretch
     }
 
     /// Components of `vector` along `t`, `u`, `v`.
-    #[inline(always)]
+    #[inline]
     pub fn components(&self, vector: &Vec3) -> Vec3 {
         Vec3::new(self.t.dot(vector), self.u.dot(vector), self.v.dot(vector))
     }
 
     /// The vector with these components along `t`, `u`, `v`.
-    #[inline(always)]
+    #[inline]
     pub fn in_space(&self, components: &Vec3) -> Vec3 {
         self.t * components[0] + self.u * components[1] + self.v * components[2]
     }
 
     /// `∂φ/∂p`, 3×3: turn of the section by the slope, `([t]× − t kᵀ)/|p|` (2.5). By `theta` it is `t`.
-    #[inline(always)]
+    #[inline]
     pub fn turn_p(&self) -> Mat3 {
         (self.t.cross_matrix() - self.t * self.k.transpose()) / self.stretch
     }
@@ -117,14 +117,14 @@ impl NodeFrame {
     }
 
     /// `∂φ/∂pᵀ moment`, N m, all in the axes `[t u v]`: nothing of it is along `t`.
-    #[inline(always)]
+    #[inline]
     pub fn turn_force(&self, moment: &Vec3) -> Vec3 {
         let [k_u, k_v] = self.k_local();
         Vec3::new(0.0, moment[2] - k_u * moment[0], -moment[1] - k_v * moment[0]) / self.stretch
     }
 
     /// `[Q_p, Q_theta]`: generalized force of the spatial moment `moment`, N m (MECHANICS 3.5).
-    #[inline(always)]
+    #[inline]
     pub fn moment_force(&self, moment: &Vec3) -> (Vec3, f64) {
         let along = self.t.dot(moment);
         // Both terms are normal to t, so that the projector of 3.5 changes nothing.
@@ -132,7 +132,7 @@ impl NodeFrame {
     }
 
     /// `(∂Q_p/∂p, ∂Q_theta/∂p)` at a moment frozen in space (MECHANICS 3.5).
-    #[inline(always)]
+    #[inline]
     pub fn moment_force_p(&self, moment: &Vec3) -> (Mat3, Vec3) {
         let (force, along) = self.moment_force(moment);
         let across = (moment - self.t * along) / self.stretch;

@@ -39,7 +39,7 @@ impl Mass {
     }
 
     /// Entry of the angles of the nodes `row` and `column` (0 or 1), kg m².
-    #[inline(always)]
+    #[inline]
     pub fn spin(&self, row: usize, column: usize) -> f64 {
         self.spin[row][column]
     }
@@ -60,7 +60,7 @@ impl Mass {
     }
 
     /// The product with `vector` (14), 14×1.
-    #[inline(always)]
+    #[inline]
     pub fn times(&self, vector: &[f64]) -> ElementVector {
         let vector = &vector[..ELEMENT];
         let mut product = ElementVector::zeros();

@@ -30,7 +30,7 @@ pub struct StepStart {
 
 impl StepStart {
     /// Of an element at the start.
-    #[inline(always)]
+    #[inline]
     pub fn new(evaluation: &Evaluation) -> Self {
         let mut strains = [0.0; STRAINS];
         for m in 0..3 {
@@ -67,7 +67,6 @@ pub struct Added {
 
 impl Added {
     /// By the change `rates` of the strains of `element` over `step`.
-    #[inline(always)]
     fn new(element: &Element, rates: [f64; STRAINS], step: &TimeStep) -> Self {
         let (duration, rigidities) = (step.duration, element.rigidities());
         let (viscosity, tension) = (element.stiffness.damping, element.stiffness.damping + element.tension_damping);
@@ -126,7 +125,6 @@ pub struct Turn {
 
 impl Turn {
     /// Between the frames of both nodes in the middle and at the end of the step.
-    #[inline(always)]
     fn new(middle: [&NodeFrame; 2], end: [&NodeFrame; 2]) -> Self {
         let rotation = middle[0].section * end[0].section.transpose();
         let spin = |node: usize| {
@@ -137,7 +135,7 @@ impl Turn {
     }
 
     /// Multiplies `row`, derivatives by the coordinates in the middle, from the right, without those by `r_0`.
-    #[inline(always)]
+    #[inline]
     pub fn of_end(&self, row: &ElementVector) -> ElementVector {
         let mut turned = *row;
         for (_, place) in CHORD_PLACES {
@@ -151,7 +149,7 @@ impl Turn {
     }
 
     /// Multiplies `columns`, derivatives by the coordinates in the middle, from the right, without the rows and columns of `r_0`.
-    #[inline(always)]
+    #[inline]
     pub fn apply(&self, columns: &mut ElementColumns) {
         let rotation = &self.rotation;
         for (_, place) in CHORD_PLACES {
@@ -176,7 +174,7 @@ impl Turn {
 
 impl Element {
     /// `W D` of each strain, N m or N m³: what multiplies its square in twice the energy of small strains.
-    #[inline(always)]
+    #[inline]
     pub fn rigidities(&self) -> [f64; STRAINS] {
         let mut all = [0.0; STRAINS];
         for (g, (axial, bending)) in self.axial.iter().zip(&self.bending).enumerate() {
@@ -190,7 +188,6 @@ impl Element {
     }
 
     /// The rigidities beside the diagonal, of which [`Self::rigidities`] has none.
-    #[inline(always)]
     pub fn couplings(&self) -> impl Iterator<Item = Coupling> + '_ {
         let points = self.eccentricities.iter().flat_map(|all| all.iter().zip(&self.bending).enumerate());
         points.flat_map(|(point, (own, rule))| {
@@ -204,21 +201,18 @@ impl Element {
     }
 
     /// The rates that `all`, those of the whole system, has of this element.
-    #[inline(always)]
     pub fn own_rates_mut<'a>(&self, all: &'a mut [f64]) -> &'a mut [f64; STRAINS] {
         let (own, _) = all.as_chunks_mut::<STRAINS>();
         &mut own[self.place.branch]
     }
 
     /// [`Self::own_rates_mut`].
-    #[inline(always)]
     pub fn own_rates<'a>(&self, all: &'a [f64]) -> &'a [f64; STRAINS] {
         let (own, _) = all.as_chunks::<STRAINS>();
         &own[self.place.branch]
     }
 
     /// Rates of the strains with the velocities `velocity` (14) of its own coordinates.
-    #[inline(always)]
     pub fn strain_rates(&self, evaluation: &Evaluation, velocity: &[f64]) -> [f64; STRAINS] {
         // The internal coordinate of the quadratic twist follows the others.
         let bubble = match self.stiffness.twist {
@@ -229,7 +223,7 @@ impl Element {
     }
 
     /// [`Self::strain_rates`] with the rate `bubble` of the internal coordinate of the quadratic twist, rad/s.
-    #[inline(always)]
+    #[inline]
     pub fn strain_rates_with(&self, evaluation: &Evaluation, velocity: &[f64], bubble: f64) -> [f64; STRAINS] {
         let Evaluation { kinematics, turn, gammahat, slopes, .. } = evaluation;
         let shape = kinematics.shape.along(velocity);
@@ -256,13 +250,12 @@ impl Element {
     }
 
     /// Over a step whose middle is `c`.
-    #[inline(always)]
     pub fn over_step<'a>(&'a self, c: &BeamConfiguration<'a>, step: &TimeStep) -> Evaluation<'a> {
         self.with_end(&self.evaluation(step.end), c, step)
     }
 
     /// [`Self::over_step`], from the evaluation at its end.
-    #[inline(always)]
+    #[inline]
     pub fn with_end<'a>(&'a self, end: &Evaluation, c: &BeamConfiguration<'a>, step: &TimeStep) -> Evaluation<'a> {
         let start = &step.starts[self.place.branch];
         let natural = self.natural(step.start).mean(&self.natural(step.end));

@@ -72,7 +72,7 @@ impl Evaluation<'_> {
     }
 
     /// Green strain at axial point `m` (engineering strain for small strain), 1.
-    #[inline(always)]
+    #[inline]
     pub fn axial_strain(&self, m: usize) -> f64 {
         match self.element.stiffness.strain {
             Strain::Small => self.slopes[m].engineering_strain(),

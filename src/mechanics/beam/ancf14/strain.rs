@@ -27,7 +27,7 @@ pub struct Rigidities {
 
 impl Rigidities {
     /// Adds `factor` times the rigidities of small strains.
-    #[inline(always)]
+    #[inline]
     pub fn stiffen(&mut self, stiffness: &BendingStiffness, factor: f64) {
         self.bending[0] += factor * stiffness.bending_z;
         self.bending[1] += factor * stiffness.bending_y;
@@ -38,7 +38,7 @@ impl Rigidities {
 impl Add for Rigidities {
     type Output = Self;
 
-    #[inline(always)]
+    #[inline]
     fn add(self, other: Self) -> Self {
         let pair = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
         Self {
@@ -54,7 +54,7 @@ impl Add for Rigidities {
 impl Mul<f64> for Rigidities {
     type Output = Self;
 
-    #[inline(always)]
+    #[inline]
     fn mul(self, factor: f64) -> Self {
         Self {
             bending: self.bending.map(|rigidity| rigidity * factor),

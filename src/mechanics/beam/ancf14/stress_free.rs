@@ -9,7 +9,7 @@ use crate::mechanics::beam::resultants::SectionShape;
 
 impl Element {
     /// Strains by heat at `c`.
-    #[inline(always)]
+    #[inline]
     pub fn natural(&self, c: &BeamConfiguration) -> Natural {
         match (&self.heating, c.heats) {
             (Some(heating), heats) => Natural::of_heat(heating.expansion, &heats[heating.number]),

@@ -24,13 +24,13 @@ pub struct Slope {
 
 impl Slope {
     /// `|r'|` at the start and at the end of the step, 1.
-    #[inline(always)]
+    #[inline]
     fn stretches(&self) -> (f64, f64) {
         ((self.middle - self.increment * 0.5).norm(), (self.middle + self.increment * 0.5).norm())
     }
 
     /// Mean Green strain of the two ends of the step, 1: `((|r'|/J0)² − 1)/2 + |Δr'|²/(8 J0²)`, natural strain taken off.
-    #[inline(always)]
+    #[inline]
     pub fn green_strain(&self) -> f64 {
         let square = self.reference_square;
         0.5 * (self.middle.norm_squared() / square - 1.0) + 0.125 * self.increment.norm_squared() / square
@@ -38,14 +38,13 @@ impl Slope {
     }
 
     /// Mean engineering strain of the two ends of the step, 1: `(|r'_a| + |r'_b|)/(2 J0) − 1`, natural strain taken off.
-    #[inline(always)]
+    #[inline]
     pub fn engineering_strain(&self) -> f64 {
         let (start, end) = self.stretches();
         0.5 * (start + end) / self.reference_stretch - 1.0 - self.natural
     }
 
     /// Derivative of the strain that `strain` names by the slope at the middle of the step, there, 1.
-    #[inline(always)]
     pub fn strain_p(&self, strain: Strain) -> Vec3 {
         match strain {
             Strain::Small => self.engineering_strain_p(),
@@ -54,7 +53,6 @@ impl Slope {
     }
 
     /// Second derivative of [`Self::strain_p`]'s strain, 1.
-    #[inline(always)]
     pub fn strain_pp(&self, strain: Strain) -> Mat3 {
         match strain {
             Strain::Small => self.engineering_strain_pp(),
@@ -63,38 +61,33 @@ impl Slope {
     }
 
     /// Derivative of the Green strain by the slope at the middle of the step, 1.
-    #[inline(always)]
     pub fn green_strain_p(&self) -> Vec3 {
         self.middle / self.reference_square
     }
 
     /// Second derivative of the Green strain by the slope at the middle of the step, 1.
-    #[inline(always)]
     pub fn green_strain_pp(&self) -> Mat3 {
         Mat3::identity() / self.reference_square
     }
 
     /// Twice the derivative of the increment's part of the Green strain by the slope at the end of the step, 1.
-    #[inline(always)]
     pub fn green_strain_increment(&self) -> Vec3 {
         self.increment / (2.0 * self.reference_square)
     }
 
     /// `n/J0`, 1, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: its product with the increment is what the engineering strain changes by over the step.
-    #[inline(always)]
+    #[inline]
     pub fn engineering_strain_mean_p(&self) -> Vec3 {
         let (start, end) = self.stretches();
         self.middle * (2.0 / ((start + end) * self.reference_stretch))
     }
 
     /// Derivative of the engineering strain `|r'|/J0 − 1` of the middle of the step by the slope there, 1.
-    #[inline(always)]
     fn engineering_strain_p(&self) -> Vec3 {
         self.middle / (self.middle.norm() * self.reference_stretch)
     }
 
     /// Second derivative of the engineering strain of the middle of the step by the slope there, 1.
-    #[inline(always)]
     fn engineering_strain_pp(&self) -> Mat3 {
         let stretch = self.middle.norm();
         normal_projector(&(self.middle / stretch)) / (stretch * self.reference_stretch)
@@ -106,20 +99,18 @@ pub mod small {
     use super::{AxialStiffness, Mat3, Slope};
 
     /// Energy density, J/m.
-    #[inline(always)]
     pub fn energy(stiffness: &AxialStiffness, slope: &Slope) -> f64 {
         0.5 * stiffness.axial * slope.engineering_strain().powi(2)
     }
 
     /// Derivative of the energy density by the strain `strain`, N.
-    #[inline(always)]
     pub fn force(stiffness: &AxialStiffness, strain: f64) -> f64 {
         stiffness.axial * strain
     }
 
     /// Twice the derivative of `force` along the mean slope by the slope at the end of the step, N m, where `force` (N m) changes by `stiffness` (N m) with
     /// the strain; at an increment of zero the Hessian.
-    #[inline(always)]
+    #[inline]
     pub fn hessian(slope: &Slope, force: f64, stiffness: f64) -> Mat3 {
         let (start, end) = slope.stretches();
         let n = slope.middle * (2.0 / (start + end));
@@ -136,19 +127,18 @@ pub mod large {
     use nalgebra::{Matrix2, Vector2};
 
     /// Energy density, J/m.
-    #[inline(always)]
     pub fn energy(stiffness: &AxialStiffness, e: f64, taum: f64) -> f64 {
         0.5 * stiffness.axial * e * e + 0.5 * stiffness.wagner * taum * taum * e
     }
 
     /// Derivatives by `e` (N) and by `taum` (N m).
-    #[inline(always)]
+    #[inline]
     pub fn gradient(stiffness: &AxialStiffness, e: f64, taum: f64) -> Vector2<f64> {
         Vector2::new(stiffness.axial * e + 0.5 * stiffness.wagner * taum * taum, stiffness.wagner * taum * e)
     }
 
     /// Second derivatives by `e` and `taum`.
-    #[inline(always)]
+    #[inline]
     pub fn hessian(stiffness: &AxialStiffness, e: f64, taum: f64) -> Matrix2<f64> {
         let mixed = stiffness.wagner * taum;
         Matrix2::new(stiffness.axial, mixed, mixed, stiffness.wagner * e)

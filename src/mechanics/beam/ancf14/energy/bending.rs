@@ -3,7 +3,6 @@
 use crate::mechanics::beam::ancf14::strain::{BendingStiffness, Resultants, Rigidities, Strain, Strains};
 
 /// How much the axial Green strain stiffens bending: `d(1 + 3 e)/de`, none for small strain.
-#[inline(always)]
 fn coupling(stiffness: &BendingStiffness) -> f64 {
     match stiffness.strain {
         Strain::Small => 0.0,
@@ -12,14 +11,13 @@ fn coupling(stiffness: &BendingStiffness) -> f64 {
 }
 
 /// Energy density, J/m.
-#[inline(always)]
 pub fn energy(stiffness: &BendingStiffness, strains: &Strains) -> f64 {
     let [g1, g2, _, e] = (*strains).into();
     0.5 * (1.0 + coupling(stiffness) * e) * (stiffness.bending_z * g1 * g1 + stiffness.bending_y * g2 * g2)
 }
 
 /// Derivatives by the strains: moments (N m), 0, and the axial part (J/m).
-#[inline(always)]
+#[inline]
 pub fn gradient(stiffness: &BendingStiffness, strains: &Strains) -> Resultants {
     let [g1, g2, _, e] = (*strains).into();
     let factor = 1.0 + coupling(stiffness) * e;
@@ -33,7 +31,7 @@ pub fn gradient(stiffness: &BendingStiffness, strains: &Strains) -> Resultants {
 }
 
 /// Second derivatives by the strains.
-#[inline(always)]
+#[inline]
 pub fn hessian(stiffness: &BendingStiffness, strains: &Strains) -> Rigidities {
     let [g1, g2, _, e] = (*strains).into();
     let factor = 1.0 + coupling(stiffness) * e;

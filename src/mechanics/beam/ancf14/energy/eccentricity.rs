@@ -20,7 +20,6 @@ fn stretched(e: f64) -> [f64; 3] {
 }
 
 /// Energy density, J/m.
-#[inline(always)]
 pub fn energy(moments: &Eccentricity, strains: &Strains) -> f64 {
     let [g1, g2, tau, e] = (*strains).into();
     let ([s1, s2], [m1, m2], [yyy, yyz, yzz, zzz]) = (moments.first, by_torsion(moments), moments.third);
@@ -30,7 +29,6 @@ pub fn energy(moments: &Eccentricity, strains: &Strains) -> f64 {
 }
 
 /// Derivatives by the strains: moments and torque (N m), and the axial part (N).
-#[inline(always)]
 pub fn gradient(moments: &Eccentricity, strains: &Strains) -> Resultants {
     let [g1, g2, tau, e] = (*strains).into();
     let ([s1, s2], [m1, m2], [yyy, yyz, yzz, zzz]) = (moments.first, by_torsion(moments), moments.third);
@@ -51,7 +49,6 @@ pub fn axial(moments: &Eccentricity, strains: &Strains) -> f64 {
 }
 
 /// Second derivatives by the strains, but for [`axial`]; the rate-dependent stress is `stiffening` times that of small strains.
-#[inline(always)]
 pub fn hessian(moments: &Eccentricity, strains: &Strains, stiffening: f64) -> Rigidities {
     let [g1, g2, tau, e] = (*strains).into();
     let [_, by_e, _] = stretched(e);

@@ -5,7 +5,6 @@
 use crate::mechanics::beam::ancf14::strain::{BendingStiffness, Resultants, Rigidities, Strains};
 
 /// Energy density, J/m.
-#[inline(always)]
 pub fn energy(stiffness: &BendingStiffness, strains: &Strains) -> f64 {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau] = [strains[0] * strains[0], strains[1] * strains[1], strains[2] * strains[2]];
@@ -18,7 +17,7 @@ pub fn energy(stiffness: &BendingStiffness, strains: &Strains) -> f64 {
 }
 
 /// Derivatives by the strains: moments and torque, N m.
-#[inline(always)]
+#[inline]
 pub fn gradient(stiffness: &BendingStiffness, strains: &Strains) -> Resultants {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau, _] = (*strains).into();
@@ -31,7 +30,7 @@ pub fn gradient(stiffness: &BendingStiffness, strains: &Strains) -> Resultants {
 }
 
 /// Second derivatives by the strains.
-#[inline(always)]
+#[inline]
 pub fn hessian(stiffness: &BendingStiffness, strains: &Strains) -> Rigidities {
     let [yyyy, yyzz, zzzz] = stiffness.fourth;
     let [g1, g2, tau, _] = (*strains).into();

@@ -31,7 +31,6 @@ const MOST_ITERATIONS: usize = 50;
 const SOFTEST: f64 = 1e-6;
 
 /// `∂α/∂b` at the place `xi`, 1.
-#[inline(always)]
 pub fn shape(xi: f64) -> f64 {
     4.0 * xi * (1.0 - xi)
 }
@@ -114,7 +113,6 @@ pub struct Condensation {
 
 impl Condensation {
     /// At the configuration of `evaluation`, with the second derivatives there.
-    #[inline(always)]
     pub fn new(
         evaluation: &Evaluation,
         gradients: &Gradients,
@@ -150,14 +148,13 @@ impl Condensation {
     }
 
     /// Applies the static condensation of `b` to `by`, the derivatives with respect to the corotated coordinates of a quantity that changes by `share` with `b`.
-    #[inline(always)]
+    #[inline]
     pub fn condense_row(&self, share: f64, by: &mut CorotatedVector) {
         let factor = share / self.by_b;
         by.iter_mut().zip(&self.by_shape).for_each(|(by, by_shape)| *by -= by_shape * factor);
     }
 
     /// Applies the static condensation of `b` to `second`, the second derivatives with respect to the corotated coordinates.
-    #[inline(always)]
     pub fn condense(&self, second: &mut CorotatedMatrix) {
         for (column, by_shape) in second.iter_mut().zip(self.by_shape) {
             self.condense_row(by_shape, column);

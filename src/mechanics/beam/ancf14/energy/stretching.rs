@@ -11,7 +11,7 @@ use crate::mechanics::beam::ancf14::kinematics::strain_derivatives::{Forces, Gra
 use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities, Strain};
 
 /// `∂²U/∂T²` of the axial points, N m: what Wagner's term has.
-#[inline(always)]
+#[inline]
 pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
     let element = evaluation.element;
     let mut sum = 0.0;
@@ -25,7 +25,7 @@ pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
 }
 
 /// Adds `scale` times the small-strain part to `sum`, without the rows and columns of `r_0`.
-#[inline(always)]
+#[inline]
 pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementColumns) {
     let element = evaluation.element;
     for (m, point) in element.axial.iter().enumerate() {
@@ -53,7 +53,7 @@ pub struct Large<'a> {
 
 impl Large<'_> {
     /// Adds `scale` times all second derivatives by the Green strains of the axial points to `sum`, without the rows and columns of `r_0`.
-    #[inline(always)]
+    #[inline]
     pub fn add_hessian(&self, scale: f64, sum: &mut ElementColumns) {
         let (element, shape) = (self.evaluation.element, &self.evaluation.kinematics.shape);
         self.add_eccentric(scale, sum);
@@ -75,10 +75,7 @@ impl Large<'_> {
                 bubble_end += spread(&point.shape_x, &(by_end * share));
             }
             let by_middle = shape.gradient(&by_green) * scale;
-            let turned = match &self.evaluation.turn_from_end {
-                Some(turn) => turn.of_end(&by_middle),
-                None => by_middle,
-            };
+            let turned = self.evaluation.turn_from_end.as_ref().map_or(by_middle, |turn| turn.of_end(&by_middle));
             add_between([&by_middle, &turned], &point.shape_x, [&green_p, &by_end], sum);
             let stiffening = self.evaluation.added.axial_stiffening * point.stiffness.axial * point.weight;
             let block = green_p * by_end.transpose() * (density[(0, 0)] + stiffening)
@@ -91,7 +88,6 @@ impl Large<'_> {
     }
 
     /// Adds `scale` times the second derivatives by the axial strains of the bending points, which a tension center off the axis has.
-    #[inline(always)]
     fn add_eccentric(&self, scale: f64, sum: &mut ElementColumns) {
         let element = self.evaluation.element;
         for (g, own) in element.eccentricities.iter().flat_map(|all| all.iter().enumerate()) {
@@ -110,7 +106,7 @@ impl Large<'_> {
 
     /// Derivatives of what the energy has by the Green strain of axial point `m`, by the strains of the bending points; `by_twist` is
     /// the one by `T`, N m.
-    #[inline(always)]
+    #[inline]
     fn forces(&self, m: usize, by_twist: f64) -> Forces {
         let mut forces = Forces { twist: by_twist, ..Forces::default() };
         for (g, point) in self.evaluation.element.bending.iter().enumerate() {

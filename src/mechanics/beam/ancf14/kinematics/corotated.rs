@@ -75,7 +75,7 @@ pub struct WayBackChange {
 
 impl CorotatedChange {
     /// As [`CorotatedShape::interpolate`].
-    #[inline(always)]
+    #[inline]
     pub fn interpolate(&self, weights: &[f64; 4]) -> Vec3 {
         let mut sum = self.chord * weights[2] + self.slope * weights[3];
         sum[0] += self.stretch * weights[1];
@@ -86,7 +86,7 @@ impl CorotatedChange {
 impl<'a> CorotatedShape<'a> {
     /// At the element's coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last accepted
     /// state, rad.
-    #[inline(always)]
+    #[inline]
     pub fn new(q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
         let [first, second] = frames;
         let holonomy = Holonomy::new(first, second, previous);
@@ -100,7 +100,7 @@ impl<'a> CorotatedShape<'a> {
     }
 
     /// `Σ_a weight_a X_a` of the nodes' places and slopes in the first node's frame; weights of the places are opposite.
-    #[inline(always)]
+    #[inline]
     pub fn interpolate(&self, weights: &[f64; 4]) -> Vec3 {
         let mut sum = self.chord_local * weights[2] + self.slope_local * weights[3];
         sum[0] += self.frames[0].stretch * weights[1];
@@ -108,7 +108,7 @@ impl<'a> CorotatedShape<'a> {
     }
 
     /// What it changes by with small changes `change` (14) of the coordinates.
-    #[inline(always)]
+    #[inline]
     pub fn along(&self, change: &[f64]) -> CorotatedChange {
         let [first, second] = self.frames;
         let (p0, p1) = (vec3(change, P), vec3(change, NODE + P));
@@ -126,7 +126,6 @@ impl<'a> CorotatedShape<'a> {
     }
 
     /// `∂F/∂q`, 14×1, of what has the derivatives `by` by the corotated shape.
-    #[inline(always)]
     pub fn gradient(&self, by: &CorotatedVector) -> ElementVector {
         let [first, second] = self.frames;
         let (by_chord, by_slope) = (block(by, CHORD), block(by, SLOPE));
@@ -189,7 +188,6 @@ impl<'a> CorotatedShape<'a> {
     /// derivatives `by` and the second derivatives `second` by the corotated shape; fills in the upper triangle of `second`.
     ///
     /// All of it is done in the axes `[t u v]` of the first frame, in which `∂φ/∂p_0` and all that has to do with `t` are mostly zeros.
-    #[inline(always)]
     pub fn set_hessian(
         &self,
         by: &CorotatedVector,
@@ -281,7 +279,7 @@ impl<'a> CorotatedShape<'a> {
 
     /// What the corotated shape changes by with a first slope that makes the frame turn by `turn` and the holonomy change by `twist`; and
     /// what the derivatives `by`, in the axes of the frame, change by with it.
-    #[inline(always)]
+    #[inline]
     fn by_turn(
         &self,
         turn: &Vec3,
@@ -303,7 +301,7 @@ impl<'a> CorotatedShape<'a> {
     }
 
     /// Moment on the first node's frame of forces on the chord and on the second slope, by invariance (MECHANICS 8); all in its axes.
-    #[inline(always)]
+    #[inline]
     fn moment(&self, by_chord: &Vec3, by_slope: &Vec3) -> Vec3 {
         by_chord.cross(&self.chord_local) + by_slope.cross(&self.slope_local)
     }
@@ -311,7 +309,7 @@ impl<'a> CorotatedShape<'a> {
 
 /// By chord, second slope and first stretch, of what has the derivatives `by_p` and `by_w` by `r'` and `r''`, components in the first
 /// node's frame; the weights are those of [`CorotatedShape::interpolate`].
-#[inline(always)]
+#[inline]
 pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3) -> CorotatedVector {
     let of = |i: usize, a: usize| by_p[i] * shape_x[a] + by_w[i] * shape_xx[a];
     [of(0, 2), of(1, 2), of(2, 2), of(0, 3), of(1, 3), of(2, 3), of(0, 1), 0.0, 0.0, 0.0]
@@ -319,7 +317,7 @@ pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3)
 
 /// Adds to the lower triangle of `sum` what has the second derivatives `pp` by `r'`, of which the lower triangle counts, and `pw` by `r'`
 /// and `r''`, none by `r''` twice.
-#[inline(always)]
+#[inline]
 pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3, sum: &mut CorotatedMatrix) {
     let (square, both) = (|a: usize| shape_x[a] * shape_x[a], |a: usize| shape_x[a] * shape_xx[a]);
     for j in 0..3 {
@@ -348,7 +346,7 @@ pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3,
 }
 
 /// The derivatives with respect to the coordinates, 14×1, of what has these with respect to the chord and to both slopes; 0 with respect to the angles.
-#[inline(always)]
+#[inline]
 fn by_coordinates(by_chord: &Vec3, by_p0: &Vec3, by_p1: &Vec3) -> ElementVector {
     let mut sum = ElementVector::zeros();
     for i in 0..3 {
@@ -361,13 +359,12 @@ fn by_coordinates(by_chord: &Vec3, by_p0: &Vec3, by_p1: &Vec3) -> ElementVector 
 }
 
 /// The three numbers of `vector` from `place` on.
-#[inline(always)]
 fn block(vector: &CorotatedVector, place: usize) -> Vec3 {
     Vec3::new(vector[place], vector[place + 1], vector[place + 2])
 }
 
 /// Fills in the upper triangle of a symmetric matrix; a column at a time, whose places the compiler knows.
-#[inline(always)]
+#[inline]
 fn mirror(matrix: &mut CorotatedMatrix) {
     mirror_column::<0>(matrix);
     mirror_column::<1>(matrix);
@@ -379,7 +376,7 @@ fn mirror(matrix: &mut CorotatedMatrix) {
     mirror_column::<7>(matrix);
 }
 
-#[inline(always)]
+#[inline]
 #[expect(clippy::needless_range_loop, reason = "of iterators over columns the compiler does not know the places")]
 fn mirror_column<const COLUMN: usize>(matrix: &mut CorotatedMatrix) {
     for row in COLUMN + 1..=ANGLE {
@@ -388,7 +385,7 @@ fn mirror_column<const COLUMN: usize>(matrix: &mut CorotatedMatrix) {
 }
 
 /// Sets the block of `sum` at `row` and `column` to `left block rightᵀ`, and its mirror image too; columns all.
-#[inline(always)]
+#[inline]
 fn set_both(
     sum: &mut ElementColumns,
     row: usize,
@@ -408,7 +405,7 @@ fn set_both(
 }
 
 /// The same of a symmetric block on the diagonal, from `place` on, of which `[xx, yx, zx, yy, zy, zz]` is given.
-#[inline(always)]
+#[inline]
 fn set_symmetric(sum: &mut ElementColumns, place: usize, left: &[Vec3; 3], right: &[Vec3; 3], block: &[f64; 6]) {
     let [xx, yx, zx, yy, zy, zz] = *block;
     let [t, u, v] =

@@ -33,7 +33,7 @@ pub struct CurveGradients<'a> {
 
 impl CurvePoint {
     /// The point of the element `shape` where the shape functions have the derivatives `shape_x` and `shape_xx`.
-    #[inline(always)]
+    #[inline]
     pub fn new(shape: &CorotatedShape, shape_x: &[f64; 4], shape_xx: &[f64; 4]) -> Self {
         let (p, w) = (shape.interpolate(shape_x), shape.interpolate(shape_xx));
         let stretch = p.norm();
@@ -46,7 +46,7 @@ impl CurvePoint {
     }
 
     /// Changes of `κ1`, `κ2` and of `ω` with small changes of `P` and `W`, 1/m and rad/m.
-    #[inline(always)]
+    #[inline]
     pub fn along(&self, by_p: &Vec3, by_w: &Vec3) -> ([f64; 2], f64) {
         let &Self { stretch, curvatures, twist_rate, p, w, h } = self;
         let (per_stretch, per_depth) = (1.0 / stretch, 1.0 / (stretch + p[0]));
@@ -62,7 +62,7 @@ impl CurvePoint {
     }
 
     /// What its first derivatives are made of (MECHANICS 8).
-    #[inline(always)]
+    #[inline]
     pub fn gradients(&self) -> CurveGradients<'_> {
         let (per_stretch, per_depth) = (1.0 / self.stretch, 1.0 / (self.stretch + self.p[0]));
         let per_area = per_stretch * per_depth;
@@ -79,7 +79,7 @@ impl CurvePoint {
 
 impl CurveGradients<'_> {
     /// `(∂F/∂P, ∂F/∂W)` of `F = c·(κ1, κ2, ω)`.
-    #[inline(always)]
+    #[inline]
     pub fn gradient(&self, c: &[f64; 3]) -> (Vec3, Vec3) {
         let &Self { point, per_stretch, per_area, n, h_p, h_w, omega_p, .. } = self;
         let across = (c[0] * point.p[1] + c[1] * point.p[2]) * per_stretch;
@@ -96,7 +96,7 @@ impl CurveGradients<'_> {
     }
 
     /// `(∂κ/∂P, ∂κ/∂W)` of one of the curvatures, number `q` (1 or 2).
-    #[inline(always)]
+    #[inline]
     pub fn curvature(&self, q: usize) -> (Vec3, Vec3) {
         let point = self.point;
         let (across, kappa) = (point.p[q] * self.per_stretch, point.curvatures[q - 1] * self.per_stretch);
@@ -107,7 +107,7 @@ impl CurveGradients<'_> {
     }
 
     /// `(∂ω/∂P, ∂ω/∂W)`; the latter has nothing along the first axis.
-    #[inline(always)]
+    #[inline]
     pub fn twist_rate(&self) -> (Vec3, Vec3) {
         let p = &self.point.p;
         (self.omega_p, Vec3::new(0.0, p[2] * self.per_area, -p[1] * self.per_area))
@@ -118,7 +118,7 @@ impl CurveGradients<'_> {
     /// What MECHANICS 8 says, sorted by the vectors that it is made of: with `x` the first axis, `d = n + x`, `a = (0, c1, c2)`,
     /// `m = (0, P2, −P1)`, `A = a·P/(|P| D)`, `s = c3/(|P| D)`, and `(x, y) = x yᵀ + y xᵀ`,
     /// `F_PP = q I + (n, z1) + (x, z2) − (h_P, a)/|P|`, `F_PW = n z3ᵀ + x z4ᵀ − a dᵀ/(|P| D) − A/|P| I + s (e2 e1ᵀ − e1 e2ᵀ)`.
-    #[inline(always)]
+    #[inline]
     pub fn hessian(&self, c: &[f64; 3]) -> (Mat3, Mat3) {
         let &Self { point, per_stretch, per_area, n, d, h_p, h_w, omega_p } = self;
         let &CurvePoint { stretch, curvatures, twist_rate, p, w, h } = point;

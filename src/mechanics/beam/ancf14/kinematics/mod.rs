@@ -26,7 +26,7 @@ pub struct Holonomy {
 
 impl Holonomy {
     /// Between the frames of an element's nodes; `previous` is the angle of the last accepted state, rad.
-    #[inline(always)]
+    #[inline]
     pub fn new(first: &NodeFrame, second: &NodeFrame, previous: f64) -> Self {
         let u_c = carry(&first.t, &second.t, &first.u);
         let (s, c) = (second.u.dot(&second.t.cross(&u_c)), second.u.dot(&u_c));
@@ -35,7 +35,7 @@ impl Holonomy {
     }
 
     /// `(∂β/∂p_0, ∂β/∂p_1)`, rad (2.8).
-    #[inline(always)]
+    #[inline]
     pub fn gradient(&self, first: &NodeFrame, second: &NodeFrame) -> (Vec3, Vec3) {
         ((self.k + first.k) / first.stretch, (self.k - second.k) / second.stretch)
     }
@@ -44,7 +44,7 @@ impl Holonomy {
     ///
     /// Each part of (2.9) is `∂kb/∂t (I − t tᵀ) = [t]×/2 − t kᵀ + (k lᵀ + l kᵀ)/2`, `l = k × t`, of a turn `k` to the tangent `t` or
     /// away from it; what is not symmetric cancels in the derivatives by the same slope twice.
-    #[inline(always)]
+    #[inline]
     pub fn local(&self, first: &NodeFrame, second: &NodeFrame) -> LocalHolonomy {
         let (per_0, per_1) = (1.0 / first.stretch, 1.0 / second.stretch);
         let [k0_u, k0_v] = first.k_local();
@@ -109,7 +109,7 @@ pub struct Kinematics<'a> {
 
 impl<'a> Kinematics<'a> {
     /// Of the element with coordinates `q` (14), nodes' frames and last accepted holonomy angle `previous`, rad.
-    #[inline(always)]
+    #[inline]
     pub fn new(element: &Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
         let shape = CorotatedShape::new(q, frames, previous);
         let [first, middle, last] = &element.bending;
@@ -124,7 +124,6 @@ impl<'a> Kinematics<'a> {
     }
 
     /// `Σ_g weight_g ω_g`.
-    #[inline(always)]
     fn weighted_rate(&self, weights: &[f64; 3]) -> f64 {
         weights.iter().zip(&self.points).map(|(weight, point)| weight * point.twist_rate).sum()
     }

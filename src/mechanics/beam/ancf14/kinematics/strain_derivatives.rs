@@ -5,7 +5,6 @@
 use super::Kinematics;
 use super::corotated::{self, ANGLE, COROTATED, CorotatedChange, CorotatedMatrix, CorotatedVector, TWIST};
 use super::curve_point::CurveGradients;
-use super::points::BendingPoint;
 use crate::math::Mat3;
 use crate::mechanics::beam::ancf14::element::{Element, Evaluation};
 use crate::mechanics::beam::ancf14::strain::{Resultants, Rigidities};
@@ -24,7 +23,7 @@ pub struct Gradients<'a> {
 
 impl<'a> Gradients<'a> {
     /// Of `element` at the configuration of `kinematics`.
-    #[inline(always)]
+    #[inline]
     pub fn new(element: &Element, kinematics: &'a Kinematics) -> Self {
         let [first, middle, last] = &kinematics.points;
         let curves = [first.gradients(), middle.gradients(), last.gradients()];
@@ -33,34 +32,43 @@ impl<'a> Gradients<'a> {
         let kappa = |g: usize, q: usize| spread(g, curves[g].curvature(q));
         let rate = |g: usize| spread(g, curves[g].twist_rate());
         let rates = [rate(0), rate(1), rate(2)];
-        let mut twist = [0.0; COROTATED];
-        twist[TWIST] = 1.0;
-        add_rates(&mut twist, &rates, &element.rate_weights, 1.0);
-        let [alpha0, alpha1, alpha2] =
-            [alpha(&rules[0], &rates, &twist), alpha(&rules[1], &rates, &twist), alpha(&rules[2], &rates, &twist)];
+        let with_rates = |mut sum: CorotatedVector, weights: &[f64; 3], sign: f64| {
+            for (rate, weight) in rates.iter().zip(weights) {
+                add_times(&mut sum, sign * weight, rate);
+            }
+            sum
+        };
+        let mut between = [0.0; COROTATED];
+        between[TWIST] = 1.0;
+        let twist = with_rates(between, &element.rate_weights, 1.0);
+        let alpha = |g: usize| {
+            let mut sum = times(rules[g].xi, &twist);
+            sum[ANGLE] += 1.0;
+            with_rates(sum, &rules[g].collocation, -1.0)
+        };
         let parts = [
             kappa(0, 1),
             kappa(0, 2),
-            alpha0,
+            alpha(0),
             kappa(1, 1),
             kappa(1, 2),
-            alpha1,
+            alpha(1),
             kappa(2, 1),
             kappa(2, 2),
-            alpha2,
+            alpha(2),
             twist,
         ];
         Self { curves, parts }
     }
 
     /// Gradient of the weighted sum `factors`: the same to the last bit as [`Factors::gradient`].
-    #[inline(always)]
+    #[inline]
     pub fn weighted(&self, factors: &Factors, element: &Element) -> CorotatedVector {
         factors.gradient_on(element, &self.curves)
     }
 
     /// Gradient of what has the derivatives `forces`.
-    #[inline(always)]
+    #[inline]
     pub fn sum(&self, forces: &Forces) -> CorotatedVector {
         let mut sum = times(forces.twist, &self.parts[TOTAL]);
         for g in 0..3 {
@@ -133,7 +141,7 @@ impl<'a> Gradients<'a> {
     }
 
     /// Adds to the lower triangle of `sum` the Hessian of the weighted sum `factors`, at frozen factors; with [`Self::add_couplings`] it is all of it.
-    #[inline(always)]
+    #[inline]
     pub fn add_frozen(&self, factors: &Factors, element: &Element, sum: &mut CorotatedMatrix) {
         for (g, rule) in element.bending.iter().enumerate() {
             let (pp, pw) = self.curves[g].hessian(&factors.points[g]);
@@ -142,7 +150,7 @@ impl<'a> Gradients<'a> {
     }
 
     /// Adds to the lower triangle of `sum` the part of the Hessian in which the factors change, by `couplings`.
-    #[inline(always)]
+    #[inline]
     pub fn add_couplings(&self, couplings: &Couplings, sum: &mut CorotatedMatrix) {
         let parts = &self.parts;
         // How the derivative by each of what strains are made of changes with the shape.
@@ -174,26 +182,9 @@ impl<'a> Gradients<'a> {
     }
 }
 
-/// Adds the derivatives `rates` of the twist rates, weighted.
-#[inline(always)]
-fn add_rates(sum: &mut CorotatedVector, rates: &[CorotatedVector; 3], weights: &[f64; 3], sign: f64) {
-    for (rate, weight) in rates.iter().zip(weights) {
-        add_times(sum, sign * weight, rate);
-    }
-}
-
-/// Derivative of `α` at a bending point, of the derivatives of the twist rates and of the total `twist`.
-#[inline(always)]
-fn alpha(point: &BendingPoint, rates: &[CorotatedVector; 3], twist: &CorotatedVector) -> CorotatedVector {
-    let mut sum = times(point.xi, twist);
-    sum[ANGLE] += 1.0;
-    add_rates(&mut sum, rates, &point.collocation, -1.0);
-    sum
-}
-
 /// Adds two columns of `Σ_k parts_k changes_kᵀ` to the lower triangle of `sum`, those from `FIRST` on. Gathered beside the matrix: the
 /// processor keeps them at hand.
-#[inline(always)]
+#[inline]
 fn add_products<const FIRST: usize>(
     parts: &[CorotatedVector; PARTS],
     changes: &[CorotatedVector; PARTS],
@@ -226,7 +217,7 @@ pub struct Forces {
 impl Forces {
     /// Of `Σ_g resultants_g · (g1, g2, tau)_g + Σ_m torques_m taum_m`, quadrature weights included; the last resultant, of the
     /// axial strain, has no part in it.
-    #[inline(always)]
+    #[inline]
     pub fn new(evaluation: &Evaluation, resultants: &[Resultants; 3], torques: &[f64; 3]) -> Self {
         let mut all = Self::default();
         for (torque, point) in torques.iter().zip(&evaluation.element.axial) {
@@ -241,7 +232,7 @@ impl Forces {
     }
 
     /// Adds what derivatives by `g1` and `g2` of bending point `g` give.
-    #[inline(always)]
+    #[inline]
     pub fn add_moments(&mut self, evaluation: &Evaluation, g: usize, [n1, n2]: [f64; 2]) {
         let ([cos, sin], [gamma1, gamma2]) = (evaluation.turn[g], evaluation.gammahat[g]);
         let [by_1, by_2] = &mut self.curvatures[g];
@@ -251,7 +242,7 @@ impl Forces {
     }
 
     /// The same by the curvatures and rates of the points and the angles of the nodes, of which `T` and `α` are made.
-    #[inline(always)]
+    #[inline]
     pub fn factors(&self, element: &Element) -> Factors {
         let rules = &element.bending;
         let twist = self.twist + rules.iter().zip(&self.alpha).map(|(rule, by_alpha)| by_alpha * rule.xi).sum::<f64>();
@@ -279,13 +270,13 @@ pub struct Factors {
 
 impl Factors {
     /// Gradient of the sum; it takes less than [`Gradients::new`].
-    #[inline(always)]
+    #[inline]
     pub fn gradient(&self, element: &Element, kinematics: &Kinematics) -> CorotatedVector {
         let [first, middle, last] = &kinematics.points;
         self.gradient_on(element, &[first.gradients(), middle.gradients(), last.gradients()])
     }
 
-    #[inline(always)]
+    #[inline]
     fn gradient_on(&self, element: &Element, curves: &[CurveGradients; 3]) -> CorotatedVector {
         let mut sum = [0.0; COROTATED];
         for (g, rule) in element.bending.iter().enumerate() {
@@ -319,7 +310,7 @@ pub struct PointCouplings {
 impl Couplings {
     /// Of a function of the strains with the derivatives `resultants` and the second derivatives `rigidities`; `torque_by_twist` is
     /// what `Σ_m torques_m/(l J0_m)` has by `T`, N m.
-    #[inline(always)]
+    #[inline]
     pub fn new(
         evaluation: &Evaluation,
         resultants: &[Resultants; 3],
@@ -334,7 +325,7 @@ impl Couplings {
     }
 
     /// What the derivative by `T` has for derivatives.
-    #[inline(always)]
+    #[inline]
     fn by_twist(&self) -> Forces {
         let [first, middle, last] = [&self.points[0].twist, &self.points[1].twist, &self.points[2].twist];
         Forces {
@@ -347,7 +338,7 @@ impl Couplings {
 
 impl PointCouplings {
     /// Of bending point `g`.
-    #[inline(always)]
+    #[inline]
     fn new(evaluation: &Evaluation, g: usize, resultants: &Resultants, rigidities: &Rigidities) -> Self {
         let ([cos, sin], [gamma1, gamma2]) = (evaluation.turn[g], evaluation.gammahat[g]);
         let ([n1, n2, _, _], [d11, d22], d12) = ((*resultants).into(), rigidities.bending, rigidities.cross);
@@ -372,7 +363,7 @@ impl PointCouplings {
 }
 
 /// `factor values`.
-#[inline(always)]
+#[inline]
 fn times(factor: f64, values: &CorotatedVector) -> CorotatedVector {
     let mut product = *values;
     product.iter_mut().for_each(|value| *value *= factor);
@@ -380,7 +371,7 @@ fn times(factor: f64, values: &CorotatedVector) -> CorotatedVector {
 }
 
 /// `sum += factor values`.
-#[inline(always)]
+#[inline]
 fn add_times(sum: &mut CorotatedVector, factor: f64, values: &CorotatedVector) {
     for (sum, value) in sum.iter_mut().zip(values) {
         *sum += factor * value;
