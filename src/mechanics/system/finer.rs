@@ -7,7 +7,6 @@ use crate::math::rotation::carry;
 use crate::math::vectors::set_vec3;
 use crate::mechanics::beam::ancf14::coordinates::{NODE, P, R, THETA, interpolate};
 use crate::mechanics::beam::ancf14::element::Element;
-use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
@@ -37,8 +36,8 @@ impl System {
             }
             let pairs = self.mesh.elements[beam.element_range()].chunks_exact(2);
             for (pair, number) in pairs.zip(coarse_beam.element_range()) {
-                let [AnyElement::Ancf14(first), AnyElement::Ancf14(second)] = pair else { return false };
-                let AnyElement::Ancf14(element) = &coarse.mesh.elements[number] else { return false };
+                let [Some(first), Some(second)] = [pair[0].ancf14(), pair[1].ancf14()] else { return false };
+                let Some(element) = coarse.mesh.elements[number].ancf14() else { return false };
                 if (first.length + second.length - element.length).abs() > SAME_LENGTH * element.length {
                     return false;
                 }

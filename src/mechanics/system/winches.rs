@@ -1,4 +1,4 @@
-//! Winches: beams that are paid out, and what that gives to the system (MECHANICS 3.11).
+//! Winches: beams that are paid out, and their share in energies and momenta (MECHANICS 3.11).
 
 use super::System;
 use crate::error::Error;
@@ -45,13 +45,13 @@ impl System {
         sum
     }
 
-    /// What winches give the weight of beams over a step whose middle is `c`, J.
+    /// Energy that winches have given to the weight of beams over a step whose middle is `c`, J.
     pub(super) fn lifted_by_winches(&self, c: &Configuration, step: &TimeStep, gravity: &Vec3) -> f64 {
         let step = step.of_beams();
-        self.paid_out().map(|element| element.lifted(&c.beams, &step, gravity)).sum()
+        self.paid_out().map(|element| element.lifted(&c.beams, &step, (gravity, &self.origin))).sum()
     }
 
-    /// How long node `node`'s slope is without load, 1.
+    /// Length of the slope of node `node` without load, 1.
     pub(super) fn free_slope(&self, node: usize, c: &Configuration) -> f64 {
         let is_own = |winch: &&Winch| self.beams[winch.beam].node_range().contains(&node);
         let element = |winch: &Winch| &self.mesh.elements[self.beams[winch.beam].first_element];

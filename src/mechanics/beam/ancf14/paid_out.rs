@@ -20,7 +20,7 @@ use crate::mechanics::geometry::marker_jacobian::{MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
-/// What axial strains at the free length of the middle of a step have of its growth, 1.
+/// The part of axial strains, at the free length of the middle of a step, that comes from its growth, 1.
 #[derive(Clone, Copy, Debug)]
 struct Growth {
     /// From the start to the end.
@@ -115,7 +115,7 @@ impl PaidOut {
         sum
     }
 
-    /// Adds the inertia of what passes through the mesh, beyond that of the mesh's own acceleration; over a step of what the momentum of the mesh has of its growing mass.
+    /// Adds the inertia of what passes through the mesh, beyond that of the mesh's own acceleration; over a step less `lambda' M v`, which the momentum of the mesh changes by as its mass grows.
     pub fn add_transport(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
         let extent = self.extent(c.drives);
         let (velocity, scale) = match passage {
@@ -173,34 +173,32 @@ impl PaidOut {
         [linear, angular]
     }
 
-    /// What the axial strains have of the growth of the free length over `step`, whose middle is `c`, at the free length of the middle. No material is strained by that.
+    /// The part of the axial strains over `step`, whose middle is `c`, that comes from the growth of the free length, at the free length of the middle. No material is strained by it.
     fn growth(&self, c: &BeamConfiguration, step: &TimeStep) -> Growth {
         let [before, now, after] = [step.start, c, step.end].map(|c| self.extent(c.drives).ratio);
-        // Strains go with 1/lambda, Green's with its square; those at the start are at the length of the middle.
-        let power = |ratio: f64| match self.drawn.stiffness.strain {
-            Strain::Small => ratio - 1.0,
-            Strain::Large | Strain::LargeTruncated => 0.5 * (ratio * ratio - 1.0),
-        };
-        let to_middle = now / before;
-        let scale = match self.drawn.stiffness.strain {
-            Strain::Small => to_middle,
-            Strain::Large | Strain::LargeTruncated => to_middle * to_middle,
-        };
-        let (ends, start) = ([before / now, after / now].map(power), &step.starts[self.drawn.place.branch]);
-        let stretches = [0, 1, 2].map(|m| scale * self.stretch_power(m, start.axial_strain(m)));
+        let power = self.power();
+        let strain = |ratio: f64| (ratio.powi(power) - 1.0) / f64::from(power);
+        let (ends, start) = ([before / now, after / now].map(strain), &step.starts[self.drawn.place.branch]);
+        // Strains at the start are at the length of the middle.
+        let to_start = (now / before).powi(power);
+        let stretches = [0, 1, 2].map(|m| to_start * self.stretch_power(m, start.axial_strain(m)));
         Growth {
             change: stretches.map(|own| own * (ends[1] - ends[0])),
             mean: stretches.map(|own| own * 0.5 * (ends[0] + ends[1])),
         }
     }
 
-    /// What multiplies `lambda'/lambda` in the rate of the axial strain of point `m` at coordinates that stand still, with the sign reversed: the stretch, for Green's strain its square.
-    fn stretch_power(&self, m: usize, strain: f64) -> f64 {
-        let whole = strain + self.drawn.axial[m].natural;
+    /// The power of the stretch that the axial strain is made of: `(stretch^power − 1)/power`, 1 or, for Green's strain, 2.
+    fn power(&self) -> i32 {
         match self.drawn.stiffness.strain {
-            Strain::Small => 1.0 + whole,
-            Strain::Large | Strain::LargeTruncated => 1.0 + 2.0 * whole,
+            Strain::Small => 1,
+            Strain::Large | Strain::LargeTruncated => 2,
         }
+    }
+
+    /// The stretch of axial point `m`, where its strain is `strain`, to the power of [`Self::power`]: `−lambda'/lambda` times this is the rate of the strain at coordinates that stand still.
+    fn stretch_power(&self, m: usize, strain: f64) -> f64 {
+        1.0 + f64::from(self.power()) * (strain + self.drawn.axial[m].natural)
     }
 
     /// Rates of the strains of `evaluation`, at `c`, with the velocities `velocity` of the system, but for what the free length grows by.
@@ -216,7 +214,7 @@ impl PaidOut {
     fn over(&self, c: &BeamConfiguration, passage: &Passage) -> Element {
         let mut element = self.at(c);
         if let Passage::Step(step) = passage {
-            // At the free length of the middle, whose strains the force takes, the means have what the length lacks of the mean of both ends' lengths: far more than the strain of a stiff rope.
+            // The free length of the middle is not the mean of those of both ends: the difference is small for a length, and large beside the strain of a stiff rope.
             for (point, mean) in element.axial.iter_mut().zip(self.growth(c, step).mean) {
                 point.natural += mean;
             }
@@ -253,10 +251,11 @@ impl PaidOut {
         elastic - worked + growing + [0, 1, 2].map(by_strain).iter().sum::<f64>()
     }
 
-    /// Energy that the winch has given the weight over a step, in the field `gravity`, m/s², J: where it is at both ends.
-    pub fn lifted(&self, c: &BeamConfiguration, step: &TimeStep, gravity: &Vec3) -> f64 {
+    /// Energy that the winch has given to the weight over a step, in the field `gravity` (m/s²), J; positions count from `origin`.
+    pub fn lifted(&self, c: &BeamConfiguration, step: &TimeStep, (gravity, origin): (&Vec3, &Vec3)) -> f64 {
         let [before, now, after] = [step.start, c, step.end].map(|c| self.extent(c.drives).ratio);
-        let form = |c: &BeamConfiguration| self.drawn.weight_form(gravity, c.q);
+        let at_origin = self.drawn.line_density * self.drawn.length * gravity.dot(origin);
+        let form = |c: &BeamConfiguration| self.drawn.weight_form(gravity, c.q) + at_origin;
         (before - now) * form(step.start) + (now - after) * form(step.end)
     }
 }

@@ -8,11 +8,11 @@ use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
 /// functions `N` and `d = X − x`:
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transport {
-    /// `ρA ∫ d N_a N'_b dx`, kg and so on.
+    /// `ρA ∫ d N_a N'_b dx`: kg for two places, kg m for a place and a slope, kg m² for two slopes.
     pub first: [[f64; 4]; 4],
-    /// `ρA ∫ d² N_a N''_b dx`.
+    /// `ρA ∫ d² N_a N''_b dx`, in the same units.
     pub second: [[f64; 4]; 4],
-    /// `ρA ∫ d² N'_a N'_b dx`.
+    /// `ρA ∫ d² N'_a N'_b dx`, in the same units.
     pub square: [[f64; 4]; 4],
 }
 
@@ -36,7 +36,7 @@ impl Transport {
         all
     }
 
-    /// What multiplies the coordinates in the force of inertia, `lambda [(lambda''/lambda − 2 r²) first + r² second]` with `r = lambda'/lambda`.
+    /// The matrix that multiplies the coordinates in the force of inertia, `lambda [(lambda''/lambda − 2 r²) first + r² second]` with `r = lambda'/lambda`.
     pub fn by_q(&self, extent: &Extent) -> [[f64; 4]; 4] {
         let square = extent.rate * extent.rate;
         let (by_first, by_second) = (extent.ratio * (extent.acceleration - 2.0 * square), extent.ratio * square);

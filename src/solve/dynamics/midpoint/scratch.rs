@@ -164,7 +164,7 @@ impl Scratch {
         system.whole_energy(&end, &next.velocity)
     }
 
-    /// Kinetic energy that what winches pay out has beyond that of the mesh, at the start of the step from `state` and at its end, `next`, J.
+    /// Kinetic energy of the beams that winches pay out, beyond that of the mesh, at the start of the step from `state` and at its end, `next`, J.
     pub fn transport_energies(&self, system: &System, state: &State, next: &State) -> [f64; 2] {
         if system.winches.is_empty() {
             return [0.0; 2];
