@@ -291,6 +291,12 @@ t = decimal(*.time)
          no beam of ANCF24; give simulation.step"
     )]
     StepNotGiven,
+    /// Results would have to be corrected by errors of steps that the solver does not know.
+    #[error(
+        "the results of this mechanism cannot be corrected: the solver knows the error of a step only with integrator = \"conserving\", a spectral_radius of at most 0.95 \
+         and no beam of ANCF24; remove simulation.correction"
+    )]
+    ErrorNotKnown,
     /// A step before the start.
     #[error("there is no initial state to step from; initialize first")]
     NotInitialized,

@@ -1,26 +1,21 @@
 //! How far the results are off because of the lengths of the steps: the error that the state carries along, as each result shows it.
 
+use super::correction::{self, Remainder};
+use super::neighbor::Neighbor;
 use super::scale::{self, Measures, Span};
 use crate::math::histogram::Histogram;
 use crate::mechanics::state::State;
-use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::system::System;
-use crate::mechanics::system::frame_cache::FrameCache;
-use crate::mechanics::system::variation::Variation;
 use crate::model::file::quantity::Quantity;
 use crate::model::file::schema::FINEST_ACCURACY;
-use crate::model::variables::{Moment, Table};
-use crate::solve::step::response::{Responder, Response};
+use crate::model::variables::Table;
+use crate::solve::step::response::Responder;
 use serde::{Deserialize, Serialize};
 
 /// Results are looked at again after this many steps: what a look costs is little beside them.
 const STEPS: u64 = 8;
 /// The first looks come after each step, so that short runs are looked at too.
 const FIRST_STEPS: u64 = 8;
-/// How far a state is moved along its error, as a share of the system's size or rad: so little that results follow linearly.
-const REACH: f64 = 1e-6;
-/// Most that a state is moved, in errors.
-const LARGEST_MULTIPLE: f64 = 1e3;
 /// Share of its range that a reader expects a result to be right to.
 const EXPECTED: f64 = 0.005;
 /// The same for the error of a force or a strain because of the mesh.
@@ -79,6 +74,14 @@ pub struct Differences {
     largest: Vec<f64>,
 }
 
+/// Scratch memory of a look.
+#[derive(Debug, Default)]
+pub struct Looker {
+    neighbor: Neighbor,
+    largest: Vec<f64>,
+    ranges: Vec<f64>,
+}
+
 /// What has been seen of the results so far.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
@@ -88,18 +91,8 @@ pub struct Accuracy {
     errors: Vec<Histogram>,
     /// Steps at the last look.
     looked: u64,
-}
-
-/// Scratch memory of a look.
-#[derive(Debug, Default)]
-pub struct Looker {
-    moved: Option<State>,
-    variation: Variation,
-    frames: FrameCache,
-    response: Response,
-    snapshot: FrameCache,
-    values: Vec<f64>,
-    largest: Vec<f64>,
+    /// What is left in results that are corrected.
+    remainder: Remainder,
 }
 
 /// A family of results and its estimated error.
@@ -137,11 +130,16 @@ impl Columns {
 
     /// Sets `largest` to the largest of the errors of each family's results.
     fn find_largest(&self, error: impl Fn(usize) -> f64, largest: &mut Vec<f64>) {
+        self.find_largest_of_columns(|_, column| error(column.result), largest);
+    }
+
+    /// Sets `largest` to the largest size of each family's columns.
+    fn find_largest_of_columns(&self, size: impl Fn(usize, &Column) -> f64, largest: &mut Vec<f64>) {
         largest.clear();
         largest.resize(self.families.len(), 0.0);
-        for column in &self.columns {
-            let (error, worst) = (error(column.result), &mut largest[column.family]);
-            *worst = if error.is_nan() { f64::INFINITY } else { error.max(*worst) };
+        for (number, column) in self.columns.iter().enumerate() {
+            let (size, worst) = (size(number, column), &mut largest[column.family]);
+            *worst = if size.is_nan() { f64::INFINITY } else { size.max(*worst) };
         }
     }
 }
@@ -177,28 +175,54 @@ impl Accuracy {
         steps <= FIRST_STEPS || steps >= self.looked.saturating_add(STEPS)
     }
 
-    /// Looks at the errors of the `results` of `state`, which have been included; `responder` is there if results ask for a response.
+    /// Looks at the errors of the `results` of `state`, as computed, which have been included; `responder` is there if results ask for a response. `corrects`: they will be corrected.
     pub fn look(
         &mut self,
         (columns, table): (&Columns, &Table),
         (system, state): (&System, &State),
         responder: Option<&mut Responder>,
-        results: &[f64],
+        (results, corrects): (&[f64], bool),
         looker: &mut Looker,
     ) {
-        if !state.time_error.is_known() {
-            return;
-        }
-        let Some(multiple) = looker.move_along(system, state) else { return };
-        let Looker { moved: Some(moved), response, snapshot, values, largest, .. } = looker else { return };
-        if responder.is_some_and(|responder| responder.respond(system, moved, response).is_err()) {
-            return;
-        }
+        let Looker { neighbor, largest, ranges } = looker;
+        let Some((moved, multiple)) = neighbor.measure(table, (system, state), responder) else { return };
         self.looked = state.statistics.steps;
-        table.measure(&Moment { system, state: moved, response, fibers: &[] }, snapshot, values);
-        columns.find_largest(|result| (values[result] - results[result]).abs() / multiple, largest);
+        columns.find_largest(|result| (moved[result] - results[result]).abs() / multiple, largest);
         self.errors.resize(columns.families.len(), Histogram::default());
-        self.errors.iter_mut().zip(largest).for_each(|(errors, largest)| errors.add(*largest));
+        self.errors.iter_mut().zip(&*largest).for_each(|(errors, largest)| errors.add(*largest));
+        if corrects {
+            self.find_ranges(columns, ranges);
+            let families = largest.iter().zip(&*ranges).map(|(error, range)| [*error, *range]);
+            self.remainder.include(system, &state.time_error, families);
+        }
+    }
+
+    /// Takes the error out of those of the `results` of `state`, as computed, that are not rough; arguments are those of [`Self::look`].
+    pub fn correct(
+        &self,
+        (columns, table): (&Columns, &Table),
+        motion: (&System, &State),
+        responder: Option<&mut Responder>,
+        results: &mut [f64],
+        looker: &mut Looker,
+    ) {
+        let Looker { neighbor, largest, ranges } = looker;
+        let Some((moved, multiple)) = neighbor.measure(table, motion, responder) else { return };
+        let error = |result: usize, computed: f64| (moved[result] - computed) / multiple;
+        columns.find_largest(|result| error(result, results[result]).abs(), largest);
+        self.find_ranges(columns, ranges);
+        for Column { result, family, .. } in &columns.columns {
+            if !columns.families[*family].is_rough && largest[*family].is_finite() {
+                results[*result] +=
+                    correction::share(largest[*family], ranges[*family]) * error(*result, results[*result]);
+            }
+        }
+    }
+
+    /// Sets `ranges` to the largest range of each family's results so far.
+    fn find_ranges(&self, columns: &Columns, ranges: &mut Vec<f64>) {
+        let range = |number: usize, _: &Column| self.ranges.get(number).map_or(0.0, |[low, high]| high - low);
+        columns.find_largest_of_columns(range, ranges);
     }
 
     /// How far the families range, each with its largest size.
@@ -218,11 +242,12 @@ impl Accuracy {
         energies.map(|(_, span)| span.range).fold(0.0, f64::max)
     }
 
-    /// All families of results with their errors because of the lengths of the steps, after `duration` s; none of quantities that are zero.
-    pub fn errors(&self, columns: &Columns, system: &System, duration: f64) -> Vec<Inexact> {
+    /// All families of results with their errors because of the lengths of the steps, after `duration` s; none of quantities that are zero. `corrects`: those that are
+    /// not rough are told as corrected.
+    pub fn errors(&self, columns: &Columns, system: &System, duration: f64, corrects: bool) -> Vec<Inexact> {
         let error = |number: usize, family: &Family| {
-            let errors = self.errors.get(number)?;
-            Some(errors.exceeded_by(family.left_out()))
+            let error = self.errors.get(number)?.exceeded_by(family.left_out());
+            Some(if corrects && !family.is_rough { self.remainder.of(number, error) } else { error })
         };
         self.shares(columns, system, duration, error)
     }
@@ -274,32 +299,6 @@ impl Accuracy {
             (scale > 0.0).then(|| Inexact { name: name.clone(), error, is_rough: *is_rough })
         });
         found.collect()
-    }
-}
-
-impl Looker {
-    /// Moves a copy of `state` along its error; returns by how many errors, none where it cannot be said.
-    fn move_along(&mut self, system: &System, state: &State) -> Option<f64> {
-        let Self { moved, variation, frames, snapshot, .. } = self;
-        let TimeError { position, velocity, rates, .. } = &state.time_error;
-        let (size, _) = system.correction_size(position);
-        if !size.is_finite() || velocity.iter().any(|value| !value.is_finite()) {
-            return None;
-        }
-        let multiple = (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE);
-        let moved = moved.get_or_insert_default();
-        moved.copy_motion_from(state);
-        variation.q.clone_from(position);
-        variation.velocity.clone_from(velocity);
-        let [viscous, _] = &mut variation.viscous;
-        viscous.clear();
-        if !rates.is_empty() {
-            // The error of the velocities may turn about with every step as they do.
-            viscous.resize(state.strain_rates.len(), 0.0);
-            system.set_strain_rates(&snapshot.of(system, state), rates, viscous);
-        }
-        variation.apply(system, multiple, moved, frames);
-        Some(multiple)
     }
 }
 

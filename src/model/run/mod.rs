@@ -1,9 +1,11 @@
 //! Runs a model: [`simulation::Simulation`] is what a host, a program and the command line step through time.
 
 pub mod accuracy;
+pub mod correction;
 pub mod effort;
 pub mod finer;
 pub mod levels;
+pub mod neighbor;
 pub mod rows;
 pub(super) mod scale;
 pub mod simulation;

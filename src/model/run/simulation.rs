@@ -246,6 +246,7 @@ impl Simulation {
         if self.accuracy.is_due(self.runner.state.statistics.steps) {
             self.look();
         }
+        self.correct();
         Ok(())
     }
 
@@ -253,7 +254,24 @@ impl Simulation {
     fn look(&mut self) {
         let Runner { system, state, responder, .. } = &mut self.runner;
         let responder = responder.as_deref_mut();
-        self.accuracy.look((&self.columns, &self.table), (system, state), responder, &self.results, &mut self.looker);
+        let results = (&*self.results, self.document.simulation.correction);
+        self.accuracy.look((&self.columns, &self.table), (system, state), responder, results, &mut self.looker);
+    }
+
+    /// Takes the time-step error out of the results, as computed, if the file asks for it.
+    fn correct(&mut self) {
+        if self.document.simulation.correction {
+            let Runner { system, state, responder, .. } = &mut self.runner;
+            let (known, results) = ((&*self.columns, &*self.table), &mut self.results);
+            self.accuracy.correct(known, (system, state), responder.as_deref_mut(), results, &mut self.looker);
+        }
+    }
+
+    /// Reads all results off the state that the system has reached, as users get them.
+    fn tell_results(&mut self) -> Result<(), Error> {
+        self.read_results()?;
+        self.correct();
+        Ok(())
     }
 
     /// What is wrong with result `number`.
@@ -266,7 +284,7 @@ impl Simulation {
         )
     }
 
-    /// Reads all results off the state that the system has reached.
+    /// Reads all results off the state that the system has reached, as computed.
     fn read_results(&mut self) -> Result<(), Error> {
         let runner = &mut self.runner;
         runner.respond()?;
@@ -389,7 +407,7 @@ impl Model for Simulation {
     }
 
     fn look_between(&mut self) -> Result<(), Failure> {
-        self.read_results().map_err(|error| failure(&error))
+        self.tell_results().map_err(|error| failure(&error))
     }
 
     fn end_step(&mut self) -> Result<(), Failure> {

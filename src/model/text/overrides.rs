@@ -16,7 +16,7 @@ const TABLE: &str = "axes";
 const SECTION: &str = "curve";
 
 /// The keys of the section [simulation] that are often set, and as often without its name.
-const SIMULATION: [&str; 13] = [
+const SIMULATION: [&str; 14] = [
     "analysis",
     "follow",
     "initial",
@@ -30,6 +30,7 @@ const SIMULATION: [&str; 13] = [
     "tolerance",
     "verify",
     "mesh_error",
+    "correction",
 ];
 
 /// What an override sets.

@@ -3,6 +3,7 @@
 pub mod alternating_forces;
 pub mod coarse_ends;
 pub mod coarse_meshes;
+pub mod correction;
 pub mod energy_watch;
 pub mod finer_meshes;
 pub mod limits_of_models;

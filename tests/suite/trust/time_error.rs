@@ -5,7 +5,7 @@ use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
 
 /// A body on a spring, 31.6 rad/s, by rows of 5 ms.
-fn oscillator(step: &str) -> String {
+pub(super) fn oscillator(step: &str) -> String {
     format!(
         "format = 1\n[model]\nname = \"Oscillator\"\n[body.b]\nmass = 1\nposition = [0, 0, -1]\ninertia = [0.1, 0.1, 0.1]\n\
          velocity = [0, 0, 1]\n[frame.hook]\nposition = [0, 0, 0]\n[spring.coil]\na = \"hook\"\nb = \"b\"\nstiffness = 1000\n\
@@ -14,7 +14,7 @@ fn oscillator(step: &str) -> String {
 }
 
 /// A slender shaft that is spun up past its first critical speed.
-fn shaft(step: &str) -> String {
+pub(super) fn shaft(step: &str) -> String {
     let file = format!("{}/models/rotating_shaft.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(file).expect("the model");
     let own = text.lines().filter(|line| !line.starts_with("step =") && !line.starts_with("output_step ="));
@@ -22,7 +22,7 @@ fn shaft(step: &str) -> String {
 }
 
 /// A component of an output at every row until `stop`, s, and the simulation there.
-fn rows(text: &str, name: &str, interval: f64, stop: f64) -> (Vec<f64>, Simulation) {
+pub(super) fn rows(text: &str, name: &str, interval: f64, stop: f64) -> (Vec<f64>, Simulation) {
     let mut simulation = start(text);
     let count = (stop / interval).round() as usize;
     let found = (1..=count).map(|row| {
@@ -33,7 +33,7 @@ fn rows(text: &str, name: &str, interval: f64, stop: f64) -> (Vec<f64>, Simulati
 }
 
 /// The largest difference over the range of what is compared with.
-fn difference(rows: &[f64], reference: &[f64]) -> f64 {
+pub(super) fn difference(rows: &[f64], reference: &[f64]) -> f64 {
     let pairs = rows.iter().zip(reference);
     let largest = pairs.map(|(own, other)| (own - other).abs()).fold(0.0, f64::max);
     let (low, high) = reference.iter().fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(*x), high.max(*x)));
@@ -41,7 +41,7 @@ fn difference(rows: &[f64], reference: &[f64]) -> f64 {
 }
 
 /// The share of its range that the run says a family of results is off by.
-fn estimate(simulation: &Simulation, family: &str) -> f64 {
+pub(super) fn estimate(simulation: &Simulation, family: &str) -> f64 {
     let errors = simulation.estimated_errors();
     errors.iter().find(|own| own.name == family).unwrap_or_else(|| panic!("no {family} in {errors:?}")).error
 }

@@ -34,6 +34,8 @@ pub struct SimulationSpec {
     pub verify: bool,
     /// Whether units and programs in C find the mesh error of a motion.
     pub mesh_error: bool,
+    /// Whether the time-step error is taken out of the results of a motion.
+    pub correction: bool,
     /// The results of the whole mechanism that stand behind those of the outputs.
     pub totals: Vec<Total>,
 }
@@ -193,6 +195,16 @@ impl SimulationSpec {
             reader.refuse("mesh_error", message, "remove it, or remove `from_state`");
         }
         let mesh_error = reader.boolean("mesh_error", false);
+        let is_estimated = matches!(integrator, IntegratorSpec::Conserving { spectral_radius: Some(_) });
+        if analysis == Analysis::Static || !is_estimated {
+            let message = "`correction` belongs to a motion with integrator = \"conserving\", which estimates its time-step error";
+            reader.refuse(
+                "correction",
+                message,
+                "remove it, or set analysis = \"dynamic\" and integrator = \"conserving\"",
+            );
+        }
+        let correction = reader.boolean("correction", false);
         let totals = totals(&mut reader, analysis);
         let steps = match step {
             Some(step) => {
@@ -237,6 +249,7 @@ impl SimulationSpec {
             tolerance,
             verify,
             mesh_error,
+            correction,
             totals,
         }
     }

@@ -7,13 +7,14 @@ use crate::model::run::levels;
 use crate::model::run::watch::Watch;
 
 impl Simulation {
-    /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion; empty where that is not known.
+    /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion, and where they are corrected as is left of that; empty where
+    /// that is not known.
     pub fn estimated_errors(&self) -> Vec<Inexact> {
         let Runner { system, state, start, .. } = &self.runner;
         if !state.time_error.is_known() {
             return Vec::new();
         }
-        self.accuracy.errors(&self.columns, system, state.time - start)
+        self.accuracy.errors(&self.columns, system, state.time - start, self.document.simulation.correction)
     }
 
     /// The family of results with the largest estimated error.
@@ -23,7 +24,10 @@ impl Simulation {
 
     /// Looks a last time, and warns of errors that are larger than a reader expects, of each kind or together.
     pub(super) fn end_run(&mut self) {
+        // Results as computed: they were read once, so that they can be read again.
+        let _ = self.read_results();
         self.look();
+        self.correct();
         let Runner { pacing, state, .. } = &self.runner;
         let setting = match pacing {
             Some(pacing) => Setting::Accuracy(pacing.accuracy),

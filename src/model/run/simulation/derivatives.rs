@@ -189,20 +189,17 @@ impl Simulation {
     /// Difference quotients of all results over the last internal step, or over the next one. Tunable parameters that were set since the
     /// results were read act on the next step, and on both ends of its quotients: their jump is no derivative.
     fn quotients(&mut self) -> Result<Vec<f64>, Error> {
-        let mut frames = FrameCache::default();
-        let (mut now, mut values) = (Vec::new(), Vec::new());
         let (system, (state, response)) = if self.last.known {
-            now.clone_from(&self.results);
             (Arc::clone(&self.runner.system), self.runner.before_last_part(self.last.end, self.last.stop)?)
         } else {
             let next = self.runner.after_next_part(&self.document)?;
-            let (system, state) = (self.runner.settled(&self.document), &self.runner.state);
-            let mut response = Response::default();
-            self.runner.solver.respond(&mut Responder::new(&system), &system, state, &mut response)?;
-            let moment = Moment { system: &system, state, response: &response, fibers: &[] };
-            self.table.measure(&moment, &mut frames, &mut now);
-            (system, next)
+            (self.runner.settled(&self.document), next)
         };
+        let mut own = Response::default();
+        self.runner.solver.respond(&mut Responder::new(&system), &system, &self.runner.state, &mut own)?;
+        let (mut frames, mut now, mut values) = (FrameCache::default(), Vec::new(), Vec::new());
+        let moment = Moment { system: &system, state: &self.runner.state, response: &own, fibers: &[] };
+        self.table.measure(&moment, &mut frames, &mut now);
         let moment = Moment { system: &system, state: &state, response: &response, fibers: &[] };
         self.table.measure(&moment, &mut frames, &mut values);
         let passed = self.runner.state.time - state.time;

@@ -97,7 +97,7 @@ impl Simulation {
         if outcome.is_err() {
             self.runner.go_back();
             // They were those of this state before the step, so that they can be read.
-            let _ = self.read_results();
+            let _ = self.tell_results();
         }
         if let Solver::Statics(statics) = &mut self.runner.solver {
             self.warnings.extend(statics.take_remarks());

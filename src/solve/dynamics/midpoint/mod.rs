@@ -91,10 +91,15 @@ impl Midpoint {
     /// # Errors
     /// It does not know the error of a step of this system.
     pub fn paced(self, pacing: Pacing) -> Result<Self, Error> {
-        if self.estimator.is_none() {
+        if !self.knows_error() {
             return Err(Error::StepNotGiven);
         }
         Ok(Self { pacing: Some(pacing), ..self })
+    }
+
+    /// Whether it knows the error of its steps.
+    pub fn knows_error(&self) -> bool {
+        self.estimator.is_some()
     }
 }
 
