@@ -28,6 +28,17 @@ impl Cholesky {
         Self { values: vec![0.0; starts.last().copied().unwrap_or_default()], starts }
     }
 
+    /// As [`Self::new`]; none where the mean square of the lengths of columns, to which the work of a factorization is proportional, is above `most`.
+    pub fn within(lasts: impl Iterator<Item = usize> + Clone, most: usize) -> Option<Self> {
+        let (mut last, mut work, mut count) = (0, 0, 0);
+        for (column, own) in lasts.clone().enumerate() {
+            last = own.max(last).max(column);
+            work += (last + 1 - column) * (last + 1 - column);
+            count = column + 1;
+        }
+        (work <= most * count).then(|| Self::new(lasts))
+    }
+
     /// Number of columns.
     pub fn size(&self) -> usize {
         self.starts.len() - 1

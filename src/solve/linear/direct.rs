@@ -40,6 +40,13 @@ impl DirectSolver {
         if self.is_frontal { Ok(()) } else { self.fall_back(blocks) }
     }
 
+    /// Sets the scaling of all unknowns by the values of `blocks`, without a factorization, and forgets the last one. Returns whether the scaling is known.
+    pub fn set_scale(&mut self, blocks: &Blocks) -> bool {
+        (self.is_frontal, self.is_general) = (false, false);
+        let Self { units, fronts, .. } = self;
+        fronts.as_mut().map(|fronts| fronts.set_scale(units, blocks)).is_some()
+    }
+
     /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are those that were factorized.
     ///
     /// # Errors

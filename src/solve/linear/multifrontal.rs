@@ -109,8 +109,8 @@ impl Multifrontal {
         Ok(())
     }
 
-    /// Sets the scale of all unknowns.
-    fn set_scale(&mut self, units: &[f64], blocks: &Blocks) {
+    /// Sets the scale of all unknowns by the values of `blocks`, as [`Self::factorize`] does.
+    pub fn set_scale(&mut self, units: &[f64], blocks: &Blocks) {
         let Self { scale, .. } = self;
         scale.fill(0.0);
         for number in &self.diagonal {

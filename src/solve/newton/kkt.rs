@@ -1,8 +1,9 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
+use super::definite::Definite;
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
-use crate::mechanics::constraint::joint::JointGradient;
+use crate::mechanics::constraint::joint::{Joint, JointGradient};
 use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::{System, copy_corner, copy_transposed};
@@ -31,7 +32,8 @@ pub struct Kkt {
     solver: DirectSolver,
     /// Second derivatives of one joint.
     parts: Box<[MarkerMatrix; 4]>,
-    /// Made when it is first asked for.
+    /// Each made when it is first asked for.
+    definite: Option<Option<Definite>>,
     inertia: Option<Inertia>,
 }
 
@@ -113,7 +115,7 @@ impl Kkt {
         blocks.shrink_to_fit();
         let solver = DirectSolver::new(unknowns(system, inertia), units(system), &blocks);
         let parts = Box::new([MarkerMatrix::zeros(); 4]);
-        Self { blocks, joints, curvatures, solver, parts, inertia: None }
+        Self { blocks, joints, curvatures, solver, parts, definite: None, inertia: None }
     }
 
     /// Sets the constraint blocks: `scale` times `columns` transposed on the right, `rows` below.
@@ -209,11 +211,43 @@ impl Kkt {
         self.solver.solve_roughly(&self.blocks, vector)
     }
 
+    /// Whether it is certain that no motion that the constraints allow releases energy, by the symmetric part of the matrix that is set. A factorization is
+    /// neither needed nor kept.
+    pub fn holds_all_motions(&mut self, system: &System) -> bool {
+        self.solver.set_scale(&self.blocks) && self.is_definite(system)
+    }
+
+    /// Whether the matrix that [`Self::releasing_motions`] factorizes is positive definite beyond round-off.
+    fn is_definite(&mut self, system: &System) -> bool {
+        let coordinates = system.coordinates();
+        let definite = self.definite.get_or_insert_with(|| {
+            // The second sides of gears share a condition with the joint before.
+            let has_gears = system.joints.iter().any(Joint::shares_condition);
+            if has_gears { None } else { Definite::new(coordinates, &self.blocks) }
+        });
+        let Some(definite) = definite else { return false };
+        definite.take(&self.blocks);
+        for ((joint, rows), first) in system.joints_with_rows().zip(&self.joints) {
+            let sides = [(&joint.a, first + 2), (&joint.b, first + 3)];
+            let sides = sides.map(|(marker, block)| (marker.coordinates(&system.mesh), self.blocks.block(block)));
+            for (condition, row) in rows.clone().enumerate() {
+                let gradient = sides.iter().flat_map(|(range, values)| {
+                    range.clone().zip(values.iter().skip(condition).step_by(rows.len()).copied())
+                });
+                definite.add_spring(gradient, self.solver.scale(coordinates + row).powi(2) / YIELDING);
+            }
+        }
+        definite.is_definite()
+    }
+
     /// How many independent motions that the constraints allow release energy, by the symmetric part of the matrix that is set and has
     /// been factorized: Sylvester's law of inertia counts them all, however many softer ones there are. None where a pivot vanishes.
     ///
     /// They are the negative pivots of `A + Bᵀ B/ε = L D Lᵀ`, the constraints being springs that are stiffer than anything else.
     pub fn releasing_motions(&mut self, system: &System) -> Option<usize> {
+        if self.is_definite(system) {
+            return Some(0);
+        }
         if self.inertia.is_none() {
             self.inertia = Inertia::new(system, &self.blocks);
         }

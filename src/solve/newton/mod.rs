@@ -1,5 +1,6 @@
 //! Newton's iteration on the constrained system, the same for an equilibrium and for a step.
 
+mod definite;
 pub mod kkt;
 pub mod prediction;
 

@@ -239,21 +239,29 @@ impl Statics {
         unstable
     }
 
-    /// Judges the equilibrium `state`: whether it is unstable, by a count. Not by the matrix that Newton leaves: that is of its last iterate but one, as drawn and
+    /// Judges the equilibrium `state`: whether it is unstable, by a count where it is not certain that it is stable. Not by the matrix that Newton leaves: that is of its last iterate but one, as drawn and
     /// without the forces of constraints where one iteration is enough.
     fn judge(&mut self, system: &System, state: &State) -> bool {
+        self.assemble(system, state);
         // Without a factorization nothing is known.
-        if self.linearize(system, state).is_ok() {
+        if self.kkt.holds_all_motions(system) {
+            self.stability.record_stable(state.time);
+        } else if self.kkt.factorize(system, state.time).is_ok() {
             self.stability.judge(system, &mut self.kkt, state.time);
         }
         self.stability.known().is_some_and(|known| known.unstable > 0)
     }
 
-    /// Factorizes the matrix of the equilibrium `state`.
-    fn linearize(&mut self, system: &System, state: &State) -> Result<(), Error> {
+    /// Sets the matrix of the equilibrium `state`.
+    fn assemble(&mut self, system: &System, state: &State) {
         let given = (&state.excitation, &state.prescribed);
         Equilibrium::near(system, state, state.instant(), given, &mut self.scratch)
             .linearize(&mut self.kkt, &mut self.right);
+    }
+
+    /// Factorizes the matrix of the equilibrium `state`.
+    fn linearize(&mut self, system: &System, state: &State) -> Result<(), Error> {
+        self.assemble(system, state);
         self.kkt.factorize(system, state.time)
     }
 

@@ -75,6 +75,11 @@ impl Stability {
         }
     }
 
+    /// Records that the equilibrium of `time`, s, is stable.
+    pub fn record_stable(&mut self, time: f64) {
+        self.known = Some(StabilityRecord { time, unstable: 0 });
+    }
+
     /// Judges the equilibrium of `time`, s, whose matrix `kkt` has and has factorized.
     pub fn judge(&mut self, system: &System, kkt: &mut Kkt, time: f64) {
         self.known = kkt.releasing_motions(system).map(|unstable| StabilityRecord { time, unstable });
