@@ -85,6 +85,13 @@ impl Load {
         jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)
     }
 
+    /// Whether [`Self::force_q`] of point `number` under the components `wrench` is zero: that of a dead force without an arm.
+    pub fn is_constant(&self, number: usize, wrench: &Wrench) -> bool {
+        self.direction == Direction::Global
+            && wrench.moment == Vec3::zeros()
+            && self.points[number].0.arm() == Vec3::zeros()
+    }
+
     /// `∂(generalized force)/∂q` of point `number` under the components `wrench`, 24×24.
     pub fn force_q(&self, c: &Configuration, number: usize, wrench: &Wrench) -> MarkerMatrix {
         let marker = &self.points[number].0;

@@ -85,6 +85,10 @@ impl System {
         let mut load_points = layout.load_points();
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for ((number, (marker, _)), block) in load.points.iter().enumerate().zip(&mut load_points) {
+                if load.is_constant(number, wrench) {
+                    tangent.block_mut(block).fill(0.0);
+                    continue;
+                }
                 let count = marker.coordinates(&self.mesh).len();
                 let force_q = load.force_q(c, number, wrench);
                 copy_corner(tangent.block_mut(block), count, &force_q, -scale);

@@ -4,7 +4,7 @@ use crate::random::Random;
 use crate::support::marker_oracle::{ALL, All, BODY, Dual, Machine, ROUNDING, deep};
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
-use ancf14::mechanics::input::excitation::HostWrench;
+use ancf14::mechanics::input::excitation::{HostWrench, Wrench};
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
 use nalgebra::SMatrix;
@@ -43,6 +43,7 @@ fn load_derivatives() {
 
 fn check_load_derivatives() {
     let mut random = Random(8);
+    let mut constant = 0;
     for case in 0..32 {
         let machine = Machine::new(&mut random);
         let marker = match case % 8 {
@@ -97,5 +98,15 @@ fn check_load_derivatives() {
                 assert!(error.abs() < ROUNDING * own_q.amax().max(1.0), "stiffness {i} {l} of case {case}: {error:e}");
             }
         }
+        // Equations leave out what is said to be zero.
+        for moment in [moment, Vec3::zeros()] {
+            let wrench = Wrench { force, moment };
+            if load.is_constant(0, &wrench) {
+                constant += 1;
+                assert_eq!(load.force_q(&c, 0, &wrench).amax(), 0.0, "stiffness of case {case} under {wrench:?}");
+            }
+        }
     }
+    // Dead forces at two nodes and in two sections, in two cases each.
+    assert_eq!(constant, 8);
 }
