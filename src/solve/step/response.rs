@@ -39,7 +39,8 @@ impl Response {
 /// Computes responses; scratch memory.
 #[derive(Debug)]
 pub struct Responder {
-    kkt: Kkt,
+    /// Made when it is first needed: equilibria, and integrators that keep accelerations, respond without it.
+    kkt: Option<Kkt>,
     right: Vec<f64>,
     momentum: Vec<f64>,
     excitation: Excitation,
@@ -52,7 +53,7 @@ impl Responder {
     pub fn new(system: &System) -> Self {
         let size = system.coordinates() + system.constraints();
         Self {
-            kkt: Kkt::for_projections(system),
+            kkt: None,
             right: vec![0.0; size],
             momentum: vec![0.0; system.coordinates()],
             excitation: Excitation::default(),
@@ -67,10 +68,11 @@ impl Responder {
     /// The constraints are redundant, or the acceleration of a drive or frame is not finite.
     pub fn respond(&mut self, system: &System, state: &State, response: &mut Response) -> Result<(), Error> {
         self.set_right(system, state)?;
-        self.kkt.blocks.clear();
-        system.add_mass(&state.prescribed.drives, 1.0, &mut self.kkt.blocks);
-        self.kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
-        self.kkt.solve(system, &mut self.right, state.time)?;
+        let kkt = self.kkt.get_or_insert_with(|| Kkt::for_projections(system));
+        kkt.blocks.clear();
+        system.add_mass(&state.prescribed.drives, 1.0, &mut kkt.blocks);
+        kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
+        kkt.solve(system, &mut self.right, state.time)?;
         let (acceleration, multipliers) = self.right.split_at(state.q.len());
         response.acceleration.clear();
         response.acceleration.extend_from_slice(acceleration);
