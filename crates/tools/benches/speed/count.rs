@@ -3,6 +3,7 @@
 use crate::chain;
 use crate::element::Bent;
 use crate::linear::Step;
+use crate::princeton::Load;
 use crate::shaft;
 use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
@@ -12,8 +13,17 @@ use ancf14_testing::curves::load;
 const CHAIN: usize = 100;
 
 /// The names of the kernels.
-pub const KERNELS: [&str; 8] =
-    ["gradient", "hessian", "factorization", "shaft", "chain", "damped_chain", "alpha_chain", "damped_alpha_chain"];
+pub const KERNELS: [&str; 9] = [
+    "gradient",
+    "hessian",
+    "factorization",
+    "equilibrium",
+    "shaft",
+    "chain",
+    "damped_chain",
+    "alpha_chain",
+    "damped_alpha_chain",
+];
 
 /// Runs `kernel` as often as `text` says, and returns how many results a run has.
 pub fn run(kernel: &str, text: &str) -> usize {
@@ -21,10 +31,15 @@ pub fn run(kernel: &str, text: &str) -> usize {
     let mut step;
     let mut bent;
     let mut simulation;
+    let load_alone;
     let (parts, mut work): (usize, Box<dyn FnMut()>) = match kernel {
         "factorization" => {
             step = Step::new(CHAIN);
             (step.unknowns(), Box::new(|| step.solve()))
+        }
+        "equilibrium" => {
+            load_alone = Load::new();
+            (1, Box::new(|| load_alone.bear()))
         }
         "shaft" => {
             simulation = load(&shaft::model(), &shaft::OWN);

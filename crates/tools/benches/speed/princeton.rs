@@ -3,6 +3,8 @@
 use crate::peer::Peer;
 use crate::runs;
 use crate::table::{Amount, Row};
+use ancf14::model::simulation::Simulation;
+use ancf14::solve::statics::Statics;
 use ancf14_testing::curves::{Curves, largest, load};
 
 const MODEL: &str = include_str!("../../../../models/princeton_beam.toml");
@@ -18,6 +20,24 @@ const PEER: [([&str; 2], &str); 2] = [(["8", "shear"], "3e-4"), (["6", "slender"
 /// 6 are at 0.8 %. The whole load acts from the start: its first equilibrium is what is sought.
 const OWN: [(&str, &str); 3] =
     [("arm.elements", "3"), ("arm.twist", "quadratic"), ("weight.force", "[0, 'P*sin(angle)', 'P*cos(angle)']")];
+
+/// The tolerance of a load of its own.
+const TOLERANCE: f64 = 3e-4;
+
+/// The strip as drawn, under the largest load at 45 degrees.
+pub struct Load(Simulation);
+
+impl Load {
+    pub fn new() -> Self {
+        Self(runs::drawn(&runs::watching(MODEL, OUTPUT), &OWN.map(|(key, value)| (key, value.to_owned()))))
+    }
+
+    /// Finds its equilibrium, the solver's setup included.
+    pub fn bear(&self) {
+        let (system, mut state) = (self.0.system(), self.0.state().clone());
+        Statics::new(system, TOLERANCE).find(system, &mut state, 0.0).unwrap_or_else(|error| panic!("{error}"));
+    }
+}
 
 /// Largest errors of the tip in the weak and in the stiff direction over all loads, relative to the largest displacement, in words.
 fn error(tips: [&[f64]; 2]) -> String {

@@ -43,9 +43,13 @@ pub fn equilibria(model: &str, cases: &[Vec<(&str, String)>]) -> f64 {
     clock::least(|| cases.iter().map(|keys| equilibrium(model, keys)).sum())
 }
 
-fn equilibrium(model: &str, keys: &[(&str, String)]) -> f64 {
+/// A simulation that has not been initialized.
+pub fn drawn(model: &str, keys: &[(&str, String)]) -> Simulation {
     let keys: Vec<_> = keys.iter().map(|(key, value)| (key.to_string(), value.clone())).collect();
-    let mut simulation =
-        Simulation::load("model.toml", model, &keys).unwrap_or_else(|failure| panic!("{}", failure.message));
+    Simulation::load("model.toml", model, &keys).unwrap_or_else(|failure| panic!("{}", failure.message))
+}
+
+fn equilibrium(model: &str, keys: &[(&str, String)]) -> f64 {
+    let mut simulation = drawn(model, keys);
     clock::timed(|| simulation.initialize(0.0).unwrap_or_else(|failure| panic!("{}", failure.message)))
 }
