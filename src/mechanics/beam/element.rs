@@ -19,8 +19,8 @@ use std::ops::{Deref, DerefMut, Range};
 pub enum AnyElement {
     /// Center-line and twist.
     Ancf14(ancf14::element::Element),
-    /// One of ANCF14 that is paid out.
-    PaidOut(ancf14::paid_out::PaidOut),
+    /// One of ANCF14 that is paid out. Its further numbers are in a box: they would make all elements larger.
+    PaidOut(Box<ancf14::paid_out::PaidOut>),
     /// Center-line and gradients of the section.
     Ancf24(ancf24::element::Element),
 }
@@ -194,7 +194,7 @@ impl Deref for AnyElement {
     fn deref(&self) -> &Self::Target {
         match self {
             Self::Ancf14(element) => element,
-            Self::PaidOut(element) => element,
+            Self::PaidOut(element) => &**element,
             Self::Ancf24(element) => element,
         }
     }
@@ -204,7 +204,7 @@ impl DerefMut for AnyElement {
     fn deref_mut(&mut self) -> &mut Self::Target {
         match self {
             Self::Ancf14(element) => element,
-            Self::PaidOut(element) => element,
+            Self::PaidOut(element) => &mut **element,
             Self::Ancf24(element) => element,
         }
     }

@@ -50,7 +50,7 @@ impl Node {
     /// Place and section axes.
     pub fn pose(&self, c: &BeamConfiguration) -> Pose {
         let axes = match *self {
-            Self::Ancf14 { frame, .. } => c.frames[frame].section,
+            Self::Ancf14 { frame, .. } => c.frames[frame].section(),
             Self::Ancf24 { start } => SectionFrame::of_node(&c.q[start..]).axes,
         };
         Pose { place: self.place(c.q), axes }

@@ -105,8 +105,8 @@ impl Case {
             end.fixed_rows_mut::<3>(7 * i + 3).copy_from(&slope);
             // The angle at which the frame carried along the tangent has the section turned with the rest, on the nearest branch.
             let carried = NodeFrame::new(&end.as_slice()[7 * i..7 * i + 7], &self.triads[i]);
-            let y = turn * frame.section.column(1);
-            end[7 * i + 6] += f64::atan2(y.dot(&carried.section.column(2)), y.dot(&carried.section.column(1)));
+            let (y, axes) = (turn * frame.section().column(1), carried.section());
+            end[7 * i + 6] += f64::atan2(y.dot(&axes.column(2)), y.dot(&axes.column(1)));
         }
         end
     }

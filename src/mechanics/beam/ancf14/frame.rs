@@ -20,8 +20,8 @@ pub struct NodeFrame {
     pub v: Vec3,
     /// `k = kb(t_r, t)`; the `s` of (2.5) is `−k`.
     pub k: Vec3,
-    /// Section axes `[t y z]` (2.4).
-    pub section: Mat3,
+    /// Cosine and sine of `theta`, which turns the section about `t` from `u` and `v`.
+    pub turn: [f64; 2],
 }
 
 impl NodeFrame {
@@ -34,8 +34,14 @@ impl NodeFrame {
         let v = t.cross(&u);
         let k = half_turn(&triad.t, &t);
         let (sin, cos) = q[THETA].sin_cos();
-        let section = Mat3::from_columns(&[t, u * cos + v * sin, v * cos - u * sin]);
-        Self { stretch, t, u, v, k, section }
+        Self { stretch, t, u, v, k, turn: [cos, sin] }
+    }
+
+    /// Section axes `[t y z]` (2.4).
+    #[inline]
+    pub fn section(&self) -> Mat3 {
+        let Self { t, u, v, turn: [cos, sin], .. } = self;
+        Mat3::from_columns(&[*t, u * *cos + v * *sin, v * *cos - u * *sin])
     }
 
     /// `∂t/∂p = (I − t tᵀ)/|p|`, 3×3.

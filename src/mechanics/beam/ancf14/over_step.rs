@@ -126,7 +126,7 @@ pub struct Turn {
 impl Turn {
     /// Between the frames of both nodes in the middle and at the end of the step.
     fn new(middle: [&NodeFrame; 2], end: [&NodeFrame; 2]) -> Self {
-        let rotation = middle[0].section * end[0].section.transpose();
+        let rotation = middle[0].section() * end[0].section().transpose();
         let spin = |node: usize| {
             let (here, there) = (middle[node], end[node]);
             rotation.tr_mul(&here.k) / here.stretch - there.k / there.stretch

@@ -57,7 +57,7 @@ impl SystemBuilder {
         for element in &mut self.system.mesh.elements[range] {
             let AnyElement::Ancf14(drawn) = element else { continue };
             let own = drawn.length;
-            *element = AnyElement::PaidOut(PaidOut::new(drawn.clone(), begin, payout));
+            *element = AnyElement::PaidOut(Box::new(PaidOut::new(drawn.clone(), begin, payout)));
             begin += own;
         }
         self.system.drives.push(Drive { name: name.into(), coordinate: None, guide, switch: None });
