@@ -5,6 +5,7 @@
 //! pivots without them. What is left of a front is added into its parent, the front of the first unknown of its border. Without masses bodies come last:
 //! they have pivots only when what they are joined to is gone. With masses they may come early too, which keeps fronts small where many hang on one node.
 
+use super::front::{Front, Indices, Piece, Run, short};
 use super::frontal_matrix::Shape;
 use super::ordering::minimum_degree;
 use crate::math::blocks::Blocks;
@@ -44,53 +45,6 @@ const WELD: usize = 6;
 /// Longest column of a front: beams, joints and bodies have some tens, hundreds of bodies on a node without their masses more than this.
 const LONGEST: usize = 256;
 
-/// Unknowns that are eliminated together. They are renumbered in the order of their elimination.
-#[derive(Clone, Debug, Default)]
-pub struct Front {
-    /// Its pivots, renumbered: coordinates, then multipliers.
-    pub pivots: Range<usize>,
-    /// Of its dense matrix.
-    pub shape: Shape,
-    /// Runs of the border among the unknowns: [`Fronts::borders`].
-    pub border: Range<usize>,
-    /// Where its factors begin.
-    pub start: usize,
-    /// Where what it leaves begins, until its parent has taken it.
-    pub rest: usize,
-    /// What is added into it: [`Fronts::pieces`].
-    pub pieces: Range<usize>,
-    /// Fronts whose rest is added into it: [`Fronts::children`].
-    pub children: Range<usize>,
-    /// Where the rows of its own rest lie in its parent: [`Fronts::runs`].
-    pub runs: Range<usize>,
-}
-
-/// A part of a block that lies within one front.
-#[derive(Clone, Copy, Debug)]
-pub struct Piece {
-    /// Place of its first value among those of the blocks.
-    pub source: usize,
-    /// Distance of its columns there.
-    pub stride: usize,
-    /// Place of its first value in the columns of the front.
-    pub target: usize,
-    /// Number of rows.
-    pub rows: usize,
-    /// Number of columns.
-    pub columns: usize,
-}
-
-/// Neighboring rows.
-#[derive(Clone, Copy, Debug)]
-pub struct Run {
-    /// The first one where they come from.
-    pub from: usize,
-    /// The first one where they go to.
-    pub to: usize,
-    /// How many.
-    pub length: usize,
-}
-
 /// All fronts, in the order of their elimination; children come before parents.
 #[derive(Debug)]
 pub struct Fronts {
@@ -101,11 +55,11 @@ pub struct Fronts {
     /// Parts of the matrix, front after front.
     pub pieces: Vec<Piece>,
     /// Children of each front, front after front.
-    pub children: Vec<usize>,
+    pub children: Vec<u32>,
     /// `from` is a row of a front's matrix, `to` one of its parent's.
     pub runs: Vec<Run>,
     /// Of each renumbered unknown, its number in the system.
-    pub unknowns: Vec<usize>,
+    pub unknowns: Vec<u32>,
     /// Length of all factors together.
     pub storage: usize,
     /// Length of what fronts leave at the same time.
@@ -212,8 +166,8 @@ fn sort_each(lists: &mut [Vec<usize>]) {
 }
 
 impl Fronts {
-    /// For the pattern of `blocks`. None where there is no such order, since a multiplier acts on nothing, or where a front becomes so long that a
-    /// general solver, with its larger dense parts, is faster.
+    /// For the pattern of `blocks`. None where there is no such order, since a multiplier acts on nothing, where a front becomes so long that a
+    /// general solver, with its larger dense parts, is faster, or where 32 bits are not enough for an index.
     pub fn new(kinds: Unknowns, blocks: &Blocks) -> Option<Self> {
         let groups = Groups::new(kinds.count(), blocks);
         let multipliers = groups.starts.partition_point(|start| *start < kinds.coordinates())..groups.count();
@@ -230,7 +184,8 @@ impl Fronts {
         let late = in_order(&order);
         let order = early.filter(|early| early.operations() < late.operations()).unwrap_or(late);
         let fronts = Self::with_order(&order, blocks);
-        (fronts.longest <= LONGEST).then_some(fronts)
+        let most = fronts.storage.max(fronts.rests).max(blocks.values().len());
+        (fronts.longest <= LONGEST && u32::try_from(most).is_ok()).then_some(fronts)
     }
 
     fn with_order(order: &Order<'_>, blocks: &Blocks) -> Self {
@@ -241,34 +196,36 @@ impl Fronts {
         for (front, border) in order.borders.iter().enumerate() {
             let begin = [unknowns.len(), borders.len(), runs.len(), children.len()];
             for group in &order.members[front] {
-                unknowns.extend(order.groups.unknowns(*group));
+                unknowns.extend(order.groups.unknowns(*group).map(short));
             }
             let pivots = begin[0]..unknowns.len();
             let mut row = pivots.len();
             for group in border {
                 let length = order.groups.unknowns(*group).len();
-                push_run(&mut borders, begin[1], Run { from: row, to: order.renumbered[*group], length });
+                let run = |to: usize| Run::new(row, to, length);
+                push_run(&mut borders, begin[1], run(order.renumbered[*group]));
                 if let Some(parent) = order.parent(front) {
-                    push_run(&mut runs, begin[2], Run { from: row, to: order.row_in(parent, *group), length });
+                    push_run(&mut runs, begin[2], run(order.row_in(parent, *group)));
                 }
                 row += length;
             }
-            children.extend(&order.children[front]);
+            children.extend(order.children[front].iter().copied().map(short));
             let shape = Shape { pivots: pivots.len(), border: row - pivots.len() };
             // Its own is written when those of its children have been read.
             for child in &order.children[front] {
-                places.give_back(fronts[*child].rest, fronts[*child].shape.rest());
+                let rest = fronts[*child].rest();
+                places.give_back(rest.start, rest.len());
             }
             let rest = places.take(shape.rest());
             fronts.push(Front {
-                pivots,
-                shape,
-                border: begin[1]..borders.len(),
-                start: storage,
-                rest,
-                pieces: 0..0,
-                children: begin[3]..children.len(),
-                runs: begin[2]..runs.len(),
+                pivots: pivots.into(),
+                below: short(shape.border),
+                border: (begin[1]..borders.len()).into(),
+                start: short(storage),
+                rest: short(rest),
+                pieces: Indices::default(),
+                children: (begin[3]..children.len()).into(),
+                runs: (begin[2]..runs.len()).into(),
             });
             storage += shape.factors();
             longest = longest.max(shape.stride());
@@ -290,15 +247,15 @@ impl Fronts {
             for row in groups.within(block.row..block.row + block.rows) {
                 for column in groups.within(block.column..block.column + block.columns) {
                     let front = order.front_of[row].min(order.front_of[column]);
-                    let stride = self.fronts[front].shape.stride();
+                    let stride = self.fronts[front].shape().stride();
                     let target = order.row_in(front, row) + stride * order.row_in(front, column);
                     let [rows, columns] = [row, column].map(|group| groups.unknowns(group));
                     let piece = Piece {
-                        source: source + rows.start - block.row + (columns.start - block.column) * block.rows,
-                        stride: block.rows,
-                        target,
-                        rows: rows.len(),
-                        columns: columns.len(),
+                        source: short(source + rows.start - block.row + (columns.start - block.column) * block.rows),
+                        stride: short(block.rows),
+                        target: short(target),
+                        rows: short(rows.len()),
+                        columns: short(columns.len()),
                     };
                     pieces.push((front, piece));
                 }
@@ -309,7 +266,7 @@ impl Fronts {
         let mut first = 0;
         for (front, own) in self.fronts.iter_mut().enumerate() {
             let count = pieces[first..].partition_point(|(other, _)| *other == front);
-            own.pieces = first..first + count;
+            own.pieces = (first..first + count).into();
             first += count;
         }
         // Collecting a vector in place would keep the room of the numbers that are left out.
@@ -435,11 +392,7 @@ impl<'a> Order<'a> {
 
 /// Appends a run, or lengthens the last one since `start` that it goes on from.
 fn push_run(runs: &mut Vec<Run>, start: usize, run: Run) {
-    if let Some(last) = runs[start..].last_mut()
-        && last.from + last.length == run.from
-        && last.to + last.length == run.to
-    {
-        last.length += run.length;
+    if runs[start..].last_mut().is_some_and(|last| last.take_in(run)) {
         return;
     }
     runs.push(run);

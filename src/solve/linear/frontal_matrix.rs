@@ -58,7 +58,7 @@ pub fn eliminate(
     own: &mut [f64],
     right: &mut [f64],
     weights: &mut [f64],
-    rows: &mut [usize],
+    rows: &mut [u16],
 ) -> Result<(), Singular> {
     match shape.pivots {
         6 => eliminate_sized::<6>(shape, own, right, weights, rows),
@@ -79,7 +79,7 @@ fn eliminate_sized<const PIVOTS: usize>(
     own: &mut [f64],
     right: &mut [f64],
     weights: &mut [f64],
-    rows: &mut [usize],
+    rows: &mut [u16],
 ) -> Result<(), Singular> {
     let stride = shape.stride();
     for number in 0..PIVOTS {
@@ -87,7 +87,7 @@ fn eliminate_sized<const PIVOTS: usize>(
         let (column, later) = rest.split_at_mut(stride);
         reduce::<PIVOTS>(PIVOTS, before, column);
         let best = number + best_row(&column[number..PIVOTS], &weights[number..])?;
-        rows[number] = best;
+        rows[number] = short(best);
         if best != number {
             weights.swap(number, best);
             column.swap(number, best);
@@ -112,7 +112,7 @@ fn eliminate_panels(
     own: &mut [f64],
     right: &mut [f64],
     weights: &mut [f64],
-    rows: &mut [usize],
+    rows: &mut [u16],
 ) -> Result<(), Singular> {
     let mut done = 0;
     while done < shape.pivots {
@@ -134,7 +134,7 @@ fn eliminate_panel<const WIDTH: usize>(
     done: usize,
     [own, right]: [&mut [f64]; 2],
     weights: &mut [f64],
-    rows: &mut [usize],
+    rows: &mut [u16],
 ) -> Result<(), Singular> {
     let (stride, end) = (shape.stride(), done + WIDTH);
     let (before, rest) = own.split_at_mut(done * stride);
@@ -146,7 +146,7 @@ fn eliminate_panel<const WIDTH: usize>(
         let (left, later) = panel.split_at_mut(own * stride);
         let (column, later) = later.split_at_mut(stride);
         let best = number + best_row(&column[number..shape.pivots], &weights[number..])?;
-        *row = best;
+        *row = short(best);
         if best != number {
             exchanged = true;
             weights.swap(number, best);
@@ -173,7 +173,7 @@ fn eliminate_panel<const WIDTH: usize>(
     }
     for column in ahead.chunks_exact_mut(stride).chain(right.chunks_exact_mut(stride)) {
         if exchanged {
-            rows.iter().enumerate().for_each(|(own, row)| column.swap(done + own, *row));
+            rows.iter().enumerate().for_each(|(own, row)| column.swap(done + own, usize::from(*row)));
         }
         let Some((factors, below)) = column[done..].split_first_chunk_mut::<WIDTH>() else { continue };
         for own in 0..WIDTH {
@@ -187,6 +187,11 @@ fn eliminate_panel<const WIDTH: usize>(
         }
     }
     Ok(())
+}
+
+/// The number of a row of a front, of which there are some hundreds at most.
+fn short(row: usize) -> u16 {
+    row as u16
 }
 
 /// The row of the largest entry, each times its weight.
@@ -238,10 +243,10 @@ fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64]
 }
 
 /// Solves with `L`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they leave on the border.
-pub fn solve_lower(shape: Shape, factors: &[f64], rows: &[usize], column: &mut [f64]) {
-    for (number, row) in rows.iter().enumerate() {
-        if *row != number {
-            column.swap(number, *row);
+pub fn solve_lower(shape: Shape, factors: &[f64], rows: &[u16], column: &mut [f64]) {
+    for (number, row) in rows.iter().map(|row| usize::from(*row)).enumerate() {
+        if row != number {
+            column.swap(number, row);
         }
     }
     match shape.pivots {

@@ -4,6 +4,7 @@ pub mod cholesky;
 mod columns;
 pub mod direct;
 pub mod elimination_tree;
+pub mod front;
 pub mod frontal_matrix;
 pub mod mass_factor;
 pub mod multifrontal;

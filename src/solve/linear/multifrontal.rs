@@ -4,7 +4,8 @@
 //! condition is 1, which then counts for more. What the restricted pivoting and stiff beams cost, refinement restores; a solution counts only with a componentwise backward
 //! error at round-off. Where there is none, a general solver has to help (`direct`).
 
-use super::elimination_tree::{Front, Fronts, Run, Unknowns};
+use super::elimination_tree::{Fronts, Unknowns};
+use super::front::{Front, Piece, Run};
 use super::frontal_matrix::{Shape, eliminate, solve_lower, solve_upper};
 use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
 use crate::math::blocks::{Block, Blocks};
@@ -39,14 +40,13 @@ pub struct Multifrontal {
     /// What fronts leave for their parents.
     rests: Vec<f64>,
     /// Of each renumbered unknown, the row (within its front) that its pivot came from.
-    rows: Vec<usize>,
+    rows: Vec<u16>,
     scale: Vec<f64>,
-    /// Renumbered.
+    /// Right-hand side and solution, renumbered; afterwards the size of the terms of each row.
     work: Vec<f64>,
     column: Vec<f64>,
     solution: Vec<f64>,
     remainder: Vec<f64>,
-    magnitude: Vec<f64>,
 }
 
 impl Multifrontal {
@@ -71,7 +71,6 @@ impl Multifrontal {
             column: vec![0.0; fronts.longest],
             solution: vec![0.0; size],
             remainder: vec![0.0; size],
-            magnitude: vec![0.0; size],
             fronts,
         })
     }
@@ -84,22 +83,23 @@ impl Multifrontal {
         self.set_scale(units, blocks);
         let Self { fronts, coordinates, factors, right, rests, rows, scale, column, .. } = self;
         for front in &fronts.fronts {
-            let shape = front.shape;
-            let (own, upper) = factors[front.start..front.start + shape.factors()].split_at_mut(shape.own());
+            let (shape, pivots) = (front.shape(), front.pivots.range());
+            let (own, upper) = factors[front.factors()].split_at_mut(shape.own());
             let right = &mut right[..shape.right()];
             own.fill(0.0);
             right.fill(0.0);
             add_pieces(fronts, front, blocks.values(), own, right);
-            for child in &fronts.children[front.children.clone()] {
-                let child = &fronts.fronts[*child];
-                add_rest(rests, child, &fronts.runs[child.runs.clone()], shape, [&mut *own, &mut *right]);
+            for child in &fronts.children[front.children.range()] {
+                let child = &fronts.fronts[*child as usize];
+                add_rest(rests, child, &fronts.runs[child.runs.range()], shape, [&mut *own, &mut *right]);
             }
-            let weights = &mut column[..front.pivots.len()];
-            for (weight, unknown) in weights.iter_mut().zip(&fronts.unknowns[front.pivots.clone()]) {
-                *weight = if unknown < coordinates { scale[*unknown] } else { PREFERENCE * scale[*unknown] };
+            let weights = &mut column[..shape.pivots];
+            for (weight, unknown) in weights.iter_mut().zip(&fronts.unknowns[pivots.clone()]) {
+                let unknown = *unknown as usize;
+                *weight = if unknown < *coordinates { scale[unknown] } else { PREFERENCE * scale[unknown] };
             }
-            eliminate(shape, own, right, weights, &mut rows[front.pivots.clone()])?;
-            let left = rests[front.rest..front.rest + shape.rest()].chunks_exact_mut(shape.border.max(1));
+            eliminate(shape, own, right, weights, &mut rows[pivots])?;
+            let left = rests[front.rest()].chunks_exact_mut(shape.border.max(1));
             let kept = upper.chunks_exact_mut(shape.pivots);
             for ((column, kept), left) in right.chunks_exact(shape.stride()).zip(kept).zip(left) {
                 copy(&column[..shape.pivots], kept);
@@ -151,10 +151,10 @@ impl Multifrontal {
     pub fn sign(&self) -> i8 {
         let mut sign = 1;
         for front in &self.fronts.fronts {
-            let factors = &self.factors[front.start..];
-            for (number, row) in self.rows[front.pivots.clone()].iter().enumerate() {
-                let is_negative = factors[number * front.shape.stride() + number] < 0.0;
-                if is_negative != (*row != number) {
+            let (factors, stride) = (&self.factors[front.factors()], front.shape().stride());
+            for (number, row) in self.rows[front.pivots.range()].iter().enumerate() {
+                let is_negative = factors[number * stride + number] < 0.0;
+                if is_negative != (usize::from(*row) != number) {
                     sign = -sign;
                 }
             }
@@ -212,7 +212,7 @@ impl Multifrontal {
                     .fold(0.0_f64, |largest, (value, scale)| largest.max((value * scale).abs()))
             };
             // The solution counts in units of the scale, the rows in those of its inverse.
-            (terms, left) = (largest(&self.magnitude), largest(&self.remainder));
+            (terms, left) = (largest(&self.work), largest(&self.remainder));
             for (value, scale) in vector.iter_mut().zip(&self.scale) {
                 *value /= scale * scale;
             }
@@ -225,11 +225,11 @@ impl Multifrontal {
     /// `remainder = A⁻¹ remainder`.
     fn apply_inverse(&mut self) {
         for (unknown, value) in self.fronts.unknowns.iter().zip(&mut self.work) {
-            *value = self.remainder[*unknown];
+            *value = self.remainder[*unknown as usize];
         }
         self.substitute();
         for (unknown, value) in self.fronts.unknowns.iter().zip(&self.work) {
-            self.remainder[*unknown] = *value;
+            self.remainder[*unknown as usize] = *value;
         }
     }
 
@@ -237,33 +237,33 @@ impl Multifrontal {
     fn substitute(&mut self) {
         let Self { fronts, factors, rows, work, column, .. } = self;
         for front in &fronts.fronts {
-            let factors = &factors[front.start..front.start + front.shape.factors()];
-            let column = &mut column[..front.shape.stride()];
-            let (pivots, border) = column.split_at_mut(front.pivots.len());
-            pivots.copy_from_slice(&work[front.pivots.clone()]);
+            let (shape, own) = (front.shape(), front.pivots.range());
+            let column = &mut column[..shape.stride()];
+            let (pivots, border) = column.split_at_mut(shape.pivots);
+            pivots.copy_from_slice(&work[own.clone()]);
             border.fill(0.0);
-            solve_lower(front.shape, factors, &rows[front.pivots.clone()], column);
-            work[front.pivots.clone()].copy_from_slice(&column[..front.pivots.len()]);
-            for Run { from, to, length } in &fronts.borders[front.border.clone()] {
-                add(&mut work[*to..to + length], &column[*from..from + length]);
+            solve_lower(shape, &factors[front.factors()], &rows[own.clone()], column);
+            work[own].copy_from_slice(&column[..shape.pivots]);
+            for run in &fronts.borders[front.border.range()] {
+                add(&mut work[run.to()], &column[run.from()]);
             }
         }
         for front in fronts.fronts.iter().rev() {
-            let factors = &factors[front.start..front.start + front.shape.factors()];
-            let column = &mut column[..front.pivots.len() + front.shape.border];
-            column[..front.pivots.len()].copy_from_slice(&work[front.pivots.clone()]);
-            for Run { from, to, length } in &fronts.borders[front.border.clone()] {
-                column[*from..from + length].copy_from_slice(&work[*to..to + length]);
+            let (shape, own) = (front.shape(), front.pivots.range());
+            let column = &mut column[..shape.pivots + shape.border];
+            column[..shape.pivots].copy_from_slice(&work[own.clone()]);
+            for run in &fronts.borders[front.border.range()] {
+                column[run.from()].copy_from_slice(&work[run.to()]);
             }
-            solve_upper(front.shape, factors, column);
-            work[front.pivots.clone()].copy_from_slice(&column[..front.pivots.len()]);
+            solve_upper(shape, &factors[front.factors()], column);
+            work[own].copy_from_slice(&column[..shape.pivots]);
         }
     }
 
     /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| + |b|)_i` (Oettli-Prager); infinite
     /// when not finite. `|A|` is the sum of the sizes of blocks that overlap, where `sparse_lu` takes the size of their sum: a little less strict.
     fn backward_error(&mut self, blocks: &Blocks, vector: &[f64]) -> f64 {
-        let Self { scale, solution, remainder, magnitude, .. } = self;
+        let Self { scale, solution, remainder, work: magnitude, .. } = self;
         remainder.copy_from_slice(vector);
         for (magnitude, value) in magnitude.iter_mut().zip(vector) {
             *magnitude = value.abs();
@@ -360,15 +360,16 @@ fn copy(column: &[f64], target: &mut [f64]) {
 
 /// Adds the pieces of the matrix that belong to a front, whose columns of pivots are `own`, those of the border `right`.
 fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], own: &mut [f64], right: &mut [f64]) {
-    let stride = front.shape.stride();
-    for piece in &fronts.pieces[front.pieces.clone()] {
-        let mut from = piece.source;
+    let stride = front.shape().stride();
+    for piece in &fronts.pieces[front.pieces.range()] {
+        let Piece { source, target, .. } = *piece;
+        let (mut from, target, rows) = (source as usize, target as usize, piece.rows as usize);
         // A piece has columns of one group.
         let (mut to, columns) =
-            if piece.target < own.len() { (piece.target, &mut *own) } else { (piece.target - own.len(), &mut *right) };
+            if target < own.len() { (target, &mut *own) } else { (target - own.len(), &mut *right) };
         for _ in 0..piece.columns {
-            add(&mut columns[to..to + piece.rows], &values[from..from + piece.rows]);
-            from += piece.stride;
+            add(&mut columns[to..to + rows], &values[from..from + rows]);
+            from += piece.stride as usize;
             to += stride;
         }
     }
@@ -376,19 +377,19 @@ fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], own: &mut [f64], r
 
 /// Adds what is left of a child, among `rests`, to the columns of its parent of the shape `shape`: of pivots, of the border.
 fn add_rest(rests: &[f64], child: &Front, runs: &[Run], shape: Shape, [own, right]: [&mut [f64]; 2]) {
-    let (stride, Shape { pivots, border }) = (shape.stride(), child.shape);
-    let rest = &rests[child.rest..child.rest + child.shape.rest()];
+    let (stride, Shape { pivots, border }) = (shape.stride(), child.shape());
+    let rest = &rests[child.rest()];
     for columns in runs {
-        for column in 0..columns.length {
-            let left = &rest[(columns.from + column - pivots) * border..][..border];
-            let to = columns.to + column;
+        for (from, to) in columns.from().zip(columns.to()) {
+            let left = &rest[(from - pivots) * border..][..border];
             let target = if to < shape.pivots {
                 &mut own[to * stride..(to + 1) * stride]
             } else {
                 &mut right[(to - shape.pivots) * stride..(to - shape.pivots + 1) * stride]
             };
-            for Run { from, to, length } in runs {
-                add(&mut target[*to..to + length], &left[from - pivots..from - pivots + length]);
+            for run in runs {
+                let rows = run.from();
+                add(&mut target[run.to()], &left[rows.start - pivots..rows.end - pivots]);
             }
         }
     }
