@@ -273,8 +273,10 @@ impl Midpoint {
     fn carry_error(&mut self, system: &System, state: &State, dissipation: Dissipation, span: Span, next: &mut State) {
         let Some(estimator) = &mut self.estimator else { return };
         let State { strain_rates, time_error, .. } = next;
+        self.scratch.lend(estimator.scratch());
         let taken = Taken { state, dissipation, span, solution: &self.scratch, strain_rates };
         estimator.carry(system, &mut self.kkt, &taken, time_error);
+        self.scratch.lend(estimator.scratch());
     }
 
     /// Projects the velocities of the error at the end of a step, as those of the motion have been.

@@ -59,6 +59,24 @@ impl Scratch {
         }
     }
 
+    /// For `system`, without what [`Self::lend`] lends.
+    pub fn borrowing(system: &System) -> Self {
+        let mut own = Self::new(system);
+        own.lend(&mut Self::default());
+        own
+    }
+
+    /// Lends `other` the memory that a finished step no longer needs; a second call takes it back. The rates at the start keep their values, and `other` has them too.
+    pub fn lend(&mut self, other: &mut Self) {
+        std::mem::swap(&mut self.q_middle, &mut other.q_middle);
+        std::mem::swap(&mut self.forces, &mut other.forces);
+        std::mem::swap(&mut self.mass_increment, &mut other.mass_increment);
+        std::mem::swap(&mut self.start_rates, &mut other.start_rates);
+        std::mem::swap(&mut self.starts, &mut other.starts);
+        std::mem::swap(&mut self.frames_start, &mut other.frames_start);
+        std::mem::swap(&mut self.frames_middle, &mut other.frames_middle);
+    }
+
     /// What does not change in the iteration.
     pub fn prepare(&mut self, system: &System, state: &State, step: f64, end: f64) {
         let middle = state.time + 0.5 * step;
@@ -165,11 +183,12 @@ impl Scratch {
     }
 
     /// Kinetic energy of the beams that winches pay out, beyond that of the mesh, at the start of the step from `state` and at its end, `next`, J.
-    pub fn transport_energies(&self, system: &System, state: &State, next: &State) -> [f64; 2] {
+    pub fn transport_energies(&mut self, system: &System, state: &State, next: &State) -> [f64; 2] {
         if system.winches.is_empty() {
             return [0.0; 2];
         }
-        let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
+        // Others may have written where they were ([`Self::lend`]).
+        let start = self.frames_start.of(system, state);
         let end = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
         [system.transport_energy(&start, &state.velocity), system.transport_energy(&end, &next.velocity)]
     }

@@ -39,21 +39,18 @@ const LEAST_DAMPING: f64 = 0.01;
 #[derive(Debug)]
 pub struct Estimator {
     right: Vec<f64>,
+    /// A second right-hand side, then the source.
     filtered: Vec<f64>,
+    /// Third and fourth derivatives of the motion.
     jerk: Vec<f64>,
-    /// The third derivatives in the middle of the step, 1/s³ each.
-    middle: Vec<f64>,
     snap: Vec<f64>,
-    source: Vec<f64>,
     mass: Vec<f64>,
     /// What the conditions ask of the error of the velocities.
     targets: Vec<f64>,
     gradients: Vec<JointGradient>,
     /// The start of the neighboring motion.
     start: Option<State>,
-    /// The neighboring motion at the middle of the time, and its frames.
-    at_middle: Vec<f64>,
-    frames: FrameCache,
+    /// Of the neighboring motion, with memory that the step lends it ([`Scratch::lend`]).
     scratch: Scratch,
 }
 
@@ -83,16 +80,12 @@ impl Estimator {
             right: vec![0.0; coordinates + conditions],
             filtered: vec![0.0; coordinates + conditions],
             jerk: vec![0.0; coordinates],
-            middle: vec![0.0; coordinates],
             snap: vec![0.0; coordinates],
-            source: vec![0.0; coordinates],
             mass: vec![0.0; coordinates],
             targets: vec![0.0; conditions],
             gradients: Vec::new(),
             start: None,
-            at_middle: vec![0.0; coordinates],
-            frames: FrameCache::default(),
-            scratch: Scratch::new(system),
+            scratch: Scratch::borrowing(system),
         }
     }
 
@@ -114,6 +107,11 @@ impl Estimator {
             Ok(()) => Some(system.motion_sizes(&self.right[..coordinates])),
             Err(Singular) => Some([f64::NAN; 2]),
         }
+    }
+
+    /// Scratch memory of the neighboring motion. While [`Self::carry`] runs it needs what the step can lend.
+    pub fn scratch(&mut self) -> &mut Scratch {
+        &mut self.scratch
     }
 
     /// Carries `error`, that of the start of the step `taken`, to its end, but for the projection of its velocities; `kkt` has the tangent of the step.
@@ -148,25 +146,28 @@ impl Estimator {
         self.find_source(taken, error, mean);
         let Some(multiple) = self.multiple(system, error, h) else { return Ok(()) };
         self.depart(system, taken, error, multiple, mean);
-        let Self { right, scratch, start: Some(start), at_middle, frames, .. } = self else { return Ok(()) };
+        let Self { right, filtered, scratch, start: Some(start), mass, .. } = self else { return Ok(()) };
         // All that the step adds to its dissipation is in the strain rates of the neighboring motion, which `depart` sets.
         let dissipation = taken.dissipation;
-        scratch.place(system, start);
-        scratch.act(system, start, dissipation, h);
         if error.known > 0 {
             // Joints act where they are at the mean of both ends, (h²/8)·acceleration from where they are at the middle of the time.
             let own = taken.solution.increment.iter().zip(&taken.state.velocity);
-            for (value, (mean, (increment, velocity))) in at_middle.iter_mut().zip(scratch.q_middle.iter().zip(own)) {
+            let means = start.q.iter().zip(&scratch.increment).map(|(q, increment)| q + 0.5 * increment);
+            let at_middle = &mut *mass;
+            for (value, (mean, (increment, velocity))) in at_middle.iter_mut().zip(means.zip(own)) {
                 *value = mean - multiple * 2.0 * MEAN * h * (increment / h - velocity);
             }
-            let configuration = frames.at(system, at_middle, start, &scratch.prescribed_middle);
+            let configuration = scratch.frames_middle.at(system, at_middle, start, &scratch.prescribed_middle);
             system.constraint_gradients(&configuration, &mut scratch.gradients_middle);
-        } else {
+        }
+        scratch.place(system, start);
+        scratch.act(system, start, dissipation, h);
+        if error.known == 0 {
             scratch.differentiate(system, start);
         }
         Step { system, state: start, dissipation, step: h, scratch }.balance(right);
-        system.mass_times(&taken.solution.prescribed_middle.drives, &self.source, &mut self.mass);
-        for (right, source) in right.iter_mut().zip(&self.mass) {
+        system.mass_times(&taken.solution.prescribed_middle.drives, &filtered[..mass.len()], mass);
+        for (right, source) in right.iter_mut().zip(&*mass) {
             *right += multiple * source;
         }
         kkt.solve_roughly(right)?;
@@ -174,12 +175,11 @@ impl Estimator {
         Ok(())
     }
 
-    /// Sets the third derivatives of the motion, and the source: what the exact motion leaves of the equation of the step, but for the part in strains, over the mass.
+    /// Sets the derivatives of the motion, and the source: what the exact motion leaves of the equation of the step, but for the part in strains, over the mass.
     fn find_source(&mut self, taken: &Taken, error: &TimeError, mean: f64) {
         let h = taken.span.step;
         self.jerk.fill(0.0);
-        self.source.fill(0.0);
-        self.middle.fill(0.0);
+        self.filtered.fill(0.0);
         self.snap.fill(0.0);
         if error.known < 1 || taken.state.prediction.known < 1 {
             return;
@@ -191,8 +191,7 @@ impl Estimator {
             // Differences lie half a step and a whole one behind the middle of this step. What turns would be accelerated by derivatives that lag.
             let ahead = if error.known < 3 { snap } else { 2.0 * snap - error.snap[index] };
             self.snap[index] = snap;
-            self.middle[index] = jerk + 0.5 * h * snap;
-            self.source[index] = cube * (0.5 * h * MIDPOINT * ahead - TRAPEZOIDAL * self.middle[index]);
+            self.filtered[index] = cube * (0.5 * h * MIDPOINT * ahead - TRAPEZOIDAL * in_middle(*jerk, snap, h));
         }
     }
 
@@ -207,8 +206,9 @@ impl Estimator {
 
     /// By which multiple of the error the neighboring motion is moved; none where the error has no bound any more.
     fn multiple(&self, system: &System, error: &TimeError, h: f64) -> Option<f64> {
+        let source = &self.filtered[..self.jerk.len()];
         let [position, velocity, source] =
-            [&error.position, &error.velocity, &self.source].map(|list| system.correction_size(list).0);
+            [&error.position, &error.velocity, source].map(|list| system.correction_size(list).0);
         let size = position.max(h * velocity).max(source);
         (size < LARGEST_ERROR).then(|| (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE))
     }
@@ -229,7 +229,7 @@ impl Estimator {
             let Dissipation { by_last_step, by_start } = dissipation;
             let by_change = by_last_step + MEAN * h / mean;
             let scale = multiple / by_last_step;
-            let rates = strain_rates.iter().zip(&state.strain_rates).zip(&solution.start_rates);
+            let rates = strain_rates.iter().zip(&state.strain_rates).zip(&self.scratch.start_rates);
             for (memory, ((now, last), first)) in start.strain_rates.iter_mut().zip(rates) {
                 *memory += scale * (by_change * (now - last) + by_start * (now - first));
             }
@@ -240,8 +240,7 @@ impl Estimator {
         scratch.prescribed_end.copy_from(&solution.prescribed_end);
         let first = scratch.frames_start.of(system, start);
         system.begin_step(&first, &solution.prescribed_middle.drives, &start.velocity, &mut scratch.starts, None);
-        // The dissipation is that of the step, as far as it knows the start.
-        scratch.start_rates.clone_from(&solution.start_rates);
+        // The dissipation is that of the step, as far as it knows the start: its rates there stay.
         let known = error.velocity.iter().zip(&error.acceleration).zip(&solution.increment);
         for (increment, ((velocity, acceleration), own)) in scratch.increment.iter_mut().zip(known) {
             *increment = own + multiple * (h * velocity + 0.5 * h * h * acceleration);
@@ -260,7 +259,8 @@ impl Estimator {
             let own = taken.solution.increment[index];
             let change = (self.scratch.increment[index] + correction - own) / multiple;
             let before = error.velocity[index];
-            let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * self.middle[index]) / h - before;
+            let jerk = in_middle(self.jerk[index], self.snap[index], h);
+            let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * jerk) / h - before;
             error.position[index] += change;
             if let Some(rate) = error.rates.get_mut(index) {
                 // The error of a strain that viscosity stops within far less than a step alternates: the mean of two does not.
@@ -339,6 +339,11 @@ impl Estimator {
         }
         Ok(())
     }
+}
+
+/// The third derivative in the middle of a step of `h` s, 1/s³: `jerk` lies half a step behind.
+fn in_middle(jerk: f64, snap: f64, h: f64) -> f64 {
+    jerk + 0.5 * h * snap
 }
 
 /// Takes `error` from the charts of the start of a step to those of its end, where a turn of a tangent alone turns no section.
