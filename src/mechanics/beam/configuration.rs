@@ -1,7 +1,7 @@
 //! Beams at one instant, and how they pass through it: what every element computes from.
 
 use super::ancf14::frame::NodeFrame;
-use super::ancf14::over_step::StepStart;
+use super::ancf14::over_step::EndStrains;
 use crate::math::jet::Jet;
 use crate::mechanics::input::heat::Heat;
 
@@ -59,7 +59,7 @@ pub struct TimeStep<'a, C = BeamConfiguration<'a>> {
     /// The same at the start, with its velocities.
     pub start_rates: &'a [f64],
     /// What elements with holonomy angles have at the start.
-    pub starts: &'a [StepStart],
+    pub starts: &'a [EndStrains],
 }
 
 impl<C> TimeStep<'_, C> {
@@ -67,8 +67,7 @@ impl<C> TimeStep<'_, C> {
     /// [`Self::strain_rates`].
     #[inline]
     pub fn unpredicted(&self, rate: f64, number: usize) -> f64 {
-        let Dissipation { by_last_step, by_start } = self.dissipation;
-        by_last_step * (rate - self.strain_rates[number]) + by_start * (rate - self.start_rates[number])
+        self.dissipation.unpredicted(rate, [self.strain_rates[number], self.start_rates[number]])
     }
 }
 
@@ -93,6 +92,12 @@ impl Dissipation {
     pub fn over(self, step: f64, largest: f64) -> Self {
         let weight = (largest / step).powi(2).max(1.0);
         Self { by_last_step: weight * self.by_last_step, by_start: weight * self.by_start }
+    }
+
+    /// The part of the rate `rate` of a strain that was not predicted by those over the last step and at the start, weighted.
+    #[inline]
+    pub fn unpredicted(self, rate: f64, [last, start]: [f64; 2]) -> f64 {
+        self.by_last_step * (rate - last) + self.by_start * (rate - start)
     }
 
     /// Both together: how the weighted change depends on the change over the step.

@@ -1,6 +1,6 @@
 //! What a system asks of an element: ANCF14 and ANCF24 answer alike, each in its own folder.
 
-use super::ancf14::over_step::StepStart;
+use super::ancf14::over_step::EndStrains;
 use super::configuration::{BeamConfiguration, Passage, TimeStep};
 use super::resultants::{SectionForces, SectionShape, SectionStrains};
 use super::{ancf14, ancf24};
@@ -101,7 +101,7 @@ pub trait BeamElement {
         _c: &BeamConfiguration,
         _middle: &[Jet],
         _velocity: &[f64],
-        _starts: &mut [StepStart],
+        _starts: &mut [EndStrains],
         _strain_rates: Option<&mut [f64]>,
     ) {
     }

@@ -10,7 +10,7 @@ use ancf14::mechanics::beam::ancf14::damping;
 use ancf14::mechanics::beam::ancf14::element::Element;
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
-use ancf14::mechanics::beam::ancf14::over_step::{STRAINS, StepStart};
+use ancf14::mechanics::beam::ancf14::over_step::{EndStrains, STRAINS};
 use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain};
 use ancf14::mechanics::beam::configuration::{BeamConfiguration, Dissipation, Passage, TimeStep};
 use ancf14::mechanics::beam::element::BeamElement;
@@ -71,7 +71,7 @@ impl Case {
         };
         let (start, middle, end) = (at(0), at(1), at(2));
         let still = [0.0; STRAINS];
-        let begin = StepStart::new(&self.element.evaluation(&start));
+        let begin = EndStrains::new(&self.element.evaluation(&start));
         let step = TimeStep {
             start: &start,
             end: &end,

@@ -5,7 +5,7 @@ use super::element::{Element, Evaluation};
 use super::energy::quadratic_twist::{self, Twist};
 use super::kinematics::Holonomy;
 use super::kinematics::section_point::SectionPoint;
-use super::over_step::StepStart;
+use super::over_step::EndStrains;
 use super::{damping, section};
 use crate::math::jet::Jet;
 use crate::math::{Vec3, hermite};
@@ -27,12 +27,12 @@ impl Element {
         own.iter_mut().zip(values).for_each(|(target, value)| *target += value);
     }
 
-    /// Strains as `passage` says.
+    /// What `with` makes of the element as `passage` says.
     #[inline]
-    fn passing<'a>(&'a self, c: &BeamConfiguration<'a>, passage: &Passage) -> Evaluation<'a> {
+    fn passing<R>(&self, c: &BeamConfiguration, passage: &Passage, with: impl FnOnce(&Evaluation) -> R) -> R {
         match passage {
-            Passage::Rest | Passage::Instant { .. } => self.evaluation(c),
-            Passage::Step(step) => self.over_step(c, step),
+            Passage::Rest | Passage::Instant { .. } => with(&self.evaluation(c)),
+            Passage::Step(step) => self.over_step(c, &self.end_strains(step.end), step, with),
         }
     }
 
@@ -106,7 +106,7 @@ impl BeamElement for Element {
     }
 
     fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
-        self.add(&self.passing(c, passage).gradient(), forces);
+        self.add(&self.passing(c, passage, |here| here.gradient()), forces);
     }
 
     fn add_gradient_and_set_hessian(
@@ -117,7 +117,7 @@ impl BeamElement for Element {
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        self.add_gradient_and_hessian_of(&self.passing(c, passage), scale, forces, block);
+        self.passing(c, passage, |here| self.add_gradient_and_hessian_of(here, scale, forces, block));
     }
 
     fn finish_step(
@@ -128,11 +128,12 @@ impl BeamElement for Element {
         strain_rates: &mut [f64],
     ) -> [f64; 3] {
         let end = self.evaluation(step.end);
-        let middle = self.with_end(&end, c, step);
-        self.add(&middle.gradient(), forces);
-        *self.own_rates_mut(strain_rates) = middle.added.rates;
-        let heat = if self.heating.is_some() { self.work_of_heat(&middle, step) } else { 0.0 };
-        [end.energy(), middle.added.taken, heat]
+        self.over_step(c, &EndStrains::new(&end), step, |middle| {
+            self.add(&middle.gradient(), forces);
+            *self.own_rates_mut(strain_rates) = middle.added.rates;
+            let heat = if self.heating.is_some() { self.work_of_heat(middle, step) } else { 0.0 };
+            [end.energy(), middle.added.taken(self, step.duration), heat]
+        })
     }
 
     fn begin_step(
@@ -140,14 +141,16 @@ impl BeamElement for Element {
         c: &BeamConfiguration,
         _middle: &[Jet],
         velocity: &[f64],
-        starts: &mut [StepStart],
+        starts: &mut [EndStrains],
         strain_rates: Option<&mut [f64]>,
     ) {
+        let Some(all) = strain_rates else {
+            starts[self.place.branch] = self.end_strains(c);
+            return;
+        };
         let evaluation = self.evaluation(c);
-        starts[self.place.branch] = StepStart::new(&evaluation);
-        if let Some(all) = strain_rates {
-            *self.own_rates_mut(all) = self.strain_rates(&evaluation, self.own(velocity));
-        }
+        starts[self.place.branch] = EndStrains::new(&evaluation);
+        *self.own_rates_mut(all) = self.strain_rates(&evaluation, self.own(velocity));
     }
 
     fn set_strain_rates(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: &mut [f64]) {

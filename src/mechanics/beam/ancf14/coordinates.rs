@@ -36,13 +36,10 @@ pub fn interpolate(weights: &[f64; 4], q: &[f64]) -> Vec3 {
     vec3(q, R) * weights[0] + vec3(q, P) * weights[1] + vec3(q, NODE + R) * weights[2] + vec3(q, NODE + P) * weights[3]
 }
 
-/// `r'` at an axial point where `X_a` have the weights `weights`: at the ends of the element it is the slope of a node.
+/// `r'` at the three axial points: at the ends of the element it is the slope of a node, in its middle `X_a` have the weights `weights`.
 #[inline]
-pub fn slope(weights: &[f64; 4], q: &[f64]) -> Vec3 {
-    match slope_of_node(weights) {
-        Some((a, place)) => vec3(q, place) * weights[a],
-        None => interpolate(weights, q),
-    }
+pub fn slopes(weights: &[f64; 4], q: &[f64]) -> [Vec3; 3] {
+    [vec3(q, P), interpolate(weights, q), vec3(q, NODE + P)]
 }
 
 /// Which `X_a` alone has a weight in `r'`, and where it starts, at the ends of the element.
@@ -51,7 +48,7 @@ fn slope_of_node(weights: &[f64; 4]) -> Option<(usize, usize)> {
     (weights[2] == 0.0).then_some(if weights[1] == 0.0 { (3, NODE + P) } else { (1, P) })
 }
 
-/// Adds `weightsᵀ v` to `sum`, 14×1, where `weights` are those of [`slope`].
+/// Adds `weightsᵀ v` to `sum`, 14×1, where `weights` are those of an axial point.
 #[inline]
 pub fn add_slope_force(weights: &[f64; 4], v: &Vec3, sum: &mut ElementVector) {
     match slope_of_node(weights) {

@@ -10,7 +10,7 @@
 //! Over a step the rate is the change of the strains over its length: a rigid motion, however fast, is not damped at all.
 
 use super::coordinates::{
-    ELEMENT, ElementMatrix, ElementVector, add_slope_force, add_spread, complete, slope as slope_at, spread,
+    ELEMENT, ElementMatrix, ElementVector, add_slope_force, add_spread, complete, slopes, spread,
 };
 use super::element::{Element, Evaluation};
 use super::kinematics::corotated::COROTATED;
@@ -63,9 +63,10 @@ pub fn force_and_tangent(
 fn rates_q(evaluation: &Evaluation, gradients: &Gradients, velocity: &ElementVector) -> StrainColumns {
     let (element, shape) = (evaluation.element, &evaluation.kinematics.shape);
     let mut columns = StrainColumns::zeros();
+    let slope_rates = slopes(&element.axial[1].shape_x, velocity.as_slice());
     for (m, slope) in evaluation.slopes.iter().enumerate() {
         let weights = &element.axial[m].shape_x;
-        let change = slope.strain_pp(element.stiffness.strain) * slope_at(weights, velocity.as_slice());
+        let change = slope.strain_pp(element.stiffness.strain) * slope_rates[m];
         columns.set_column(m, &spread(weights, &change));
     }
     let change = shape.along(velocity.as_slice());

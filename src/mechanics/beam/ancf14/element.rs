@@ -5,7 +5,7 @@
 
 use super::along::Along;
 use super::coordinates::{
-    ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slope as slope_at,
+    ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slopes,
 };
 use super::energy::axial;
 use super::energy::bending;
@@ -184,7 +184,6 @@ impl Element {
     }
 
     /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the `increment` of all coordinates and the `natural` strains of the step.
-    #[inline]
     pub(super) fn with_increment<'a>(
         &'a self,
         c: &BeamConfiguration<'a>,
@@ -252,8 +251,8 @@ impl<'a> Evaluation<'a> {
     }
 
     /// As [`Self::new`], but with linear twist whatever the element's is; `increment` is what the coordinates change by over a step whose middle is
-    /// `q`, or none.
-    #[inline]
+    /// `q`, or none. It is built where the caller has it, and only what the caller uses of it.
+    #[inline(always)]
     pub fn with_linear_twist(
         element: &'a Element,
         q: &[f64],
@@ -263,16 +262,18 @@ impl<'a> Evaluation<'a> {
         natural: &Natural,
     ) -> Self {
         let kinematics = Kinematics::new(element, q, frames, previous);
-        let slope = |point: &AxialPoint, natural: f64| axial::Slope {
-            middle: slope_at(&point.shape_x, q),
-            increment: increment.map_or_else(Vec3::zeros, |increment| slope_at(&point.shape_x, increment)),
+        let [first, middle, last] = &element.axial;
+        let here = slopes(&middle.shape_x, q);
+        let changes = increment.map_or([Vec3::zeros(); 3], |increment| slopes(&middle.shape_x, increment));
+        let slope = |m: usize, point: &AxialPoint| axial::Slope {
+            middle: here[m],
+            increment: changes[m],
             reference_stretch: point.reference_stretch,
             reference_square: point.reference_square,
-            natural: point.natural + natural,
+            natural: point.natural + natural.axial[m],
         };
         let torsion = |point: &AxialPoint| kinematics.twist * point.torsion_by_twist - point.reference_torsion;
-        let [first, middle, last] = &element.axial;
-        let slopes = [slope(first, natural.axial[0]), slope(middle, natural.axial[1]), slope(last, natural.axial[2])];
+        let slopes = [slope(0, first), slope(1, middle), slope(2, last)];
         let green = match element.stiffness.strain {
             // Nothing depends on them.
             Strain::Small => [0.0; 3],
@@ -342,7 +343,7 @@ impl<'a> Evaluation<'a> {
             sum += point.weight
                 * (bending::energy(stiffness, strains)
                     + torsion::energy(stiffness, strains)
-                    + fourth_moments::energy(stiffness, strains));
+                    + if stiffness.strain == Strain::Large { fourth_moments::energy(stiffness, strains) } else { 0.0 });
         }
         for (g, own) in self.element.eccentricities.iter().flat_map(|all| all.iter().enumerate()) {
             sum += self.element.bending[g].weight * eccentricity::energy(own, &self.strains[g]);

@@ -1,6 +1,7 @@
 //! Inertia: constant mass matrix and the weight (MECHANICS 3.3). Rotary inertia of bending is neglected, as in the paper.
 
 use super::coordinates::{ELEMENT, ElementVector, NODE, SHAPE_PLACES, THETA};
+use crate::math::vectors::vec3;
 use crate::math::{Vec3, hermite};
 
 /// Places of the angles, which have an inertia of their own.
@@ -64,10 +65,12 @@ impl Mass {
     pub fn times(&self, vector: &[f64]) -> ElementVector {
         let vector = &vector[..ELEMENT];
         let mut product = ElementVector::zeros();
-        for (row, products) in SHAPE_PLACES.into_iter().zip(&self.line) {
-            for (column, mass) in SHAPE_PLACES.into_iter().zip(products) {
-                (0..3).for_each(|axis| product[row + axis] += mass * vector[column + axis]);
-            }
+        let [first, second, third, last] = SHAPE_PLACES;
+        let (r_0, p_0) = (vec3(vector, first), vec3(vector, second));
+        let (r_1, p_1) = (vec3(vector, third), vec3(vector, last));
+        for (row, [a, b, c, d]) in SHAPE_PLACES.into_iter().zip(&self.line) {
+            let sum = r_0 * *a + p_0 * *b + r_1 * *c + p_1 * *d;
+            (0..3).for_each(|axis| product[row + axis] = sum[axis]);
         }
         for (node, row) in ANGLES.into_iter().enumerate() {
             product[row] = self.spin(node, 0) * vector[ANGLES[0]] + self.spin(node, 1) * vector[ANGLES[1]];

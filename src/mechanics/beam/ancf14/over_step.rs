@@ -5,11 +5,11 @@
 //! and `ė0` at the start. `B` annihilates rigid motions, so that momenta are kept, and a rigid motion changes no strain. The last two terms, the
 //! numerical dissipation, are of second order in the step: they take what the step does not resolve.
 
-use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, NODE, P, THETA, slope as slope_at};
+use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, NODE, P, THETA, slopes};
 use super::element::{Element, Evaluation};
 use super::energy::quadratic_twist::{self, Twist};
 use super::frame::NodeFrame;
-use super::natural::curvature_about;
+use super::natural::{Natural, curvature_about};
 use super::strain::{Resultants, Strain};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::configuration::{BeamConfiguration, TimeStep};
@@ -17,9 +17,9 @@ use crate::mechanics::beam::configuration::{BeamConfiguration, TimeStep};
 /// Strains of an element: three axial points, then `g1`, `g2`, `tau` of each bending point.
 pub const STRAINS: usize = 12;
 
-/// What a step takes from its start, whose strains stay what they are while its end is sought.
+/// The strains of an element at an end of a step; those of its start stay what they are while its end is sought.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StepStart {
+pub struct EndStrains {
     /// In the order of the rates: 1, 1/m, rad/m.
     strains: [f64; STRAINS],
     /// Total twist, rad.
@@ -28,9 +28,9 @@ pub struct StepStart {
     bubble: f64,
 }
 
-impl StepStart {
-    /// Of an element at the start.
-    #[inline]
+impl EndStrains {
+    /// Of an element at that end.
+    #[inline(always)]
     pub fn new(evaluation: &Evaluation) -> Self {
         let mut strains = [0.0; STRAINS];
         for m in 0..3 {
@@ -61,42 +61,52 @@ pub struct Added {
     pub axial_stiffening: f64,
     /// Rates of the strains over the step, 1/s, 1/m/s, rad/m/s.
     pub rates: [f64; STRAINS],
-    /// What the damping of the material takes over the step, J.
-    pub taken: f64,
 }
 
 impl Added {
-    /// By the change `rates` of the strains of `element` over `step`.
-    fn new(element: &Element, rates: [f64; STRAINS], step: &TimeStep) -> Self {
+    /// Sets all but the rates, which are known, for `element` over `step`.
+    fn set(&mut self, element: &Element, step: &TimeStep) {
         let (duration, rigidities) = (step.duration, element.rigidities());
-        let (viscosity, tension) = (element.stiffness.damping, element.stiffness.damping + element.tension_damping);
-        let first = STRAINS * element.place.branch;
-        let stiffening = 2.0 * (viscosity / duration + step.dissipation.sum());
-        let axial_stiffening = 2.0 * (tension / duration + step.dissipation.sum());
-        let mut all = Self { stiffening, axial_stiffening, rates, ..Self::default() };
+        let [tension, viscosity] = element.viscosities();
+        self.stiffening = 2.0 * (viscosity / duration + step.dissipation.sum());
+        self.axial_stiffening = 2.0 * (tension / duration + step.dissipation.sum());
+        let rates = &self.rates;
+        let (last, start) = (element.own_rates(step.strain_rates), element.own_rates(step.start_rates));
         let strain = |i: usize, viscosity: f64| {
-            let unpredicted = step.unpredicted(rates[i], first + i);
+            let unpredicted = step.dissipation.unpredicted(rates[i], [last[i], start[i]]);
             viscosity * rates[i] + duration * unpredicted
         };
         for m in 0..3 {
-            all.axial[m] = rigidities[m] * strain(m, tension);
+            self.axial[m] = rigidities[m] * strain(m, tension);
             for i in 0..3 {
                 let place = 3 + 3 * m + i;
-                all.bending[m][i] = rigidities[place] * strain(place, viscosity);
+                self.bending[m][i] = rigidities[place] * strain(place, viscosity);
             }
+        }
+        if element.eccentricities.is_none() {
+            return;
+        }
+        for Coupling { axial, point, curvature, rigidity } in element.couplings() {
+            self.axial[axial] += rigidity * strain(3 + 3 * point + curvature, viscosity);
+            self.bending[point][curvature] += rigidity * strain(axial, viscosity);
+        }
+    }
+
+    /// What the damping of the material of `element` takes over a step of `duration` s, J.
+    pub fn taken(&self, element: &Element, duration: f64) -> f64 {
+        let ([tension, viscosity], rates) = (element.viscosities(), &self.rates);
+        if tension == 0.0 {
+            return 0.0;
         }
         let taken = |(i, rigidity): (usize, &f64)| {
             let own = if i < 3 { tension } else { viscosity };
             own * duration * rigidity * rates[i] * rates[i]
         };
-        all.taken = rigidities.iter().enumerate().map(taken).sum();
+        let mut sum = element.rigidities().iter().enumerate().map(taken).sum();
         for Coupling { axial, point, curvature, rigidity } in element.couplings() {
-            let place = 3 + 3 * point + curvature;
-            all.axial[axial] += rigidity * strain(place, viscosity);
-            all.bending[point][curvature] += rigidity * strain(axial, viscosity);
-            all.taken += 2.0 * viscosity * duration * rigidity * rates[axial] * rates[place];
+            sum += 2.0 * viscosity * duration * rigidity * rates[axial] * rates[3 + 3 * point + curvature];
         }
-        all
+        sum
     }
 }
 
@@ -173,6 +183,11 @@ impl Turn {
 }
 
 impl Element {
+    /// What multiplies the rates of the axial strains, and of the others, in the material's viscous stress, s.
+    fn viscosities(&self) -> [f64; 2] {
+        [self.stiffness.damping + self.tension_damping, self.stiffness.damping]
+    }
+
     /// `W D` of each strain, N m or N m³: what multiplies its square in twice the energy of small strains.
     #[inline]
     pub fn rigidities(&self) -> [f64; STRAINS] {
@@ -225,7 +240,7 @@ impl Element {
     /// [`Self::strain_rates`] with the rate `bubble` of the internal coordinate of the quadratic twist, rad/s.
     #[inline]
     pub fn strain_rates_with(&self, evaluation: &Evaluation, velocity: &[f64], bubble: f64) -> [f64; STRAINS] {
-        let Evaluation { kinematics, turn, gammahat, slopes, .. } = evaluation;
+        let Evaluation { kinematics, turn, gammahat, .. } = evaluation;
         let shape = kinematics.shape.along(velocity);
         let (mut curvatures, mut twist_rates) = ([[0.0; 2]; 3], [0.0; 3]);
         for (g, rule) in self.bending.iter().enumerate() {
@@ -235,8 +250,9 @@ impl Element {
         let weighted = |weights: &[f64; 3]| weights.iter().zip(&twist_rates).map(|(w, rate)| w * rate).sum::<f64>();
         let twist = shape.twist + weighted(&self.rate_weights);
         let mut all = [0.0; STRAINS];
-        for (m, (point, slope)) in self.axial.iter().zip(slopes).enumerate() {
-            all[m] = slope.strain_p(self.stiffness.strain).dot(&slope_at(&point.shape_x, velocity));
+        let slope_rates = slopes(&self.axial[1].shape_x, velocity);
+        for (m, slope) in evaluation.slopes.iter().enumerate() {
+            all[m] = slope.strain_p(self.stiffness.strain).dot(&slope_rates[m]);
         }
         for (g, rule) in self.bending.iter().enumerate() {
             let ([cos, sin], [gamma1, gamma2], [by_1, by_2]) = (turn[g], gammahat[g], curvatures[g]);
@@ -249,38 +265,34 @@ impl Element {
         all
     }
 
-    /// Over a step whose middle is `c`.
-    pub fn over_step<'a>(&'a self, c: &BeamConfiguration<'a>, step: &TimeStep) -> Evaluation<'a> {
-        self.with_end(&self.evaluation(step.end), c, step)
+    /// Strains at an end of a step, `c`.
+    pub fn end_strains(&self, c: &BeamConfiguration) -> EndStrains {
+        let (natural, previous) = (self.natural(c), c.holonomy[self.place.branch]);
+        match self.stiffness.twist {
+            Twist::Linear => {
+                let frames = self.frames(c);
+                EndStrains::new(&Evaluation::with_linear_twist(self, self.own(c.q), None, frames, previous, &natural))
+            }
+            Twist::Quadratic => EndStrains::new(&self.evaluation(c)),
+        }
     }
 
-    /// [`Self::over_step`], from the evaluation at its end.
+    /// What `with` makes of the element over a step whose middle is `c` and whose end has the strains `end`. An evaluation is large: it is not moved.
     #[inline]
-    pub fn with_end<'a>(&'a self, end: &Evaluation, c: &BeamConfiguration<'a>, step: &TimeStep) -> Evaluation<'a> {
-        let start = &step.starts[self.place.branch];
-        let natural = self.natural(step.start).mean(&self.natural(step.end));
+    pub fn over_step<R>(
+        &self,
+        c: &BeamConfiguration,
+        end: &EndStrains,
+        step: &TimeStep,
+        with: impl FnOnce(&Evaluation) -> R,
+    ) -> R {
+        let natural = match self.heating {
+            Some(_) => self.natural(step.start).mean(&self.natural(step.end)),
+            None => Natural::default(),
+        };
         let mut middle = self.with_increment(c, step.increment, &natural);
-        if self.stiffness.twist == Twist::Quadratic {
-            middle.set_bubble(0.5 * (start.bubble + end.bubble));
-        }
-        let per_duration = 1.0 / step.duration;
-        let mut rates = [0.0; STRAINS];
-        for (m, point) in self.axial.iter().enumerate() {
-            let torsion = start.twist * point.torsion_by_twist - point.reference_torsion;
-            middle.mean_torsion[m] = 0.5 * (torsion + end.mean_torsion[m]);
-            rates[m] = (end.axial_strain(m) - start.strains[m]) * per_duration;
-        }
-        for g in 0..3 {
-            // Green's strain, the last one, is the mean of both ends' already.
-            for i in 0..3 {
-                let (before, after) = (start.strains[3 + 3 * g + i], end.strains[g][i]);
-                middle.strains[g][i] = (before + after) * 0.5;
-                rates[3 + 3 * g + i] = (after - before) * per_duration;
-            }
-        }
-        middle.turn_from_end = Some(Turn::new(self.frames(c), self.frames(step.end)));
-        middle.added = Added::new(self, rates, step);
-        middle
+        middle.set_step(end, step);
+        with(&middle)
     }
 
     /// Work of heat over the step that `middle` is of, J: what the strains without stress change by, against the resultants.
@@ -300,5 +312,32 @@ impl Element {
                 + resultants[g][1] * (a2 - b2);
         }
         work
+    }
+}
+
+impl Evaluation<'_> {
+    /// Turns the strains of the middle of `step` into the means of those at its start and at its end, `end`, and sets what the step adds.
+    fn set_step(&mut self, end: &EndStrains, step: &TimeStep) {
+        let element = self.element;
+        let start = &step.starts[element.place.branch];
+        if element.stiffness.twist == Twist::Quadratic {
+            self.set_bubble(0.5 * (start.bubble + end.bubble));
+        }
+        let per_duration = 1.0 / step.duration;
+        for (mean, point) in self.mean_torsion.iter_mut().zip(&element.axial) {
+            let torsion = |twist: f64| twist * point.torsion_by_twist - point.reference_torsion;
+            *mean = 0.5 * (torsion(start.twist) + torsion(end.twist));
+        }
+        for i in 0..STRAINS {
+            self.added.rates[i] = (end.strains[i] - start.strains[i]) * per_duration;
+        }
+        for g in 0..3 {
+            // Green's strain, the last one, is the mean of both ends' already.
+            for i in 0..3 {
+                self.strains[g][i] = (start.strains[3 + 3 * g + i] + end.strains[3 + 3 * g + i]) * 0.5;
+            }
+        }
+        self.turn_from_end = Some(Turn::new(self.kinematics.shape.frames, element.frames(step.end)));
+        self.added.set(element, step);
     }
 }

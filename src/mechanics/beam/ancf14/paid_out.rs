@@ -6,7 +6,7 @@
 use super::coordinates::{ELEMENT, SHAPE_PLACES};
 use super::damping;
 use super::element::{Element, Evaluation};
-use super::over_step::{Added, STRAINS, StepStart};
+use super::over_step::{Added, EndStrains, STRAINS};
 use super::payout::{Extent, Payout};
 use super::strain::Strain;
 use super::transport::Transport;
@@ -222,13 +222,19 @@ impl PaidOut {
         element
     }
 
-    /// `element`, which [`Self::over`] has given, as `passage` says. All strains of a step but the axial ones are those at the free length of its middle.
-    fn passing<'a>(&self, element: &'a Element, c: &BeamConfiguration<'a>, passage: &Passage) -> Evaluation<'a> {
-        let Passage::Step(step) = passage else { return element.evaluation(c) };
+    /// What `with` makes of `element`, which [`Self::over`] has given, as `passage` says. All strains of a step but the axial ones are those at the free length of its middle.
+    fn passing<R>(
+        &self,
+        element: &Element,
+        c: &BeamConfiguration,
+        passage: &Passage,
+        with: impl FnOnce(&Evaluation) -> R,
+    ) -> R {
+        let Passage::Step(step) = passage else { return with(&element.evaluation(c)) };
         let (mut end, Growth { change, mean }) = (element.evaluation(step.end), self.growth(c, step));
         // For the rates: those of the start have no mean taken off.
         end.take_off_axial([0, 1, 2].map(|m| change[m] - mean[m]));
-        element.with_end(&end, c, step)
+        element.over_step(c, &EndStrains::new(&end), step, with)
     }
 
     /// Energy that the winch has given over a step whose middle is `c`, with its `added` resultants, J: the elastic energy that another free length has at the coordinates of both ends, less the work
@@ -311,7 +317,7 @@ impl BeamElement for PaidOut {
 
     fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
         let element = self.over(c, passage);
-        element.add(&self.passing(&element, c, passage).gradient(), forces);
+        element.add(&self.passing(&element, c, passage, |here| here.gradient()), forces);
         self.add_transport(c, passage, forces);
     }
 
@@ -324,7 +330,7 @@ impl BeamElement for PaidOut {
         block: &mut [f64],
     ) {
         let element = self.over(c, passage);
-        element.add_gradient_and_hessian_of(&self.passing(&element, c, passage), scale, forces, block);
+        self.passing(&element, c, passage, |here| element.add_gradient_and_hessian_of(here, scale, forces, block));
         self.add_transport(c, passage, forces);
         self.add_transport_tangent(c, passage, scale, block);
     }
@@ -338,11 +344,13 @@ impl BeamElement for PaidOut {
     ) -> [f64; 3] {
         let passage = Passage::Step(*step);
         let element = self.over(c, &passage);
-        let middle = self.passing(&element, c, &passage);
-        element.add(&middle.gradient(), forces);
+        let [taken, given] = self.passing(&element, c, &passage, |middle| {
+            element.add(&middle.gradient(), forces);
+            *element.own_rates_mut(strain_rates) = middle.added.rates;
+            [middle.added.taken(&element, step.duration), self.given(c, step, &middle.added)]
+        });
         self.add_transport(c, &passage, forces);
-        *element.own_rates_mut(strain_rates) = middle.added.rates;
-        [self.energy(step.end), middle.added.taken, self.given(c, step, &middle.added)]
+        [self.energy(step.end), taken, given]
     }
 
     fn begin_step(
@@ -350,10 +358,10 @@ impl BeamElement for PaidOut {
         c: &BeamConfiguration,
         middle: &[Jet],
         velocity: &[f64],
-        starts: &mut [StepStart],
+        starts: &mut [EndStrains],
         strain_rates: Option<&mut [f64]>,
     ) {
-        starts[self.drawn.place.branch] = StepStart::new(&self.paid_out_to(middle).evaluation(c));
+        starts[self.drawn.place.branch] = self.paid_out_to(middle).end_strains(c);
         if let Some(all) = strain_rates {
             let element = self.at(c);
             *element.own_rates_mut(all) = self.rates(&element.evaluation(c), c, velocity);

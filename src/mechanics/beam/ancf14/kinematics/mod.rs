@@ -31,7 +31,10 @@ impl Holonomy {
         let u_c = carry(&first.t, &second.t, &first.u);
         let (s, c) = (second.u.dot(&second.t.cross(&u_c)), second.u.dot(&u_c));
         let angle = s.atan2(c);
-        Self { angle: angle + TAU * ((previous - angle) / TAU).round(), k: half_turn(&first.t, &second.t) }
+        let turns = (previous - angle) / TAU;
+        // Nearly always less than half a turn: to round it is a call of the C library where processors have no instruction for it.
+        let turns = if turns.abs() < 0.5 { 0.0_f64.copysign(turns) } else { turns.round() };
+        Self { angle: angle + TAU * turns, k: half_turn(&first.t, &second.t) }
     }
 
     /// `(∂β/∂p_0, ∂β/∂p_1)`, rad (2.8).
@@ -109,27 +112,32 @@ pub struct Kinematics<'a> {
 
 impl<'a> Kinematics<'a> {
     /// Of the element with coordinates `q` (14), nodes' frames and last accepted holonomy angle `previous`, rad.
-    #[inline]
+    #[inline(always)]
     pub fn new(element: &Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
         let shape = CorotatedShape::new(q, frames, previous);
         let [first, middle, last] = &element.bending;
         let point = |rule: &BendingPoint| CurvePoint::new(&shape, &rule.shape_x, &rule.shape_xx);
         let points = [point(first), point(middle), point(last)];
-        let mut kinematics = Self { shape, points, twist: 0.0, alpha: [0.0; 3] };
-        kinematics.twist = kinematics.shape.twist + kinematics.weighted_rate(&element.rate_weights);
-        for (g, rule) in element.bending.iter().enumerate() {
-            kinematics.alpha[g] = kinematics.alpha_at(q, rule.xi, &rule.collocation);
-        }
-        kinematics
-    }
-
-    /// `Σ_g weight_g ω_g`.
-    fn weighted_rate(&self, weights: &[f64; 3]) -> f64 {
-        weights.iter().zip(&self.points).map(|(weight, point)| weight * point.twist_rate).sum()
+        let twist = shape.twist + weighted_rate(&element.rate_weights, &points);
+        let alpha = |rule: &BendingPoint| alpha_at(q, (rule.xi, &rule.collocation), twist, &points);
+        let alpha = [alpha(first), alpha(middle), alpha(last)];
+        Self { shape, points, twist, alpha }
     }
 
     /// Angle of the section against the frame carried from the first node, at `xi`, rad (2.13); `collocation` is `l A_h(ξ)`, m.
     pub fn alpha_at(&self, q: &[f64], xi: f64, collocation: &[f64; 3]) -> f64 {
-        q[THETA] + xi * self.twist - self.weighted_rate(collocation)
+        alpha_at(q, (xi, collocation), self.twist, &self.points)
     }
+}
+
+/// `Σ_g weight_g ω_g`.
+#[inline(always)]
+fn weighted_rate(weights: &[f64; 3], points: &[CurvePoint; 3]) -> f64 {
+    weights[0] * points[0].twist_rate + weights[1] * points[1].twist_rate + weights[2] * points[2].twist_rate
+}
+
+/// [`Kinematics::alpha_at`] with the total twist `twist`, rad.
+#[inline(always)]
+fn alpha_at(q: &[f64], (xi, collocation): (f64, &[f64; 3]), twist: f64, points: &[CurvePoint; 3]) -> f64 {
+    q[THETA] + xi * twist - weighted_rate(collocation, points)
 }
