@@ -48,8 +48,18 @@ impl Mesh {
 
     /// Frames at `q` relative to the reference `triads`.
     pub fn set_frames(&self, q: &[f64], triads: &[Triad], frames: &mut Vec<NodeFrame>) {
-        frames.clear();
-        let nodes = self.framed.iter().map(|start| &q[*start..start + NODE]);
-        frames.extend(nodes.zip(triads).map(|(q, triad)| NodeFrame::new(q, triad)));
+        frames.resize(self.framed.len(), NodeFrame::default());
+        for ((frame, start), triad) in frames.iter_mut().zip(&self.framed).zip(triads) {
+            *frame = NodeFrame::new(&q[*start..start + NODE], triad);
+        }
+    }
+
+    /// Those numbered `numbers` alone.
+    pub fn set_frames_of(&self, numbers: &[usize], q: &[f64], triads: &[Triad], frames: &mut Vec<NodeFrame>) {
+        frames.resize(self.framed.len(), NodeFrame::default());
+        for number in numbers {
+            let start = self.framed[*number];
+            frames[*number] = NodeFrame::new(&q[start..start + NODE], &triads[*number]);
+        }
     }
 }

@@ -70,8 +70,9 @@ impl JointGradient {
     /// Sets it from how the poses of both sides move and the gradients of all rows by their vectors.
     fn set(&mut self, sides: &[PoseGradient; 2], rows_x: &[PairVector]) {
         for (side, target) in [&mut self.a, &mut self.b].into_iter().enumerate() {
-            for (row, phi_x) in rows_x.iter().enumerate() {
-                sides[side].pull_back(&of_side(phi_x, side), |column, value| target[(row, column)] = value);
+            let columns = &mut target.data.0;
+            for (phi_x, row) in rows_x.iter().zip(0..MOST_CONDITIONS) {
+                sides[side].pull_back(&of_side(phi_x, side), |column, value| columns[column][row] = value);
             }
         }
     }

@@ -50,7 +50,8 @@ impl Turning {
 
     /// `Σ arm × force`.
     fn moment(&self, force: &PoseVector) -> Vec3 {
-        (0..VECTORS).map(|number| self.arms.column(number).cross(&force.column(number))).sum()
+        let of = |number: usize| Vec3::from(self.arms.data.0[number]).cross(&Vec3::from(force.data.0[number]));
+        of(0) + of(1) + of(2) + of(3)
     }
 
     /// `turn × arm` for all arms.
@@ -110,18 +111,29 @@ impl PoseGradient {
     }
 
     /// Gives to `put`, for each coordinate, the generalized force of forces on the vectors of the pose.
+    #[inline]
     pub fn pull_back(&self, force: &PoseVector, mut put: impl FnMut(usize, f64)) {
         match self {
             Self::Fixed => {}
             Self::Body(factors) => {
-                let own: PoseVector = force * factors.transpose();
-                own.as_slice().iter().enumerate().for_each(|(number, value)| put(number, *value));
+                let ([first, second, third, fourth], [a, b, c, d]) = (&force.data.0, &factors.data.0);
+                for vector in 0..VECTORS {
+                    let [a, b, c, d] = [a[vector], b[vector], c[vector], d[vector]];
+                    for axis in 0..3 {
+                        let value = first[axis] * a + second[axis] * b + third[axis] * c + fourth[axis] * d;
+                        put(3 * vector + axis, value);
+                    }
+                }
             }
             Self::Beam(beam) => {
-                let (place, moment) = (force.column(PLACE), beam.moment(force));
-                for number in 0..beam.count {
-                    let by_place = if number < beam.placing { beam.place_q.column(number).dot(&place) } else { 0.0 };
-                    let by_turn = if number < beam.turning { 0.0 } else { beam.turn_q.column(number).dot(&moment) };
+                let (place, moment) = (force.data.0[PLACE], beam.moment(force));
+                let dot = |a: &[f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+                for (number, (place_q, turn_q)) in beam.place_q.data.0.iter().zip(&beam.turn_q.data.0).enumerate() {
+                    if number == beam.count {
+                        break;
+                    }
+                    let by_place = if number < beam.placing { dot(place_q, place) } else { 0.0 };
+                    let by_turn = if number < beam.turning { 0.0 } else { dot(turn_q, moment.data.0[0]) };
                     put(number, by_place + by_turn);
                 }
             }

@@ -24,6 +24,19 @@ impl FrameCache {
         self.at(system, &state.q, state, &state.prescribed)
     }
 
+    /// [`Self::at`] with the frames numbered `joint_frames` alone, [`System::joint_frames`]: the configuration is good for conditions of joints and nothing else.
+    pub fn of_joints<'a>(
+        &'a mut self,
+        system: &'a System,
+        joint_frames: &[usize],
+        q: &'a [f64],
+        state: &'a State,
+        prescribed: &'a Prescribed,
+    ) -> Configuration<'a> {
+        system.mesh.set_frames_of(joint_frames, q, &state.triads, &mut self.frames);
+        system.configuration(q, self, state, prescribed)
+    }
+
     /// Computes the frames at `q` and returns the configuration that `q` and `prescribed` describe, after the accepted `state`.
     pub fn at<'a>(
         &'a mut self,

@@ -30,6 +30,7 @@ use self::joint_parts::JointParts;
 use crate::math::Vec3;
 use crate::math::jet::Jet;
 use crate::mechanics::beam::Beam;
+use crate::mechanics::beam::ancf14::coordinates::NODE;
 use crate::mechanics::beam::ancf14::kinematics::Holonomy;
 use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::mesh::Mesh;
@@ -109,6 +110,28 @@ pub struct System {
     pub breaks: Vec<f64>,
     /// Whether a load, a joint or a spring acts on each node.
     pub held: Vec<bool>,
+}
+
+/// The largest size of numbers.
+#[derive(Clone, Copy, Debug, Default)]
+struct Largest {
+    so_far: f64,
+    /// Not-a-number must win: comparisons let it pass, a sum does not.
+    sum: f64,
+}
+
+impl Largest {
+    #[inline]
+    fn add(&mut self, values: &[f64]) {
+        for size in values.iter().map(|value| value.abs()) {
+            self.so_far = if size > self.so_far { size } else { self.so_far };
+            self.sum += size;
+        }
+    }
+
+    fn size(self) -> f64 {
+        if self.sum.is_nan() { self.sum } else { self.so_far }
+    }
 }
 
 impl System {
@@ -293,20 +316,28 @@ impl System {
 
     /// The largest of changes of the coordinates: of places over the system's size, and of slopes, angles and directors as they are.
     pub fn motion_sizes(&self, changes: &[f64]) -> [f64; 2] {
-        let mut largest = [0.0_f64; 2];
+        let (mut places, mut others) = (Largest::default(), Largest::default());
         for part in self.parts() {
-            let (places, others) = changes[part].split_at(PLACE);
-            for (largest, list) in largest.iter_mut().zip([places, others]) {
-                // Not-a-number must win: `max` would let it pass.
-                *largest =
-                    list.iter().fold(*largest, |most, value| if value.abs() <= most { most } else { value.abs() });
+            let values = &changes[part];
+            // The coordinates of a node of ANCF14: the compiler unrolls what it knows.
+            if let Ok(node) = <&[f64; NODE]>::try_from(values) {
+                places.add(&node[..PLACE]);
+                others.add(&node[PLACE..]);
+            } else {
+                places.add(&values[..PLACE]);
+                others.add(&values[PLACE..]);
             }
         }
-        [largest[0] / self.size, largest[1]]
+        [places.size() / self.size, others.size()]
     }
 
-    /// Size of a correction of the coordinates, and the coordinate where it is largest: lengths over the system's size, slopes,
-    /// angles and directors as they are.
+    /// The larger one of [`Self::motion_sizes`].
+    pub fn motion_size(&self, changes: &[f64]) -> f64 {
+        let [places, others] = self.motion_sizes(changes);
+        if places > others || places.is_nan() { places } else { others }
+    }
+
+    /// Size of a correction of the coordinates, as [`Self::motion_size`], and the coordinate where it is largest.
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
         let mut largest = (0.0, 0);
         for part in self.parts() {
@@ -344,6 +375,26 @@ impl System {
             count += 1.0;
         }
         sum / count.max(1.0)
+    }
+
+    /// The frames of nodes that joints depend on, by their numbers.
+    pub fn joint_frames(&self) -> Vec<usize> {
+        let sides = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
+        let frames = sides.flat_map(|side| match *side {
+            Marker::Node { node, .. } => match self.mesh.nodes[node] {
+                Node::Ancf14 { frame, .. } => frame..frame + 1,
+                Node::Ancf24 { .. } => 0..0,
+            },
+            Marker::Section { element, .. } => match self.mesh.elements[element].ancf14() {
+                Some(element) => element.place.frame..element.place.frame + 2,
+                None => 0..0,
+            },
+            Marker::Ground(_) | Marker::Frame { .. } | Marker::Body { .. } => 0..0,
+        });
+        let mut frames: Vec<usize> = frames.collect();
+        frames.sort_unstable();
+        frames.dedup();
+        frames
     }
 
     /// Whether a load, a joint or a spring acts on a node.

@@ -17,7 +17,7 @@ pub const MOST_ITERATIONS: usize = 15;
 pub struct Convergence {
     /// Iterations made.
     pub iterations: usize,
-    /// Size of each correction (see [`System::correction_size`]); unused places are 0.
+    /// Size of each correction (see [`System::motion_size`]); unused places are 0.
     pub corrections: [f64; MOST_ITERATIONS],
 }
 
@@ -42,7 +42,7 @@ pub trait Problem {
     fn correct(&mut self, correction: &[f64]);
 }
 
-/// When an iteration ends; sizes are those of [`System::correction_size`].
+/// When an iteration ends; sizes are those of [`System::motion_size`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
     /// A correction is below this size. It is applied too, so that by the quadratic convergence of the exact tangent what remains is at round-off.
@@ -107,7 +107,7 @@ pub fn solve(
     iterations: &mut u64,
 ) -> Result<Convergence, Error> {
     let mut convergence = Convergence { iterations: 0, corrections: [0.0; MOST_ITERATIONS] };
-    let mut last = (f64::INFINITY, 0);
+    let mut last = f64::INFINITY;
     while convergence.iterations < limit {
         let loads_time = problem.linearize(kkt, right);
         if right.iter().any(|value| !value.is_finite()) {
@@ -118,23 +118,23 @@ pub fn solve(
         kkt.solve(system, right, time)?;
         let extension = problem.extend(kkt, right)?;
         problem.correct(right);
-        last = system.correction_size(right);
-        last.0 += extension;
-        convergence.corrections[convergence.iterations] = last.0;
+        last = system.motion_size(right) + extension;
+        convergence.corrections[convergence.iterations] = last;
         convergence.iterations += 1;
         *iterations += 1;
         if goal.is_reached(&convergence.corrections[..convergence.iterations]) {
             return Ok(convergence);
         }
-        if !last.0.is_finite() {
+        if !last.is_finite() {
             break;
         }
     }
-    let place = system.describe_unknown(last.1);
+    let (_, largest) = system.correction_size(right);
+    let place = system.describe_unknown(largest);
     Err(Error::NotConverged {
         time,
         iterations: convergence.iterations,
-        correction: last.0,
+        correction: last,
         place,
         tolerance: goal.size(),
     })

@@ -31,7 +31,7 @@ pub fn learn(
     for order in 0..=known {
         set_by(state, order, step, scratch);
         scratch.iter_mut().zip(increment).for_each(|(predicted, own)| *predicted -= own);
-        let (size, _) = system.correction_size(scratch);
+        let size = system.motion_size(scratch);
         if size < best.0 {
             best = (size, order);
         }

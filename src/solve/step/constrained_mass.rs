@@ -163,9 +163,11 @@ impl ConstrainedMass {
         // Twice the kinetic energy, without and then with the conditions.
         let free_square = dot(vector, forces);
         self.correct(gradients, conditions);
+        self.move_held();
         // For the digits that the first correction cost.
         self.correct(gradients, conditions);
-        self.end(system, gradients, forces, vector);
+        vector.copy_from_slice(forces);
+        self.add_reactions(system, gradients, vector);
         for (moved, held) in self.moved.iter_mut().zip(&self.held) {
             *moved = vector[held.unknown];
         }
@@ -178,27 +180,27 @@ impl ConstrainedMass {
         Ok(())
     }
 
-    /// [`Self::solve`] with the same `gradients` as it was called with last, but for the last digits.
+    /// Sets `change` to the least change of `velocity`, in the kinetic energy, with which the conditions make `rates` of it, but for the last digits; `gradients` are those that
+    /// [`Self::solve`] was called with last.
     ///
     /// # Errors
-    /// The solution is not finite; `right` is as it was.
-    pub fn solve_roughly(
+    /// The change is not finite.
+    pub fn correct_velocity(
         &mut self,
         system: &System,
         gradients: &[JointGradient],
-        right: &mut [f64],
-        vector: &mut [f64],
+        rates: &[f64],
+        velocity: &[f64],
+        change: &mut [f64],
     ) -> Result<(), Singular> {
-        let (forces, conditions) = right.split_at_mut(vector.len());
-        self.begin(forces, vector);
-        self.correct(gradients, conditions);
-        self.end(system, gradients, forces, vector);
-        if !vector.iter().all(|value| value.is_finite()) {
-            return Err(Singular);
+        for (moved, held) in self.moved.iter_mut().zip(&self.held) {
+            *moved = velocity[held.unknown];
         }
-        forces.copy_from_slice(vector);
-        conditions.copy_from_slice(&self.multipliers);
-        Ok(())
+        self.multipliers.fill(0.0);
+        self.correct(gradients, rates);
+        change.fill(0.0);
+        self.add_reactions(system, gradients, change);
+        if change.iter().all(|value| value.is_finite()) { Ok(()) } else { Err(Singular) }
     }
 
     /// Sets `vector` to the velocities without conditions, and the held ones to theirs.
@@ -212,9 +214,8 @@ impl ConstrainedMass {
         self.moved.copy_from_slice(&self.free);
     }
 
-    /// Sets `vector` to the velocities with the multipliers found.
-    fn end(&self, system: &System, gradients: &[JointGradient], forces: &[f64], vector: &mut [f64]) {
-        vector.copy_from_slice(forces);
+    /// Turns `vector`, forces, into velocities with the multipliers found.
+    fn add_reactions(&self, system: &System, gradients: &[JointGradient], vector: &mut [f64]) {
         system.add_constraint_forces(gradients, &self.multipliers, -1.0, vector);
         self.mass.solve(vector);
     }
@@ -257,14 +258,18 @@ impl ConstrainedMass {
         }
     }
 
-    /// Corrects the multipliers, and the held velocities with them, by what the conditions lack.
+    /// Corrects the multipliers by what the conditions lack.
     fn correct(&mut self, gradients: &[JointGradient], conditions: &[f64]) {
         self.lack(gradients, conditions);
-        let Self { grips, free, moved, lacking, multipliers, followers, schur, .. } = self;
-        schur.solve(lacking);
-        for (multiplier, correction) in multipliers.iter_mut().zip(&*lacking) {
+        self.schur.solve(&mut self.lacking);
+        for (multiplier, correction) in self.multipliers.iter_mut().zip(&self.lacking) {
             *multiplier += correction;
         }
+    }
+
+    /// Sets the held velocities to those with the multipliers found.
+    fn move_held(&mut self) {
+        let Self { grips, free, moved, multipliers, followers, .. } = self;
         moved.copy_from_slice(free);
         for (joint, grip) in grips.iter().enumerate() {
             let mut own = Column::default();

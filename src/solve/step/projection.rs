@@ -18,13 +18,16 @@ pub struct Projection {
     was_fast: bool,
     right: Vec<f64>,
     gradients: Vec<JointGradient>,
+    /// The frames that joints depend on.
+    joint_frames: Vec<usize>,
 }
 
 impl Projection {
     /// For one state of `system`.
     pub fn once(system: &System) -> Self {
         let size = system.coordinates() + system.constraints();
-        Self { fast: None, was_fast: false, right: vec![0.0; size], gradients: Vec::new() }
+        let joint_frames = system.joint_frames();
+        Self { fast: None, was_fast: false, right: vec![0.0; size], gradients: Vec::new(), joint_frames }
     }
 
     /// For many states of `system`; the matrix of `kkt` is scratch memory.
@@ -45,7 +48,7 @@ impl Projection {
         (&self.gradients, &self.right[system.coordinates()..])
     }
 
-    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow, and `frames` to those of its nodes.
+    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow; `frames` is scratch memory.
     ///
     /// # Errors
     /// The constraints are redundant.
@@ -56,7 +59,7 @@ impl Projection {
         frames: &mut FrameCache,
         state: &mut State,
     ) -> Result<(), Error> {
-        let configuration = frames.of(system, state);
+        let configuration = frames.of_joints(system, &self.joint_frames, &state.q, state, &state.prescribed);
         system.constraint_gradients(&configuration, &mut self.gradients);
         let (momentum, rates) = self.right.split_at_mut(state.q.len());
         momentum.copy_from_slice(&state.momentum);
@@ -80,20 +83,31 @@ impl Projection {
         Ok(())
     }
 
-    /// Solves with the matrix of the last call, in place, but for the last digits; `vector` is scratch memory, as long as the coordinates.
+    /// Changes `velocity` to the nearest one, in the kinetic energy, of which the conditions of the last call make `rates`, but for the last digits; `right` is scratch memory, as long
+    /// as coordinates and conditions.
     ///
     /// # Errors
-    /// The matrix gives no solution.
-    pub fn solve_roughly(
+    /// The matrix of the last call gives no solution.
+    pub fn correct_velocity(
         &mut self,
         system: &System,
         kkt: &mut Kkt,
+        rates: &[f64],
+        velocity: &mut [f64],
         right: &mut [f64],
-        vector: &mut [f64],
     ) -> Result<(), Singular> {
+        let (change, lacking) = right.split_at_mut(velocity.len());
         match &mut self.fast {
-            Some(fast) if self.was_fast => fast.solve_roughly(system, &self.gradients, right, vector),
-            _ => kkt.solve_roughly(right),
+            Some(fast) if self.was_fast => fast.correct_velocity(system, &self.gradients, rates, velocity, change)?,
+            _ => {
+                lacking.fill(0.0);
+                system.add_constraint_rates(&self.gradients, velocity, lacking);
+                lacking.iter_mut().zip(rates).for_each(|(lacking, rate)| *lacking = rate - *lacking);
+                change.fill(0.0);
+                kkt.solve_roughly(right)?;
+            }
         }
+        velocity.iter_mut().zip(&*right).for_each(|(velocity, change)| *velocity += change);
+        Ok(())
     }
 }

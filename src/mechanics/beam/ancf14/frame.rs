@@ -8,7 +8,7 @@ use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix};
 use crate::mechanics::geometry::triad::Triad;
 
 /// The frame of a node at a configuration, relative to its reference triad.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NodeFrame {
     /// `|p|`, 1.
     pub stretch: f64,
@@ -26,6 +26,7 @@ pub struct NodeFrame {
 
 impl NodeFrame {
     /// The frame of the node with coordinates `q` (7) and reference `triad`.
+    #[inline]
     pub fn new(q: &[f64], triad: &Triad) -> Self {
         let p = vec3(q, P);
         let stretch = p.norm();

@@ -233,7 +233,7 @@ impl Midpoint {
         if self.kkt.solve_roughly(&mut self.right).is_err() {
             return f64::INFINITY;
         }
-        let (size, _) = system.correction_size(&self.right);
+        let size = system.motion_size(&self.right);
         if size.is_finite() {
             problem.correct(&self.right);
             self.scratch.place(system, state);
@@ -337,8 +337,9 @@ impl<'a> Step<'a> {
         system.add_constraint_forces(&scratch.gradients_middle, &scratch.impulses, 2.0 / h, &mut scratch.forces);
 
         let (residual, conditions) = right.split_at_mut(state.q.len());
-        for (index, residual) in residual.iter_mut().enumerate() {
-            *residual = h * state.momentum[index] - scratch.mass_increment[index] - 0.5 * h * h * scratch.forces[index];
+        let known = state.momentum.iter().zip(&scratch.mass_increment).zip(&scratch.forces);
+        for (residual, ((momentum, mass_increment), force)) in residual.iter_mut().zip(known) {
+            *residual = h * momentum - mass_increment - 0.5 * h * h * force;
         }
         let frames = [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end];
         gyroscopic::add_forces(system, frames, &scratch.mass_increment, &scratch.forces, h, h, residual);

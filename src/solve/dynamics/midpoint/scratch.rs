@@ -106,9 +106,10 @@ impl Scratch {
 
     /// Positions and frames in the middle and at the end, for the current increment.
     pub fn place(&mut self, system: &System, state: &State) {
-        for (index, (q, increment)) in state.q.iter().zip(&self.increment).enumerate() {
-            self.q_middle[index] = q + 0.5 * increment;
-            self.q_end[index] = q + increment;
+        let places = self.q_middle.iter_mut().zip(&mut self.q_end);
+        for ((q, increment), (middle, end)) in state.q.iter().zip(&self.increment).zip(places) {
+            *middle = q + 0.5 * increment;
+            *end = q + increment;
         }
         self.frames_middle.set(system, &self.q_middle, &state.triads);
         self.frames_end.set(system, &self.q_end, &state.triads);

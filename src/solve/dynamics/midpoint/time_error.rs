@@ -17,7 +17,7 @@ use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::projection::Projection;
 
-/// How far the neighboring motion is moved, as [`System::correction_size`] measures: so little that it is linear (what its square adds is round-off of axial strains), so
+/// How far the neighboring motion is moved, as [`System::motion_size`] measures: so little that it is linear (what its square adds is round-off of axial strains), so
 /// much that what Newton has left of the step does not matter.
 const REACH: f64 = 1e-5;
 /// Largest multiple of the error that the neighboring motion is moved by: an error this far below [`REACH`] is round-off.
@@ -44,10 +44,14 @@ pub struct Estimator {
     /// Third and fourth derivatives of the motion.
     jerk: Vec<f64>,
     snap: Vec<f64>,
+    /// Size of the source, as [`System::motion_size`] has it.
+    source_size: f64,
     mass: Vec<f64>,
     /// What the conditions ask of the error of the velocities.
     targets: Vec<f64>,
     gradients: Vec<JointGradient>,
+    /// The frames that joints depend on.
+    joint_frames: Vec<usize>,
     /// The start of the neighboring motion.
     start: Option<State>,
     /// Of the neighboring motion, with memory that the step lends it ([`Scratch::lend`]).
@@ -81,9 +85,11 @@ impl Estimator {
             filtered: vec![0.0; coordinates + conditions],
             jerk: vec![0.0; coordinates],
             snap: vec![0.0; coordinates],
+            source_size: 0.0,
             mass: vec![0.0; coordinates],
             targets: vec![0.0; conditions],
             gradients: Vec::new(),
+            joint_frames: system.joint_frames(),
             start: None,
             scratch: Scratch::borrowing(system),
         }
@@ -143,21 +149,24 @@ impl Estimator {
             self.clear(system, kkt, taken.solution, &mut error.velocity)?;
         }
         let mean = 0.5 * (h + error.step);
-        self.find_source(taken, error, mean);
+        self.find_source(system, taken, error, mean);
         let Some(multiple) = self.multiple(system, error, h) else { return Ok(()) };
         self.depart(system, taken, error, multiple, mean);
-        let Self { right, filtered, scratch, start: Some(start), mass, .. } = self else { return Ok(()) };
+        let Self { right, filtered, scratch, start: Some(start), mass, joint_frames, .. } = self else {
+            return Ok(());
+        };
         // All that the step adds to its dissipation is in the strain rates of the neighboring motion, which `depart` sets.
         let dissipation = taken.dissipation;
         if error.known > 0 {
             // Joints act where they are at the mean of both ends, (h²/8)·acceleration from where they are at the middle of the time.
             let own = taken.solution.increment.iter().zip(&taken.state.velocity);
             let means = start.q.iter().zip(&scratch.increment).map(|(q, increment)| q + 0.5 * increment);
-            let at_middle = &mut *mass;
+            let at_middle = &mut filtered[..mass.len()];
             for (value, (mean, (increment, velocity))) in at_middle.iter_mut().zip(means.zip(own)) {
                 *value = mean - multiple * 2.0 * MEAN * h * (increment / h - velocity);
             }
-            let configuration = scratch.frames_middle.at(system, at_middle, start, &scratch.prescribed_middle);
+            let configuration =
+                scratch.frames_middle.of_joints(system, joint_frames, at_middle, start, &scratch.prescribed_middle);
             system.constraint_gradients(&configuration, &mut scratch.gradients_middle);
         }
         scratch.place(system, start);
@@ -166,7 +175,6 @@ impl Estimator {
             scratch.differentiate(system, start);
         }
         Step { system, state: start, dissipation, step: h, scratch }.balance(right);
-        system.mass_times(&taken.solution.prescribed_middle.drives, &filtered[..mass.len()], mass);
         for (right, source) in right.iter_mut().zip(&*mass) {
             *right += multiple * source;
         }
@@ -176,23 +184,27 @@ impl Estimator {
     }
 
     /// Sets the derivatives of the motion, and the source: what the exact motion leaves of the equation of the step, but for the part in strains, over the mass.
-    fn find_source(&mut self, taken: &Taken, error: &TimeError, mean: f64) {
+    fn find_source(&mut self, system: &System, taken: &Taken, error: &TimeError, mean: f64) {
         let h = taken.span.step;
-        self.jerk.fill(0.0);
-        self.filtered.fill(0.0);
-        self.snap.fill(0.0);
         if error.known < 1 || taken.state.prediction.known < 1 {
+            for list in [&mut self.jerk, &mut self.filtered, &mut self.snap] {
+                list.fill(0.0);
+            }
+            self.source_size = 0.0;
             return;
         }
         self.find_jerk(taken, mean);
         let cube = h * h * h;
-        for (index, jerk) in self.jerk.iter().enumerate() {
-            let snap = if error.known < 2 { 0.0 } else { (jerk - error.jerk[index]) / mean };
+        let Self { jerk, snap, filtered: source, .. } = self;
+        let before = error.jerk.iter().zip(&error.snap);
+        let found = snap.iter_mut().zip(&mut *source);
+        for ((jerk, (jerk_before, snap_before)), (snap, source)) in jerk.iter().zip(before).zip(found) {
+            *snap = if error.known < 2 { 0.0 } else { (jerk - jerk_before) / mean };
             // Differences lie half a step and a whole one behind the middle of this step. What turns would be accelerated by derivatives that lag.
-            let ahead = if error.known < 3 { snap } else { 2.0 * snap - error.snap[index] };
-            self.snap[index] = snap;
-            self.filtered[index] = cube * (0.5 * h * MIDPOINT * ahead - TRAPEZOIDAL * in_middle(*jerk, snap, h));
+            let ahead = if error.known < 3 { *snap } else { 2.0 * *snap - snap_before };
+            *source = cube * (0.5 * h * MIDPOINT * ahead - TRAPEZOIDAL * in_middle(*jerk, *snap, h));
         }
+        self.source_size = system.motion_size(&self.filtered[..self.jerk.len()]);
     }
 
     /// Sets the third derivatives of the motion, 1/s³ each: the change of the mean acceleration since the last step over `mean` s, the time between the middles of both.
@@ -206,24 +218,23 @@ impl Estimator {
 
     /// By which multiple of the error the neighboring motion is moved; none where the error has no bound any more.
     fn multiple(&self, system: &System, error: &TimeError, h: f64) -> Option<f64> {
-        let source = &self.filtered[..self.jerk.len()];
-        let [position, velocity, source] =
-            [&error.position, &error.velocity, source].map(|list| system.correction_size(list).0);
-        let size = position.max(h * velocity).max(source);
+        let [position, velocity] = [&error.position, &error.velocity].map(|list| system.motion_size(list));
+        let size = position.max(h * velocity).max(self.source_size);
         (size < LARGEST_ERROR).then(|| (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE))
     }
 
-    /// Sets the start of the neighboring motion, and its increment as predicted.
+    /// Sets the start of the neighboring motion, its increment as predicted, and the momentum over the step that its momentum at the start and the source have beyond the motion's,
+    /// without the multiple.
     fn depart(&mut self, system: &System, taken: &Taken, error: &TimeError, multiple: f64, mean: f64) {
         let Taken { state, dissipation, span: Span { step: h, .. }, solution, strain_rates } = *taken;
         let start = self.start.get_or_insert_default();
         start.copy_motion_from(state);
-        system.mass_times(&state.prescribed.drives, &error.velocity, &mut self.mass);
-        for (list, change) in
-            [(&mut start.q, &error.position), (&mut start.velocity, &error.velocity), (&mut start.momentum, &self.mass)]
-        {
+        for (list, change) in [(&mut start.q, &error.position), (&mut start.velocity, &error.velocity)] {
             list.iter_mut().zip(change).for_each(|(value, change)| *value += multiple * change);
         }
+        let moved = self.right.iter_mut().zip(&error.velocity).zip(&self.filtered);
+        moved.for_each(|((moved, velocity), source)| *moved = h * velocity + source);
+        system.mass_times(&state.prescribed.drives, &self.right[..self.mass.len()], &mut self.mass);
         // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion: both show in the changes of the strain rates.
         if error.known > 0 {
             let Dissipation { by_last_step, by_start } = dissipation;
@@ -255,19 +266,22 @@ impl Estimator {
     fn arrive(&self, taken: &Taken, error: &mut TimeError, multiple: f64) {
         let h = taken.span.step;
         let (correction, impulses) = self.right.split_at(self.jerk.len());
-        for (index, correction) in correction.iter().enumerate() {
-            let own = taken.solution.increment[index];
-            let change = (self.scratch.increment[index] + correction - own) / multiple;
-            let before = error.velocity[index];
-            let jerk = in_middle(self.jerk[index], self.snap[index], h);
-            let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * jerk) / h - before;
-            error.position[index] += change;
-            if let Some(rate) = error.rates.get_mut(index) {
-                // The error of a strain that viscosity stops within far less than a step alternates: the mean of two does not.
-                *rate = if error.known == 0 { change / h } else { 0.5 * (*rate + change / h) };
-            }
-            error.velocity[index] = after;
-            error.acceleration[index] = (after - before) / h;
+        let changes = self.scratch.increment.iter().zip(correction).zip(&taken.solution.increment);
+        let changes = changes.map(|((moved, correction), own)| (moved + correction - own) / multiple);
+        let derivatives = self.jerk.iter().zip(&self.snap);
+        let moving = error.velocity.iter_mut().zip(&mut error.acceleration).zip(derivatives);
+        for ((change, position), ((velocity, acceleration), (jerk, snap))) in
+            changes.clone().zip(&mut error.position).zip(moving)
+        {
+            let before = *velocity;
+            let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * in_middle(*jerk, *snap, h)) / h - before;
+            *position += change;
+            *velocity = after;
+            *acceleration = (after - before) / h;
+        }
+        for (rate, change) in error.rates.iter_mut().zip(changes) {
+            // The error of a strain that viscosity stops within far less than a step alternates: the mean of two does not.
+            *rate = if error.known == 0 { change / h } else { 0.5 * (*rate + change / h) };
         }
         for (index, correction) in impulses.iter().enumerate() {
             let own = taken.solution.impulses[index];
@@ -293,24 +307,19 @@ impl Estimator {
         let Some(multiple) = self.multiple(system, &next.time_error, h).filter(|_| system.constraints() > 0) else {
             return;
         };
-        let Self { right, targets, mass: moved, gradients, .. } = self;
-        let TimeError { position, velocity, .. } = &next.time_error;
-        let places = moved.iter_mut().zip(next.q.iter().zip(position));
+        let Self { right, targets, mass: moved, gradients, joint_frames, .. } = self;
+        let places = moved.iter_mut().zip(next.q.iter().zip(&next.time_error.position));
         places.for_each(|(moved, (own, change))| *moved = own + multiple * change);
-        let neighbor = frames.at(system, moved, next, &next.prescribed);
+        let neighbor = frames.of_joints(system, joint_frames, moved, next, &next.prescribed);
         system.constraint_gradients(&neighbor, gradients);
         targets.fill(0.0);
         system.add_constraint_rates(gradients, &next.velocity, targets);
         targets.iter_mut().for_each(|target| *target = -*target);
         system.add_constraint_rates(projection.constraint_momenta(system).0, &next.velocity, targets);
-        let (momentum, conditions) = right.split_at_mut(velocity.len());
-        system.mass_times(&next.prescribed.drives, velocity, momentum);
-        for (condition, target) in conditions.iter_mut().zip(&*targets) {
-            *condition = target / multiple;
-        }
-        match projection.solve_roughly(system, kkt, right, moved) {
-            Ok(()) => next.time_error.velocity.copy_from_slice(&right[..moved.len()]),
-            Err(Singular) => next.time_error.known = 0,
+        targets.iter_mut().for_each(|target| *target /= multiple);
+        let error = &mut next.time_error;
+        if projection.correct_velocity(system, kkt, targets, &mut error.velocity, right).is_err() {
+            error.known = 0;
         }
     }
 
