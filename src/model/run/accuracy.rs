@@ -60,6 +60,8 @@ struct Family {
     unit: String,
     /// It may be off by more in some looks: [`Quantity::is_rough`].
     is_rough: bool,
+    /// Each four of its results are a unit quaternion.
+    is_quaternion: bool,
     /// It is told of; energies that are not among the results only say what is large.
     is_shown: bool,
     /// How fast the error that a mesh causes falls with the length of the elements.
@@ -118,9 +120,17 @@ impl Columns {
             }
             let family = families.iter().position(|own| own.name == name).unwrap_or_else(|| {
                 let is_rough = quantity.is_some_and(Quantity::is_rough);
+                let is_quaternion = quantity == Some(Quantity::Quaternion);
                 let is_shown = table.is_shown(result);
                 let order = if quantity.is_none_or(Quantity::is_configuration) { ORDER } else { ORDER_OF_RATES };
-                families.push(Family { name: name.to_owned(), unit: unit.clone(), is_rough, is_shown, order });
+                families.push(Family {
+                    name: name.to_owned(),
+                    unit: unit.clone(),
+                    is_rough,
+                    is_quaternion,
+                    is_shown,
+                    order,
+                });
                 families.len() - 1
             });
             columns.push(Column { result, family, from_zero: scale::counts_from_zero(own) });
@@ -216,6 +226,10 @@ impl Accuracy {
                 results[*result] +=
                     correction::share(largest[*family], ranges[*family]) * error(*result, results[*result]);
             }
+        }
+        let quaternions = columns.columns.iter().filter(|column| columns.families[column.family].is_quaternion);
+        for Column { result, .. } in quaternions.step_by(4) {
+            correction::normalize(&mut results[*result..result + 4]);
         }
     }
 

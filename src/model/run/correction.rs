@@ -1,4 +1,4 @@
-//! Takes the time-step error that the state carries along (MECHANICS 7.8) out of places, angles, velocities, rates and energies: where the motion is smooth for its steps, they then
+//! Takes the time-step error that the state carries along (MECHANICS 7.8) out of positions, angles, velocities, rates and energies: where the motion is smooth for its steps, they then
 //! converge with order 3. Strains, forces and accelerations stay as computed: of vibrations that no step resolves the estimate tells the size at best.
 
 use crate::mechanics::state::time_error::TimeError;
@@ -48,4 +48,12 @@ impl Remainder {
 pub fn share(error: f64, range: f64) -> f64 {
     let size = error / (HALVED * range);
     if size.is_nan() { 0.0 } else { 1.0 / (1.0 + size.powi(DECLINE)) }
+}
+
+/// Makes a corrected quaternion one of a rotation again.
+pub fn normalize(quaternion: &mut [f64]) {
+    let size = quaternion.iter().map(|part| part * part).sum::<f64>().sqrt();
+    if size > 0.0 {
+        quaternion.iter_mut().for_each(|part| *part /= size);
+    }
 }

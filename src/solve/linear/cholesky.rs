@@ -30,13 +30,14 @@ impl Cholesky {
 
     /// As [`Self::new`]; none where the mean square of the lengths of columns, to which the work of a factorization is proportional, is above `most`.
     pub fn within(lasts: impl Iterator<Item = usize> + Clone, most: usize) -> Option<Self> {
-        let (mut last, mut work, mut count) = (0, 0, 0);
+        let (mut last, mut work, mut allowed) = (0, 0.0, 0.0);
         for (column, own) in lasts.clone().enumerate() {
             last = own.max(last).max(column);
-            work += (last + 1 - column) * (last + 1 - column);
-            count = column + 1;
+            // Their sum may be too large for 32 bits.
+            work += ((last + 1 - column) as f64).powi(2);
+            allowed += most as f64;
         }
-        (work <= most * count).then(|| Self::new(lasts))
+        (work <= allowed).then(|| Self::new(lasts))
     }
 
     /// Number of columns.

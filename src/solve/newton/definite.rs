@@ -1,4 +1,4 @@
-//! Whether the symmetric part of `A + Bᵀ B/ε` is positive definite beyond round-off: then, and only then, its Cholesky factorization comes to an end.
+//! Whether the symmetric part of `A + Bᵀ B/ε` is positive definite up to round-off: it is where its Cholesky factorization comes to an end. Otherwise nothing is known.
 //!
 //! The factorization keeps the order of the coordinates, in which beams have a band: it needs neither the search for an order nor the symbolic analysis of a general one.
 

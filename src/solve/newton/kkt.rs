@@ -217,7 +217,7 @@ impl Kkt {
         self.solver.set_scale(&self.blocks) && self.is_definite(system)
     }
 
-    /// Whether the matrix that [`Self::releasing_motions`] factorizes is positive definite beyond round-off.
+    /// Whether the matrix that [`Self::releasing_motions`] factorizes is positive definite up to round-off; where it is not, nothing is known.
     fn is_definite(&mut self, system: &System) -> bool {
         let coordinates = system.coordinates();
         let definite = self.definite.get_or_insert_with(|| {

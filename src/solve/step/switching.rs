@@ -42,6 +42,8 @@ fn collide(system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Erro
     let (mut projection, mut frames) = (Projection::once(system), FrameCache::default());
     projection.set_velocity(system, kkt, &mut frames, state)?;
     kkt.check_unique(system, state.time)?;
+    // Its part along what engages is gone; how much of the rest is, the next step finds anew.
+    state.time_error.velocity.fill(0.0);
     system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
     let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
     let dissipated = system.kinetic_energy_of_mesh(&state.prescribed.drives, &change);

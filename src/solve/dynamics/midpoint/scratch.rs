@@ -66,7 +66,7 @@ impl Scratch {
         own
     }
 
-    /// Lends `other` the memory that a finished step no longer needs; a second call takes it back. The rates at the start keep their values, and `other` has them too.
+    /// Lends `other` the memory that a finished step no longer needs; a second call takes it back. `other` reads the rates at the start, which go with it, and overwrites the rest.
     pub fn lend(&mut self, other: &mut Self) {
         std::mem::swap(&mut self.q_middle, &mut other.q_middle);
         std::mem::swap(&mut self.forces, &mut other.forces);

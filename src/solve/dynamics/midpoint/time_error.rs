@@ -126,6 +126,7 @@ impl Estimator {
         if self.scratch.is_viscous {
             error.rates.resize(system.coordinates(), 0.0);
         }
+        self.source_size = 0.0;
         // Without an accurate solution the error stays that of the start, and its source is found anew from here on.
         if self.advance(system, kkt, taken, error).is_err() {
             error.known = 0;
@@ -232,6 +233,7 @@ impl Estimator {
         for (list, change) in [(&mut start.q, &error.position), (&mut start.velocity, &error.velocity)] {
             list.iter_mut().zip(change).for_each(|(value, change)| *value += multiple * change);
         }
+        // The mass is that of the start for both: a winch changes it over the step, by a share that is of higher order in the source.
         let moved = self.right.iter_mut().zip(&error.velocity).zip(&self.filtered);
         moved.for_each(|((moved, velocity), source)| *moved = h * velocity + source);
         system.mass_times(&state.prescribed.drives, &self.right[..self.mass.len()], &mut self.mass);
