@@ -17,8 +17,24 @@ pub const MOST_ITERATIONS: usize = 15;
 pub struct Convergence {
     /// Iterations made.
     pub iterations: usize,
-    /// Size of each correction (see [`System::motion_size`]); unused places are 0.
+    /// Size of each correction (see [`System::motion_size`]), then that of the refinement of a single one; unused places are 0.
     pub corrections: [f64; MOST_ITERATIONS],
+    /// How often the solution has to be refined with the same tangent.
+    pub refinements: usize,
+}
+
+impl Convergence {
+    /// Size of the last correction.
+    pub fn last(&self) -> f64 {
+        self.corrections[self.iterations - 1]
+    }
+
+    /// Takes the size of the first refinement for that of a second correction: both are what a single correction has left.
+    pub fn measure(&mut self, refinement: f64) {
+        if self.iterations == 1 {
+            self.corrections[1] = refinement;
+        }
+    }
 }
 
 /// Something Newton can solve.
@@ -63,15 +79,15 @@ impl Goal {
         }
     }
 
-    /// Whether it is reached with the corrections made so far.
-    fn is_reached(self, corrections: &[f64]) -> bool {
-        let [before @ .., last] = corrections else { return false };
+    /// How often the solution has to be refined, where the goal is reached with the corrections made so far.
+    fn reached(self, corrections: &[f64]) -> Option<usize> {
+        let [before @ .., last] = corrections else { return None };
         match self {
-            Self::Correction(size) => *last < size,
+            Self::Correction(size) => (*last < size).then_some(0),
             Self::Remainder { size: [size, share], expected } => {
                 // A first correction below the size itself leaves less than that, whatever was expected.
                 if *last <= size {
-                    return true;
+                    return Some(1);
                 }
                 let size = size + share * corrections[0];
                 let ratio = match before.last() {
@@ -82,10 +98,28 @@ impl Goal {
                     }
                 };
                 // Corrections that hardly shrink say nothing about what remains.
-                ratio < SLOWEST && last * ratio / (1.0 - ratio) < size
+                if ratio >= SLOWEST {
+                    return None;
+                }
+                let remainder = last * ratio / (1.0 - ratio);
+                (1..=MOST_REFINEMENTS).find(|times| remainder < most_to_refine(*times, size, *last))
             }
         }
     }
+}
+
+/// Most refinements of a solution: together they take less work than the iteration that they replace.
+const MOST_REFINEMENTS: usize = 4;
+/// What more than one refinement may leave, as a share of what one may: the ratio that all of them rely on is that of an earlier step.
+const STRICTNESS: f64 = 1e-4;
+
+/// The remainder after a correction of size `last` that so many refinements make as small as one makes a remainder of `size`. Each takes off the ratio of what remains to
+/// that correction.
+pub fn most_to_refine(times: usize, size: f64, last: f64) -> f64 {
+    if times == 1 {
+        return size;
+    }
+    last * (STRICTNESS * (size / last).powi(2)).powf(1.0 / (times + 1) as f64)
 }
 
 /// Corrections are not expected to shrink faster than this: a motion that was linear so far says nothing about one that is not.
@@ -106,7 +140,7 @@ pub fn solve(
     time: f64,
     iterations: &mut u64,
 ) -> Result<Convergence, Error> {
-    let mut convergence = Convergence { iterations: 0, corrections: [0.0; MOST_ITERATIONS] };
+    let mut convergence = Convergence { iterations: 0, corrections: [0.0; MOST_ITERATIONS], refinements: 0 };
     let mut last = f64::INFINITY;
     while convergence.iterations < limit {
         let loads_time = problem.linearize(kkt, right);
@@ -122,8 +156,8 @@ pub fn solve(
         convergence.corrections[convergence.iterations] = last;
         convergence.iterations += 1;
         *iterations += 1;
-        if goal.is_reached(&convergence.corrections[..convergence.iterations]) {
-            return Ok(convergence);
+        if let Some(refinements) = goal.reached(&convergence.corrections[..convergence.iterations]) {
+            return Ok(Convergence { refinements, ..convergence });
         }
         if !last.is_finite() {
             break;

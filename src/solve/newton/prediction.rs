@@ -7,7 +7,7 @@ use super::Convergence;
 use crate::mechanics::state::{Prediction, Shrinking, State};
 use crate::mechanics::system::System;
 
-/// What an expected shrinking of corrections grows by with every step that does not measure it: a step now and then makes a second iteration to do so.
+/// What an expected shrinking of corrections grows by with every step that does not measure it: one whose first correction is round-off.
 const AGING: f64 = 1.2;
 
 /// Sets `increment` to the predicted change of the coordinates over `step` s from `state`.
@@ -44,8 +44,8 @@ pub fn learn(
     prediction.known = (known + 1).min(MOST_KNOWN);
     // Until both accelerations are known, whatever is known is used.
     prediction.order = if known < MOST_KNOWN { prediction.known } else { best.1 };
-    prediction.shrinking = match convergence.corrections[..convergence.iterations] {
-        [first, second, ..] => Shrinking { first, ratio: second / first.max(f64::MIN_POSITIVE) },
+    prediction.shrinking = match convergence.corrections {
+        [first, second, ..] if second > 0.0 => Shrinking { first, ratio: second / first.max(f64::MIN_POSITIVE) },
         _ => Shrinking { ratio: f64::min(1.0, AGING * state.prediction.shrinking.ratio), ..state.prediction.shrinking },
     };
 }

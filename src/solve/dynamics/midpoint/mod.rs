@@ -27,7 +27,7 @@ use crate::mechanics::system::work::StepEnergy;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::prediction;
-use crate::solve::newton::{self, Convergence, Goal, Problem};
+use crate::solve::newton::{self, Convergence, Goal, Problem, most_to_refine};
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
@@ -210,15 +210,23 @@ impl Midpoint {
             let mut problem = Step { system, state, dissipation, step: span.step, scratch: &mut self.scratch };
             let control = (Goal::Remainder { size, expected }, limits::ITERATIONS);
             let counted = &mut next.statistics.iterations;
-            let convergence =
+            let mut convergence =
                 newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, span.end, counted)?;
             self.scratch.place(system, state);
             self.scratch.check(system, state, span.end)?;
-            let found = self.scratch.evaluate(system, state, dissipation, span, next);
-            let remainder = self.refine(system, state, dissipation, span.step);
-            let likely = LARGEST_REFINEMENT * (size[0] + size[1] * convergence.corrections[0]);
-            if remainder <= likely || expected == Shrinking::default() {
-                return Ok((convergence, found));
+            let bound = size[0] + size[1] * convergence.corrections[0];
+            let mut is_likely = true;
+            for left in (0..convergence.refinements).rev() {
+                let found = self.scratch.evaluate(system, state, dissipation, span, next);
+                let remainder = self.refine(system, state, dissipation, span.step);
+                is_likely &= remainder <= LARGEST_REFINEMENT * most_to_refine(left + 1, bound, convergence.last());
+                // Of a first correction this small, round-off decides how it shrinks.
+                if left + 1 == convergence.refinements && convergence.corrections[0] > size[0] {
+                    convergence.measure(remainder);
+                }
+                if left == 0 && (is_likely || expected == Shrinking::default()) {
+                    return Ok((convergence, found));
+                }
             }
             // The corrections of earlier steps were no measure: now two of this one decide.
             expected = Shrinking::default();
