@@ -89,6 +89,29 @@ fn the_remainder_is_told() {
     assert_eq!(of_rough(&corrected(&told_of("5e-3"))), of_rough(&told_of("5e-3")));
 }
 
+/// A bar that swings, 10 rad/s at first, and is caught on a row: its quaternion is one of a rotation, and its corrected velocity stops with it.
+#[test]
+fn rotations_and_impacts_are_kept() {
+    let text = "format = 1\n[model]\nname = \"Caught\"\ngravity = [0, 0, -9.81]\n[body.bar]\nmass = 2\nposition = [0.5, 0, 0]\n\
+         inertia = [0.001, 0.17, 0.17]\nangular_velocity = [0, 10, 0]\nvelocity = [0, 0, -5]\n[joint.hinge]\ntype = \"revolute\"\na = \"ground\"\n\
+         b = \"bar\"\nat = [0, 0, 0]\naxis = [0, 1, 0]\n[lock.catch]\njoint = \"hinge\"\ncoordinate = \"angle\"\nactive = \"t >= 0.6\"\n\
+         [output.motion]\nat = \"bar\"\nquantities = [\"quaternion\"]\n[output.turn]\nat = \"hinge\"\nquantities = [\"angle_rate\"]\n\
+         [simulation]\nstop = 1\nstep = 0.02\n";
+    let mut simulation = start(&corrected(text));
+    let mut differs = false;
+    for row in 1..=40 {
+        simulation.advance(0.02 * f64::from(row)).unwrap_or_else(|failure| panic!("{}", failure.message));
+        let square: f64 = (1..=4).map(|part| value(&simulation, &format!("motion.quaternion[{part}]")).powi(2)).sum();
+        assert!((square - 1.0).abs() < 1e-14, "row {row}: {square}");
+        differs |= estimate(&simulation, "motion.quaternion") > 1e-3;
+        if row >= 30 {
+            let rate = value(&simulation, "turn.angle_rate");
+            assert!(rate.abs() < 1e-12, "row {row}: {rate}");
+        }
+    }
+    assert!(differs, "there is something to correct");
+}
+
 /// After three periods of 20 steps each the phase is lost: a linear estimate of the error grows without bound, and its correction would too.
 #[test]
 fn a_lost_phase_is_left_alone() {
