@@ -74,11 +74,12 @@ pub trait BeamElement {
     fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]);
 
     /// [`Self::add_gradient`], and sets `block` to `scale` times the Hessian; over a step to twice the derivative by the coordinates
-    /// at its end.
+    /// at its end. While Newton iterates to an equilibrium, it may have the axial forces that the last `correction` of all coordinates was to lead to (MECHANICS 5.6).
     fn add_gradient_and_set_hessian(
         &self,
         c: &BeamConfiguration,
         passage: &Passage,
+        correction: Option<&[f64]>,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],

@@ -58,11 +58,12 @@ impl System {
     }
 
     /// [`Self::forces`], and sets the first blocks of `tangent` to `scale` times their derivative by `q`
-    /// (over a step: twice the derivative by the coordinates at its end).
+    /// (over a step: twice the derivative by the coordinates at its end); while Newton iterates to an equilibrium, it may have the axial forces that the last `correction` was to lead to.
     pub fn forces_and_tangent(
         &self,
         c: &Configuration,
         passage: &Passage,
+        correction: Option<&[f64]>,
         excitation: &Excitation,
         scale: f64,
         forces: &mut [f64],
@@ -72,7 +73,7 @@ impl System {
         let (layout, of_beams) = (TangentLayout::of(self), passage.of_beams());
         for (number, element) in self.mesh.elements.iter().enumerate() {
             let block = tangent.block_mut(layout.element(number));
-            element.add_gradient_and_set_hessian(&c.beams, &of_beams, scale, forces, block);
+            element.add_gradient_and_set_hessian(&c.beams, &of_beams, correction, scale, forces, block);
         }
         self.add_mass_damping(c, passage, forces);
         self.add_mass_damping_tangent(c, passage, scale, tangent);

@@ -404,7 +404,7 @@ impl Problem for Step<'_> {
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
         let passage = Passage::with_velocity_by_q(&scratch.velocity, by_q[0]);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
-        system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
+        system.forces_and_tangent(&configuration, &passage, None, &scratch.excitation, scale, forces, tangent);
         let given = (&scratch.velocity[..], &scratch.excitation);
         system.add_damping_matrix(&configuration, given, scale * by_q[0], tangent);
         system.add_mass(&scratch.prescribed.drives, 1.0, tangent);

@@ -24,9 +24,9 @@ pub struct Convergence {
 }
 
 impl Convergence {
-    /// Size of the last correction.
-    pub fn last(&self) -> f64 {
-        self.corrections[self.iterations - 1]
+    /// Sizes of the corrections that iterations have made.
+    pub fn made(&self) -> &[f64] {
+        &self.corrections[..self.iterations]
     }
 
     /// Takes the size of the first refinement for that of a second correction: both are what a single correction has left.
@@ -40,7 +40,7 @@ impl Convergence {
 /// Something Newton can solve.
 pub trait Problem {
     /// Sets `right` to minus the residual at the current unknowns, and the matrix of `kkt` to its derivative;
-    /// returns the time at which loads were taken, s.
+    /// returns the time at which loads were taken, s. After a correction `right` still has it.
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64;
 
     /// The force law that is not defined at the current unknowns, in words.
@@ -102,7 +102,7 @@ impl Goal {
                     return None;
                 }
                 let remainder = last * ratio / (1.0 - ratio);
-                (1..=MOST_REFINEMENTS).find(|times| remainder < most_to_refine(*times, size, *last))
+                (1..=MOST_REFINEMENTS).find(|times| remainder < most_to_refine(*times, size, corrections))
             }
         }
     }
@@ -110,16 +110,21 @@ impl Goal {
 
 /// Most refinements of a solution: together they take less work than the iteration that they replace.
 const MOST_REFINEMENTS: usize = 4;
-/// What more than one refinement may leave, as a share of what one may: the ratio that all of them rely on is that of an earlier step.
+/// What more than one refinement of a first correction may leave, as a share of what one may: the ratio that all of them rely on is that of an earlier step.
 const STRICTNESS: f64 = 1e-4;
 
-/// The remainder after a correction of size `last` that so many refinements make as small as one makes a remainder of `size`. Each takes off the ratio of what remains to
-/// that correction.
-pub fn most_to_refine(times: usize, size: f64, last: f64) -> f64 {
+/// The largest remainder after `corrections` that so many refinements make small enough, where one may leave a remainder of `size`. Each takes off the ratio of what
+/// remains to the last correction. Where that was measured, all but the last one together have to reach `size`.
+pub fn most_to_refine(times: usize, size: f64, corrections: &[f64]) -> f64 {
+    let [before @ .., last] = corrections else { return size };
     if times == 1 {
         return size;
     }
-    last * (STRICTNESS * (size / last).powi(2)).powf(1.0 / (times + 1) as f64)
+    if before.is_empty() {
+        last * (STRICTNESS * (size / last).powi(2)).powf(1.0 / (times + 1) as f64)
+    } else {
+        last * (size / last).powf(1.0 / times as f64)
+    }
 }
 
 /// Corrections are not expected to shrink faster than this: a motion that was linear so far says nothing about one that is not.

@@ -9,6 +9,17 @@ use crate::mechanics::system::System;
 use crate::solve::newton::Problem;
 use crate::solve::newton::kkt::Kkt;
 
+/// The tangent of an iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tangent {
+    /// The derivative of the balance.
+    Exact,
+    /// The same until the first correction, then [`Self::OfCorrection`].
+    Fast,
+    /// With the axial forces that the last correction was to lead to (MECHANICS 5.6).
+    OfCorrection,
+}
+
 /// The unknowns, and what they are in balance with.
 pub(super) struct Equilibrium<'a> {
     pub(super) system: &'a System,
@@ -17,6 +28,8 @@ pub(super) struct Equilibrium<'a> {
     pub(super) excitation: &'a Excitation,
     pub(super) motion: &'a Prescribed,
     pub(super) scratch: &'a mut Scratch,
+    /// Which tangent an iteration has.
+    pub(super) tangent: Tangent,
 }
 
 impl<'a> Equilibrium<'a> {
@@ -30,7 +43,7 @@ impl<'a> Equilibrium<'a> {
     ) -> Self {
         scratch.q.copy_from_slice(&state.q);
         scratch.multipliers.copy_from_slice(&state.multipliers);
-        Self { system, state, time, excitation, motion, scratch }
+        Self { system, state, time, excitation, motion, scratch, tangent: Tangent::Exact }
     }
 
     /// Minus the residual at the current unknowns, whose forces, frames and gradients are known, into `right`.
@@ -60,7 +73,8 @@ impl Problem for Equilibrium<'_> {
         let scratch = &mut *self.scratch;
         let configuration = scratch.frames.at(system, &scratch.q, state, self.motion);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
-        system.forces_and_tangent(&configuration, &Passage::Rest, self.excitation, 1.0, forces, tangent);
+        let correction = (self.tangent == Tangent::OfCorrection).then_some(&*right);
+        system.forces_and_tangent(&configuration, &Passage::Rest, correction, self.excitation, 1.0, forces, tangent);
         kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
@@ -68,6 +82,9 @@ impl Problem for Equilibrium<'_> {
     }
 
     fn correct(&mut self, correction: &[f64]) {
+        if self.tangent == Tangent::Fast {
+            self.tangent = Tangent::OfCorrection;
+        }
         let (coordinates, multipliers) = correction.split_at(self.scratch.q.len());
         for (value, correction) in self.scratch.q.iter_mut().zip(coordinates) {
             *value += correction;

@@ -11,7 +11,7 @@ mod relaxation;
 pub mod stability;
 mod switching;
 
-use self::equilibrium::Equilibrium;
+use self::equilibrium::{Equilibrium, Tangent};
 use self::path::Path;
 use self::stability::{Stability, StabilityRecord};
 use crate::error::Error;
@@ -121,6 +121,7 @@ impl Statics {
 
     /// Sets `next`, a copy of `drawn`, to the first equilibrium: by a ramp of what acts, or, where that finds none or an unstable one, by letting the system come to rest.
     fn find_first(&mut self, system: &System, drawn: &State, next: &mut State, time: f64) -> Result<(), Error> {
+        self.stability.forget();
         let ramped = self.ramp_to(system, next, time);
         let mut unstable = ramped.is_ok() && self.is_unstable(system, next);
         let outcome = match ramped {
@@ -343,8 +344,18 @@ impl Statics {
 
     /// Solves for the equilibrium under the current excitation from `state` and writes it there, references carried on.
     fn solve(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
+        // The tangent that converges faster to an equilibrium that is near finds fewer of those that are far: behind a limit point, or beside an unstable one.
+        let leaves_unstable = self.stability.known().is_some_and(|known| known.unstable > 0);
+        if !leaves_unstable && self.iterate(system, state, time, Tangent::Fast).is_ok() {
+            return Ok(());
+        }
+        self.iterate(system, state, time, Tangent::Exact)
+    }
+
+    /// [`Self::solve`] with the tangents that `tangent` says.
+    fn iterate(&mut self, system: &System, state: &mut State, time: f64, tangent: Tangent) -> Result<(), Error> {
         let given = (&self.current, &self.current_motion);
-        let mut problem = Equilibrium::near(system, state, time, given, &mut self.scratch);
+        let mut problem = Equilibrium { tangent, ..Equilibrium::near(system, state, time, given, &mut self.scratch) };
         let mut iterations = state.statistics.iterations;
         let control = (Goal::Correction(self.tolerance), MOST_ITERATIONS);
         let solved =
@@ -401,7 +412,8 @@ impl Statics {
         self.scratch.q.copy_from_slice(q);
         self.scratch.multipliers.copy_from_slice(multipliers);
         let (excitation, motion) = (&self.current, &self.current_motion);
-        (Equilibrium { system, state, time, excitation, motion, scratch: &mut self.scratch }, &mut self.kkt)
+        let scratch = &mut self.scratch;
+        (Equilibrium { system, state, time, excitation, motion, scratch, tangent: Tangent::Exact }, &mut self.kkt)
     }
 }
 

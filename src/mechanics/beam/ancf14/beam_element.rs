@@ -36,17 +36,18 @@ impl Element {
         }
     }
 
-    /// Adds the gradient of `evaluation`, and sets `block` to `scale` times its Hessian.
+    /// Adds the gradient of `evaluation`, and sets `block` to `scale` times its Hessian with the axial strains less `excess`.
     pub(super) fn add_gradient_and_hessian_of(
         &self,
         evaluation: &Evaluation,
+        excess: [f64; 3],
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
         let (columns, _) = block.as_chunks_mut::<ELEMENT>();
         let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
-        self.add(&evaluation.gradient_and_set_hessian(scale, columns), forces);
+        self.add(&evaluation.gradient_and_set_hessian(scale, excess, columns), forces);
     }
 
     /// Internal coordinate of the quadratic twist, rad; 0 for linear twist.
@@ -113,11 +114,14 @@ impl BeamElement for Element {
         &self,
         c: &BeamConfiguration,
         passage: &Passage,
+        correction: Option<&[f64]>,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        self.passing(c, passage, |here| self.add_gradient_and_hessian_of(here, scale, forces, block));
+        self.passing(c, passage, |here| {
+            self.add_gradient_and_hessian_of(here, here.excess(correction), scale, forces, block);
+        });
     }
 
     fn finish_step(

@@ -369,12 +369,17 @@ impl<'a> Evaluation<'a> {
     /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
     pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
         let mut hessian = ElementMatrix::zeros();
-        (self.gradient_and_set_hessian(1.0, &mut hessian.data.0), hessian)
+        (self.gradient_and_set_hessian(1.0, [0.0; 3], &mut hessian.data.0), hessian)
     }
 
-    /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`].
+    /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`], where axial forces that only turn are those of axial strains less `excess`.
     #[inline]
-    pub fn gradient_and_set_hessian(&self, scale: f64, hessian: &mut ElementColumns) -> ElementVector {
+    pub fn gradient_and_set_hessian(
+        &self,
+        scale: f64,
+        excess: [f64; 3],
+        hessian: &mut ElementColumns,
+    ) -> ElementVector {
         let (element, first) = (self.element, self.first_order());
         let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
         let gradients = Gradients::new(element, &self.kinematics);
@@ -396,7 +401,7 @@ impl<'a> Evaluation<'a> {
             turn.apply(hessian);
         }
         match element.stiffness.strain {
-            Strain::Small => stretching::add_small_hessian(self, scale, hessian),
+            Strain::Small => stretching::add_small_hessian(self, &excess, scale, hessian),
             _ => {
                 let first = stretching::Large {
                     evaluation: self,
@@ -405,7 +410,7 @@ impl<'a> Evaluation<'a> {
                     gradients: &gradients,
                     condensation: condensation.as_ref(),
                 };
-                first.add_hessian(scale, hessian);
+                first.add_hessian(&excess, scale, hessian);
             }
         }
         complete(hessian);

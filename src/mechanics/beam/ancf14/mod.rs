@@ -20,4 +20,5 @@ pub mod section;
 mod sections_along;
 pub mod strain;
 mod stress_free;
+mod tension;
 mod transport;

@@ -325,12 +325,15 @@ impl BeamElement for PaidOut {
         &self,
         c: &BeamConfiguration,
         passage: &Passage,
+        correction: Option<&[f64]>,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
         let element = self.over(c, passage);
-        self.passing(&element, c, passage, |here| element.add_gradient_and_hessian_of(here, scale, forces, block));
+        self.passing(&element, c, passage, |here| {
+            element.add_gradient_and_hessian_of(here, here.excess(correction), scale, forces, block);
+        });
         self.add_transport(c, passage, forces);
         self.add_transport_tangent(c, passage, scale, block);
     }

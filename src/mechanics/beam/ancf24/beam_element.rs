@@ -121,6 +121,7 @@ impl BeamElement for Element {
         &self,
         c: &BeamConfiguration,
         passage: &Passage,
+        _correction: Option<&[f64]>,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],

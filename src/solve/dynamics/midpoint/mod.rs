@@ -219,7 +219,7 @@ impl Midpoint {
             for left in (0..convergence.refinements).rev() {
                 let found = self.scratch.evaluate(system, state, dissipation, span, next);
                 let remainder = self.refine(system, state, dissipation, span.step);
-                is_likely &= remainder <= LARGEST_REFINEMENT * most_to_refine(left + 1, bound, convergence.last());
+                is_likely &= remainder <= LARGEST_REFINEMENT * most_to_refine(left + 1, bound, convergence.made());
                 // Of a first correction this small, round-off decides how it shrinks.
                 if left + 1 == convergence.refinements && convergence.corrections[0] > size[0] {
                     convergence.measure(remainder);
@@ -381,6 +381,7 @@ impl Problem for Step<'_> {
         system.forces_and_tangent(
             &middle,
             &Passage::Step(step),
+            None,
             &scratch.excitation,
             0.25 * h * h,
             &mut scratch.forces,

@@ -4,7 +4,7 @@
 //! `x = K⁻¹ r + p K⁻¹ b` come from one factorization.
 
 use super::super::Scratch;
-use super::super::equilibrium::{Equilibrium, undefined_law};
+use super::super::equilibrium::{Equilibrium, Tangent, undefined_law};
 use super::scalar_product;
 use crate::error::Error;
 use crate::mechanics::input::excitation::Excitation;
@@ -98,7 +98,8 @@ impl Across<'_> {
     /// The equilibrium under what is given.
     fn equilibrium(&mut self) -> Equilibrium<'_> {
         let Self { system, state, parameter, excitation, motion, scratch, .. } = self;
-        Equilibrium { system, state, time: *parameter, excitation, motion, scratch }
+        // Close to limit points the exact tangent converges from farther away.
+        Equilibrium { system, state, time: *parameter, excitation, motion, scratch, tangent: Tangent::Exact }
     }
 }
 

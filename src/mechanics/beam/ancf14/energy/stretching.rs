@@ -26,12 +26,12 @@ pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
 
 /// Adds `scale` times the small-strain part to `sum`, without the rows and columns of `r_0`.
 #[inline]
-pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementColumns) {
+pub fn add_small_hessian(evaluation: &Evaluation, excess: &[f64; 3], scale: f64, sum: &mut ElementColumns) {
     let element = evaluation.element;
     for (m, point) in element.axial.iter().enumerate() {
-        let force = evaluation.engineering_force(m);
-        let stiffness = point.stiffness.axial * (1.0 + evaluation.added.axial_stiffening);
-        let hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness * point.weight);
+        let stiffness = point.weight * point.stiffness.axial * (1.0 + evaluation.added.axial_stiffening);
+        let force = evaluation.engineering_force(m) - stiffness * excess[m];
+        let hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness);
         add_spread(&point.shape_x, &(hessian * scale), sum);
     }
 }
@@ -54,7 +54,7 @@ pub struct Large<'a> {
 impl Large<'_> {
     /// Adds `scale` times all second derivatives by the Green strains of the axial points to `sum`, without the rows and columns of `r_0`.
     #[inline]
-    pub fn add_hessian(&self, scale: f64, sum: &mut ElementColumns) {
+    pub fn add_hessian(&self, excess: &[f64; 3], scale: f64, sum: &mut ElementColumns) {
         let (element, shape) = (self.evaluation.element, &self.evaluation.kinematics.shape);
         self.add_eccentric(scale, sum);
         let (mut bubble_q, mut bubble_end) = (ElementVector::zeros(), ElementVector::zeros());
@@ -78,8 +78,9 @@ impl Large<'_> {
             let turned = self.evaluation.turn_from_end.as_ref().map_or(by_middle, |turn| turn.of_end(&by_middle));
             add_between([&by_middle, &turned], &point.shape_x, [&green_p, &by_end], sum);
             let stiffening = self.evaluation.added.axial_stiffening * point.stiffness.axial * point.weight;
-            let block = green_p * by_end.transpose() * (density[(0, 0)] + stiffening)
-                + slope.green_strain_pp() * self.evaluation.green_force(m, self.resultants);
+            let stiffness = density[(0, 0)] + stiffening;
+            let force = self.evaluation.green_force(m, self.resultants) - stiffness * excess[m];
+            let block = green_p * by_end.transpose() * stiffness + slope.green_strain_pp() * force;
             add_spread(&point.shape_x, &(block * scale), sum);
         }
         if let Some(condensation) = self.condensation {
