@@ -33,6 +33,7 @@ use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::pacing::Pacing;
 use crate::solve::step::projection::Projection;
+use crate::solve::step::spare::Spare;
 use crate::solve::step::switching;
 
 /// What Newton may leave of a step before it is refined, as a share of the tolerance.
@@ -61,8 +62,8 @@ pub struct Midpoint {
     scratch: Scratch,
     /// None: the system has elements whose steps it does not know.
     estimator: Option<Estimator>,
-    /// The state at the end of the step in the making.
-    next: Option<State>,
+    /// The state at the end of the step in the making; empty before the first step.
+    next: State,
 }
 
 impl Midpoint {
@@ -82,7 +83,7 @@ impl Midpoint {
             kkt,
             scratch: Scratch::new(system),
             estimator: Estimator::new(system, spectral_radius),
-            next: None,
+            next: State::default(),
         }
     }
 
@@ -100,6 +101,11 @@ impl Midpoint {
     /// Whether it knows the error of its steps.
     pub fn knows_error(&self) -> bool {
         self.estimator.is_some()
+    }
+
+    /// Memory that it does not need between two steps.
+    pub fn spare(&mut self) -> Spare<'_> {
+        Spare { state: &mut self.next, frames: &mut self.scratch.frames_middle }
     }
 }
 
@@ -126,7 +132,7 @@ impl Integrator for Midpoint {
         limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
         let dissipation = self.dissipation(state, step);
         // All that is left may fail: the state changes at the very end.
-        let mut next = self.next.take().unwrap_or_else(|| state.clone());
+        let mut next = std::mem::take(&mut self.next);
         next.clone_from(state);
         let span = Span { step, end };
         let solved = self.solve(system, state, dissipation, span, &mut next);
@@ -135,7 +141,7 @@ impl Integrator for Midpoint {
         let (convergence, found) = match solved {
             Ok(solved) => solved,
             Err(reason) => {
-                self.next = Some(next);
+                self.next = next;
                 return Err(reason);
             }
         };
@@ -177,7 +183,7 @@ impl Integrator for Midpoint {
             }
             std::mem::swap(state, &mut next);
         }
-        self.next = Some(next);
+        self.next = next;
         outcome
     }
 
