@@ -13,16 +13,16 @@ use std::ops::{Deref, DerefMut, Range};
 /// An element of a beam; it never changes but for its damping.
 #[expect(
     clippy::large_enum_variant,
-    reason = "elements are read in order, the smaller ones keep their numbers elsewhere"
+    reason = "elements of ANCF14 are read in order, the others keep their numbers elsewhere"
 )]
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnyElement {
     /// Center-line and twist.
     Ancf14(ancf14::element::Element),
-    /// One of ANCF14 that is paid out. Its further numbers are in a box: they would make all elements larger.
+    /// One of ANCF14 that is paid out. Its numbers are in a box, as those of ANCF24: they would make all elements larger.
     PaidOut(Box<ancf14::paid_out::PaidOut>),
     /// Center-line and gradients of the section.
-    Ancf24(ancf24::element::Element),
+    Ancf24(Box<ancf24::element::Element>),
 }
 
 /// What an element answers. Vectors of coordinates are those of the whole system, blocks are its own, column-major.
@@ -196,7 +196,7 @@ impl Deref for AnyElement {
         match self {
             Self::Ancf14(element) => element,
             Self::PaidOut(element) => &**element,
-            Self::Ancf24(element) => element,
+            Self::Ancf24(element) => &**element,
         }
     }
 }
@@ -206,7 +206,7 @@ impl DerefMut for AnyElement {
         match self {
             Self::Ancf14(element) => element,
             Self::PaidOut(element) => &mut **element,
-            Self::Ancf24(element) => element,
+            Self::Ancf24(element) => &mut **element,
         }
     }
 }

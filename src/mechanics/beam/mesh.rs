@@ -21,6 +21,13 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// Gives back the memory that further nodes and elements would take.
+    pub fn shrink_to_fit(&mut self) {
+        self.nodes.shrink_to_fit();
+        self.elements.shrink_to_fit();
+        self.framed.shrink_to_fit();
+    }
+
     /// Number of coordinates.
     pub fn coordinates(&self) -> usize {
         self.nodes.last().map_or(0, |node| node.coordinates().end)

@@ -125,7 +125,7 @@ impl System {
         let length = own.length();
         let [first, second] = own.element.frames(&c.beams);
         let chord = (first.t + second.t).try_normalize(0.0).unwrap_or_else(Vec3::zeros);
-        let weight = self.gravity * own.element.line_density;
+        let weight = self.gravity * own.element.inertia.line_density;
         let across = (weight - chord * weight.dot(&chord)).norm();
         let square = |line: &Line| line.mean * line.mean + (line.slope * length).powi(2) / 12.0;
         let curvature = (square(&own.strains[0]) + square(&own.strains[1])).sqrt();

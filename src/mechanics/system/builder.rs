@@ -171,12 +171,15 @@ impl SystemBuilder {
                 };
                 let mut element = element.prestressed(&design.prestress);
                 element.tension_damping = design.tension_damping;
+                if let Some(AnyElement::Ancf14(before)) = mesh.elements.last() {
+                    element.share(before);
+                }
                 AnyElement::Ancf14(element)
             }
             Elements::Ancf24 { poisson, shear } => {
                 let properties = design.properties(poisson, shear);
                 let reference = std::array::from_fn(|index| reference[index]);
-                AnyElement::Ancf24(ancf24::element::Element::new(start, length, properties, &reference))
+                AnyElement::Ancf24(Box::new(ancf24::element::Element::new(start, length, properties, &reference)))
             }
         }
     }
@@ -433,8 +436,8 @@ impl SystemBuilder {
         } = self;
         system.size = size;
         system.gravity = gravity;
-        // Elements are large, and a list that doubled as it grew may be half empty.
-        system.mesh.elements.shrink_to_fit();
+        // A list that doubled as it grew may be half empty.
+        system.mesh.shrink_to_fit();
         // Behind the joints of the file, which keep their numbers.
         system.joints.extend(inner_joints);
         system.joints.extend(system.bodies.iter().map(RigidBody::rigidity));

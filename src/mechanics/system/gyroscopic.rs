@@ -90,7 +90,7 @@ fn add_by_node(
                 for (other, column) in [THETA, NODE + THETA].into_iter().enumerate() {
                     for row in 0..3 {
                         block[column * ELEMENT + local + P + row] +=
-                            by_spin[row] * extent * element.mass.spin(local / NODE, other);
+                            by_spin[row] * extent * element.inertia.mass.spin(local / NODE, other);
                     }
                 }
             }

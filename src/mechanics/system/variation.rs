@@ -116,12 +116,7 @@ impl Variation {
             hold.pose.place += change.pose.place * factor;
             hold.pose.axes += change.pose.axes * factor;
         }
-        frames.set(system, &state.q, &state.triads);
-        for (triad, frame) in state.triads.iter_mut().zip(&frames.frames) {
-            *triad = frame.carried();
-        }
-        frames.set(system, &state.q, &state.triads);
-        system.carry_references(state, frames);
+        follow(system, state, frames);
     }
 
     /// Adds `weight` times what lies between `from` and `to`, two states of one system that are near each other.
@@ -141,6 +136,16 @@ impl Variation {
             self.q[node + THETA] += weight * turn_between(from, to);
         }
     }
+}
+
+/// Lets triads, holonomy angles, rotation vectors and relative coordinates follow the coordinates of `state`, which have been changed a little. `frames` is scratch memory.
+pub fn follow(system: &System, state: &mut State, frames: &mut FrameCache) {
+    frames.set(system, &state.q, &state.triads);
+    for (triad, frame) in state.triads.iter_mut().zip(&frames.frames) {
+        *triad = frame.carried();
+    }
+    frames.set(system, &state.q, &state.triads);
+    system.carry_references(state, frames);
 }
 
 /// The angle about the tangent by which `to` is turned from `from` carried there, rad.

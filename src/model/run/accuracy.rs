@@ -10,6 +10,7 @@ use crate::model::file::quantity::Quantity;
 use crate::model::file::schema::FINEST_ACCURACY;
 use crate::model::variables::Table;
 use crate::solve::step::response::Responder;
+use crate::solve::step::spare::Spare;
 use serde::{Deserialize, Serialize};
 
 /// Results are looked at again after this many steps: what a look costs is little beside them.
@@ -185,17 +186,17 @@ impl Accuracy {
         steps <= FIRST_STEPS || steps >= self.looked.saturating_add(STEPS)
     }
 
-    /// Looks at the errors of the `results` of `state`, as computed, which have been included; `responder` is there if results ask for a response. `corrects`: they will be corrected.
+    /// Looks at the errors of the `results` of `state`, as computed, which have been included; `responder` is there if results ask for a response, `spare` is scratch memory. `corrects`: they will be corrected.
     pub fn look(
         &mut self,
         (columns, table): (&Columns, &Table),
         (system, state): (&System, &State),
         responder: Option<&mut Responder>,
         (results, corrects): (&[f64], bool),
-        looker: &mut Looker,
+        (looker, spare): (&mut Looker, Spare),
     ) {
         let Looker { neighbor, largest, ranges } = looker;
-        let Some((moved, multiple)) = neighbor.measure(table, (system, state), responder) else { return };
+        let Some((moved, multiple)) = neighbor.measure(table, (system, state), responder, spare) else { return };
         self.looked = state.statistics.steps;
         columns.find_largest(|result| (moved[result] - results[result]).abs() / multiple, largest);
         self.errors.resize(columns.families.len(), Histogram::default());
@@ -214,10 +215,10 @@ impl Accuracy {
         motion: (&System, &State),
         responder: Option<&mut Responder>,
         results: &mut [f64],
-        looker: &mut Looker,
+        (looker, spare): (&mut Looker, Spare),
     ) {
         let Looker { neighbor, largest, ranges } = looker;
-        let Some((moved, multiple)) = neighbor.measure(table, motion, responder) else { return };
+        let Some((moved, multiple)) = neighbor.measure(table, motion, responder, spare) else { return };
         let error = |result: usize, computed: f64| (moved[result] - computed) / multiple;
         columns.find_largest(|result| error(result, results[result]).abs(), largest);
         self.find_ranges(columns, ranges);

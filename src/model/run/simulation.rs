@@ -10,6 +10,7 @@ mod loading;
 mod mesh_error;
 mod runner;
 mod saved;
+mod solver;
 mod start_derivatives;
 mod stepping;
 
@@ -54,6 +55,7 @@ pub struct Simulation {
     document: Arc<Document>,
     runner: Runner,
     results: Vec<f64>,
+    /// For results, where the solver has no spare memory for them.
     frames: FrameCache,
     warnings: Vec<String>,
     watch: Watch,
@@ -213,6 +215,7 @@ impl Simulation {
     /// Begins a run with `runner`, which has found the state at its start; the one before stays where its results are not finite.
     fn begin_with(&mut self, runner: Runner) -> Result<(), Failure> {
         let before = std::mem::replace(&mut self.runner, runner);
+        self.frames = FrameCache::default();
         self.forget_step();
         self.watch = Watch::new(&self.document);
         self.accuracy = Accuracy::default();
@@ -238,8 +241,9 @@ impl Simulation {
         if let Some(number) = self.results.iter().position(|result| !result.is_finite()) {
             return Err(wrong(self.not_finite(number)));
         }
-        let runner = &self.runner;
-        let odd = self.watch.look(&runner.system, &runner.state, &self.table, &self.results, &mut self.frames);
+        let Runner { system, state, solver, .. } = &mut self.runner;
+        let frames = solver.spare().map_or(&mut self.frames, |spare| spare.frames);
+        let odd = self.watch.look(system, state, &self.table, &self.results, frames);
         self.warnings.extend(odd);
         self.accuracy.include(&self.columns, &self.results);
         self.keep_peak();
@@ -252,18 +256,20 @@ impl Simulation {
 
     /// Looks how far the results of the state that is reached are off.
     fn look(&mut self) {
-        let Runner { system, state, responder, .. } = &mut self.runner;
-        let responder = responder.as_deref_mut();
+        let Runner { system, state, responder, solver, .. } = &mut self.runner;
+        let Some(spare) = solver.spare() else { return };
         let results = (&*self.results, self.document.simulation.correction);
-        self.accuracy.look((&self.columns, &self.table), (system, state), responder, results, &mut self.looker);
+        let (known, memory) = ((&*self.columns, &*self.table), (&mut self.looker, spare));
+        self.accuracy.look(known, (system, state), responder.as_deref_mut(), results, memory);
     }
 
     /// Takes the time-step error out of the results, as computed, if the file asks for it.
     fn correct(&mut self) {
         if self.document.simulation.correction {
-            let Runner { system, state, responder, .. } = &mut self.runner;
-            let (known, results) = ((&*self.columns, &*self.table), &mut self.results);
-            self.accuracy.correct(known, (system, state), responder.as_deref_mut(), results, &mut self.looker);
+            let Runner { system, state, responder, solver, .. } = &mut self.runner;
+            let Some(spare) = solver.spare() else { return };
+            let (known, memory) = ((&*self.columns, &*self.table), (&mut self.looker, spare));
+            self.accuracy.correct(known, (system, state), responder.as_deref_mut(), &mut self.results, memory);
         }
     }
 
@@ -288,9 +294,9 @@ impl Simulation {
     fn read_results(&mut self) -> Result<(), Error> {
         let runner = &mut self.runner;
         runner.respond()?;
-        let (system, state, response) = (&*runner.system, &runner.state, &runner.response);
-        let moment = Moment { system, state, response, fibers: &[] };
-        self.table.measure(&moment, &mut self.frames, &mut self.results);
+        let Runner { system, state, response, solver, .. } = runner;
+        let frames = solver.spare().map_or(&mut self.frames, |spare| spare.frames);
+        self.table.measure(&Moment { system, state, response, fibers: &[] }, frames, &mut self.results);
         Ok(())
     }
 }

@@ -25,6 +25,7 @@ impl Cholesky {
             last = own.max(last).max(column);
             starts.push(starts[column] + last + 1 - column);
         }
+        starts.shrink_to_fit();
         Self { values: vec![0.0; starts.last().copied().unwrap_or_default()], starts }
     }
 

@@ -4,13 +4,14 @@
 use super::elimination_tree::Unknowns;
 use super::multifrontal::Multifrontal;
 use super::sparse_lu::SparseLu;
+use super::units::Units;
 use super::{Regularity, Singular};
 use crate::math::blocks::Blocks;
 
 /// A matrix whose pattern never changes, and its factorization.
 #[derive(Debug)]
 pub struct DirectSolver {
-    units: Vec<f64>,
+    units: Units,
     fronts: Option<Multifrontal>,
     /// Made when it is first needed.
     general: Option<Box<SparseLu>>,
@@ -23,8 +24,8 @@ pub struct DirectSolver {
 }
 
 impl DirectSolver {
-    /// For the pattern of `blocks`; `units` is the natural size of each unknown, as [`crate::solve::newton::kkt::units`] has it.
-    pub fn new(unknowns: Unknowns, units: Vec<f64>, blocks: &Blocks) -> Self {
+    /// For the pattern of `blocks`; `units` is the natural size of each unknown.
+    pub fn new(unknowns: Unknowns, units: Units, blocks: &Blocks) -> Self {
         let fronts = Multifrontal::new(unknowns, blocks);
         Self { units, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
     }

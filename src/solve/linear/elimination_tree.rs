@@ -232,6 +232,11 @@ impl Fronts {
             right = right.max(shape.right());
         }
         let rests = places.end;
+        // Lists that doubled as they grew may be half empty.
+        borders.shrink_to_fit();
+        runs.shrink_to_fit();
+        children.shrink_to_fit();
+        unknowns.shrink_to_fit();
         let mut all =
             Self { fronts, borders, pieces: Vec::new(), children, runs, unknowns, storage, rests, right, longest };
         all.cut(order, blocks);

@@ -72,6 +72,7 @@ impl MassFactor {
             own.push(unknown);
         }
         for own in &mut chains {
+            own.unknowns.shrink_to_fit();
             own.factor = Cholesky::new(own.unknowns.iter().map(|unknown| place[last[*unknown]]));
         }
         each_entry(coordinates, blocks, |row, column, value| {

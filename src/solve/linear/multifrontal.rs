@@ -7,6 +7,7 @@
 use super::elimination_tree::{Fronts, Unknowns};
 use super::front::{Front, Piece, Run};
 use super::frontal_matrix::{Shape, eliminate, solve_lower, solve_upper};
+use super::units::Units;
 use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
 use crate::math::blocks::{Block, Blocks};
 use std::ops::Range;
@@ -79,7 +80,7 @@ impl Multifrontal {
     ///
     /// # Errors
     /// A pivot vanishes, or a value is not finite.
-    pub fn factorize(&mut self, units: &[f64], blocks: &Blocks) -> Result<(), Singular> {
+    pub fn factorize(&mut self, units: &Units, blocks: &Blocks) -> Result<(), Singular> {
         self.set_scale(units, blocks);
         let Self { fronts, coordinates, factors, right, rests, rows, scale, column, .. } = self;
         for front in &fronts.fronts {
@@ -110,7 +111,7 @@ impl Multifrontal {
     }
 
     /// Sets the scale of all unknowns by the values of `blocks`, as [`Self::factorize`] does.
-    pub fn set_scale(&mut self, units: &[f64], blocks: &Blocks) {
+    pub fn set_scale(&mut self, units: &Units, blocks: &Blocks) {
         let Self { scale, .. } = self;
         scale.fill(0.0);
         for number in &self.diagonal {
@@ -122,10 +123,10 @@ impl Multifrontal {
         let (coordinates, multipliers) = scale.split_at_mut(self.coordinates);
         // A diagonal that is round-off of the others, or zero, is replaced by the largest one. Kilograms and kilogram square meters compare in
         // the natural units only: in SI units the ones would be the round-off of the others in a mechanism of some micrometers.
-        let sizes = coordinates.iter().zip(units).map(|(value, unit)| value.abs() * unit * unit);
+        let sizes = coordinates.iter().zip(units.iter()).map(|(value, unit)| value.abs() * unit * unit);
         let largest = sizes.fold(0.0_f64, f64::max);
         let largest = if largest > 0.0 { largest } else { 1.0 };
-        for (value, unit) in coordinates.iter_mut().zip(units) {
+        for (value, unit) in coordinates.iter_mut().zip(units.iter()) {
             let size = value.abs() * unit * unit;
             let size = if size > VANISHING * largest { value.abs() } else { largest / (unit * unit) };
             *value = 1.0 / size.sqrt();

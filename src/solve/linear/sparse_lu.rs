@@ -1,6 +1,7 @@
 //! A general sparse LU with true partial pivoting: symbolic analysis reused, scaled and refined.
 
 use super::columns::Columns;
+use super::units::Units;
 use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Regularity, SMALLEST_SOLUTION, Singular, irregular};
 use crate::math::blocks::Blocks;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -23,7 +24,7 @@ pub struct SparseLu {
     scaled: Vec<f64>,
     scale: Vec<f64>,
     /// Natural size of each unknown.
-    units: Vec<f64>,
+    units: Units,
     symbolic: SymbolicLu<usize>,
     numeric: NumericLu<usize, f64>,
     memory: MemBuffer,
@@ -47,8 +48,8 @@ impl SparseLu {
     ///
     /// # Errors
     /// The symbolic analysis runs out of memory.
-    pub fn new(units: &[f64], blocks: &Blocks) -> Result<Self, Singular> {
-        let size = units.len();
+    pub fn new(units: &Units, blocks: &Blocks) -> Result<Self, Singular> {
+        let size = units.count();
         let mut places = Vec::with_capacity(blocks.values().len());
         for block in blocks.layout() {
             for column in 0..block.columns {
@@ -68,8 +69,8 @@ impl SparseLu {
             column_starts,
             rows,
             scatter,
-            scale: units.to_vec(),
-            units: units.to_vec(),
+            scale: units.iter().collect(),
+            units: units.clone(),
             symbolic,
             numeric: NumericLu::new(),
             memory: MemBuffer::try_new(needed).map_err(|_| Singular)?,
@@ -103,7 +104,7 @@ impl SparseLu {
 
     /// Symmetric Ruiz scaling: `scaled = D values D` with rows and columns of largest entry near 1.
     fn equilibrate(&mut self) {
-        self.scale.copy_from_slice(&self.units);
+        self.scale.iter_mut().zip(self.units.iter()).for_each(|(scale, unit)| *scale = unit);
         for _ in 0..SCALING_SWEEPS {
             let largest = &mut self.magnitude;
             largest.fill(0.0);

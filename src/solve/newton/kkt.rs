@@ -11,6 +11,7 @@ use crate::solve::linear::direct::DirectSolver;
 use crate::solve::linear::elimination_tree::Unknowns;
 use crate::solve::linear::sparse_ldl::SparseLdl;
 use crate::solve::linear::sparse_lu::SparseLu;
+use crate::solve::linear::units::Units;
 use crate::solve::linear::{Regularity, Singular, irregular};
 
 /// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
@@ -347,11 +348,10 @@ pub fn unknowns(system: &System, inertia: bool) -> Unknowns {
     Unknowns { nodes, bodies: system.coordinates() - nodes, multipliers: system.constraints(), inertia }
 }
 
-/// The natural size of each unknown: the size of the mechanism for a position, 1 for slopes, angles and directors, and for multipliers, which
-/// the solvers scale by their rows.
-pub fn units(system: &System) -> Vec<f64> {
-    let coordinates = (0..system.coordinates()).map(|index| if system.is_place(index) { system.size } else { 1.0 });
-    coordinates.chain(std::iter::repeat_n(1.0, system.constraints())).collect()
+/// The natural size of each unknown.
+pub fn units(system: &System) -> Units {
+    let coordinates = (0..system.coordinates()).map(|index| system.is_place(index));
+    Units::new(system.size, coordinates.chain(std::iter::repeat_n(false, system.constraints())).collect())
 }
 
 /// What a null vector that is largest in unknown `index` means.

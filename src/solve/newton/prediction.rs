@@ -12,51 +12,49 @@ const AGING: f64 = 1.2;
 
 /// Sets `increment` to the predicted change of the coordinates over `step` s from `state`.
 pub fn predict(state: &State, step: f64, increment: &mut [f64]) {
-    set_by(state, state.prediction.order, step, increment);
+    set_by(&state.velocity, &state.prediction, state.prediction.order, step, increment);
 }
 
-/// Sets what the next step is predicted from, in `next`, the end of the converged step of `step` s from `state` by `increment`.
+/// Turns the prediction of the converged step of `step` s by `increment` into that of the next step. `before` and `after` are the velocities at the start and at the end of the step;
+/// `room` is scratch memory, as long as the coordinates.
 pub fn learn(
     system: &System,
-    state: &State,
+    [before, after]: [&[f64]; 2],
     increment: &[f64],
     step: f64,
     convergence: &Convergence,
-    next: &mut State,
+    (prediction, room): (&mut Prediction, &mut [f64]),
 ) {
-    let known = state.prediction.known;
-    let scratch = &mut next.prediction.acceleration_before;
-    scratch.resize(increment.len(), 0.0);
+    let known = prediction.known;
     let mut best = (f64::INFINITY, 0);
     for order in 0..=known {
-        set_by(state, order, step, scratch);
-        scratch.iter_mut().zip(increment).for_each(|(predicted, own)| *predicted -= own);
-        let size = system.motion_size(scratch);
+        set_by(before, prediction, order, step, room);
+        room.iter_mut().zip(increment).for_each(|(predicted, own)| *predicted -= own);
+        let size = system.motion_size(room);
         if size < best.0 {
             best = (size, order);
         }
     }
-    let (velocity, prediction) = (&next.velocity, &mut next.prediction);
-    prediction.acceleration_before.clone_from(&state.prediction.acceleration);
+    std::mem::swap(&mut prediction.acceleration, &mut prediction.acceleration_before);
     prediction.acceleration.clear();
-    let change = velocity.iter().zip(&state.velocity);
+    let change = after.iter().zip(before);
     prediction.acceleration.extend(change.map(|(after, before)| (after - before) / step));
     prediction.known = (known + 1).min(MOST_KNOWN);
     // Until both accelerations are known, whatever is known is used.
     prediction.order = if known < MOST_KNOWN { prediction.known } else { best.1 };
     prediction.shrinking = match convergence.corrections {
         [first, second, ..] if second > 0.0 => Shrinking { first, ratio: second / first.max(f64::MIN_POSITIVE) },
-        _ => Shrinking { ratio: f64::min(1.0, AGING * state.prediction.shrinking.ratio), ..state.prediction.shrinking },
+        _ => Shrinking { ratio: f64::min(1.0, AGING * prediction.shrinking.ratio), ..prediction.shrinking },
     };
 }
 
 /// How many accelerations are kept.
 const MOST_KNOWN: u8 = 2;
 
-/// Sets `increment` to the change of the coordinates over `step` s from `state`, by the `order` last accelerations.
-fn set_by(state: &State, order: u8, step: f64, increment: &mut [f64]) {
-    let Prediction { acceleration, acceleration_before, .. } = &state.prediction;
-    for (increment, velocity) in increment.iter_mut().zip(&state.velocity) {
+/// Sets `increment` to the change of the coordinates over `step` s from the velocities `velocity`, by the `order` last accelerations.
+fn set_by(velocity: &[f64], prediction: &Prediction, order: u8, step: f64, increment: &mut [f64]) {
+    let Prediction { acceleration, acceleration_before, .. } = prediction;
+    for (increment, velocity) in increment.iter_mut().zip(velocity) {
         *increment = step * velocity;
     }
     let half = 0.5 * step * step;

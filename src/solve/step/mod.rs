@@ -8,4 +8,5 @@ pub mod mobility;
 pub mod pacing;
 pub mod projection;
 pub mod response;
+pub mod spare;
 pub mod switching;

@@ -207,7 +207,7 @@ fn references_are_those_of_the_curve() {
         // The end's normal points to the axis: exact, for nodes are where the curve is.
         assert!((tip.column(1) - Vec3::new(-turns.cos(), -turns.sin(), 0.0)).norm() < 1e-12);
         let (system, _) = builder.finish(Vec3::zeros());
-        let points = ancf14_elements(&system).flat_map(|element| element.bending);
+        let points = ancf14_elements(&system).flat_map(|element| &element.bending);
         let worst = points.fold(0.0, |worst: f64, point| {
             let [gamma1, gamma2, tau] = point.reference;
             worst.max((gamma1 / curvature - 1.0).abs()).max(gamma2.abs() / curvature).max((tau / torsion - 1.0).abs())

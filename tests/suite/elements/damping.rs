@@ -51,8 +51,8 @@ impl Case {
     /// Viscous resultant over rate of each strain, from the definition, but for what couples axial strains with curvatures.
     fn viscosities(&self) -> [f64; 12] {
         let element = &self.element;
-        let [a, b, c] = element.axial.map(|point| point.stiffness.axial * point.weight);
-        let bending = element.bending.map(|point| {
+        let [a, b, c] = element.axial.each_ref().map(|point| point.stiffness.axial * point.weight);
+        let bending = element.bending.each_ref().map(|point| {
             let k = point.stiffness;
             [k.bending_z, k.bending_y, k.torsion].map(|d| d * point.weight)
         });

@@ -13,6 +13,7 @@ use ancf14::solve::linear::Regularity;
 use ancf14::solve::linear::direct::DirectSolver;
 use ancf14::solve::linear::elimination_tree::{Fronts, Unknowns};
 use ancf14::solve::linear::sparse_lu::SparseLu;
+use ancf14::solve::linear::units::Units;
 use ancf14::solve::newton::kkt::{self, Kkt};
 
 /// Every model, and beams of the other element.
@@ -224,7 +225,7 @@ fn what_holds_twice_is_never_regular() {
             }
             let own = kkt::unknowns(&system, step > 0.0);
             let unknowns = Unknowns { multipliers: own.multipliers + 1, ..own };
-            let mut solver = DirectSolver::new(unknowns, vec![1.0; unknowns.count()], &blocks);
+            let mut solver = DirectSolver::new(unknowns, Units::new(1.0, vec![false; unknowns.count()]), &blocks);
             asked += 1;
             if solver.factorize(&blocks).is_ok() {
                 solved += 1;
@@ -261,7 +262,7 @@ fn a_ring_of_blocks() {
         blocks.block_mut(number)[0] = if row.min(column) == 0 { 1.0 } else { -1.0 };
     }
     let unknowns = Unknowns { nodes: coordinates, bodies: 0, multipliers: 1, inertia: false };
-    let mut solver = DirectSolver::new(unknowns, vec![1.0; unknowns.count()], &blocks);
+    let mut solver = DirectSolver::new(unknowns, Units::new(1.0, vec![false; unknowns.count()]), &blocks);
     assert!(solver.factorize(&blocks).is_ok());
     let expected: Vec<f64> = (0..=coordinates).map(|k| (k as f64 * 0.7).sin()).collect();
     let mut vector = vec![0.0; coordinates + 1];

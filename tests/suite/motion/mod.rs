@@ -9,6 +9,7 @@ pub mod energies_of_parts;
 pub mod energy_account;
 pub mod generalized_alpha;
 pub mod generalized_alpha_steps;
+pub mod midpoint_steps;
 pub mod modes;
 pub mod released_motions;
 pub mod rigid_rotation;

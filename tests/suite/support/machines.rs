@@ -47,7 +47,7 @@ pub fn ancf14_elements(system: &System) -> impl Iterator<Item = &element::Elemen
 /// The elements of a machine that has only those of ANCF24.
 pub fn ancf24_elements(system: &System) -> impl Iterator<Item = &ancf24::element::Element> {
     system.mesh.elements.iter().map(|element| match element {
-        AnyElement::Ancf24(element) => element,
+        AnyElement::Ancf24(element) => &**element,
         AnyElement::Ancf14(_) | AnyElement::PaidOut(_) => panic!("an element of ANCF14"),
     })
 }

@@ -74,7 +74,7 @@ impl Machine {
         let framed = (0..4).map(|frame| Node::Ancf14 { start: NODE * frame, frame });
         let unframed = (0..2).map(|node| Node::Ancf24 { start: SECTIONS + ancf24::coordinates::NODE * node });
         let nodes = framed.chain(unframed).collect();
-        let elements = vec![AnyElement::Ancf14(first), AnyElement::Ancf14(second), AnyElement::Ancf24(third)];
+        let elements = vec![AnyElement::Ancf14(first), AnyElement::Ancf14(second), AnyElement::Ancf24(Box::new(third))];
         let mesh = Mesh { nodes, elements, framed: (0..4).map(|frame| NODE * frame).collect(), branches: 2 };
         let mut any = || Pose { place: random.vector(), axes: Mat3::from_fn(|_, _| random.signed()) };
         let (velocity, acceleration) = (any(), any());

@@ -86,16 +86,16 @@ impl BeamElement for Element {
     }
 
     fn add_mass(&self, factor: f64, block: &mut [f64]) {
-        self.mass.add(factor, block);
+        self.inertia.mass.add(factor, block);
     }
 
     fn add_mass_times(&self, factor: f64, vector: &[f64], product: &mut [f64]) {
-        self.add(&(self.mass.times(self.own(vector)) * factor), product);
+        self.add(&(self.inertia.mass.times(self.own(vector)) * factor), product);
     }
 
     fn mass_form(&self, vector: &[f64]) -> f64 {
         let own = self.own(vector);
-        own.iter().zip(&self.mass.times(own)).map(|(value, product)| value * product).sum()
+        own.iter().zip(&self.inertia.mass.times(own)).map(|(value, product)| value * product).sum()
     }
 
     fn weight_form(&self, gravity: &Vec3, q: &[f64]) -> f64 {

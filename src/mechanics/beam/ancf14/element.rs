@@ -15,10 +15,10 @@ use super::energy::quadratic_twist::{self, Condensation, Twist};
 use super::energy::stretching;
 use super::energy::torsion;
 use super::frame::NodeFrame;
-use super::inertia::{self, Mass};
+use super::inertia::{self, Inertia};
 use super::kinematics::Kinematics;
 use super::kinematics::corotated::{COROTATED, CorotatedVector};
-use super::kinematics::points::{AxialPoint, BendingPoint};
+use super::kinematics::points::{AxialPoint, AxialRule, BendingPoint, BendingRule};
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
 use super::natural::{Heating, Natural, Prestress};
 use super::over_step::{Added, Turn};
@@ -26,6 +26,7 @@ use super::strain::{Eccentricity, Resultants, Rigidities, Stiffness, Strain, Str
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::BeamConfiguration;
+use std::sync::Arc;
 
 /// Where an element's numbers are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -38,7 +39,7 @@ pub struct Place {
     pub branch: usize,
 }
 
-/// One element of a beam; never changes but for its damping.
+/// One element of a beam; never changes but for its damping. The numbers that elements of one length and section have in common are in memory once (shared.rs).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Element {
     /// Where its numbers are.
@@ -55,12 +56,8 @@ pub struct Element {
     pub rate_weights: [f64; 3],
     /// Total twist `T` of the undeformed element, rad.
     pub reference_twist: f64,
-    /// Constant mass matrix.
-    pub mass: Mass,
-    /// `ρA`, kg/m; where it varies its mean.
-    pub line_density: f64,
-    /// `∫ ρA N_a dx`, kg and kg m: the weight is their product with gravity.
-    pub weights: [f64; 4],
+    /// Mass matrix and weight, which other elements may share.
+    pub inertia: Arc<Inertia>,
     /// The section along it; none where it is the same everywhere, in principal axes.
     pub along: Option<Along>,
     /// Odd moments of the section at the bending points; none where the tension center is on the axis.
@@ -91,33 +88,35 @@ impl Element {
             let slope = interpolate(&shape_x, reference);
             let stretch = slope.norm();
             AxialPoint {
-                shape_x,
                 weight: LOBATTO_WEIGHTS[m] * length * stretch,
                 reference_stretch: stretch,
                 reference_square: slope.norm_squared(),
                 torsion_by_twist: 1.0 / (length * stretch),
                 reference_torsion: 0.0,
                 natural: 0.0,
-                stiffness: stiffness.at_axial_point(),
+                rule: Arc::new(AxialRule { shape_x, stiffness: stiffness.at_axial_point() }),
             }
         });
         let bending = std::array::from_fn(|g| {
             let xi = GAUSS_POINTS[g];
             let shape_x = hermite::shape_x(xi, length);
             let stretch = interpolate(&shape_x, reference).norm();
-            BendingPoint {
+            let rule = BendingRule {
                 xi,
                 shape_x,
                 shape_xx: hermite::shape_xx(xi, length),
                 collocation: collocation(xi).map(|a| a * length),
                 from_axial: lagrange(&LOBATTO_POINTS, xi),
+                stiffness: stiffness.at_bending_point(),
+                principal: 0.0,
+                turn: 0.0,
+            };
+            BendingPoint {
                 weight: GAUSS_WEIGHTS[g] * length * stretch,
                 reference_stretch: stretch,
                 torsion_by_twist: 1.0 / (length * stretch),
                 reference: [0.0; 3],
-                stiffness: stiffness.at_bending_point(),
-                principal: 0.0,
-                turn: 0.0,
+                rule: Arc::new(rule),
             }
         });
         let mut element = Self {
@@ -128,9 +127,7 @@ impl Element {
             bending,
             rate_weights: GAUSS_WEIGHTS.map(|w| w * length),
             reference_twist: 0.0,
-            mass: Mass::new(density[0], density[1], length),
-            line_density: density[0],
-            weights: hermite::integrals(length).map(|integral| density[0] * integral),
+            inertia: Arc::new(Inertia::new(density, length)),
             along: None,
             eccentricities: None,
             prestress: None,
@@ -196,7 +193,7 @@ impl Element {
 
     /// Generalized weight in the gravity field `gravity` (m/s²), 14×1.
     pub fn weight(&self, gravity: &Vec3) -> ElementVector {
-        inertia::weight(&self.weights, gravity)
+        inertia::weight(&self.inertia.weights, gravity)
     }
 }
 

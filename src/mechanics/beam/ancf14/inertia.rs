@@ -7,6 +7,39 @@ use crate::math::{Vec3, hermite};
 /// Places of the angles, which have an inertia of their own.
 const ANGLES: [usize; 2] = [THETA, NODE + THETA];
 
+/// Mass matrix and weight of an element as drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inertia {
+    /// Constant mass matrix.
+    pub mass: Mass,
+    /// `ρA`, kg/m; where it varies its mean.
+    pub line_density: f64,
+    /// `∫ ρA N_a dx`, kg and kg m: the weight is their product with gravity.
+    pub weights: [f64; 4],
+}
+
+impl Inertia {
+    /// With the same section everywhere: `[ρA, ρIp]` in kg/m and kg m; `length` in m.
+    pub fn new([line_density, spin_inertia]: [f64; 2], length: f64) -> Self {
+        Self {
+            mass: Mass::new(line_density, spin_inertia, length),
+            line_density,
+            weights: hermite::integrals(length).map(|integral| line_density * integral),
+        }
+    }
+
+    /// Of `stations` (a position, 0 to 1, with the mass, kg, and the spin inertia, kg m², that it stands for) of an element of length `length`, m.
+    pub fn of_stations(stations: impl Iterator<Item = (f64, [f64; 2])> + Clone, length: f64) -> Self {
+        let mut weights = [0.0; 4];
+        for (xi, [mass, _]) in stations.clone() {
+            let shape = hermite::shape(xi, length);
+            weights.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += mass * shape);
+        }
+        let line_density = stations.clone().map(|(_, [mass, _])| mass).sum::<f64>() / length;
+        Self { mass: Mass::of_stations(stations, length), line_density, weights }
+    }
+}
+
 /// `M = ρA ∫ N_a N_b dx ⊗ I + ρIp l/6 [2 1; 1 2]`: what stands before the unit matrix of space, and the angles' part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mass {
@@ -18,14 +51,14 @@ pub struct Mass {
 
 impl Mass {
     /// `line_density` is ρA, kg/m; `spin_inertia` ρIp, kg m; `length` in m.
-    pub fn new(line_density: f64, spin_inertia: f64, length: f64) -> Self {
+    fn new(line_density: f64, spin_inertia: f64, length: f64) -> Self {
         let line = hermite::products(length).map(|row| row.map(|product| line_density * product));
         let spin = spin_inertia * length / 6.0;
         Self { line, spin: [[spin * 2.0, spin], [spin, spin * 2.0]] }
     }
 
-    /// Of `stations` (a place, 0 to 1, with the mass, kg, and the spin inertia, kg m², that it stands for) of an element of length `length`, m.
-    pub fn of_stations(stations: impl Iterator<Item = (f64, [f64; 2])>, length: f64) -> Self {
+    /// As [`Inertia::of_stations`].
+    fn of_stations(stations: impl Iterator<Item = (f64, [f64; 2])>, length: f64) -> Self {
         let mut all = Self { line: [[0.0; 4]; 4], spin: [[0.0; 2]; 2] };
         for (xi, [mass, spin]) in stations {
             let (shape, angles) = (hermite::shape(xi, length), [1.0 - xi, xi]);

@@ -18,6 +18,7 @@ pub mod paid_out;
 pub mod payout;
 pub mod section;
 mod sections_along;
+mod shared;
 pub mod strain;
 mod stress_free;
 mod tension;

@@ -43,7 +43,7 @@ impl PaidOut {
     pub fn new(mut drawn: Element, begin: f64, payout: Payout) -> Self {
         // A pretension is in the strains of its points already; without the box no copy asks for memory.
         drawn.prestress = None;
-        let transport = Transport::new(drawn.line_density, drawn.length, payout.far_end - begin);
+        let transport = Transport::new(drawn.inertia.line_density, drawn.length, payout.far_end - begin);
         Self { drawn, payout, transport }
     }
 
@@ -260,7 +260,7 @@ impl PaidOut {
     /// Energy that the winch has given to the weight over a step, in the field `gravity` (m/s²), J; positions count from `origin`.
     pub fn lifted(&self, c: &BeamConfiguration, step: &TimeStep, (gravity, origin): (&Vec3, &Vec3)) -> f64 {
         let [before, now, after] = [step.start, c, step.end].map(|c| self.extent(c.drives).ratio);
-        let at_origin = self.drawn.line_density * self.drawn.length * gravity.dot(origin);
+        let at_origin = self.drawn.inertia.line_density * self.drawn.length * gravity.dot(origin);
         let form = |c: &BeamConfiguration| self.drawn.weight_form(gravity, c.q) + at_origin;
         (before - now) * form(step.start) + (now - after) * form(step.end)
     }

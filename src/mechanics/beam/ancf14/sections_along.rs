@@ -3,17 +3,17 @@
 use super::along::{Along, SectionAt};
 use super::element::{Element, Evaluation};
 use super::frame::NodeFrame;
-use super::inertia::Mass;
+use super::inertia::Inertia;
 use super::strain::{Stiffness, Strain, Strains};
-use crate::math::hermite;
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS, LOBATTO_POINTS};
+use std::sync::Arc;
 
 impl Element {
     /// The same element with the sections `along`; arguments else as of [`Self::new`].
     pub fn with_sections(mut self, along: Along, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) -> Self {
         self.stiffness = along.at(0.5).stiffness;
         for (point, xi) in self.axial.iter_mut().zip(LOBATTO_POINTS) {
-            point.stiffness = along.at(xi).stiffness.at_axial_point();
+            Arc::make_mut(&mut point.rule).stiffness = along.at(xi).stiffness.at_axial_point();
         }
         let eccentricities = self.bending.each_ref().map(|point| along.at(point.xi).eccentricity);
         let is_eccentric = eccentricities.iter().any(Option::is_some);
@@ -21,8 +21,9 @@ impl Element {
         self.eccentricities = is_eccentric.then(|| Box::new(eccentricities.map(Option::unwrap_or_default)));
         for point in &mut self.bending {
             let here = along.at(point.xi);
-            point.stiffness = here.stiffness.at_bending_point();
-            (point.principal, point.turn) = (here.turn + here.principal, here.turn);
+            let rule = Arc::make_mut(&mut point.rule);
+            rule.stiffness = here.stiffness.at_bending_point();
+            (rule.principal, rule.turn) = (here.turn + here.principal, here.turn);
         }
         // Five points are exact to order 10, where the shape functions' products have 6.
         let stations = FIVE_POINTS.map(|xi| (xi, along.at(xi).densities));
@@ -30,13 +31,7 @@ impl Element {
             .iter()
             .zip(FIVE_WEIGHTS)
             .map(|((xi, densities), weight)| (*xi, densities.map(|density| density * weight * self.length)));
-        self.mass = Mass::of_stations(weighted.clone(), self.length);
-        self.line_density = weighted.clone().map(|(_, [mass, _])| mass).sum::<f64>() / self.length;
-        self.weights = [0.0; 4];
-        for (xi, [mass, _]) in weighted {
-            let shape = hermite::shape(xi, self.length);
-            self.weights.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += mass * shape);
-        }
+        self.inertia = Arc::new(Inertia::of_stations(weighted, self.length));
         self.along = Some(along);
         self.set_reference(reference, frames, holonomy);
         self
@@ -51,7 +46,7 @@ impl Element {
                 SectionAt { stiffness: Stiffness { damping: self.stiffness.damping, ..here.stiffness }, ..here }
             }
             None => {
-                let (stiffness, densities) = (self.stiffness, [self.line_density, 0.0]);
+                let (stiffness, densities) = (self.stiffness, [self.inertia.line_density, 0.0]);
                 SectionAt { stiffness, densities, turn: 0.0, principal: 0.0, eccentricity: None }
             }
         }

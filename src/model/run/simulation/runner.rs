@@ -1,16 +1,14 @@
 //! The system of a model that runs: built, brought to its initial state, advanced on the grid of internal steps.
 
+use super::solver::Solver;
 use crate::error::Error;
 use crate::mechanics::input::switch::Hold;
 use crate::mechanics::state::State;
 use crate::mechanics::system::{AT_BREAK, System};
 use crate::model::builder::{self, Built};
 use crate::model::file::document::Document;
-use crate::model::file::entries::simulation::{Analysis, Follow, Initial, IntegratorSpec};
-use crate::solve::dynamics::generalized_alpha::GeneralizedAlpha;
-use crate::solve::dynamics::midpoint::Midpoint;
+use crate::model::file::entries::simulation::{Analysis, Initial};
 use crate::solve::dynamics::start;
-use crate::solve::statics::Statics;
 use crate::solve::step::integrator::{Integrator, grid_step};
 use crate::solve::step::limits;
 use crate::solve::step::pacing::Pacing;
@@ -53,16 +51,6 @@ pub(super) struct Runner {
     /// Computes accelerations and multipliers, where results ask for them.
     pub(super) responder: Option<Box<Responder>>,
     pub(super) response: Response,
-}
-
-/// What takes a step.
-#[derive(Debug)]
-pub(super) enum Solver {
-    /// Not initialized yet.
-    None,
-    Midpoint(Box<Midpoint>),
-    GeneralizedAlpha(Box<GeneralizedAlpha>),
-    Statics(Box<Statics>),
 }
 
 impl Runner {
@@ -192,6 +180,8 @@ impl Runner {
         let Self { system, state, solver, responder, response, .. } = self;
         match responder {
             Some(responder) => solver.respond(responder, system, state, response)?,
+            // No result asks for accelerations.
+            None if !matches!(solver, Solver::None) => response.multipliers.clone_from(&state.multipliers),
             None => response.set_at_rest(state),
         }
         Ok(())
@@ -448,53 +438,5 @@ impl<I: Integrator> Integrator for Remembering<'_, I> {
 
     fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error> {
         self.0.switch(system, state, time)
-    }
-}
-
-impl Solver {
-    /// Sets `response` to that of `state`.
-    pub(super) fn respond(
-        &self,
-        responder: &mut Responder,
-        system: &System,
-        state: &State,
-        response: &mut Response,
-    ) -> Result<(), Error> {
-        match self {
-            Self::Midpoint(_) => responder.respond(system, state, response)?,
-            // It computes accelerations and multipliers at the ends of steps.
-            Self::GeneralizedAlpha(_) => response.set_from(state),
-            Self::None | Self::Statics(_) => response.set_at_rest(state),
-        }
-        Ok(())
-    }
-
-    pub(super) fn new(document: &Document, system: &System, pacing: Option<Pacing>) -> Result<Self, Error> {
-        let simulation = &document.simulation;
-        let tolerance = document.value(simulation.tolerance);
-        Ok(match (simulation.analysis, simulation.integrator) {
-            (Analysis::Static, _) => {
-                let statics = Statics::new(system, tolerance);
-                Self::Statics(Box::new(match &simulation.follow {
-                    Follow::Time => statics,
-                    Follow::ArcLength { branches } => statics.follow_path(branches.clone()),
-                }))
-            }
-            (Analysis::Dynamic, IntegratorSpec::Conserving { spectral_radius }) => {
-                let spectral_radius = spectral_radius.map_or(1.0, |number| document.value(number));
-                let midpoint = Midpoint::new(system, spectral_radius, document.largest_step(), tolerance);
-                if simulation.correction && !midpoint.knows_error() {
-                    return Err(Error::ErrorNotKnown);
-                }
-                Self::Midpoint(Box::new(match pacing {
-                    Some(pacing) => midpoint.paced(pacing)?,
-                    None => midpoint,
-                }))
-            }
-            (Analysis::Dynamic, IntegratorSpec::GeneralizedAlpha { spectral_radius }) => {
-                let spectral_radius = document.value(spectral_radius);
-                Self::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(system, spectral_radius, tolerance)))
-            }
-        })
     }
 }

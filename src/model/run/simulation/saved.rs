@@ -4,7 +4,7 @@
 
 use super::Simulation;
 use super::derivatives::{Derived, LastStep};
-use super::runner::Solver;
+use super::solver::Solver;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::model::builder;

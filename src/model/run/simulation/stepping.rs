@@ -3,7 +3,8 @@
 //! Both ways take the same internal steps, and a failure on the way brings the state back to where the communication step began.
 
 use super::derivatives::Derived;
-use super::runner::{Plan, Solver};
+use super::runner::Plan;
+use super::solver::Solver;
 use super::{Simulation, failure, wrong};
 use crate::fmi::{Failure, Model};
 use crate::model::builder;

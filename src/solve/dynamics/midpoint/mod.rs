@@ -11,7 +11,7 @@
 mod scratch;
 mod time_error;
 
-use self::scratch::{Scratch, configurations, time_step};
+use self::scratch::{Scratch, Start, configurations, time_step};
 use self::time_error::{Estimator, Taken};
 use super::start::Dynamics;
 use crate::error::Error;
@@ -33,6 +33,7 @@ use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::pacing::Pacing;
 use crate::solve::step::projection::Projection;
+use crate::solve::step::spare::Spare;
 use crate::solve::step::switching;
 
 /// What Newton may leave of a step before it is refined, as a share of the tolerance.
@@ -61,8 +62,8 @@ pub struct Midpoint {
     scratch: Scratch,
     /// None: the system has elements whose steps it does not know.
     estimator: Option<Estimator>,
-    /// The state at the end of the step in the making.
-    next: Option<State>,
+    /// The motion at the end of the step in the making; empty before the first step. The prediction and the error of the steps are in the state alone: a refused step does not change them.
+    next: State,
 }
 
 impl Midpoint {
@@ -82,7 +83,7 @@ impl Midpoint {
             kkt,
             scratch: Scratch::new(system),
             estimator: Estimator::new(system, spectral_radius),
-            next: None,
+            next: State::default(),
         }
     }
 
@@ -100,6 +101,11 @@ impl Midpoint {
     /// Whether it knows the error of its steps.
     pub fn knows_error(&self) -> bool {
         self.estimator.is_some()
+    }
+
+    /// Memory that it does not need between two steps.
+    pub fn spare(&mut self) -> Spare<'_> {
+        Spare { state: &mut self.next, frames: &mut self.scratch.frames_middle }
     }
 }
 
@@ -126,8 +132,8 @@ impl Integrator for Midpoint {
         limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
         let dissipation = self.dissipation(state, step);
         // All that is left may fail: the state changes at the very end.
-        let mut next = self.next.take().unwrap_or_else(|| state.clone());
-        next.clone_from(state);
+        let mut next = std::mem::take(&mut self.next);
+        next.copy_motion_from(state);
         let span = Span { step, end };
         let solved = self.solve(system, state, dissipation, span, &mut next);
         let solved = solved.and_then(|solved| self.judge(system, state, dissipation, span, &mut next).map(|()| solved));
@@ -135,7 +141,7 @@ impl Integrator for Midpoint {
         let (convergence, found) = match solved {
             Ok(solved) => solved,
             Err(reason) => {
-                self.next = Some(next);
+                self.next = next;
                 return Err(reason);
             }
         };
@@ -146,6 +152,7 @@ impl Integrator for Midpoint {
             (self.scratch.work(system, state, dissipation, span, &next), begin)
         });
         self.scratch.continue_rates(state, span.step, &mut next);
+        let knew_error = state.time_error.is_known();
         self.carry_error(system, state, dissipation, span, &mut next);
         // Those of the middle are no longer needed.
         let frames = &mut self.scratch.frames_middle;
@@ -153,8 +160,12 @@ impl Integrator for Midpoint {
         if outcome.is_ok() {
             let kinetic = self.steady(system, &mut next);
             let transport = self.scratch.transport_energies(system, state, &next);
-            self.project_error(system, &mut next);
-            prediction::learn(system, state, &self.scratch.increment, step, &convergence, &mut next);
+            next.time_error = std::mem::take(&mut state.time_error);
+            next.prediction = std::mem::take(&mut state.prediction);
+            self.set_error(system, &mut next);
+            let Scratch { increment, forces: room, .. } = &mut self.scratch;
+            let (velocities, prediction) = ([&*state.velocity, &*next.velocity], &mut next.prediction);
+            prediction::learn(system, velocities, increment, step, &convergence, (prediction, room));
             next.balance.last = Some(energy_before);
             if system.is_sudden(end, step) {
                 next.balance.skip_jump();
@@ -176,8 +187,10 @@ impl Integrator for Midpoint {
                 next.balance.add_work(&work, [begin, self.scratch.whole_energy_of_end(system, state, &next)]);
             }
             std::mem::swap(state, &mut next);
+        } else if !knew_error {
+            state.time_error = TimeError::default();
         }
-        self.next = Some(next);
+        self.next = next;
         outcome
     }
 
@@ -207,12 +220,13 @@ impl Midpoint {
         let mut expected = state.prediction.shrinking;
         loop {
             let size = [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance);
-            let mut problem = Step { system, state, dissipation, step: span.step, scratch: &mut self.scratch };
+            let mut problem =
+                Step { system, start: state.into(), dissipation, step: span.step, scratch: &mut self.scratch };
             let control = (Goal::Remainder { size, expected }, limits::ITERATIONS);
             let counted = &mut next.statistics.iterations;
             let mut convergence =
                 newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, span.end, counted)?;
-            self.scratch.place(system, state);
+            self.scratch.place(system, state.into());
             self.scratch.check(system, state, span.end)?;
             let bound = size[0] + size[1] * convergence.corrections[0];
             let mut is_likely = true;
@@ -236,7 +250,7 @@ impl Midpoint {
     /// Corrects the converged step once more, with the tangent of the last iteration and the residual that its forces leave: what remains is smaller by another ratio of
     /// corrections, and joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
     fn refine(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
-        let mut problem = Step { system, state, dissipation, step, scratch: &mut self.scratch };
+        let mut problem = Step { system, start: state.into(), dissipation, step, scratch: &mut self.scratch };
         problem.balance(&mut self.right);
         if self.kkt.solve_roughly(&mut self.right).is_err() {
             return f64::INFINITY;
@@ -244,7 +258,7 @@ impl Midpoint {
         let size = system.motion_size(&self.right);
         if size.is_finite() {
             problem.correct(&self.right);
-            self.scratch.place(system, state);
+            self.scratch.place(system, state.into());
         }
         size
     }
@@ -268,29 +282,40 @@ impl Midpoint {
         next: &mut State,
     ) -> Result<(), Error> {
         let (Some(pacing), Some(estimator)) = (self.pacing, &mut self.estimator) else { return Ok(()) };
-        let State { strain_rates, time_error, pace, .. } = next;
-        time_error.resize(system.coordinates(), system.constraints());
+        let State { strain_rates, pace, .. } = next;
         let taken = Taken { state, dissipation, span, solution: &self.scratch, strain_rates };
-        let error = estimator.own_error(system, &mut self.kkt, &taken, time_error);
+        let error = estimator.own_error(system, &mut self.kkt, &taken, &mut self.right);
         pacing.judge(pace, error, span.step, state.time)?;
         pacing.include(system, &self.scratch.increment, pace);
         Ok(())
     }
 
-    /// Carries the error of the start of the converged step to its end, in `next`, with the tangent of its last iteration.
-    fn carry_error(&mut self, system: &System, state: &State, dissipation: Dissipation, span: Span, next: &mut State) {
-        let Some(estimator) = &mut self.estimator else { return };
-        let State { strain_rates, time_error, .. } = next;
-        self.scratch.lend(estimator.scratch());
-        let taken = Taken { state, dissipation, span, solution: &self.scratch, strain_rates };
-        estimator.carry(system, &mut self.kkt, &taken, time_error);
-        self.scratch.lend(estimator.scratch());
+    /// Carries the error of the start of the converged step, whose lists are made if there are none yet, to its end, with the tangent of its last iteration; the velocities of
+    /// `next` are scratch memory. [`Self::set_error`] has the result.
+    fn carry_error(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        dissipation: Dissipation,
+        span: Span,
+        next: &mut State,
+    ) {
+        let Self { estimator: Some(estimator), kkt, scratch, right, .. } = self else { return };
+        state.time_error.resize(system.coordinates(), system.constraints());
+        let State { strain_rates, velocity, .. } = next;
+        estimator.borrow_from(scratch, |estimator, solution| {
+            let taken = Taken { state, dissipation, span, solution, strain_rates };
+            estimator.carry(system, kkt, &taken, [velocity, right]);
+        });
+        // The neighboring motion has overwritten them. A second set of frames would take more memory than this takes time.
+        scratch.frames_end.set(system, &next.q, &state.triads);
     }
 
-    /// Projects the velocities of the error at the end of a step, as those of the motion have been.
-    fn project_error(&mut self, system: &System, next: &mut State) {
-        let Self { estimator: Some(estimator), projection, kkt, scratch, .. } = self else { return };
-        estimator.project(system, kkt, projection, &mut scratch.frames_middle, next);
+    /// Sets the error at the end of a step, `next`, from that of its start as [`Self::carry_error`] has carried it, and projects its velocities as those of the motion have been.
+    fn set_error(&mut self, system: &System, next: &mut State) {
+        let Self { estimator: Some(estimator), projection, kkt, scratch, right, .. } = self else { return };
+        estimator.arrive(system, scratch, &mut next.time_error, right);
+        estimator.project(system, kkt, projection, (&mut scratch.frames_middle, right), next);
     }
 
     /// Takes out of the momentum at the end of a step what would alternate for ever. The midpoint rule turns the part that the
@@ -313,7 +338,7 @@ impl Midpoint {
 /// One step as Newton sees it.
 struct Step<'a> {
     system: &'a System,
-    state: &'a State,
+    start: Start<'a>,
     dissipation: Dissipation,
     step: f64,
     scratch: &'a mut Scratch,
@@ -333,12 +358,12 @@ impl<'a> Step<'a> {
         let (increment, impulses) = unknowns.split_at(scratch.increment.len());
         scratch.increment.copy_from_slice(increment);
         scratch.impulses.copy_from_slice(impulses);
-        Step { system, state, dissipation, step: span.step, scratch }
+        Step { system, start: state.into(), dissipation, step: span.step, scratch }
     }
 
     /// Minus the residual at the current unknowns, whose forces, positions and gradients are known, into `right`; conditions at the end.
     fn balance(&mut self, right: &mut [f64]) {
-        let (system, state, h) = (self.system, self.state, self.step);
+        let (system, state, h) = (self.system, self.start.state, self.step);
         let scratch = &mut *self.scratch;
         let end = system.configuration(&scratch.q_end, &scratch.frames_end, state, &scratch.prescribed_end);
         system.constraint_conditions(&end, &mut scratch.conditions);
@@ -359,19 +384,19 @@ impl<'a> Step<'a> {
 
 impl Problem for Step<'_> {
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
-        let (system, state, h) = (self.system, self.state, self.step);
+        let (system, from, h) = (self.system, self.start, self.step);
         let scratch = &mut *self.scratch;
-        scratch.place(system, state);
+        scratch.place(system, from);
 
         let [start, middle, end] = configurations(
             system,
-            state,
+            from,
             [&scratch.q_middle, &scratch.q_end],
             [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
             [&scratch.prescribed_middle, &scratch.prescribed_end],
         );
         let step = time_step(
-            state,
+            from,
             [&start, &end],
             &scratch.increment,
             (&scratch.start_rates, &scratch.starts),
@@ -394,12 +419,12 @@ impl Problem for Step<'_> {
         gyroscopic::add_tangent(system, frames, drives, &scratch.mass_increment, h, &mut kkt.blocks);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients_middle, &self.scratch.gradients_end, h);
-        state.time + 0.5 * h
+        from.state.time + 0.5 * h
     }
 
     fn undefined_law(&self) -> Option<String> {
-        let Self { system, state, step, scratch, .. } = self;
-        let start = system.configuration(&state.q, &scratch.frames_start, state, &state.prescribed);
+        let Self { system, start: Start { q, state, .. }, step, scratch, .. } = self;
+        let start = system.configuration(q, &scratch.frames_start, state, &state.prescribed);
         let end = system.configuration(&scratch.q_end, &scratch.frames_end, state, &scratch.prescribed_end);
         system.undefined_law(&end, |coordinate, previous| {
             (coordinate.value(&end, previous) - coordinate.value(&start, previous)) / step
@@ -435,8 +460,8 @@ impl Linearized for Midpoint {
     fn balance(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64], right: &mut [f64]) {
         let dissipation = self.dissipation(state, span.step);
         let mut problem = Step::at(&mut self.scratch, system, state, dissipation, span, unknowns);
-        problem.scratch.place(system, state);
-        problem.scratch.act(system, state, dissipation, span.step);
+        problem.scratch.place(system, state.into());
+        problem.scratch.act(system, state.into(), dissipation, span.step);
         problem.scratch.differentiate(system, state);
         problem.balance(right);
     }

@@ -18,6 +18,23 @@ use crate::solve::newton::prediction;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::Span;
 
+/// The motion that a step starts from.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<'a> {
+    pub q: &'a [f64],
+    pub velocity: &'a [f64],
+    pub strain_rates: &'a [f64],
+    /// Everything else: reference triads, holonomy angles, momenta.
+    pub state: &'a State,
+}
+
+impl<'a> From<&'a State> for Start<'a> {
+    fn from(state: &'a State) -> Self {
+        let State { q, velocity, strain_rates, .. } = state;
+        Self { q, velocity, strain_rates, state }
+    }
+}
+
 /// What a step computes on the way.
 #[derive(Debug, Default)]
 pub struct Scratch {
@@ -59,22 +76,25 @@ impl Scratch {
         }
     }
 
-    /// For `system`, without what [`Self::lend`] lends.
+    /// For `system`, without the memory that [`Self::exchange`] gives it.
     pub fn borrowing(system: &System) -> Self {
         let mut own = Self::new(system);
-        own.lend(&mut Self::default());
+        own.exchange(&mut Self::default());
         own
     }
 
-    /// Lends `other` the memory that a finished step no longer needs; a second call takes it back. `other` reads the rates at the start, which go with it, and overwrites the rest.
-    pub fn lend(&mut self, other: &mut Self) {
+    /// Exchanges the memory that a finished step no longer needs with that of `other`. `other` reads the rates at the start and overwrites the rest.
+    /// [`super::time_error::Estimator::borrow_from`] gives it back.
+    pub fn exchange(&mut self, other: &mut Self) {
         std::mem::swap(&mut self.q_middle, &mut other.q_middle);
+        std::mem::swap(&mut self.q_end, &mut other.q_end);
         std::mem::swap(&mut self.forces, &mut other.forces);
         std::mem::swap(&mut self.mass_increment, &mut other.mass_increment);
         std::mem::swap(&mut self.start_rates, &mut other.start_rates);
         std::mem::swap(&mut self.starts, &mut other.starts);
         std::mem::swap(&mut self.frames_start, &mut other.frames_start);
         std::mem::swap(&mut self.frames_middle, &mut other.frames_middle);
+        std::mem::swap(&mut self.frames_end, &mut other.frames_end);
     }
 
     /// What does not change in the iteration.
@@ -105,9 +125,9 @@ impl Scratch {
     }
 
     /// Positions and frames in the middle and at the end, for the current increment.
-    pub fn place(&mut self, system: &System, state: &State) {
-        let places = self.q_middle.iter_mut().zip(&mut self.q_end);
-        for ((q, increment), (middle, end)) in state.q.iter().zip(&self.increment).zip(places) {
+    pub fn place(&mut self, system: &System, start: Start) {
+        let (places, state) = (self.q_middle.iter_mut().zip(&mut self.q_end), start.state);
+        for ((q, increment), (middle, end)) in start.q.iter().zip(&self.increment).zip(places) {
             *middle = q + 0.5 * increment;
             *end = q + increment;
         }
@@ -117,16 +137,16 @@ impl Scratch {
     }
 
     /// Sets the forces without those of the joints, at the current positions.
-    pub fn act(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) {
+    pub fn act(&mut self, system: &System, from: Start, dissipation: Dissipation, step: f64) {
         let [start, middle, end] = configurations(
             system,
-            state,
+            from,
             [&self.q_middle, &self.q_end],
             [&self.frames_start, &self.frames_middle, &self.frames_end],
             [&self.prescribed_middle, &self.prescribed_end],
         );
         let passage = Passage::Step(time_step(
-            state,
+            from,
             [&start, &end],
             &self.increment,
             (&self.start_rates, &self.starts),
@@ -153,13 +173,13 @@ impl Scratch {
     pub fn work(&self, system: &System, state: &State, dissipation: Dissipation, span: Span, next: &State) -> Work {
         let [start, middle, end] = configurations(
             system,
-            state,
+            state.into(),
             [&self.q_middle, &self.q_end],
             [&self.frames_start, &self.frames_middle, &self.frames_end],
             [&self.prescribed_middle, &self.prescribed_end],
         );
         let starts = (&self.start_rates[..], &self.starts);
-        let over = time_step(state, [&start, &end], &self.increment, starts, span.step, dissipation);
+        let over = time_step(state.into(), [&start, &end], &self.increment, starts, span.step, dissipation);
         // Not into the memory of the step: its results do not depend on who asks for the work.
         let (mut forces, mut rates, mut gradients) = (self.forces.clone(), next.strain_rates.clone(), Vec::new());
         let found = system.finish_step(&middle, &over, &self.excitation, &mut forces, &mut rates);
@@ -179,7 +199,7 @@ impl Scratch {
 
     /// The same at the end, `next`.
     pub fn whole_energy_of_end(&self, system: &System, state: &State, next: &State) -> f64 {
-        let end = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
+        let end = system.configuration(&next.q, &self.frames_end, state, &self.prescribed_end);
         system.whole_energy(&end, &next.velocity)
     }
 
@@ -188,9 +208,9 @@ impl Scratch {
         if system.winches.is_empty() {
             return [0.0; 2];
         }
-        // Others may have written where they were ([`Self::lend`]).
+        // Others may have written where they were ([`Self::exchange`]).
         let start = self.frames_start.of(system, state);
-        let end = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
+        let end = system.configuration(&next.q, &self.frames_end, state, &self.prescribed_end);
         [system.transport_energy(&start, &state.velocity), system.transport_energy(&end, &next.velocity)]
     }
 
@@ -218,13 +238,13 @@ impl Scratch {
     ) -> StepEnergy {
         let [start, middle, end] = configurations(
             system,
-            state,
+            state.into(),
             [&self.q_middle, &self.q_end],
             [&self.frames_start, &self.frames_middle, &self.frames_end],
             [&self.prescribed_middle, &self.prescribed_end],
         );
         let over = time_step(
-            state,
+            state.into(),
             [&start, &end],
             &self.increment,
             (&self.start_rates, &self.starts),
@@ -259,31 +279,31 @@ impl Scratch {
     }
 }
 
-/// The start, the middle and the end of a step from `state`.
+/// The start, the middle and the end of a step that starts from `from`.
 pub fn configurations<'a>(
     system: &'a System,
-    state: &'a State,
+    Start { q, state, .. }: Start<'a>,
     [q_middle, q_end]: [&'a [f64]; 2],
     [frames_start, frames_middle, frames_end]: [&'a FrameCache; 3],
     [prescribed_middle, prescribed_end]: [&'a Prescribed; 2],
 ) -> [Configuration<'a>; 3] {
     [
-        system.configuration(&state.q, frames_start, state, &state.prescribed),
+        system.configuration(q, frames_start, state, &state.prescribed),
         system.configuration(q_middle, frames_middle, state, prescribed_middle),
         system.configuration(q_end, frames_end, state, prescribed_end),
     ]
 }
 
-/// The step between the two `ends` from `state`, of `duration` s.
+/// The step between the two ends that starts from `from`, of `duration` s.
 pub fn time_step<'a>(
-    state: &'a State,
+    from: Start<'a>,
     [start, end]: [&'a Configuration<'a>; 2],
     increment: &'a [f64],
     (start_rates, starts): (&'a [f64], &'a StepStarts),
     duration: f64,
     dissipation: Dissipation,
 ) -> TimeStep<'a> {
-    let State { velocity, strain_rates, .. } = state;
+    let Start { velocity, strain_rates, .. } = from;
     let starts = starts.list();
     TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates, starts }
 }

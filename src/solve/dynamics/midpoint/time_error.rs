@@ -4,7 +4,7 @@
 //! their difference `ε` follows from it by the tangent of the step, which has been factorized for the step itself. The residual of a motion that is moved by
 //! a small multiple of `ε` has all that this takes: one evaluation of the forces and one back-substitution.
 
-use super::scratch::Scratch;
+use super::scratch::{Scratch, Start};
 use super::{Span, Step};
 use crate::mechanics::beam::configuration::Dissipation;
 use crate::mechanics::constraint::joint::JointGradient;
@@ -38,24 +38,52 @@ const LEAST_DAMPING: f64 = 0.01;
 /// Scratch memory of the estimate; nothing in it outlives a step.
 #[derive(Debug)]
 pub struct Estimator {
-    right: Vec<f64>,
-    /// A second right-hand side, then the source.
+    /// A second right-hand side, then the source and what it adds to the momentum, then the velocities of the error.
     filtered: Vec<f64>,
     /// Third and fourth derivatives of the motion.
     jerk: Vec<f64>,
     snap: Vec<f64>,
     /// Size of the source, as [`System::motion_size`] has it.
     source_size: f64,
-    mass: Vec<f64>,
+    /// The outcome of the last call of [`Self::carry`], and the length of its step, s.
+    found: Found,
+    step: f64,
     /// What the conditions ask of the error of the velocities.
     targets: Vec<f64>,
     gradients: Vec<JointGradient>,
     /// The frames that joints depend on.
     joint_frames: Vec<usize>,
     /// The start of the neighboring motion.
-    start: Option<State>,
-    /// Of the neighboring motion, with memory that the step lends it ([`Scratch::lend`]).
+    start: Moved,
+    /// Of the neighboring motion, with memory that the step lends it ([`Self::borrow_from`]).
     scratch: Scratch,
+}
+
+/// A neighboring motion, in the charts of a state.
+#[derive(Debug, Default)]
+struct Moved {
+    q: Vec<f64>,
+    velocity: Vec<f64>,
+    strain_rates: Vec<f64>,
+}
+
+impl Moved {
+    /// The start of a step from it.
+    fn beside<'a>(&'a self, state: &'a State) -> Start<'a> {
+        let Self { q, velocity, strain_rates } = self;
+        Start { q, velocity, strain_rates, state }
+    }
+}
+
+/// How carrying the error over a step ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Found {
+    /// The error at the end of the step is known.
+    Error,
+    /// The error is too large to be carried on, and stays that of the start.
+    Unbounded,
+    /// The tangent gives no accurate solution: the error stays that of the start, and its source is found anew from here on.
+    Nothing,
 }
 
 /// The step that an error is carried over.
@@ -81,60 +109,60 @@ impl Estimator {
     fn of(system: &System) -> Self {
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
         Self {
-            right: vec![0.0; coordinates + conditions],
             filtered: vec![0.0; coordinates + conditions],
             jerk: vec![0.0; coordinates],
             snap: vec![0.0; coordinates],
             source_size: 0.0,
-            mass: vec![0.0; coordinates],
+            found: Found::Nothing,
+            step: 0.0,
             targets: vec![0.0; conditions],
             gradients: Vec::new(),
             joint_frames: system.joint_frames(),
-            start: None,
+            start: Moved::default(),
             scratch: Scratch::borrowing(system),
         }
     }
 
     /// `S⁻¹ M h³ j/12` (MECHANICS 7.9), 2 sizes as [`System::motion_sizes`] has them: the error that the step `taken` adds by itself, without the part that it does not resolve. None: it is the
     /// first step of a motion. Not-a-number: the tangent gives no accurate solution. Behind a jump `h j` is the jump of the accelerations.
-    pub fn own_error(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, error: &TimeError) -> Option<[f64; 2]> {
+    /// `right` is scratch memory, as long as coordinates and conditions.
+    pub fn own_error(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, right: &mut [f64]) -> Option<[f64; 2]> {
         if taken.state.prediction.known == 0 {
             return None;
         }
-        let h = taken.span.step;
+        let (h, error) = (taken.span.step, &taken.state.time_error);
         self.find_jerk(taken, if error.known < 1 { h } else { 0.5 * (h + error.step) });
         let coordinates = self.jerk.len();
         let scale = TRAPEZOIDAL * h * h * h;
         self.filtered.iter_mut().zip(&self.jerk).for_each(|(own, jerk)| *own = scale * jerk);
         let drives = &taken.solution.prescribed_middle.drives;
-        system.mass_times(drives, &self.filtered[..coordinates], &mut self.right[..coordinates]);
-        self.right[coordinates..].fill(0.0);
-        match kkt.solve_roughly(&mut self.right) {
-            Ok(()) => Some(system.motion_sizes(&self.right[..coordinates])),
+        system.mass_times(drives, &self.filtered[..coordinates], &mut right[..coordinates]);
+        right[coordinates..].fill(0.0);
+        match kkt.solve_roughly(right) {
+            Ok(()) => Some(system.motion_sizes(&right[..coordinates])),
             Err(Singular) => Some([f64::NAN; 2]),
         }
     }
 
-    /// Scratch memory of the neighboring motion. While [`Self::carry`] runs it needs what the step can lend.
-    pub fn scratch(&mut self) -> &mut Scratch {
-        &mut self.scratch
+    /// Lets the neighboring motion use the memory that the step of `solution` no longer needs while `work` is done.
+    pub fn borrow_from(&mut self, solution: &mut Scratch, work: impl FnOnce(&mut Self, &Scratch)) {
+        solution.exchange(&mut self.scratch);
+        work(self, solution);
+        solution.exchange(&mut self.scratch);
     }
 
-    /// Carries `error`, that of the start of the step `taken`, to its end, but for the projection of its velocities; `kkt` has the tangent of the step.
-    pub fn carry(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, error: &mut TimeError) {
-        error.resize(system.coordinates(), system.constraints());
-        if self.scratch.is_viscous {
-            error.rates.resize(system.coordinates(), 0.0);
-        }
+    /// Carries the error of the start of the step `taken` to its end, for [`Self::arrive`]; called within [`Self::borrow_from`]. `kkt` has the tangent of the step. `velocity` (as long as the
+    /// coordinates) and `right` (coordinates and conditions) are scratch memory; `right` must not change until the arrival.
+    pub fn carry(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, [velocity, right]: [&mut Vec<f64>; 2]) {
+        velocity.clone_from(&taken.state.time_error.velocity);
         self.source_size = 0.0;
-        // Without an accurate solution the error stays that of the start, and its source is found anew from here on.
-        if self.advance(system, kkt, taken, error).is_err() {
-            error.known = 0;
+        self.found = self.advance(system, kkt, taken, velocity, right).unwrap_or(Found::Nothing);
+        if self.found != Found::Error {
+            self.filtered[..velocity.len()].copy_from_slice(velocity);
         }
-        change_charts(system, taken.solution, error);
     }
 
-    /// Sets `error` to that at the end of the step, in the charts of its start.
+    /// Finds the error at the end of the step, in the charts of its start. `velocity` has its velocities at the start.
     ///
     /// # Errors
     /// The tangent gives no accurate solution.
@@ -143,45 +171,47 @@ impl Estimator {
         system: &System,
         kkt: &mut Kkt,
         taken: &Taken,
-        error: &mut TimeError,
-    ) -> Result<(), Singular> {
-        let h = taken.span.step;
+        velocity: &mut [f64],
+        right: &mut [f64],
+    ) -> Result<Found, Singular> {
+        let (h, error) = (taken.span.step, &taken.state.time_error);
         if taken.state.statistics.steps.is_multiple_of(CLEARING) {
-            self.clear(system, kkt, taken.solution, &mut error.velocity)?;
+            self.clear(system, kkt, taken.solution, velocity, right)?;
         }
         let mean = 0.5 * (h + error.step);
         self.find_source(system, taken, error, mean);
-        let Some(multiple) = self.multiple(system, error, h) else { return Ok(()) };
-        self.depart(system, taken, error, multiple, mean);
-        let Self { right, filtered, scratch, start: Some(start), mass, joint_frames, .. } = self else {
-            return Ok(());
+        let Some(multiple) = self.multiple(system, [&error.position, velocity], h) else {
+            return Ok(Found::Unbounded);
         };
+        self.depart(system, taken, velocity, right, (multiple, mean));
+        let Self { filtered, jerk, scratch, start, joint_frames, .. } = self;
+        let (coordinates, state, start) = (jerk.len(), taken.state, start.beside(taken.state));
         // All that the step adds to its dissipation is in the strain rates of the neighboring motion, which `depart` sets.
         let dissipation = taken.dissipation;
         if error.known > 0 {
             // Joints act where they are at the mean of both ends, (h²/8)·acceleration from where they are at the middle of the time.
             let own = taken.solution.increment.iter().zip(&taken.state.velocity);
             let means = start.q.iter().zip(&scratch.increment).map(|(q, increment)| q + 0.5 * increment);
-            let at_middle = &mut filtered[..mass.len()];
+            let at_middle = &mut right[..coordinates];
             for (value, (mean, (increment, velocity))) in at_middle.iter_mut().zip(means.zip(own)) {
                 *value = mean - multiple * 2.0 * MEAN * h * (increment / h - velocity);
             }
             let configuration =
-                scratch.frames_middle.of_joints(system, joint_frames, at_middle, start, &scratch.prescribed_middle);
+                scratch.frames_middle.of_joints(system, joint_frames, at_middle, state, &scratch.prescribed_middle);
             system.constraint_gradients(&configuration, &mut scratch.gradients_middle);
         }
         scratch.place(system, start);
         scratch.act(system, start, dissipation, h);
         if error.known == 0 {
-            scratch.differentiate(system, start);
+            scratch.differentiate(system, state);
         }
-        Step { system, state: start, dissipation, step: h, scratch }.balance(right);
-        for (right, source) in right.iter_mut().zip(&*mass) {
+        Step { system, start, dissipation, step: h, scratch }.balance(right);
+        for (right, source) in right.iter_mut().zip(&filtered[..coordinates]) {
             *right += multiple * source;
         }
         kkt.solve_roughly(right)?;
-        self.arrive(taken, error, multiple);
-        Ok(())
+        self.measure(taken, velocity, right, multiple);
+        Ok(Found::Error)
     }
 
     /// Sets the derivatives of the motion, and the source: what the exact motion leaves of the equation of the step, but for the part in strains, over the mass.
@@ -217,26 +247,38 @@ impl Estimator {
         }
     }
 
-    /// By which multiple of the error the neighboring motion is moved; none where the error has no bound any more.
-    fn multiple(&self, system: &System, error: &TimeError, h: f64) -> Option<f64> {
-        let [position, velocity] = [&error.position, &error.velocity].map(|list| system.motion_size(list));
+    /// By which multiple of the error the neighboring motion is moved; none where the error has no bound any more. `error` are its positions and its velocities.
+    fn multiple(&self, system: &System, error: [&[f64]; 2], h: f64) -> Option<f64> {
+        let [position, velocity] = error.map(|list| system.motion_size(list));
         let size = position.max(h * velocity).max(self.source_size);
         (size < LARGEST_ERROR).then(|| (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE))
     }
 
     /// Sets the start of the neighboring motion, its increment as predicted, and the momentum over the step that its momentum at the start and the source have beyond the motion's,
-    /// without the multiple.
-    fn depart(&mut self, system: &System, taken: &Taken, error: &TimeError, multiple: f64, mean: f64) {
+    /// without the multiple. `velocity` are the velocities of the error.
+    fn depart(
+        &mut self,
+        system: &System,
+        taken: &Taken,
+        velocity: &[f64],
+        right: &mut [f64],
+        (multiple, mean): (f64, f64),
+    ) {
         let Taken { state, dissipation, span: Span { step: h, .. }, solution, strain_rates } = *taken;
-        let start = self.start.get_or_insert_default();
-        start.copy_motion_from(state);
-        for (list, change) in [(&mut start.q, &error.position), (&mut start.velocity, &error.velocity)] {
+        let error = &state.time_error;
+        let start = &mut self.start;
+        start.q.clone_from(&state.q);
+        start.velocity.clone_from(&state.velocity);
+        start.strain_rates.clone_from(&state.strain_rates);
+        for (list, change) in [(&mut start.q, &*error.position), (&mut start.velocity, velocity)] {
             list.iter_mut().zip(change).for_each(|(value, change)| *value += multiple * change);
         }
         // The mass is that of the start for both: a winch changes it over the step, by a share that is of higher order in the source.
-        let moved = self.right.iter_mut().zip(&error.velocity).zip(&self.filtered);
+        let moved = right.iter_mut().zip(velocity).zip(&self.filtered);
         moved.for_each(|((moved, velocity), source)| *moved = h * velocity + source);
-        system.mass_times(&state.prescribed.drives, &self.right[..self.mass.len()], &mut self.mass);
+        let coordinates = velocity.len();
+        let drives = &state.prescribed.drives;
+        system.mass_times(drives, &right[..coordinates], &mut self.filtered[..coordinates]);
         // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion: both show in the changes of the strain rates.
         if error.known > 0 {
             let Dissipation { by_last_step, by_start } = dissipation;
@@ -251,10 +293,10 @@ impl Estimator {
         scratch.excitation.clone_from(&solution.excitation);
         scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
         scratch.prescribed_end.copy_from(&solution.prescribed_end);
-        let first = scratch.frames_start.of(system, start);
+        let first = scratch.frames_start.at(system, &start.q, state, &state.prescribed);
         system.begin_step(&first, &solution.prescribed_middle.drives, &start.velocity, &mut scratch.starts, None);
         // The dissipation is that of the step, as far as it knows the start: its rates there stay.
-        let known = error.velocity.iter().zip(&error.acceleration).zip(&solution.increment);
+        let known = velocity.iter().zip(&error.acceleration).zip(&solution.increment);
         for (increment, ((velocity, acceleration), own)) in scratch.increment.iter_mut().zip(known) {
             *increment = own + multiple * (h * velocity + 0.5 * h * h * acceleration);
         }
@@ -264,52 +306,71 @@ impl Estimator {
         }
     }
 
-    /// Sets the error at the end of the step, in the charts of its start, by the correction of the neighboring motion.
-    fn arrive(&self, taken: &Taken, error: &mut TimeError, multiple: f64) {
+    /// Turns `right`, the correction of the neighboring motion, into the change of the error's positions, and its multipliers; sets its velocities and accelerations at the end of
+    /// the step, where `velocity` are those at its start.
+    fn measure(&mut self, taken: &Taken, velocity: &[f64], right: &mut [f64], multiple: f64) {
         let h = taken.span.step;
-        let (correction, impulses) = self.right.split_at(self.jerk.len());
-        let changes = self.scratch.increment.iter().zip(correction).zip(&taken.solution.increment);
-        let changes = changes.map(|((moved, correction), own)| (moved + correction - own) / multiple);
-        let derivatives = self.jerk.iter().zip(&self.snap);
-        let moving = error.velocity.iter_mut().zip(&mut error.acceleration).zip(derivatives);
-        for ((change, position), ((velocity, acceleration), (jerk, snap))) in
-            changes.clone().zip(&mut error.position).zip(moving)
-        {
-            let before = *velocity;
-            let after = 2.0 * (change + TRAPEZOIDAL * h * h * h * in_middle(*jerk, *snap, h)) / h - before;
-            *position += change;
-            *velocity = after;
-            *acceleration = (after - before) / h;
+        let Self { filtered, jerk, snap, scratch: Scratch { increment, impulses: moved_impulses, .. }, .. } = self;
+        let (corrections, impulses) = right.split_at_mut(jerk.len());
+        let moved = increment.iter_mut().zip(corrections).zip(&taken.solution.increment);
+        let derivatives = jerk.iter().zip(&*snap);
+        let moving = filtered.iter_mut().zip(velocity).zip(derivatives);
+        for (((moved, change), own), ((after, before), (jerk, snap))) in moved.zip(moving) {
+            *change = (*moved + *change - own) / multiple;
+            *after = 2.0 * (*change + TRAPEZOIDAL * h * h * h * in_middle(*jerk, *snap, h)) / h - before;
+            // The increment of the neighboring motion is no longer needed.
+            *moved = (*after - before) / h;
         }
-        for (rate, change) in error.rates.iter_mut().zip(changes) {
-            // The error of a strain that viscosity stops within far less than a step alternates: the mean of two does not.
-            *rate = if error.known == 0 { change / h } else { 0.5 * (*rate + change / h) };
+        let known = moved_impulses.iter().zip(&taken.solution.impulses);
+        for (multiplier, (moved, own)) in impulses.iter_mut().zip(known) {
+            *multiplier = 2.0 / h * (moved + *multiplier - own) / multiple;
         }
-        for (index, correction) in impulses.iter().enumerate() {
-            let own = taken.solution.impulses[index];
-            error.multipliers[index] = 2.0 / h * (self.scratch.impulses[index] + correction - own) / multiple;
+        self.step = h;
+    }
+
+    /// Sets `error`, that of the start of the step that [`Self::carry`] was called with, to that of its end, `right` being as that call has left it.
+    pub fn arrive(&mut self, system: &System, solution: &Scratch, error: &mut TimeError, right: &[f64]) {
+        let (changes, multipliers) = right.split_at(self.jerk.len());
+        if self.scratch.is_viscous {
+            error.rates.resize(changes.len(), 0.0);
         }
-        error.jerk.clone_from(&self.jerk);
-        error.snap.clone_from(&self.snap);
-        error.known = (error.known + 1).min(3);
-        error.step = h;
+        error.velocity.copy_from_slice(&self.filtered[..changes.len()]);
+        match self.found {
+            Found::Error => {
+                error.position.iter_mut().zip(changes).for_each(|(position, change)| *position += change);
+                error.acceleration.clone_from(&self.scratch.increment);
+                for (rate, change) in error.rates.iter_mut().zip(changes) {
+                    let mean = change / self.step;
+                    // The error of a strain that viscosity stops within far less than a step alternates: the mean of two does not.
+                    *rate = if error.known == 0 { mean } else { 0.5 * (*rate + mean) };
+                }
+                error.multipliers.copy_from_slice(multipliers);
+                std::mem::swap(&mut error.jerk, &mut self.jerk);
+                std::mem::swap(&mut error.snap, &mut self.snap);
+                error.known = (error.known + 1).min(3);
+                error.step = self.step;
+            }
+            Found::Unbounded => {}
+            Found::Nothing => error.known = 0,
+        }
+        change_charts(system, solution, error);
     }
 
     /// Projects the velocities of the error at the end of a step, `next`, as `projection` has just projected those of the motion, on those that the constraints allow the
-    /// neighboring motion: `G ε_v = −(∂G/∂q ε) v`. The matrix of `kkt` is that of the projection where it was solved with; `frames` is scratch memory.
+    /// neighboring motion: `G ε_v = −(∂G/∂q ε) v`. The matrix of `kkt` is that of the projection where it was solved with; `frames` and `right` are scratch memory.
     pub fn project(
         &mut self,
         system: &System,
         kkt: &mut Kkt,
         projection: &mut Projection,
-        frames: &mut FrameCache,
+        (frames, right): (&mut FrameCache, &mut [f64]),
         next: &mut State,
     ) {
-        let h = next.time_error.step;
-        let Some(multiple) = self.multiple(system, &next.time_error, h).filter(|_| system.constraints() > 0) else {
-            return;
-        };
-        let Self { right, targets, mass: moved, gradients, joint_frames, .. } = self;
+        let TimeError { position, velocity, step, .. } = &next.time_error;
+        let multiple = self.multiple(system, [position, velocity], *step);
+        let Some(multiple) = multiple.filter(|_| system.constraints() > 0) else { return };
+        let Self { targets, filtered, gradients, joint_frames, .. } = self;
+        let moved = &mut filtered[..next.q.len()];
         let places = moved.iter_mut().zip(next.q.iter().zip(&next.time_error.position));
         places.for_each(|(moved, (own, change))| *moved = own + multiple * change);
         let neighbor = frames.of_joints(system, joint_frames, moved, next, &next.prescribed);
@@ -333,8 +394,9 @@ impl Estimator {
         kkt: &mut Kkt,
         solution: &Scratch,
         velocity: &mut [f64],
+        right: &mut [f64],
     ) -> Result<(), Singular> {
-        let Self { right, filtered, targets, .. } = self;
+        let Self { filtered, targets, .. } = self;
         let coordinates = velocity.len();
         targets.fill(0.0);
         system.add_constraint_rates(&solution.gradients_end, velocity, targets);

@@ -1,0 +1,75 @@
+//! A step of the midpoint integrator: a refused one leaves the state as it was, however late it is refused; a step costs no memory.
+
+use crate::motion::generalized_alpha::joint;
+use crate::support::allocations::count;
+use crate::support::machines::design;
+use ancf14::math::jet::Jet;
+use ancf14::math::{Mat3, Vec3};
+use ancf14::mechanics::constraint::driven::Driven;
+use ancf14::mechanics::constraint::revolute;
+use ancf14::mechanics::geometry::pose::Pose;
+use ancf14::mechanics::input::guide::Guide;
+use ancf14::mechanics::input::signal::Signal;
+use ancf14::mechanics::marker::Marker;
+use ancf14::mechanics::state::{State, Statistics};
+use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::builder::SystemBuilder;
+use ancf14::solve::dynamics::midpoint::Midpoint;
+use ancf14::solve::dynamics::start;
+use ancf14::solve::step::integrator::Integrator;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+const STEP: f64 = 1e-3;
+
+/// A beam on a hinge that turns faster and faster, as its motion begins. While `is_broken`, the rate of the drive is not a number: of a step, that counts after
+/// all else has been found.
+fn driven(is_broken: &Arc<AtomicBool>) -> (System, State, Midpoint) {
+    let mut builder = SystemBuilder::default();
+    let beam = builder.add_beam(&design("beam", 3));
+    let root = builder.node(builder.node_at(beam, 0.0).unwrap());
+    let pose = Pose { place: Vec3::zeros(), axes: Mat3::identity() };
+    let sides = joint(&mut builder, "hinge", [&Marker::Ground(pose), &root], &pose, revolute::PRIMITIVES);
+    let is_broken = Arc::clone(is_broken);
+    let angle = Signal::Function(Arc::new(move |time| Jet {
+        value: 20.0 * time * time,
+        first: if is_broken.load(Ordering::Relaxed) { f64::NAN } else { 40.0 * time },
+        second: 40.0,
+    }));
+    builder.add_drive("hinge", sides, Driven::Angle, (Guide::Value(angle), 0.0), None);
+    let (system, mut state) = builder.finish(Vec3::new(0.0, 1.0, -9.0));
+    let mut integrator = Midpoint::new(&system, 0.9, STEP, 1e-8);
+    start::set_motion(&system, &mut integrator, &mut state).unwrap();
+    (system, state, integrator)
+}
+
+/// The error of the steps has been carried over the step before its velocities are projected, where it is refused: from the first step on, also where the error is cleared of what
+/// no step resolves (every fourth one).
+#[test]
+fn steps_refused_at_their_end_leave_no_trace() {
+    let is_broken = Arc::new(AtomicBool::new(false));
+    let (system, mut state, mut integrator) = driven(&is_broken);
+    let (_, mut other, mut untroubled) = driven(&Arc::default());
+    let uncounted = |state: &State| State { statistics: Statistics::default(), ..state.clone() };
+    for number in 1..=6 {
+        let (before, end) = (uncounted(&state), STEP * f64::from(number));
+        is_broken.store(true, Ordering::Relaxed);
+        let refused = integrator.step(&system, &mut state, STEP, end).unwrap_err().to_string();
+        assert!(refused.contains("the rate of drive hinge"), "{refused}");
+        assert_eq!(uncounted(&state), before);
+        is_broken.store(false, Ordering::Relaxed);
+        integrator.step(&system, &mut state, STEP, end).unwrap();
+        untroubled.step(&system, &mut other, STEP, end).unwrap();
+        assert_eq!(uncounted(&state), uncounted(&other));
+    }
+    assert!(state.time_error.known == 3 && state.prediction.known == 2);
+}
+
+/// From the third step on: predictions and the derivatives of the motion are known then.
+#[test]
+fn steps_cost_no_memory() {
+    let (system, mut state, mut integrator) = driven(&Arc::default());
+    let mut step = |number: u32| integrator.step(&system, &mut state, STEP, STEP * f64::from(number)).unwrap();
+    (1..=2).for_each(&mut step);
+    assert_eq!(count(|| (3..=8).for_each(&mut step)), 0);
+}
