@@ -180,6 +180,34 @@ impl BeamElement for Element {
         block.iter_mut().zip(tangent.as_slice()).for_each(|(target, value)| *target += value);
     }
 
+    fn add_damped_gradient_and_set_hessian(
+        &self,
+        c: &BeamConfiguration,
+        (velocity, velocity_by_q): (&[f64], f64),
+        scale: f64,
+        forces: &mut [f64],
+        block: &mut [f64],
+    ) {
+        if self.stiffness.twist == Twist::Quadratic {
+            // The strains of the damping are those of the linear twist.
+            self.add_gradient_and_set_hessian(c, &Passage::Rest, scale, forces, block);
+            return self.add_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, block);
+        }
+        let mut here = self.evaluation(c);
+        here.set_damping(self.own(velocity), velocity_by_q);
+        self.add_gradient_and_hessian_of(&here, scale, forces, block);
+    }
+
+    fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2] {
+        let here = self.evaluation(c);
+        let power = match self.stiffness.twist {
+            _ if !self.is_damped() => 0.0,
+            Twist::Linear => here.viscous_power(self.own(velocity)),
+            Twist::Quadratic => self.linear_evaluation(c).viscous_power(self.own(velocity)),
+        };
+        [here.energy(), power]
+    }
+
     fn load_points(&self) -> Vec<(f64, f64)> {
         // Of the arc length, as mass and weight are: not `w l J0`, the length of the interpolated curve, which strains have.
         self.bending.iter().map(|point| (point.xi, point.weight / point.reference_stretch)).collect()

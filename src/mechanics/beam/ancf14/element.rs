@@ -222,7 +222,7 @@ pub struct Evaluation<'a> {
     natural: Natural,
     /// What a step adds to the resultants of these strains.
     pub(super) added: Added,
-    /// From the end of a step to its middle; none at an instant.
+    /// From the end of a step to its middle, or where damping sees an element that turns at an instant; else none.
     pub(super) turn_from_end: Option<Turn>,
 }
 

@@ -395,6 +395,11 @@ impl BeamElement for PaidOut {
         self.at(c).add_damping_and_tangent(c, velocity, scales, forces, block);
     }
 
+    /// Not of what grows, as [`Self::add_damping_and_tangent`].
+    fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2] {
+        self.at(c).energy_and_viscous_power(c, velocity)
+    }
+
     fn load_points(&self) -> Vec<(f64, f64)> {
         self.drawn.load_points()
     }

@@ -170,6 +170,14 @@ impl BeamElement for Element {
         damping::add_force_v(self, q, by_v, block);
     }
 
+    fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2] {
+        let (q, velocity, mut viscous) = (self.own(c.q), self.own(velocity), [0.0; ELEMENT]);
+        if self.properties.damping != 0.0 {
+            damping::add_force(self, q, velocity, &mut viscous);
+        }
+        [self.energy(q), viscous.iter().zip(velocity).map(|(force, velocity)| force * velocity).sum()]
+    }
+
     fn load_points(&self) -> Vec<(f64, f64)> {
         // Three points, as of ANCF14: a constant load then acts as the weight does.
         GAUSS_POINTS.into_iter().zip(GAUSS_WEIGHTS.map(|weight| weight * self.length)).collect()

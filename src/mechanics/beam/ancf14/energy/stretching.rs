@@ -31,7 +31,10 @@ pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementC
     for (m, point) in element.axial.iter().enumerate() {
         let force = evaluation.engineering_force(m);
         let stiffness = point.stiffness.axial * (1.0 + evaluation.added.axial_stiffening);
-        let hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness * point.weight);
+        let mut hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness * point.weight);
+        if let Some(changes) = &evaluation.added.axial_rate_changes {
+            hessian += evaluation.slopes[m].engineering_strain_p() * changes[m].transpose();
+        }
         add_spread(&point.shape_x, &(hessian * scale), sum);
     }
 }
@@ -78,8 +81,11 @@ impl Large<'_> {
             let turned = self.evaluation.turn_from_end.as_ref().map_or(by_middle, |turn| turn.of_end(&by_middle));
             add_between([&by_middle, &turned], &point.shape_x, [&green_p, &by_end], sum);
             let stiffening = self.evaluation.added.axial_stiffening * point.stiffness.axial * point.weight;
-            let block = green_p * by_end.transpose() * (density[(0, 0)] + stiffening)
+            let mut block = green_p * by_end.transpose() * (density[(0, 0)] + stiffening)
                 + slope.green_strain_pp() * self.evaluation.green_force(m, self.resultants);
+            if let Some(changes) = &self.evaluation.added.axial_rate_changes {
+                block += green_p * changes[m].transpose();
+            }
             add_spread(&point.shape_x, &(block * scale), sum);
         }
         if let Some(condensation) = self.condensation {
