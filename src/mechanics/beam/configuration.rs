@@ -25,18 +25,31 @@ pub struct BeamConfiguration<'a> {
 pub enum Passage<'a, C = BeamConfiguration<'a>> {
     /// Not at all: an equilibrium.
     Rest,
+    /// Not at all either, while Newton seeks an equilibrium: this correction of all coordinates has led here (MECHANICS 7.12).
+    Corrected(&'a [f64]),
     /// At an instant.
     Instant {
         /// Velocities of the coordinates, 1/s each.
         velocity: &'a [f64],
         /// What they change by with the coordinates, 1/s, for the tangent of material damping; 0: they are given.
         velocity_by_q: f64,
+        /// What the tangent of material damping is for.
+        purpose: Purpose,
         /// Rates of the strains as steps show them, in the order of [`TimeStep::strain_rates`], for material damping; none: they follow from
         /// the velocities.
         strain_rates: Option<&'a [f64]>,
     },
     /// Over a step whose middle is the configuration.
     Step(TimeStep<'a, C>),
+}
+
+/// What a tangent is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Derivatives: it is exact.
+    Derivatives,
+    /// Newton's iteration, whose solution does not depend on it.
+    Iteration,
 }
 
 /// A step in time, as the forces of its middle ask for it (MECHANICS 7.6).

@@ -74,12 +74,11 @@ pub trait BeamElement {
     fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]);
 
     /// [`Self::add_gradient`], and sets `block` to `scale` times the Hessian; over a step to twice the derivative by the coordinates
-    /// at its end. While Newton iterates to an equilibrium, it may have the axial forces that the last `correction` of all coordinates was to lead to (MECHANICS 5.6).
+    /// at its end.
     fn add_gradient_and_set_hessian(
         &self,
         c: &BeamConfiguration,
         passage: &Passage,
-        correction: Option<&[f64]>,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
@@ -123,6 +122,23 @@ pub trait BeamElement {
         forces: &mut [f64],
         block: &mut [f64],
     );
+
+    /// [`Self::add_gradient_and_set_hessian`] and [`Self::add_damping_and_tangent`] at an instant with the velocities `velocity`, which change by `velocity_by_q` with the coordinates, 1/s, for
+    /// Newton's iteration: the block needs not be exact.
+    fn add_damped_gradient_and_set_hessian(
+        &self,
+        c: &BeamConfiguration,
+        (velocity, velocity_by_q): (&[f64], f64),
+        scale: f64,
+        forces: &mut [f64],
+        block: &mut [f64],
+    ) {
+        self.add_gradient_and_set_hessian(c, &Passage::Rest, scale, forces, block);
+        self.add_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, block);
+    }
+
+    /// Strain energy, J, and what the damping of the material takes with the velocities `velocity`, W.
+    fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2];
 
     /// Places (0 to 1) with shares of the length (m) at which a load per length acts.
     fn load_points(&self) -> Vec<(f64, f64)>;

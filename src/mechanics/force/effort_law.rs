@@ -44,8 +44,8 @@ impl Reading {
         let own = &all[self.coordinate];
         let at = |c: &Configuration| own.value(c, c.relative_values[self.coordinate]);
         match (passage, self.is_rate) {
-            (Passage::Rest, true) => 0.0,
-            (Passage::Rest | Passage::Instant { .. }, false) => at(c),
+            (Passage::Rest | Passage::Corrected(_), true) => 0.0,
+            (Passage::Rest | Passage::Corrected(_) | Passage::Instant { .. }, false) => at(c),
             (Passage::Instant { velocity, .. }, true) => own.rate(c, velocity),
             (Passage::Step(step), false) => 0.5 * (at(step.start) + at(step.end)),
             (Passage::Step(step), true) => (at(step.end) - at(step.start)) / step.duration,
@@ -56,8 +56,8 @@ impl Reading {
     pub fn gradient(self, all: &[RelativeCoordinate], c: &Configuration, passage: &Passage) -> [MarkerVector; 2] {
         let own = &all[self.coordinate];
         match (passage, self.is_rate) {
-            (Passage::Rest, true) => [MarkerVector::zeros(); 2],
-            (Passage::Rest | Passage::Instant { .. }, false) => own.gradient(c),
+            (Passage::Rest | Passage::Corrected(_), true) => [MarkerVector::zeros(); 2],
+            (Passage::Rest | Passage::Corrected(_) | Passage::Instant { .. }, false) => own.gradient(c),
             (Passage::Instant { velocity, .. }, true) => own.rate_gradient(c, velocity),
             (Passage::Step(step), false) => own.gradient(step.end),
             // Divided one by one: a factor `2/duration` would be moved to where there is no step, and hosts may trap a division by zero.

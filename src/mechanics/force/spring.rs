@@ -55,7 +55,7 @@ impl Spring {
             return force.elastic + force.viscous;
         }
         let elastic = match passage {
-            Passage::Rest | Passage::Instant { .. } => self.value(coordinate, c) - self.rest,
+            Passage::Rest | Passage::Corrected(_) | Passage::Instant { .. } => self.value(coordinate, c) - self.rest,
             Passage::Step(step) => {
                 let [start, end] = [step.start, step.end].map(|end| self.value(coordinate, end));
                 let rate = (end - start) / step.duration;
@@ -70,7 +70,7 @@ impl Spring {
     /// The force of its law; over a step its derivative with respect to the rate is that with respect to the mean rate of the step.
     fn law_force(&self, law: &Law, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> LawForce {
         match passage {
-            Passage::Rest => law.at(self.value(coordinate, c) - self.rest, 0.0),
+            Passage::Rest | Passage::Corrected(_) => law.at(self.value(coordinate, c) - self.rest, 0.0),
             Passage::Instant { velocity, .. } => {
                 law.at(self.value(coordinate, c) - self.rest, coordinate.rate(c, velocity))
             }
@@ -144,7 +144,7 @@ impl Spring {
             return 0.0;
         }
         match passage {
-            Passage::Rest => 0.0,
+            Passage::Rest | Passage::Corrected(_) => 0.0,
             Passage::Step(TimeStep { start, end, duration, velocity, .. }) => {
                 let mean = (self.value(coordinate, end) - self.value(coordinate, start)) / duration;
                 match self.lateness(*duration) {
@@ -202,7 +202,7 @@ impl Spring {
         let mut blocks = coordinate.hessian(c, self.tension(coordinate, c, passage) * shortening);
         let here = coordinate.gradient(c);
         match passage {
-            Passage::Rest => add_products(&here, &here, self.stiffness, &mut blocks),
+            Passage::Rest | Passage::Corrected(_) => add_products(&here, &here, self.stiffness, &mut blocks),
             Passage::Step(TimeStep { end, duration, dissipation, .. }) => {
                 let viscous = 2.0 * self.damping * (1.0 + self.lateness(*duration)) / duration;
                 let stiffness = self.stiffness * (1.0 + 2.0 * dissipation.sum()) + viscous;
@@ -312,7 +312,7 @@ fn add_law_hessian(
 ) {
     let here = coordinate.gradient(c);
     match passage {
-        Passage::Rest => add_products(&here, &here, force.by_x, blocks),
+        Passage::Rest | Passage::Corrected(_) => add_products(&here, &here, force.by_x, blocks),
         Passage::Step(TimeStep { end, duration, .. }) => {
             let by_end = 2.0 * (force.by_x + force.by_v / duration);
             add_products(&here, &coordinate.gradient(end), by_end, blocks);

@@ -1,6 +1,6 @@
 //! The system at one instant, and how it passes through it: what joints, springs, loads and sensors compute from.
 
-use crate::mechanics::beam::configuration::{self as beams, BeamConfiguration};
+use crate::mechanics::beam::configuration::{self as beams, BeamConfiguration, Purpose};
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::state::State;
@@ -27,25 +27,27 @@ pub type TimeStep<'a> = beams::TimeStep<'a, Configuration<'a>>;
 impl<'a> Passage<'a> {
     /// Through a state in motion.
     pub fn of(state: &'a State) -> Self {
-        Self::Instant { velocity: &state.velocity, velocity_by_q: 0.0, strain_rates: state.viscous.known() }
+        let (velocity, strain_rates) = (&state.velocity, state.viscous.known());
+        Self::Instant { velocity, velocity_by_q: 0.0, purpose: Purpose::Derivatives, strain_rates }
     }
 
     /// At an instant whose motion is all in the velocities of the coordinates.
     pub fn with_velocity(velocity: &'a [f64]) -> Self {
-        Self::with_velocity_by_q(velocity, 0.0)
+        Self::with_velocity_by_q(velocity, 0.0, Purpose::Derivatives)
     }
 
     /// The same where the velocities change by `velocity_by_q` with the coordinates, 1/s.
-    pub fn with_velocity_by_q(velocity: &'a [f64], velocity_by_q: f64) -> Self {
-        Self::Instant { velocity, velocity_by_q, strain_rates: None }
+    pub fn with_velocity_by_q(velocity: &'a [f64], velocity_by_q: f64, purpose: Purpose) -> Self {
+        Self::Instant { velocity, velocity_by_q, purpose, strain_rates: None }
     }
 
     /// As elements see it.
     pub fn of_beams(&self) -> beams::Passage<'a> {
         match self {
             Self::Rest => beams::Passage::Rest,
-            Self::Instant { velocity, velocity_by_q, strain_rates } => {
-                beams::Passage::Instant { velocity, velocity_by_q: *velocity_by_q, strain_rates: *strain_rates }
+            Self::Corrected(correction) => beams::Passage::Corrected(correction),
+            &Self::Instant { velocity, velocity_by_q, purpose, strain_rates } => {
+                beams::Passage::Instant { velocity, velocity_by_q, purpose, strain_rates }
             }
             Self::Step(step) => beams::Passage::Step(step.of_beams()),
         }

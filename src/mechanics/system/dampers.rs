@@ -27,7 +27,7 @@ impl System {
         for (_, element, rate) in self.dragged_elements() {
             let rate = rate * element.extent(c.beams.drives);
             match passage {
-                Passage::Rest => {}
+                Passage::Rest | Passage::Corrected(_) => {}
                 Passage::Instant { velocity, .. } => element.add_mass_times(rate, velocity, forces),
                 Passage::Step(step) => element.add_mass_times(rate / step.duration, step.increment, forces),
             }

@@ -22,7 +22,11 @@ pub enum Part {
 impl System {
     /// Strain energy of beams and energy of springs, J.
     pub fn elastic_energy(&self, c: &Configuration) -> f64 {
-        let beams: f64 = self.mesh.elements.iter().map(|element| element.energy(&c.beams)).sum();
+        self.with_energy_of_springs(self.mesh.elements.iter().map(|element| element.energy(&c.beams)).sum(), c)
+    }
+
+    /// The strain energy `beams` of the beams, J, and that of the springs.
+    pub(super) fn with_energy_of_springs(&self, beams: f64, c: &Configuration) -> f64 {
         self.springs
             .iter()
             .fold(beams, |sum, spring| sum + spring.energy(&self.relative_coordinates[spring.coordinate], c))

@@ -2,6 +2,7 @@
 
 use crate::math::blocks::{Block, Blocks};
 use crate::math::jet::Jet;
+use crate::mechanics::beam::configuration::Purpose;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
 use crate::mechanics::input::excitation::Excitation;
@@ -58,12 +59,11 @@ impl System {
     }
 
     /// [`Self::forces`], and sets the first blocks of `tangent` to `scale` times their derivative by `q`
-    /// (over a step: twice the derivative by the coordinates at its end); while Newton iterates to an equilibrium, it may have the axial forces that the last `correction` was to lead to.
+    /// (over a step: twice the derivative by the coordinates at its end). The part of material damping at an instant is exact if `passage` asks for it.
     pub fn forces_and_tangent(
         &self,
         c: &Configuration,
         passage: &Passage,
-        correction: Option<&[f64]>,
         excitation: &Excitation,
         scale: f64,
         forces: &mut [f64],
@@ -73,11 +73,19 @@ impl System {
         let (layout, of_beams) = (TangentLayout::of(self), passage.of_beams());
         for (number, element) in self.mesh.elements.iter().enumerate() {
             let block = tangent.block_mut(layout.element(number));
-            element.add_gradient_and_set_hessian(&c.beams, &of_beams, correction, scale, forces, block);
+            match passage {
+                Passage::Instant { velocity, velocity_by_q, purpose: Purpose::Iteration, .. }
+                    if element.is_damped() =>
+                {
+                    let motion = (*velocity, *velocity_by_q);
+                    element.add_damped_gradient_and_set_hessian(&c.beams, motion, scale, forces, block);
+                }
+                _ => element.add_gradient_and_set_hessian(&c.beams, &of_beams, scale, forces, block),
+            }
         }
         self.add_mass_damping(c, passage, forces);
         self.add_mass_damping_tangent(c, passage, scale, tangent);
-        if let Passage::Instant { velocity, velocity_by_q, .. } = passage {
+        if let Passage::Instant { velocity, velocity_by_q, purpose: Purpose::Derivatives, .. } = passage {
             self.add_material_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, tangent);
         }
         for number in 0..self.bodies.len() {

@@ -147,23 +147,27 @@ impl System {
         }
     }
 
-    /// Power at the instant `c` with the velocities `velocity`, W: of what acts from outside but for constraints and dampers, and of dampers, which take it;
-    /// `forces` is scratch memory.
-    pub fn power(&self, c: &Configuration, velocity: &[f64], excitation: &Excitation, forces: &mut [f64]) -> [f64; 2] {
+    /// [`Self::energies`] at the instant `c` with the velocities `velocity`, J, and power there, W: of what acts from outside but for constraints and dampers, and of dampers, which
+    /// take it; `forces` is scratch memory.
+    pub fn energies_and_power(
+        &self,
+        c: &Configuration,
+        velocity: &[f64],
+        excitation: &Excitation,
+        forces: &mut [f64],
+    ) -> (Energies, [f64; 2]) {
         self.add_external(c, &Passage::with_velocity(velocity), excitation, forces);
         let external = -dot(forces, velocity);
-        let viscous = if self.has_material_damping() {
-            forces.fill(0.0);
-            self.add_material_damping(c, velocity, None, forces);
-            dot(forces, velocity)
-        } else {
-            0.0
-        };
+        let of_beams = self.mesh.elements.iter().map(|element| element.energy_and_viscous_power(&c.beams, velocity));
+        let [beams, viscous] = of_beams.fold([0.0; 2], |[energy, power], own| [energy + own[0], power + own[1]]);
         let springs =
             self.springs.iter().map(|spring| spring.power(&self.relative_coordinates[spring.coordinate], c, velocity));
-        springs.fold([external, viscous + self.power_of_mass_damping(c, velocity)], |[given, taken], own| {
-            [given + own[0], taken + own[1]]
-        })
+        let power = springs
+            .fold([external, viscous + self.power_of_mass_damping(c, velocity)], |[given, taken], own| {
+                [given + own[0], taken + own[1]]
+            });
+        let elastic = self.with_energy_of_springs(beams, c);
+        (Energies { kinetic: self.kinetic_energy(c, velocity), elastic }, power)
     }
 
     /// Work of drives and of joints to moving frames while the coordinates change by `change`, J; their power for velocities, W. All other

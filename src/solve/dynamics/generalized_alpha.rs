@@ -11,6 +11,7 @@
 
 use super::start::Dynamics;
 use crate::error::Error;
+use crate::mechanics::beam::configuration::Purpose;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
@@ -179,7 +180,8 @@ impl Integrator for GeneralizedAlpha {
         self.scratch.prepare(system, state, step, end);
         self.scratch.predict(state, self.weights, step);
         limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
-        let mut problem = Step { system, state, weights: self.weights, step, end, scratch: &mut self.scratch };
+        let (weights, scratch, purpose) = (self.weights, &mut self.scratch, Purpose::Iteration);
+        let mut problem = Step { system, state, weights, step, end, scratch, purpose };
         let mut iterations = state.statistics.iterations;
         let control = (Goal::Correction(self.tolerance), limits::ITERATIONS);
         let solved = newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, end, &mut iterations);
@@ -265,7 +267,7 @@ impl Scratch {
         let (increment, multipliers) = unknowns.split_at(self.increment.len());
         self.increment.copy_from_slice(increment);
         self.scaled_multipliers.copy_from_slice(multipliers);
-        Step { system, state, weights, step: span.step, end: span.end, scratch: self }
+        Step { system, state, weights, step: span.step, end: span.end, scratch: self, purpose: Purpose::Derivatives }
     }
 
     /// Refuses what the elements cannot bear (MECHANICS 7.4).
@@ -279,8 +281,8 @@ impl Scratch {
         let mut balance = state.balance;
         let [_, acceleration_by_q] = weights.by_q(step);
         let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
-        let energies = system.energies(&configuration, &self.velocity);
-        let [acting, damping] = system.power(&configuration, &self.velocity, &self.excitation, &mut self.forces);
+        let (energies, [acting, damping]) =
+            system.energies_and_power(&configuration, &self.velocity, &self.excitation, &mut self.forces);
         let driving = system.driven_work(&self.gradients, &self.scaled_multipliers, &self.velocity);
         let driving = acceleration_by_q * driving;
         let power = [acting + driving, damping];
@@ -348,10 +350,12 @@ fn begin_balance(system: &System, state: &State) -> (Energies, [f64; 2], Work) {
     let configuration = cache.of(system, state);
     system.excite(state.time, &state.targets, &mut excitation);
     system.constraint_gradients(&configuration, &mut gradients);
-    let [acting, damping] = system.power(&configuration, &state.velocity, &excitation, &mut vec![0.0; state.q.len()]);
+    let mut forces = vec![0.0; state.q.len()];
+    let (energies, [acting, damping]) =
+        system.energies_and_power(&configuration, &state.velocity, &excitation, &mut forces);
     let driving = system.driven_work(&gradients, &state.multipliers, &state.velocity);
     let shares = shares(system, &configuration, &state.velocity, &excitation, [driving, damping]);
-    (system.energies(&configuration, &state.velocity), [acting + driving, damping], shares)
+    (energies, [acting + driving, damping], shares)
 }
 
 /// One step as Newton sees it.
@@ -362,6 +366,7 @@ struct Step<'a> {
     step: f64,
     end: f64,
     scratch: &'a mut Scratch,
+    purpose: Purpose,
 }
 
 impl Step<'_> {
@@ -402,9 +407,9 @@ impl Problem for Step<'_> {
         let scale = 1.0 / by_q[1];
 
         let configuration = system.configuration(&scratch.q, &scratch.frames, state, &scratch.prescribed);
-        let passage = Passage::with_velocity_by_q(&scratch.velocity, by_q[0]);
+        let passage = Passage::with_velocity_by_q(&scratch.velocity, by_q[0], self.purpose);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
-        system.forces_and_tangent(&configuration, &passage, None, &scratch.excitation, scale, forces, tangent);
+        system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
         let given = (&scratch.velocity[..], &scratch.excitation);
         system.add_damping_matrix(&configuration, given, scale * by_q[0], tangent);
         system.add_mass(&scratch.prescribed.drives, 1.0, tangent);

@@ -206,7 +206,7 @@ fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt)
     let configuration = snapshot.of(system, state);
     system.excite(state.time, &state.targets, &mut excitation);
     let (mut forces, mut gradients) = (vec![0.0; system.coordinates()], Vec::new());
-    system.forces_and_tangent(&configuration, &Passage::Rest, None, &excitation, 1.0, &mut forces, &mut kkt.blocks);
+    system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, 1.0, &mut forces, &mut kkt.blocks);
     kkt.set_curvatures_and_gradients(system, &configuration, multipliers, 1.0, &mut gradients);
     kkt.set_constraints(system, &gradients, &gradients, 1.0);
     kkt.blocks.clone()

@@ -16,7 +16,7 @@ pub(super) enum Tangent {
     Exact,
     /// The same until the first correction, then [`Self::OfCorrection`].
     Fast,
-    /// With the axial forces that the last correction was to lead to (MECHANICS 5.6).
+    /// With the axial forces that the last correction was to lead to (MECHANICS 7.12).
     OfCorrection,
 }
 
@@ -73,8 +73,11 @@ impl Problem for Equilibrium<'_> {
         let scratch = &mut *self.scratch;
         let configuration = scratch.frames.at(system, &scratch.q, state, self.motion);
         let (forces, tangent) = (&mut scratch.forces, &mut kkt.blocks);
-        let correction = (self.tangent == Tangent::OfCorrection).then_some(&*right);
-        system.forces_and_tangent(&configuration, &Passage::Rest, correction, self.excitation, 1.0, forces, tangent);
+        let passage = match self.tangent {
+            Tangent::Exact | Tangent::Fast => Passage::Rest,
+            Tangent::OfCorrection => Passage::Corrected(right),
+        };
+        system.forces_and_tangent(&configuration, &passage, self.excitation, 1.0, forces, tangent);
         kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);

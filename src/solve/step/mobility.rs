@@ -23,7 +23,7 @@ pub fn set_mobilities(system: &mut System, state: &State, step: f64) {
     let (mut cache, mut gradients, mut forces) = (FrameCache::default(), Vec::new(), vec![0.0; system.coordinates()]);
     let configuration = cache.of(system, state);
     let (free, tangent) = (Excitation::default(), &mut kkt.blocks);
-    system.forces_and_tangent(&configuration, &Passage::Rest, None, &free, 0.25 * step * step, &mut forces, tangent);
+    system.forces_and_tangent(&configuration, &Passage::Rest, &free, 0.25 * step * step, &mut forces, tangent);
     system.add_mass(&[], 1.0, tangent);
     kkt.set_curvatures_and_gradients(system, &configuration, &vec![0.0; system.constraints()], 1.0, &mut gradients);
     kkt.set_constraints(system, &gradients, &gradients, 1.0);

@@ -7,7 +7,7 @@ use crate::random::Random;
 use crate::support::oracle::{self, Scalar};
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::ancf14::damping::{self, StrainVector};
-use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation};
+use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation, Place};
 use ancf14::mechanics::beam::ancf14::frame::NodeFrame;
 use ancf14::mechanics::beam::ancf14::natural::Natural;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
@@ -187,5 +187,70 @@ fn damping_dissipates() {
         assert!(power > 0.0, "{power:e}");
         let powers = by_velocity.symmetric_eigenvalues();
         assert!(powers.min() > -1e-12 * powers.max(), "{powers:e}");
+    }
+}
+
+/// What the velocities change by with the coordinates, 1/s: the damping then doubles the rigidities.
+const VELOCITY_BY_Q: f64 = 50.0;
+
+/// Force and matrix of the energy and the damping, with the derivatives of both.
+fn exact(evaluation: &Evaluation, velocity: &Coordinates) -> (Coordinates, SMatrix<f64, 14, 14>) {
+    let (force, tangent) = evaluation.gradient_and_hessian();
+    let (viscous, viscous_tangent) = damping::force_and_tangent(evaluation, velocity, [1.0, VELOCITY_BY_Q]);
+    (force + viscous, tangent + viscous_tangent)
+}
+
+/// Force and matrix of Newton's iteration.
+fn of_iteration(evaluation: &Evaluation, velocity: &Coordinates) -> (Coordinates, SMatrix<f64, 14, 14>) {
+    let mut damped = evaluation.clone();
+    damped.set_damping(velocity.as_slice(), VELOCITY_BY_Q);
+    damped.gradient_and_hessian()
+}
+
+/// The matrix of the iteration is an approximation, its force is not. Where nothing moves the matrix is exact, whatever the shape; what the damping takes is the work of its force.
+#[test]
+fn iteration_has_the_exact_force() {
+    let mut random = Random(31);
+    for case in cases(30) {
+        let (velocity, still) = (random_velocity(&mut random), Coordinates::zeros());
+        case.at(&case.q, |evaluation| {
+            assert_close("force", &of_iteration(evaluation, &velocity).0, &exact(evaluation, &velocity).0);
+            assert_close("matrix", &of_iteration(evaluation, &still).1, &exact(evaluation, &still).1);
+            let (power, taken) =
+                (velocity.dot(&damping::force(evaluation, &velocity)), evaluation.viscous_power(velocity.as_slice()));
+            assert!((power - taken).abs() < ROUNDING * power, "{power:e}, {taken:e}");
+        });
+    }
+}
+
+/// An element that turns as a whole without being deformed, however its nodes' frames have turned from their references, has the exact matrix of the iteration: the derivatives of its strains turn with
+/// it. Without their turn the matrix would be off by a hundredth of its largest entry.
+#[test]
+fn turning_as_a_whole_leaves_the_matrix_exact() {
+    let mut random = Random(33);
+    for case in cases(32) {
+        let Case { q, triads, previous, .. } = case;
+        let own = q.as_slice();
+        let nodes = [NodeFrame::new(&own[..7], &triads[0]), NodeFrame::new(&own[7..], &triads[1])];
+        let stiffness = case.element.stiffness;
+        let mut element =
+            Element::new(Place::default(), 0.7, stiffness, [1.0, 0.1], own, [&nodes[0], &nodes[1]], previous);
+        element.tension_damping = case.element.tension_damping;
+        let (spin, mut velocity) = (random.vector() * 2.0, Coordinates::zeros());
+        for (node, frame) in nodes.iter().enumerate() {
+            let at = |place: usize| Vec3::from_column_slice(&own[7 * node + place..7 * node + place + 3]);
+            let slope_rate = spin.cross(&at(3));
+            velocity.fixed_rows_mut::<3>(7 * node).copy_from(&spin.cross(&at(0)));
+            velocity.fixed_rows_mut::<3>(7 * node + 3).copy_from(&slope_rate);
+            // The section turns about its tangent with the spin too (MECHANICS 2.5).
+            velocity[7 * node + 6] = frame.t.dot(&spin) + frame.k.dot(&slope_rate) / frame.stretch;
+        }
+        let case = Case { element, q, triads, previous };
+        case.at(&q, |evaluation| {
+            let expected = exact(evaluation, &velocity).1;
+            assert_close("matrix", &of_iteration(evaluation, &velocity).1, &expected);
+            let turned = error(&of_iteration(evaluation, &Coordinates::zeros()).1, &expected);
+            assert!(turned > 1e-3, "{turned:e}");
+        });
     }
 }

@@ -85,14 +85,7 @@ impl Case {
         };
         let (mut force, mut tangent) = (Coordinates::zeros(), Matrix::zeros());
         let passage = Passage::Step(step);
-        self.element.add_gradient_and_set_hessian(
-            &middle,
-            &passage,
-            None,
-            1.0,
-            force.as_mut_slice(),
-            tangent.as_mut_slice(),
-        );
+        self.element.add_gradient_and_set_hessian(&middle, &passage, 1.0, force.as_mut_slice(), tangent.as_mut_slice());
         let (mut alone, mut finished) = (Coordinates::zeros(), Coordinates::zeros());
         self.element.add_gradient(&middle, &passage, alone.as_mut_slice());
         let mut rates = [0.0; STRAINS];

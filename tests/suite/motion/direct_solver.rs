@@ -46,7 +46,7 @@ pub fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, mult
     system.excite(0.0, &state.targets, &mut excitation);
     kkt.blocks.clear();
     let factor = if step > 0.0 { 0.25 * step * step } else { 1.0 };
-    system.forces_and_tangent(&configuration, &Passage::Rest, None, &excitation, factor, &mut forces, &mut kkt.blocks);
+    system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, factor, &mut forces, &mut kkt.blocks);
     if step > 0.0 {
         system.add_mass(&[], 1.0, &mut kkt.blocks);
     }

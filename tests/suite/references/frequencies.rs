@@ -34,15 +34,7 @@ fn frequencies(beam: &BeamDesign) -> Vec<f64> {
     let mut blocks = Blocks::default();
     system.push_tangent_blocks(&mut blocks);
     let mut forces = vec![0.0; system.coordinates()];
-    system.forces_and_tangent(
-        &configuration,
-        &Passage::Rest,
-        None,
-        &Excitation::default(),
-        1.0,
-        &mut forces,
-        &mut blocks,
-    );
+    system.forces_and_tangent(&configuration, &Passage::Rest, &Excitation::default(), 1.0, &mut forces, &mut blocks);
     let stiffness = dense(&system, &blocks);
     blocks.clear();
     system.add_mass(&[], 1.0, &mut blocks);

@@ -112,7 +112,7 @@ fn first_frequencies() {
     system.push_tangent_blocks(&mut blocks);
     let mut forces = vec![0.0; count];
     let excitation = ancf14::mechanics::input::excitation::Excitation::default();
-    system.forces_and_tangent(&configuration, &Passage::Rest, None, &excitation, 1.0, &mut forces, &mut blocks);
+    system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, 1.0, &mut forces, &mut blocks);
     let stiffness = dense(&blocks);
     blocks.clear();
     system.add_mass(&[], 1.0, &mut blocks);

@@ -60,7 +60,7 @@ impl Bent {
         let Self { simulation, frames, forces, block } = self;
         let c = configuration(simulation, frames);
         for element in &simulation.system().mesh.elements {
-            element.add_gradient_and_set_hessian(&c, &Passage::Rest, None, 1.0, forces, black_box(block));
+            element.add_gradient_and_set_hessian(&c, &Passage::Rest, 1.0, forces, black_box(block));
         }
     }
 }

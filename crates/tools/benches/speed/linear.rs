@@ -36,7 +36,7 @@ impl Step {
         let mut right = vec![0.0; system.coordinates()];
         let mut kkt = Kkt::for_steps(system);
         let scale = 0.25 * STEP * STEP;
-        system.forces_and_tangent(&c, &Passage::Rest, None, &excitation, scale, &mut right, &mut kkt.blocks);
+        system.forces_and_tangent(&c, &Passage::Rest, &excitation, scale, &mut right, &mut kkt.blocks);
         system.add_mass(&[], 1.0, &mut kkt.blocks);
         let mut gradients = Vec::new();
         system.constraint_gradients(&c, &mut gradients);

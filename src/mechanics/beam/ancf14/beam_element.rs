@@ -32,22 +32,26 @@ impl Element {
     fn passing<R>(&self, c: &BeamConfiguration, passage: &Passage, with: impl FnOnce(&Evaluation) -> R) -> R {
         match passage {
             Passage::Rest | Passage::Instant { .. } => with(&self.evaluation(c)),
+            Passage::Corrected(correction) => {
+                let mut here = self.evaluation(c);
+                here.set_correction(self.own(correction));
+                with(&here)
+            }
             Passage::Step(step) => self.over_step(c, &self.end_strains(step.end), step, with),
         }
     }
 
-    /// Adds the gradient of `evaluation`, and sets `block` to `scale` times its Hessian with the axial strains less `excess`.
+    /// Adds the gradient of `evaluation`, and sets `block` to `scale` times its Hessian.
     pub(super) fn add_gradient_and_hessian_of(
         &self,
         evaluation: &Evaluation,
-        excess: [f64; 3],
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
         let (columns, _) = block.as_chunks_mut::<ELEMENT>();
         let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
-        self.add(&evaluation.gradient_and_set_hessian(scale, excess, columns), forces);
+        self.add(&evaluation.gradient_and_set_hessian(scale, columns), forces);
     }
 
     /// Internal coordinate of the quadratic twist, rad; 0 for linear twist.
@@ -114,14 +118,11 @@ impl BeamElement for Element {
         &self,
         c: &BeamConfiguration,
         passage: &Passage,
-        correction: Option<&[f64]>,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        self.passing(c, passage, |here| {
-            self.add_gradient_and_hessian_of(here, here.excess(correction), scale, forces, block);
-        });
+        self.passing(c, passage, |here| self.add_gradient_and_hessian_of(here, scale, forces, block));
     }
 
     fn finish_step(
@@ -182,6 +183,34 @@ impl BeamElement for Element {
         let (force, tangent) = damping::force_and_tangent(&self.linear_evaluation(c), &velocity, scales);
         self.add(&force, forces);
         block.iter_mut().zip(tangent.as_slice()).for_each(|(target, value)| *target += value);
+    }
+
+    fn add_damped_gradient_and_set_hessian(
+        &self,
+        c: &BeamConfiguration,
+        (velocity, velocity_by_q): (&[f64], f64),
+        scale: f64,
+        forces: &mut [f64],
+        block: &mut [f64],
+    ) {
+        if self.stiffness.twist == Twist::Quadratic {
+            // The strains of the damping are those of the linear twist.
+            self.add_gradient_and_set_hessian(c, &Passage::Rest, scale, forces, block);
+            return self.add_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, block);
+        }
+        let mut here = self.evaluation(c);
+        here.set_damping(self.own(velocity), velocity_by_q);
+        self.add_gradient_and_hessian_of(&here, scale, forces, block);
+    }
+
+    fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2] {
+        let here = self.evaluation(c);
+        let power = match self.stiffness.twist {
+            _ if !self.is_damped() => 0.0,
+            Twist::Linear => here.viscous_power(self.own(velocity)),
+            Twist::Quadratic => self.linear_evaluation(c).viscous_power(self.own(velocity)),
+        };
+        [here.energy(), power]
     }
 
     fn load_points(&self) -> Vec<(f64, f64)> {

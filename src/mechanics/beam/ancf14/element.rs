@@ -219,7 +219,7 @@ pub struct Evaluation<'a> {
     natural: Natural,
     /// What a step adds to the resultants of these strains.
     pub(super) added: Added,
-    /// From the end of a step to its middle; none at an instant.
+    /// From the end of a step to its middle, or where damping sees an element that turns at an instant; else none.
     pub(super) turn_from_end: Option<Turn>,
 }
 
@@ -366,17 +366,12 @@ impl<'a> Evaluation<'a> {
     /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
     pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
         let mut hessian = ElementMatrix::zeros();
-        (self.gradient_and_set_hessian(1.0, [0.0; 3], &mut hessian.data.0), hessian)
+        (self.gradient_and_set_hessian(1.0, &mut hessian.data.0), hessian)
     }
 
-    /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`], where axial forces that only turn are those of axial strains less `excess`.
+    /// The gradient; sets `hessian` to `scale` times the Hessian of [`Self::gradient_and_hessian`].
     #[inline]
-    pub fn gradient_and_set_hessian(
-        &self,
-        scale: f64,
-        excess: [f64; 3],
-        hessian: &mut ElementColumns,
-    ) -> ElementVector {
+    pub fn gradient_and_set_hessian(&self, scale: f64, hessian: &mut ElementColumns) -> ElementVector {
         let (element, first) = (self.element, self.first_order());
         let rigidities = [self.rigidities(0), self.rigidities(1), self.rigidities(2)];
         let gradients = Gradients::new(element, &self.kinematics);
@@ -398,7 +393,7 @@ impl<'a> Evaluation<'a> {
             turn.apply(hessian);
         }
         match element.stiffness.strain {
-            Strain::Small => stretching::add_small_hessian(self, &excess, scale, hessian),
+            Strain::Small => stretching::add_small_hessian(self, scale, hessian),
             _ => {
                 let first = stretching::Large {
                     evaluation: self,
@@ -407,7 +402,7 @@ impl<'a> Evaluation<'a> {
                     gradients: &gradients,
                     condensation: condensation.as_ref(),
                 };
-                first.add_hessian(&excess, scale, hessian);
+                first.add_hessian(scale, hessian);
             }
         }
         complete(hessian);

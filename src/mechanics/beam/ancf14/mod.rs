@@ -3,6 +3,7 @@
 //! `#[inline]` stands on what every evaluation of an element calls: its many numbers are then made where they are used, not copied there.
 
 pub mod along;
+mod at_instant;
 mod beam_element;
 mod bending_strains;
 pub mod coordinates;

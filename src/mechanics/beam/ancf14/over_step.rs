@@ -48,34 +48,51 @@ impl EndStrains {
     }
 }
 
-/// What a step adds to the elastic resultants of the mean strains, quadrature weights included; nothing at an instant.
+/// What a step adds to the elastic resultants of the mean strains, or the damping of the material to those of an instant, quadrature weights included.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Added {
     /// Of the axial points, by their strain, N m.
     pub axial: [f64; 3],
     /// Of the bending points.
     pub bending: [Resultants; 3],
-    /// Twice the derivative of the added resultants by the strains at the end of the step, over the rigidities `D`, 1.
+    /// Twice the derivative of the added resultants by the strains at the end of the step, over the rigidities `D`, 1; at an instant their derivative through the velocities.
     pub stiffening: f64,
     /// The same of the axial strains by themselves.
     pub axial_stiffening: f64,
-    /// Rates of the strains over the step, 1/s, 1/m/s, rad/m/s.
+    /// What the added resultants of the axial points change by with the slopes there through the rates of the strains, N m; none over a step.
+    pub axial_rate_changes: Option<[Vec3; 3]>,
+    /// By what the axial strains exceed those that the Hessian takes its axial forces from, 1.
+    pub excess: [f64; 3],
+    /// Rates of the strains, 1/s, 1/m/s, rad/m/s.
     pub rates: [f64; STRAINS],
 }
 
 impl Added {
     /// Sets all but the rates, which are known, for `element` over `step`.
     fn set(&mut self, element: &Element, step: &TimeStep) {
-        let (duration, rigidities) = (step.duration, element.rigidities());
-        let [tension, viscosity] = element.viscosities();
+        let (duration, [tension, viscosity]) = (step.duration, element.viscosities());
         self.stiffening = 2.0 * (viscosity / duration + step.dissipation.sum());
         self.axial_stiffening = 2.0 * (tension / duration + step.dissipation.sum());
-        let rates = &self.rates;
         let (last, start) = (element.own_rates(step.strain_rates), element.own_rates(step.start_rates));
-        let strain = |i: usize, viscosity: f64| {
+        self.set_resultants(element, |rates, i, viscosity| {
             let unpredicted = step.dissipation.unpredicted(rates[i], [last[i], start[i]]);
             viscosity * rates[i] + duration * unpredicted
-        };
+        });
+    }
+
+    /// The damping of the material of `element` at an instant with the rates `rates` of the strains and velocities that change by `velocity_by_q` with the coordinates, 1/s.
+    pub fn at_instant(element: &Element, rates: &[f64; STRAINS], velocity_by_q: f64) -> Self {
+        let [axial_stiffening, stiffening] = element.viscosities().map(|viscosity| viscosity * velocity_by_q);
+        let mut added = Self { stiffening, axial_stiffening, rates: *rates, ..Self::default() };
+        added.set_resultants(element, |rates, i, viscosity| viscosity * rates[i]);
+        added
+    }
+
+    /// Sets the resultants to the rigidities times what `strain` makes of the rates, of the number of a strain and of its viscosity.
+    #[inline]
+    fn set_resultants(&mut self, element: &Element, strain: impl Fn(&[f64; STRAINS], usize, f64) -> f64) {
+        let (rates, rigidities, [tension, viscosity]) = (self.rates, element.rigidities(), element.viscosities());
+        let strain = |i: usize, viscosity: f64| strain(&rates, i, viscosity);
         for m in 0..3 {
             self.axial[m] = rigidities[m] * strain(m, tension);
             for i in 0..3 {
@@ -92,7 +109,7 @@ impl Added {
         }
     }
 
-    /// What the damping of the material of `element` takes over a step of `duration` s, J.
+    /// What the damping of the material of `element` takes over `duration` s with these rates, J.
     pub fn taken(&self, element: &Element, duration: f64) -> f64 {
         let ([tension, viscosity], rates) = (element.viscosities(), &self.rates);
         if tension == 0.0 {
@@ -128,9 +145,9 @@ pub struct Coupling {
 #[derive(Clone, Copy, Debug)]
 pub struct Turn {
     /// From the directions of the end to those of the middle.
-    rotation: Mat3,
+    pub(super) rotation: Mat3,
     /// What a change of the slope of each node, in the middle, turns the section by about the tangent more than at the end, rad.
-    spin: [Vec3; 2],
+    pub(super) spin: [Vec3; 2],
 }
 
 impl Turn {
@@ -184,7 +201,7 @@ impl Turn {
 
 impl Element {
     /// What multiplies the rates of the axial strains, and of the others, in the material's viscous stress, s.
-    fn viscosities(&self) -> [f64; 2] {
+    pub(super) fn viscosities(&self) -> [f64; 2] {
         [self.stiffness.damping + self.tension_damping, self.stiffness.damping]
     }
 

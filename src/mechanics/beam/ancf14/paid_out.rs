@@ -119,7 +119,7 @@ impl PaidOut {
     pub fn add_transport(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
         let extent = self.extent(c.drives);
         let (velocity, scale) = match passage {
-            Passage::Rest => return,
+            Passage::Rest | Passage::Corrected(_) => return,
             Passage::Instant { velocity, .. } => (*velocity, 1.0),
             Passage::Step(step) => (step.increment, 1.0 / step.duration),
         };
@@ -134,7 +134,7 @@ impl PaidOut {
     pub fn add_transport_tangent(&self, c: &BeamConfiguration, passage: &Passage, scale: f64, block: &mut [f64]) {
         let extent = self.extent(c.drives);
         let by_velocity = match passage {
-            Passage::Rest => return,
+            Passage::Rest | Passage::Corrected(_) => return,
             Passage::Instant { velocity_by_q, .. } => *velocity_by_q,
             Passage::Step(step) => 2.0 / step.duration,
         };
@@ -325,15 +325,12 @@ impl BeamElement for PaidOut {
         &self,
         c: &BeamConfiguration,
         passage: &Passage,
-        correction: Option<&[f64]>,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
     ) {
         let element = self.over(c, passage);
-        self.passing(&element, c, passage, |here| {
-            element.add_gradient_and_hessian_of(here, here.excess(correction), scale, forces, block);
-        });
+        self.passing(&element, c, passage, |here| element.add_gradient_and_hessian_of(here, scale, forces, block));
         self.add_transport(c, passage, forces);
         self.add_transport_tangent(c, passage, scale, block);
     }
@@ -396,6 +393,11 @@ impl BeamElement for PaidOut {
         block: &mut [f64],
     ) {
         self.at(c).add_damping_and_tangent(c, velocity, scales, forces, block);
+    }
+
+    /// Not of what grows, as [`Self::add_damping_and_tangent`].
+    fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2] {
+        self.at(c).energy_and_viscous_power(c, velocity)
     }
 
     fn load_points(&self) -> Vec<(f64, f64)> {

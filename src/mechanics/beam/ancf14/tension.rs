@@ -1,4 +1,4 @@
-//! The axial forces of the tangent while Newton iterates to an equilibrium (MECHANICS 5.6).
+//! The axial forces of the tangent while Newton iterates to an equilibrium (MECHANICS 7.12).
 //!
 //! A correction that turns a slope by a small angle `w` leaves an axial strain of `w²/2`. The force of that strain is large against all that bends a slender
 //! beam, and gone with the next correction: a tangent that has it belongs to another beam. So the axial forces that stiffen a beam sideways are those that
@@ -10,20 +10,18 @@ use super::element::Evaluation;
 use super::strain::Strain;
 
 impl Evaluation<'_> {
-    /// By what the strains of the axial points exceed those that the last `correction` of all coordinates was to lead to, 1.
-    pub(super) fn excess(&self, correction: Option<&[f64]>) -> [f64; 3] {
-        let Some(correction) = correction else { return [0.0; 3] };
-        let turns = slopes(&self.element.axial[1].shape_x, self.element.own(correction));
-        [0, 1, 2].map(|m| {
-            let (slope, turn) = (&self.slopes[m], &turns[m]);
-            match self.element.stiffness.strain {
+    /// Takes the axial forces of the Hessian from the strains that `correction` (14), the last one of its coordinates, was to lead to.
+    pub(super) fn set_correction(&mut self, correction: &[f64]) {
+        let turns = slopes(&self.element.axial[1].shape_x, correction);
+        for (excess, (slope, turn)) in self.added.excess.iter_mut().zip(self.slopes.iter().zip(&turns)) {
+            *excess = match self.element.stiffness.strain {
                 Strain::Small => {
                     let before = slope.middle - turn;
                     let stretch = before.norm();
                     (slope.middle.norm() - stretch - before.dot(turn) / stretch) / slope.reference_stretch
                 }
                 Strain::Large | Strain::LargeTruncated => 0.5 * turn.norm_squared() / slope.reference_square,
-            }
-        })
+            };
+        }
     }
 }

@@ -121,7 +121,6 @@ impl BeamElement for Element {
         &self,
         c: &BeamConfiguration,
         passage: &Passage,
-        _correction: Option<&[f64]>,
         scale: f64,
         forces: &mut [f64],
         block: &mut [f64],
@@ -169,6 +168,14 @@ impl BeamElement for Element {
         let q = self.own(c.q);
         damping::add_force_and_tangent(self, q, self.own(velocity), by_q, self.own_mut(forces), block);
         damping::add_force_v(self, q, by_v, block);
+    }
+
+    fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2] {
+        let (q, velocity, mut viscous) = (self.own(c.q), self.own(velocity), [0.0; ELEMENT]);
+        if self.properties.damping != 0.0 {
+            damping::add_force(self, q, velocity, &mut viscous);
+        }
+        [self.energy(q), viscous.iter().zip(velocity).map(|(force, velocity)| force * velocity).sum()]
     }
 
     fn load_points(&self) -> Vec<(f64, f64)> {

@@ -406,7 +406,6 @@ impl Problem for Step<'_> {
         system.forces_and_tangent(
             &middle,
             &Passage::Step(step),
-            None,
             &scratch.excitation,
             0.25 * h * h,
             &mut scratch.forces,

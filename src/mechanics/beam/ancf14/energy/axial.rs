@@ -83,7 +83,7 @@ impl Slope {
     }
 
     /// Derivative of the engineering strain `|r'|/J0 − 1` of the middle of the step by the slope there, 1.
-    fn engineering_strain_p(&self) -> Vec3 {
+    pub fn engineering_strain_p(&self) -> Vec3 {
         self.middle / (self.middle.norm() * self.reference_stretch)
     }
 

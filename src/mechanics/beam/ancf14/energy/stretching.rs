@@ -26,12 +26,15 @@ pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
 
 /// Adds `scale` times the small-strain part to `sum`, without the rows and columns of `r_0`.
 #[inline]
-pub fn add_small_hessian(evaluation: &Evaluation, excess: &[f64; 3], scale: f64, sum: &mut ElementColumns) {
+pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementColumns) {
     let element = evaluation.element;
     for (m, point) in element.axial.iter().enumerate() {
         let stiffness = point.weight * point.stiffness.axial * (1.0 + evaluation.added.axial_stiffening);
-        let force = evaluation.engineering_force(m) - stiffness * excess[m];
-        let hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness);
+        let force = evaluation.engineering_force(m) - stiffness * evaluation.added.excess[m];
+        let mut hessian = axial::small::hessian(&evaluation.slopes[m], force, stiffness);
+        if let Some(changes) = &evaluation.added.axial_rate_changes {
+            hessian += evaluation.slopes[m].engineering_strain_p() * changes[m].transpose();
+        }
         add_spread(&point.shape_x, &(hessian * scale), sum);
     }
 }
@@ -54,7 +57,7 @@ pub struct Large<'a> {
 impl Large<'_> {
     /// Adds `scale` times all second derivatives by the Green strains of the axial points to `sum`, without the rows and columns of `r_0`.
     #[inline]
-    pub fn add_hessian(&self, excess: &[f64; 3], scale: f64, sum: &mut ElementColumns) {
+    pub fn add_hessian(&self, scale: f64, sum: &mut ElementColumns) {
         let (element, shape) = (self.evaluation.element, &self.evaluation.kinematics.shape);
         self.add_eccentric(scale, sum);
         let (mut bubble_q, mut bubble_end) = (ElementVector::zeros(), ElementVector::zeros());
@@ -79,8 +82,11 @@ impl Large<'_> {
             add_between([&by_middle, &turned], &point.shape_x, [&green_p, &by_end], sum);
             let stiffening = self.evaluation.added.axial_stiffening * point.stiffness.axial * point.weight;
             let stiffness = density[(0, 0)] + stiffening;
-            let force = self.evaluation.green_force(m, self.resultants) - stiffness * excess[m];
-            let block = green_p * by_end.transpose() * stiffness + slope.green_strain_pp() * force;
+            let force = self.evaluation.green_force(m, self.resultants) - stiffness * self.evaluation.added.excess[m];
+            let mut block = green_p * by_end.transpose() * stiffness + slope.green_strain_pp() * force;
+            if let Some(changes) = &self.evaluation.added.axial_rate_changes {
+                block += green_p * changes[m].transpose();
+            }
             add_spread(&point.shape_x, &(block * scale), sum);
         }
         if let Some(condensation) = self.condensation {
