@@ -1,5 +1,6 @@
 //! Static analysis: equilibria, paths of loads, buckling.
 
+pub mod far;
 pub mod hanging;
 pub mod paths;
 pub mod preload;
