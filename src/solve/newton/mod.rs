@@ -110,20 +110,21 @@ impl Goal {
 
 /// Most refinements of a solution: together they take less work than the iteration that they replace.
 const MOST_REFINEMENTS: usize = 4;
-/// What more than one refinement of a first correction may leave, as a share of what one may: the ratio that all of them rely on is that of an earlier step.
+/// What more than one refinement may leave, as a share of what one may, where the ratio that all of them rely on is that of an earlier step, or of an iteration that was astray at first.
 const STRICTNESS: f64 = 1e-4;
 
 /// The largest remainder after `corrections` that so many refinements make small enough, where one may leave a remainder of `size`. Each takes off the ratio of what
-/// remains to the last correction. Where that was measured, all but the last one together have to reach `size`.
+/// remains to the last correction. Where corrections have shrunk all the way, the last but one of the refinements has to reach `size`.
 pub fn most_to_refine(times: usize, size: f64, corrections: &[f64]) -> f64 {
-    let [before @ .., last] = corrections else { return size };
-    if times == 1 {
-        return size;
-    }
-    if before.is_empty() {
-        last * (STRICTNESS * (size / last).powi(2)).powf(1.0 / (times + 1) as f64)
-    } else {
+    let last = match corrections {
+        [.., last] if times > 1 => last,
+        _ => return size,
+    };
+    let is_measured = corrections.len() > 1 && corrections.windows(2).all(|pair| pair[1] < SLOWEST * pair[0]);
+    if is_measured {
         last * (size / last).powf(1.0 / times as f64)
+    } else {
+        last * (STRICTNESS * (size / last).powi(2)).powf(1.0 / (times + 1) as f64)
     }
 }
 
