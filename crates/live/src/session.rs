@@ -249,9 +249,12 @@ mod tests {
         let stretch = 2.0 * LIFT * session.recording.scene.size;
         assert!(held < stretch && before > 5.0 * stretch, "{before} m, then {held} m");
         session.release();
-        // Until it is at its lowest: later it swings up again.
-        (0..48).for_each(|_| session.step().unwrap());
-        let fallen = session.read(tip, 1)[2] - target[2];
+        // A double pendulum is chaotic: when it is at its lowest depends on the last digits.
+        let mut height = || {
+            session.step().unwrap();
+            session.read(tip, 1)[2]
+        };
+        let fallen = (0..60).map(|_| height()).fold(f64::INFINITY, f64::min) - target[2];
         // Nothing holds it there: it falls farther than the spring was stretched.
         assert!(fallen < -stretch, "{fallen} m");
     }

@@ -48,7 +48,7 @@ pub enum Passage<'a, C = BeamConfiguration<'a>> {
 pub enum Purpose {
     /// Derivatives: it is exact.
     Derivatives,
-    /// Newton's iteration, whose solution does not depend on it.
+    /// Newton's iteration, whose solution does not depend on it but for what the last correction leaves.
     Iteration,
 }
 

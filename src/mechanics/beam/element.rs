@@ -1,7 +1,7 @@
 //! What a system asks of an element: ANCF14 and ANCF24 answer alike, each in its own folder.
 
 use super::ancf14::over_step::EndStrains;
-use super::configuration::{BeamConfiguration, Passage, TimeStep};
+use super::configuration::{BeamConfiguration, Passage, Purpose, TimeStep};
 use super::resultants::{SectionForces, SectionShape, SectionStrains};
 use super::{ancf14, ancf24};
 use crate::math::Vec3;
@@ -124,7 +124,7 @@ pub trait BeamElement {
     );
 
     /// [`Self::add_gradient_and_set_hessian`] and [`Self::add_damping_and_tangent`] at an instant with the velocities `velocity`, which change by `velocity_by_q` with the coordinates, 1/s, for
-    /// Newton's iteration: the block needs not be exact.
+    /// Newton's iteration: the block need not be exact.
     fn add_damped_gradient_and_set_hessian(
         &self,
         c: &BeamConfiguration,
@@ -133,7 +133,8 @@ pub trait BeamElement {
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        self.add_gradient_and_set_hessian(c, &Passage::Rest, scale, forces, block);
+        let passage = Passage::Instant { velocity, velocity_by_q, strain_rates: None, purpose: Purpose::Iteration };
+        self.add_gradient_and_set_hessian(c, &passage, scale, forces, block);
         self.add_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, block);
     }
 

@@ -180,12 +180,11 @@ impl Integrator for GeneralizedAlpha {
         self.scratch.prepare(system, state, step, end);
         self.scratch.predict(state, self.weights, step);
         limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
-        let (weights, scratch, purpose) = (self.weights, &mut self.scratch, Purpose::Iteration);
-        let mut problem = Step { system, state, weights, step, end, scratch, purpose };
-        let mut iterations = state.statistics.iterations;
-        let control = (Goal::Correction(self.tolerance), limits::ITERATIONS);
-        let solved = newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, end, &mut iterations);
-        state.statistics.iterations = iterations;
+        let mut solved = self.iterate(system, state, Span { step, end }, Purpose::Iteration);
+        if matches!(solved, Err(Error::NotConverged { .. })) && system.has_material_damping() {
+            self.scratch.predict(state, self.weights, step);
+            solved = self.iterate(system, state, Span { step, end }, Purpose::Derivatives);
+        }
         self.convergence = Some(solved?);
         self.scratch.place(system, state, self.weights, step);
         self.scratch.check(system, state, end)?;
@@ -206,6 +205,25 @@ impl Integrator for GeneralizedAlpha {
             self.restart(system, state);
         }
         Ok(switched)
+    }
+}
+
+impl GeneralizedAlpha {
+    /// Solves for the step over `span` from `state`, from where the scratch memory is, with tangents for `purpose`.
+    fn iterate(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        Span { step, end }: Span,
+        purpose: Purpose,
+    ) -> Result<Convergence, Error> {
+        let (weights, scratch) = (self.weights, &mut self.scratch);
+        let mut problem = Step { system, state, weights, step, end, scratch, purpose };
+        let mut iterations = state.statistics.iterations;
+        let control = (Goal::Correction(self.tolerance), limits::ITERATIONS);
+        let solved = newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, end, &mut iterations);
+        state.statistics.iterations = iterations;
+        solved
     }
 }
 

@@ -39,7 +39,7 @@ impl Convergence {
 
 /// Something Newton can solve.
 pub trait Problem {
-    /// Sets `right` to minus the residual at the current unknowns, and the matrix of `kkt` to its derivative;
+    /// Sets `right` to minus the residual at the current unknowns, and the matrix of `kkt` to its derivative, or to one that converges as fast or nearly so;
     /// returns the time at which loads were taken, s. After a correction `right` still has it.
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64;
 
@@ -61,7 +61,8 @@ pub trait Problem {
 /// When an iteration ends; sizes are those of [`System::motion_size`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// A correction is below this size. It is applied too, so that by the quadratic convergence of the exact tangent what remains is at round-off.
+    /// A correction is below this size. It is applied too, so that with an exact tangent, by its quadratic convergence, what remains is at round-off; with one that leaves a share of each correction, as that of damped
+    /// beams at an instant, that share of it remains.
     Correction(f64),
     /// What remains after a correction is below a bound, by the ratio of the last two corrections, or after the first one by the `expected` ratio.
     Remainder {

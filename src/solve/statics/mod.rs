@@ -51,6 +51,8 @@ pub struct Statics {
     current_motion: Prescribed,
     scratch: Scratch,
     stability: Stability,
+    /// Whether the equilibrium that an increment starts from is unstable, as far as motions are counted there.
+    leaves_unstable: bool,
     /// How fast the path was in its last increment.
     pace: Option<jump::Pace>,
     next: Option<State>,
@@ -93,6 +95,7 @@ impl Statics {
             current_motion: Prescribed::default(),
             scratch,
             stability: Stability::default(),
+            leaves_unstable: false,
             pace: None,
             next: None,
             path: None,
@@ -122,6 +125,7 @@ impl Statics {
     /// Sets `next`, a copy of `drawn`, to the first equilibrium: by a ramp of what acts, or, where that finds none or an unstable one, by letting the system come to rest.
     fn find_first(&mut self, system: &System, drawn: &State, next: &mut State, time: f64) -> Result<(), Error> {
         self.stability.forget();
+        self.leaves_unstable = false;
         let ramped = self.ramp_to(system, next, time);
         let mut unstable = ramped.is_ok() && self.is_unstable(system, next);
         let outcome = match ramped {
@@ -155,6 +159,7 @@ impl Statics {
             self.judge(system, state);
         }
         let before = self.stability.known();
+        self.leaves_unstable = before.is_some_and(|known| known.counted > 0);
         self.ramp_to(system, next, time)?;
         next.statistics.steps += 1;
         match before {
@@ -217,7 +222,8 @@ impl Statics {
         self.current.copy_from(&state.excitation);
         self.current_motion.copy_from(&state.prescribed);
         self.current_motion.stop();
-        self.solve(system, state, state.instant())
+        // It may be unstable.
+        self.iterate(system, state, state.instant(), Tangent::Exact)
     }
 
     /// Forgets what is known of the last equilibrium: the state has been set from outside.
@@ -245,6 +251,7 @@ impl Statics {
     fn judge(&mut self, system: &System, state: &State) -> bool {
         self.assemble(system, state);
         // Without a factorization nothing is known.
+        self.stability.forget();
         if self.kkt.holds_all_motions(system) {
             self.stability.record_stable(state.time);
         } else if self.kkt.factorize(system, state.time).is_ok() {
@@ -345,8 +352,7 @@ impl Statics {
     /// Solves for the equilibrium under the current excitation from `state` and writes it there, references carried on.
     fn solve(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         // The tangent that converges faster to an equilibrium that is near finds fewer of those that are far: behind a limit point, or beside an unstable one.
-        let leaves_unstable = self.stability.known().is_some_and(|known| known.unstable > 0);
-        if !leaves_unstable && self.iterate(system, state, time, Tangent::Fast).is_ok() {
+        if !self.leaves_unstable && self.iterate(system, state, time, Tangent::Fast).is_ok() {
             return Ok(());
         }
         self.iterate(system, state, time, Tangent::Exact)

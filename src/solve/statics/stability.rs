@@ -30,6 +30,8 @@ pub struct StabilityRecord {
     pub time: f64,
     /// How many motions release energy.
     pub unstable: usize,
+    /// The same as they were counted first, by the state alone.
+    pub counted: usize,
 }
 
 /// The softest motion about an equilibrium.
@@ -77,12 +79,13 @@ impl Stability {
 
     /// Records that the equilibrium of `time`, s, is stable.
     pub fn record_stable(&mut self, time: f64) {
-        self.known = Some(StabilityRecord { time, unstable: 0 });
+        self.known = Some(StabilityRecord { time, unstable: 0, counted: 0 });
     }
 
     /// Judges the equilibrium of `time`, s, whose matrix `kkt` has and has factorized.
     pub fn judge(&mut self, system: &System, kkt: &mut Kkt, time: f64) {
-        self.known = kkt.releasing_motions(system).map(|unstable| StabilityRecord { time, unstable });
+        self.known =
+            kkt.releasing_motions(system).map(|unstable| StabilityRecord { time, unstable, counted: unstable });
     }
 
     /// Whether the last equilibrium judged is unstable and the one of `before` is not, or the other way round.

@@ -26,7 +26,9 @@ const STEP: f64 = 1e-3;
 /// all else has been found.
 fn driven(is_broken: &Arc<AtomicBool>) -> (System, State, Midpoint) {
     let mut builder = SystemBuilder::default();
-    let beam = builder.add_beam(&design("beam", 3));
+    let mut beam = design("beam", 3);
+    beam.material.damping = 1e-4;
+    let beam = builder.add_beam(&beam);
     let root = builder.node(builder.node_at(beam, 0.0).unwrap());
     let pose = Pose { place: Vec3::zeros(), axes: Mat3::identity() };
     let sides = joint(&mut builder, "hinge", [&Marker::Ground(pose), &root], &pose, revolute::PRIMITIVES);

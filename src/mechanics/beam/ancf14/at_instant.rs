@@ -4,7 +4,7 @@
 //! With the viscous resultants `N = c W D J v` added to those of the energy, and the rigidities `W D` multiplied by `1 + c v_q` where the velocities change by `v_q` with the coordinates, gradient and
 //! Hessian contain the viscous force `Jᵀ N` and of its derivative `N·Hess e + Jᵀ c W D J v_q`. What is left is `Jᵀ c W D ∂(J v)/∂q`, which is not symmetric:
 //!
-//! - The axial strains have it exactly: `c W EA e_q ė_q`.
+//! - The axial strains have it exactly: `c W EA e_q ė_q`; the products with the curvatures that a tension center off the axis adds are left out.
 //! - For bending and torsion `∂(J v)/∂q = J W_ω` while the element turns as a whole, with the angular velocity `ω` of the section of its first node: strains do not see such a turn. The Hessian is
 //!   multiplied from the right by `1 + τ W_ω`, `τ = c/(1 + c v_q)`, the share of the damping in its rigidities. What deforms the element is left out: in a step it turns its ends much less against each other than
 //!   all of it.

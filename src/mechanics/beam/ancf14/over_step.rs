@@ -59,9 +59,9 @@ pub struct Added {
     pub stiffening: f64,
     /// The same of the axial strains by themselves.
     pub axial_stiffening: f64,
-    /// What the added resultants of the axial points change by with the slopes there through the rates of the strains, N m; none over a step.
+    /// Derivatives of the added resultants of the axial points with respect to the slopes there, through the rates of the strains, N m; none over a step.
     pub axial_rate_changes: Option<[Vec3; 3]>,
-    /// By what the axial strains exceed those that the Hessian takes its axial forces from, 1.
+    /// Not added but taken off in the Hessian: what the axial strains have beyond those of its axial forces, 1 (MECHANICS 7.12).
     pub excess: [f64; 3],
     /// Rates of the strains, 1/s, 1/m/s, rad/m/s.
     pub rates: [f64; STRAINS],

@@ -256,6 +256,9 @@ impl Runner {
         if std::mem::take(&mut self.stale) {
             builder::retune(document, Arc::make_mut(&mut self.system));
             self.state.balance.forget_last();
+            if let Solver::Statics(own) = &mut self.solver {
+                own.forget();
+            }
             if let Some(pacing) = self.pacing {
                 pacing.jump(&mut self.state);
             }

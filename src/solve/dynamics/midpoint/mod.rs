@@ -238,7 +238,7 @@ impl Midpoint {
                 if left + 1 == convergence.refinements && convergence.corrections[0] > size[0] {
                     convergence.measure(remainder);
                 }
-                if left == 0 && (is_likely || expected == Shrinking::default()) {
+                if left == 0 && (is_likely || expected == Shrinking::default() && convergence.refinements == 1) {
                     return Ok((convergence, found));
                 }
             }
