@@ -1,4 +1,4 @@
-//! A step of the midpoint integrator: a refused one leaves the state as it was, however late it is refused; a step costs no memory.
+//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step costs no memory.
 
 use crate::motion::generalized_alpha::joint;
 use crate::support::allocations::count;
@@ -45,10 +45,10 @@ fn driven(is_broken: &Arc<AtomicBool>) -> (System, State, Midpoint) {
     (system, state, integrator)
 }
 
-/// The error of the steps has been carried over the step before its velocities are projected, where it is refused: from the first step on, also where the error is cleared of what
+/// The error of the steps has been carried over the step before its velocities are projected, where it is rejected: from the first step on, also where the error is cleared of what
 /// no step resolves (every fourth one).
 #[test]
-fn steps_refused_at_their_end_leave_no_trace() {
+fn steps_rejected_at_their_end_leave_no_trace() {
     let is_broken = Arc::new(AtomicBool::new(false));
     let (system, mut state, mut integrator) = driven(&is_broken);
     let (_, mut other, mut untroubled) = driven(&Arc::default());
@@ -56,8 +56,8 @@ fn steps_refused_at_their_end_leave_no_trace() {
     for number in 1..=6 {
         let (before, end) = (uncounted(&state), STEP * f64::from(number));
         is_broken.store(true, Ordering::Relaxed);
-        let refused = integrator.step(&system, &mut state, STEP, end).unwrap_err().to_string();
-        assert!(refused.contains("the rate of drive hinge"), "{refused}");
+        let rejected = integrator.step(&system, &mut state, STEP, end).unwrap_err().to_string();
+        assert!(rejected.contains("the rate of drive hinge"), "{rejected}");
         assert_eq!(uncounted(&state), before);
         is_broken.store(false, Ordering::Relaxed);
         integrator.step(&system, &mut state, STEP, end).unwrap();

@@ -62,7 +62,7 @@ pub struct Midpoint {
     scratch: Scratch,
     /// None: the system has elements whose steps it does not know.
     estimator: Option<Estimator>,
-    /// The motion at the end of the step in the making; empty before the first step. The prediction and the error of the steps are in the state alone: a refused step does not change them.
+    /// The motion at the end of the step in the making; empty before the first step. The prediction and the error of the steps are in the state alone: a rejected step does not change them.
     next: State,
 }
 

@@ -76,7 +76,7 @@ impl Scratch {
         }
     }
 
-    /// For `system`, without the memory that [`Self::exchange`] gives it.
+    /// Scratch memory for `system`, without that which [`Self::exchange`] gives it.
     pub fn borrowing(system: &System) -> Self {
         let mut own = Self::new(system);
         own.exchange(&mut Self::default());
