@@ -25,7 +25,7 @@ pub struct BeamConfiguration<'a> {
 pub enum Passage<'a, C = BeamConfiguration<'a>> {
     /// Not at all: an equilibrium.
     Rest,
-    /// Not at all either, while Newton seeks an equilibrium: this correction of all coordinates has led here (MECHANICS 7.12).
+    /// An equilibrium that Newton seeks, after this correction of all coordinates: the tangent depends on it (MECHANICS 7.12).
     Corrected(&'a [f64]),
     /// At an instant.
     Instant {

@@ -70,6 +70,8 @@ pub enum Goal {
         size: [f64; 2],
         /// How the first two corrections are expected to shrink.
         expected: Shrinking,
+        /// Most refinements of the solution, 1 or more.
+        refinements: usize,
     },
 }
 
@@ -85,7 +87,7 @@ impl Goal {
         let [before @ .., last] = corrections else { return None };
         match self {
             Self::Correction(size) => (*last < size).then_some(0),
-            Self::Remainder { size: [size, share], expected } => {
+            Self::Remainder { size: [size, share], expected, refinements } => {
                 // A first correction below the size itself leaves less than that, whatever was expected.
                 if *last <= size {
                     return Some(1);
@@ -103,19 +105,19 @@ impl Goal {
                     return None;
                 }
                 let remainder = last * ratio / (1.0 - ratio);
-                (1..=MOST_REFINEMENTS).find(|times| remainder < most_to_refine(*times, size, corrections))
+                (1..=refinements).find(|times| remainder < most_to_refine(*times, size, corrections))
             }
         }
     }
 }
 
 /// Most refinements of a solution: together they take less work than the iteration that they replace.
-const MOST_REFINEMENTS: usize = 4;
-/// What more than one refinement may leave, as a share of what one may, where the ratio that all of them rely on is that of an earlier step, or of an iteration that was astray at first.
+pub const MOST_REFINEMENTS: usize = 4;
+/// What more than one refinement may leave, as a share of what one may: the ratio that all of them rely on is that of an earlier step, or of an iteration whose corrections did not shrink at first.
 const STRICTNESS: f64 = 1e-4;
 
 /// The largest remainder after `corrections` that so many refinements make small enough, where one may leave a remainder of `size`. Each takes off the ratio of what
-/// remains to the last correction. Where corrections have shrunk all the way, the last but one of the refinements has to reach `size`.
+/// remains to the last correction. Where all corrections have shrunk, the last refinement but one has to reach `size`.
 pub fn most_to_refine(times: usize, size: f64, corrections: &[f64]) -> f64 {
     let last = match corrections {
         [.., last] if times > 1 => last,

@@ -222,7 +222,7 @@ impl Statics {
         self.current.copy_from(&state.excitation);
         self.current_motion.copy_from(&state.prescribed);
         self.current_motion.stop();
-        // It may be unstable.
+        // The equilibrium may be unstable.
         self.iterate(system, state, state.instant(), Tangent::Exact)
     }
 
@@ -351,7 +351,7 @@ impl Statics {
 
     /// Solves for the equilibrium under the current excitation from `state` and writes it there, references carried on.
     fn solve(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
-        // The tangent that converges faster to an equilibrium that is near finds fewer of those that are far: behind a limit point, or beside an unstable one.
+        // Behind a limit point, or beside an unstable equilibrium, the fast tangent finds fewer of the equilibria that are far away.
         if !self.leaves_unstable && self.iterate(system, state, time, Tangent::Fast).is_ok() {
             return Ok(());
         }

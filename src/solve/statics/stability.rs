@@ -30,7 +30,7 @@ pub struct StabilityRecord {
     pub time: f64,
     /// How many motions release energy.
     pub unstable: usize,
-    /// The same as they were counted first, by the state alone.
+    /// The same as counted from the state alone, without the correction by [`Stability::mark_stable`].
     pub counted: usize,
 }
 

@@ -1,5 +1,5 @@
 //! Equilibria that are far from where Newton starts (MECHANICS 7.12): the axial strains that its corrections leave must not stiffen beams, the forces must be exact, and
-//! what is found behind a limit point must still be found.
+//! Newton must still find equilibria behind a limit point.
 
 use crate::elements::element_derivatives::{stiffness, straight};
 use crate::running::start;
@@ -75,8 +75,7 @@ fn corrections_shrink_by_their_square() {
     assert!(corrections[0] > 0.4, "{corrections:?}");
 }
 
-/// A shallow arch snaps through under a load that is too large for it: behind the limit point the exact tangent finds the other side, far away. Each equilibrium on the way, also of those that are unstable, follows from the
-/// saved state before it to the same bits.
+/// A shallow arch snaps through under a load that is too large for it. Behind the limit point the exact tangent finds the other side, far away, for this load; for most others Newton fails with either tangent. Each equilibrium on the way, also where the one before is unstable, follows from the saved state before it to the same bits.
 #[test]
 fn arches_that_snap_are_found_on_the_other_side() {
     let mut simulation = start(

@@ -29,6 +29,7 @@ use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::solve::dynamics::generalized_alpha::GeneralizedAlpha;
 use ancf14::solve::dynamics::start;
 use ancf14::solve::step::integrator::{Integrator, MOST_HALVINGS, grid_step};
+use ancf14::solve::step::limits;
 use std::sync::Arc;
 
 /// A machine with everything: a spinning beam with the `damping` of its material (s) on a moving frame, a body at its end, a driven hinge, a spring with a damper,
@@ -147,6 +148,15 @@ fn damped_strips_that_turn_take_no_more_iterations() {
     println!("{totals:?} iterations in 50 steps");
     // A step or two may have their last correction just above the tolerance.
     assert!(totals.iter().all(|total| *total <= totals[0] + 2), "{totals:?}");
+}
+
+/// A strongly damped beam that a step of 10 ms deforms a lot: with the matrix of the iteration Newton does not converge within its limit, and the exact one takes over.
+#[test]
+fn steps_that_the_fast_matrix_does_not_solve_are_taken_with_the_exact_one() {
+    let (system, mut state, mut integrator) = moving_with(1e-2, 1e-9);
+    integrator.step(&system, &mut state, 1e-2, 1e-2).unwrap_or_else(|error| panic!("{error}"));
+    let (all, last) = (state.statistics.iterations, integrator.convergence.unwrap().iterations);
+    assert!(all == (limits::ITERATIONS + last) as u64, "{all} iterations, {last} of them with the exact matrix");
 }
 
 /// A refused step leaves all but the counts as it was; halved, it goes through.

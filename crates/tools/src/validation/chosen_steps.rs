@@ -72,7 +72,7 @@ fn percent(error: Option<f64>) -> String {
 pub fn write(section: &mut Section) {
     section.say(&format!(
         "Models without `simulation.step`, beside runs with `accuracy = {REFERENCE}`: steps, steps that were taken again, and the largest error over all rows as a share of the range, \
-         of places and angles and of the other results that are followed (velocities, strains, stresses, section forces); `told` is the worst of all as the run itself estimates it."
+         of places and angles and of the other results that are followed (velocities, strains, stresses, forces and moments, efforts, accelerations); `told` is the worst of all as the run itself estimates it."
     ));
     let mut table = String::from(
         "| model | accuracy | steps | again | places, angles | others | told |\n|---|---|---|---|---|---|---|\n",

@@ -1,9 +1,9 @@
 //! The axial forces of the tangent while Newton iterates to an equilibrium (MECHANICS 7.12).
 //!
-//! A correction that turns a slope by a small angle `w` leaves an axial strain of `w²/2`. The force of that strain is large against all that bends a slender
-//! beam, and gone with the next correction: a tangent that has it belongs to another beam. So the axial forces that stiffen a beam sideways are those that
-//! the last correction was to lead to, to first order, as if they were unknowns of their own (Magisano, Leonetti, Garcea: Advantages of the mixed format in geometrically
-//! nonlinear analysis of beams and shells using solid finite elements, International Journal for Numerical Methods in Engineering 109, 2017). Residuals are exact: the solution is the same.
+//! A correction that turns a slope by a small angle `w` leaves an axial strain of `w²/2`. Its force is large compared with those that bend a slender beam, and the
+//! next correction removes it: a tangent that contains it is that of another beam. The axial forces that stiffen a beam sideways are therefore those that the last correction was to
+//! lead to, to first order, as if they were unknowns of their own (Magisano, Leonetti, Garcea: Advantages of the mixed format in geometrically
+//! nonlinear analysis of beams and shells using solid finite elements, International Journal for Numerical Methods in Engineering 109, 2017). Residuals are exact, and so is the solution.
 
 use super::coordinates::slopes;
 use super::element::Evaluation;

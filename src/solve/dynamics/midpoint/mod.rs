@@ -27,7 +27,7 @@ use crate::mechanics::system::work::StepEnergy;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::prediction;
-use crate::solve::newton::{self, Convergence, Goal, Problem, most_to_refine};
+use crate::solve::newton::{self, Convergence, Goal, MOST_REFINEMENTS, Problem, most_to_refine};
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
@@ -217,12 +217,12 @@ impl Midpoint {
         span: Span,
         next: &mut State,
     ) -> Result<(Convergence, StepEnergy), Error> {
-        let mut expected = state.prediction.shrinking;
+        let (mut expected, mut refinements) = (state.prediction.shrinking, MOST_REFINEMENTS);
         loop {
             let size = [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance);
             let mut problem =
                 Step { system, start: state.into(), dissipation, step: span.step, scratch: &mut self.scratch };
-            let control = (Goal::Remainder { size, expected }, limits::ITERATIONS);
+            let control = (Goal::Remainder { size, expected, refinements }, limits::ITERATIONS);
             let counted = &mut next.statistics.iterations;
             let mut convergence =
                 newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, span.end, counted)?;
@@ -242,8 +242,8 @@ impl Midpoint {
                     return Ok((convergence, found));
                 }
             }
-            // The corrections of earlier steps were no measure: now two of this one decide.
-            expected = Shrinking::default();
+            // Corrections so far were no measure: now two of this step decide, and a single refinement, whatever it finds.
+            (expected, refinements) = (Shrinking::default(), 1);
         }
     }
 
