@@ -1,8 +1,10 @@
-//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step costs no memory.
+//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step costs no memory; it ends where refinements fail.
 
 use crate::motion::generalized_alpha::joint;
+use crate::running::start as begin;
 use crate::support::allocations::count;
 use crate::support::machines::design;
+use ancf14::fmi::Model;
 use ancf14::math::jet::Jet;
 use ancf14::math::{Mat3, Vec3};
 use ancf14::mechanics::constraint::driven::Driven;
@@ -74,4 +76,34 @@ fn steps_cost_no_memory() {
     let mut step = |number: u32| integrator.step(&system, &mut state, STEP, STEP * f64::from(number)).unwrap();
     (1..=2).for_each(&mut step);
     assert_eq!(count(|| (3..=8).for_each(&mut step)), 0);
+}
+
+/// Three masses between springs that differ by a factor of 4e7, with steps far too long for two of them: corrections do not shrink as their ratio promises, refinements fail, and the iteration that starts anew must still
+/// end: each step takes a few iterations.
+#[test]
+fn steps_end_where_refinements_fail() {
+    let masses: String = [5.88e8, 15.9, 96700.0]
+        .iter()
+        .enumerate()
+        .map(|(number, stiffness)| {
+            let before = if number == 0 { String::from("wall") } else { format!("mass{}", number - 1) };
+            let speed = if number == 2 { 0.3 } else { 0.0 };
+            format!(
+                "[body.mass{number}]\nmass = 1\nposition = [{}, 0, 0]\ninertia = [0.1, 0.1, 0.1]\nvelocity = [{speed}, 0, 0]\n\
+                 [joint.rail{number}]\ntype = \"prismatic\"\na = \"ground\"\nb = \"mass{number}\"\naxis = [1, 0, 0]\n\
+                 [spring.spring{number}]\na = \"{before}\"\nb = \"mass{number}\"\nstiffness = {stiffness}\n",
+                number + 1
+            )
+        })
+        .collect();
+    let mut simulation = begin(&format!(
+        "format = 1\n[model]\nname = \"Masses\"\ngravity = [0, 0, 0]\n[frame.wall]\nposition = [0, 0, 0]\n{masses}\
+         [load.push]\nat = \"mass1\"\nforce = [\"1.59*sin(2.39*t)\", 0, 0]\n\
+         [simulation]\nstep = 0.558\noutput_step = 0.558\nstop = 9.3\n"
+    ));
+    for number in 1..=16 {
+        simulation.advance(0.558 * f64::from(number)).unwrap_or_else(|failure| panic!("{}", failure.message));
+    }
+    let statistics = simulation.state().statistics;
+    assert!(statistics.iterations <= 3 * statistics.steps, "{statistics:?}");
 }
