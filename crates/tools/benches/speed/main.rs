@@ -3,6 +3,7 @@
 //!     scripts/peer-env.sh                                     once, for the columns of the peer
 //!     cargo bench --bench speed                               some two minutes
 //!     cargo bench --bench speed -- --plot docs/scaling.svg    and draws the time of a step over the number of elements
+//!     cargo bench --bench speed -- --only princeton           prints the rows of one part
 //!     cargo bench --bench speed -- --count hessian 1000       runs one kernel and nothing else: scripts/instructions.sh
 //!
 //! All times are CPU times, the least of several; the peer runs in the same minutes, on one thread. Nothing is asserted: times belong
@@ -35,17 +36,32 @@ fn main() {
     // cargo adds --bench.
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => measure(None),
+        [] => measure(|_| true, None),
+        ["--only", part] => measure(|name| name == part, None),
         // Cargo runs a benchmark in the folder of its package.
-        ["--plot", file] => measure(Some(&root().join(file))),
+        ["--plot", file] => measure(|_| true, Some(&root().join(file))),
         ["--count", kernel, times] => println!("{}", count::run(kernel, times)),
         [chain::MEMORY] => println!("{}", chain::memory()),
-        _ => panic!("arguments: none, --plot FILE.svg, or --count {} TIMES", count::KERNELS.join("|")),
+        _ => panic!("arguments: none, --plot FILE.svg, --only PART, or --count {} TIMES", count::KERNELS.join("|")),
     }
 }
 
-/// Prints the table, row by row as they are measured.
-fn measure(picture: Option<&Path>) {
+/// The rows of a part of the table.
+type Rows = fn(Option<&Peer>) -> Vec<Row>;
+
+/// The parts of the table in its order, but for the chain, whose costs are drawn, too.
+const PARTS: [(&str, Rows); 7] = [
+    ("element", |_| element::rows()),
+    ("linear", |_| linear::rows()),
+    ("start", |_| start::rows()),
+    ("shaft", shaft::rows),
+    ("buckling", buckling::rows),
+    ("princeton", princeton::rows),
+    ("spring", spring::rows),
+];
+
+/// Prints the rows of the parts that `is_wanted` names, row by row as they are measured; `picture`: where the costs of the chain are drawn.
+fn measure(is_wanted: impl Fn(&str) -> bool, picture: Option<&Path>) {
     let peer = Peer::find();
     if peer.is_none() {
         eprintln!("The peer is not there: scripts/peer-env.sh gets it. Ours alone:");
@@ -53,16 +69,14 @@ fn measure(picture: Option<&Path>) {
     let peer = peer.as_ref();
     let print = |rows: Vec<Row>| rows.iter().for_each(|row| println!("{}", row.line()));
     println!("{}", table::HEAD);
-    print(element::rows());
-    print(linear::rows());
-    print(start::rows());
-    print(shaft::rows(peer));
-    print(buckling::rows(peer));
-    print(princeton::rows(peer));
-    print(spring::rows(peer));
-    let (costs, memory) = chain::costs(peer);
-    print(chain::rows(&costs, memory));
-    if let Some(file) = picture {
-        plot::draw(&costs, file).unwrap();
+    for (_, rows) in PARTS.iter().filter(|(name, _)| is_wanted(name)) {
+        print(rows(peer));
+    }
+    if is_wanted("chain") {
+        let (costs, memory) = chain::costs(peer);
+        print(chain::rows(&costs, memory));
+        if let Some(file) = picture {
+            plot::draw(&costs, file).unwrap();
+        }
     }
 }
