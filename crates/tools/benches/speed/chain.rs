@@ -99,7 +99,7 @@ pub fn rows(costs: &[Cost], memory: Option<f64>) -> Vec<Row> {
                 ),
                 ours: each(time),
                 peer: cost.peer.map(|time| (each(time), String::from("generalized-alpha, modified Newton"))),
-                goal: "4 us",
+                goal: if cost.elements > 1000 { "4.5 us" } else { "3.5 us" },
                 ..Row::default()
             });
         }
