@@ -51,13 +51,6 @@ impl Beam {
         self.profile.as_ref().map_or(self.section, |profile| profile.at(fraction))
     }
 
-    /// Smallest radius of gyration of its sections at the ends of its elements, `√(I/A)`, m.
-    pub fn smallest_gyration(&self) -> f64 {
-        let Some(profile) = &self.profile else { return self.section.smallest_gyration() };
-        let ends = (0..=self.elements()).map_while(|end| self.division.fraction(end));
-        ends.map(|end| profile.at(end).smallest_gyration()).fold(f64::INFINITY, f64::min)
-    }
-
     /// Number of elements.
     pub fn elements(&self) -> usize {
         self.division.elements()

@@ -280,11 +280,6 @@ impl Section {
         (self.second_moment_y.max(self.second_moment_z) / self.area).sqrt()
     }
 
-    /// Smaller radius of gyration, m.
-    pub fn smallest_gyration(&self) -> f64 {
-        (self.second_moment_y.min(self.second_moment_z) / self.area).sqrt()
-    }
-
     /// Solid circle, m.
     pub fn circle(radius: f64) -> Self {
         let second_moment = PI * radius.powi(4) / 4.0;

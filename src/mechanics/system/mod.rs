@@ -33,7 +33,6 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14::coordinates::NODE;
 use crate::mechanics::beam::ancf14::kinematics::Holonomy;
 use crate::mechanics::beam::configuration::BeamConfiguration;
-use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::kinematics::BODY;
@@ -136,19 +135,6 @@ impl Largest {
 }
 
 impl System {
-    /// Largest slenderness of a beam: as of a cantilever, twice its length, or twice the size of the system, over its smallest radius of gyration; 0: there is no beam. None where forces other than the axial ones of beams may grow with the square of a
-    /// correction, or beams have no tangent with those that the correction was to lead to (MECHANICS 7.12).
-    pub fn slenderness(&self) -> Option<f64> {
-        let are_straightened = self.mesh.elements.iter().all(|element| matches!(element, AnyElement::Ancf14(_)));
-        let are_alone = self.springs.iter().all(Spring::is_idle)
-            && self.actuators.iter().all(|actuator| actuator.readings().is_empty());
-        let slenderness = |beam: &Beam| {
-            let length: f64 = self.mesh.elements[beam.element_range()].iter().map(|element| element.length()).sum();
-            2.0 * length.max(self.size) / beam.smallest_gyration()
-        };
-        (are_straightened && are_alone).then(|| self.beams.iter().map(slenderness).fold(0.0, f64::max))
-    }
-
     /// Sets `excitation` to what acts at `time`, s; `targets` has what a host gives.
     pub fn excite(&self, time: f64, targets: &Targets, excitation: &mut Excitation) {
         (excitation.time, excitation.gravity) = (time, self.gravity);

@@ -3,10 +3,8 @@
 mod definite;
 pub mod kkt;
 pub mod prediction;
-pub mod refinement;
 
 use self::kkt::Kkt;
-use self::refinement::{Refinements, SLOWEST, remainder};
 use crate::error::Error;
 use crate::mechanics::state::Shrinking;
 use crate::mechanics::system::System;
@@ -19,7 +17,7 @@ pub const MOST_ITERATIONS: usize = 15;
 pub struct Convergence {
     /// Iterations made.
     pub iterations: usize,
-    /// Size of each correction (see [`System::motion_size`]), then that of the first refinement; unused places are 0.
+    /// Size of each correction (see [`System::motion_size`]), then that of the refinement of a single one; unused places are 0.
     pub corrections: [f64; MOST_ITERATIONS],
     /// How often the solution has to be refined with the same tangent.
     pub refinements: usize,
@@ -31,20 +29,11 @@ impl Convergence {
         &self.corrections[..self.iterations]
     }
 
-    /// Takes the size of the first refinement for that of one more correction: both are what the last correction has left.
+    /// Takes the size of the first refinement for that of a second correction: both are what a single correction has left.
     pub fn measure(&mut self, refinement: f64) {
-        if let Some(next) = self.corrections.get_mut(self.iterations) {
-            *next = refinement;
+        if self.iterations == 1 {
+            self.corrections[1] = refinement;
         }
-    }
-
-    /// Takes the corrections of `more`, an iteration that went on where this one ended, as far as there is room.
-    pub fn append(&mut self, more: &Self) {
-        for (own, correction) in self.corrections[self.iterations..].iter_mut().zip(more.made()) {
-            *own = *correction;
-            self.iterations += 1;
-        }
-        self.refinements = more.refinements;
     }
 }
 
@@ -75,13 +64,6 @@ pub enum Goal {
     /// A correction is below this size. It is applied too, so that with an exact tangent, by its quadratic convergence, what remains is at round-off; with one that leaves a share of each correction, as that of damped
     /// beams at an instant, that share of it remains.
     Correction(f64),
-    /// The same, or a few refinements are expected to leave as little (`refinement.rs`).
-    Refined {
-        /// The size.
-        size: f64,
-        /// Slenderness of the system, [`System::slenderness`].
-        slenderness: f64,
-    },
     /// What remains after a correction is below a bound, by the ratio of the last two corrections, or after the first one by the `expected` ratio.
     Remainder {
         /// The bound: a size, and a share of the first correction.
@@ -96,7 +78,7 @@ pub enum Goal {
 impl Goal {
     fn size(self) -> f64 {
         match self {
-            Self::Correction(size) | Self::Refined { size, .. } | Self::Remainder { size: [size, _], .. } => size,
+            Self::Correction(size) | Self::Remainder { size: [size, _], .. } => size,
         }
     }
 
@@ -104,9 +86,7 @@ impl Goal {
     fn reached(self, corrections: &[f64]) -> Option<usize> {
         let [before @ .., last] = corrections else { return None };
         match self {
-            Self::Correction(size) | Self::Refined { size, .. } if *last < size => Some(0),
-            Self::Correction(_) => None,
-            Self::Refined { size, slenderness } => Refinements::behind(corrections, slenderness)?.needed(size),
+            Self::Correction(size) => (*last < size).then_some(0),
             Self::Remainder { size: [size, share], expected, refinements } => {
                 // A first correction below the size itself leaves less than that, whatever was expected.
                 if *last <= size {
@@ -120,7 +100,11 @@ impl Goal {
                         expected.ratio.max(LEAST_RATIO) * f64::max(1.0, last / expected.first.max(f64::MIN_POSITIVE))
                     }
                 };
-                let remainder = remainder(*last, ratio)?;
+                // Corrections that hardly shrink say nothing about what remains.
+                if ratio >= SLOWEST {
+                    return None;
+                }
+                let remainder = last * ratio / (1.0 - ratio);
                 (1..=refinements).find(|times| remainder < most_to_refine(*times, size, corrections))
             }
         }
@@ -149,6 +133,9 @@ pub fn most_to_refine(times: usize, size: f64, corrections: &[f64]) -> f64 {
 
 /// Corrections are not expected to shrink faster than this: a motion that was linear so far says nothing about one that is not.
 const LEAST_RATIO: f64 = 1e-5;
+/// Slowest shrinking of corrections from which what remains is estimated.
+const SLOWEST: f64 = 0.5;
+
 /// Iterates until `goal` is reached, at most `limit` times.
 ///
 /// # Errors

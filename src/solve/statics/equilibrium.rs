@@ -1,15 +1,13 @@
 //! One equilibrium as Newton sees it.
 
 use super::Scratch;
-use crate::error::Error;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::newton::Problem;
 use crate::solve::newton::kkt::Kkt;
-use crate::solve::newton::refinement::{Outlook, Refinements};
-use crate::solve::newton::{self, Convergence, Goal, MOST_ITERATIONS, MOST_REFINEMENTS, Problem};
 
 /// The tangent of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,84 +60,6 @@ impl<'a> Equilibrium<'a> {
         for (target, condition) in conditions.iter_mut().zip(&scratch.conditions) {
             *target = -condition;
         }
-    }
-
-    /// Minus the residual at the current unknowns into `right`.
-    pub(super) fn evaluate(&mut self, right: &mut [f64]) {
-        let scratch = &mut *self.scratch;
-        let configuration = scratch.frames.at(self.system, &scratch.q, self.state, self.motion);
-        self.system.forces(&configuration, &Passage::Rest, self.excitation, &mut scratch.forces);
-        self.system.constraint_gradients(&configuration, &mut scratch.gradients);
-        self.balance(right);
-    }
-
-    /// Takes the unknowns to the equilibrium: by iterations until a correction is below `size`, or by fewer of them and refinements. `iterations` counts on.
-    ///
-    /// # Errors
-    /// Newton does not converge.
-    pub(super) fn approach(
-        &mut self,
-        kkt: &mut Kkt,
-        right: &mut [f64],
-        size: f64,
-        iterations: &mut u64,
-    ) -> Result<Convergence, Error> {
-        // The exact tangent has axial forces that are about to change: corrections do not tell what remains.
-        let slenderness = if self.tangent == Tangent::Exact { None } else { self.system.slenderness() };
-        let without = Goal::Correction(size);
-        let Some(slenderness) = slenderness else { return self.iterate(kkt, right, without, iterations) };
-        let mut convergence = self.iterate(kkt, right, Goal::Refined { size, slenderness }, iterations)?;
-        if !self.refine(kkt, right, &mut convergence, (size, slenderness)) {
-            convergence.append(&self.iterate(kkt, right, without, iterations)?);
-        }
-        Ok(convergence)
-    }
-
-    fn iterate(
-        &mut self,
-        kkt: &mut Kkt,
-        right: &mut [f64],
-        goal: Goal,
-        iterations: &mut u64,
-    ) -> Result<Convergence, Error> {
-        let (system, time) = (self.system, self.time);
-        newton::solve(system, self, kkt, right, (goal, MOST_ITERATIONS), time, iterations)
-    }
-
-    /// Refines the solution, if `convergence` asks for it, until what remains is far below `size`; the first refinement follows the corrections there. Returns whether it is.
-    fn refine(
-        &mut self,
-        kkt: &mut Kkt,
-        right: &mut [f64],
-        convergence: &mut Convergence,
-        (size, slenderness): (f64, f64),
-    ) -> bool {
-        let Some(mut refinements) = Refinements::behind(convergence.made(), slenderness) else { return true };
-        let mut outlook = if convergence.refinements == 0 { Outlook::Done } else { Outlook::Promising };
-        for number in 1..=MOST_REFINEMENTS {
-            if outlook != Outlook::Promising {
-                break;
-            }
-            let refinement = self.refine_once(kkt, right);
-            if number == 1 {
-                convergence.measure(refinement);
-            }
-            outlook = refinements.take(refinement, size);
-        }
-        outlook == Outlook::Done
-    }
-
-    /// Corrects the solution with the factors of the last iteration and the residual that it leaves: far less work than an iteration. Returns the size of that correction.
-    fn refine_once(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64 {
-        self.evaluate(right);
-        if kkt.solve_roughly(right).is_err() {
-            return f64::INFINITY;
-        }
-        let size = self.system.motion_size(right);
-        if size.is_finite() {
-            self.correct(right);
-        }
-        size
     }
 }
 

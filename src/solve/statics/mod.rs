@@ -18,12 +18,13 @@ use crate::error::Error;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
-use crate::solve::newton::{Convergence, Problem};
+use crate::solve::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
@@ -362,7 +363,9 @@ impl Statics {
         let given = (&self.current, &self.current_motion);
         let mut problem = Equilibrium { tangent, ..Equilibrium::near(system, state, time, given, &mut self.scratch) };
         let mut iterations = state.statistics.iterations;
-        let solved = problem.approach(&mut self.kkt, &mut self.right, self.tolerance, &mut iterations);
+        let control = (Goal::Correction(self.tolerance), MOST_ITERATIONS);
+        let solved =
+            newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, time, &mut iterations);
         state.statistics.iterations = iterations;
         self.convergence = Some(solved?);
         self.take_over(system, state, time)
@@ -444,7 +447,11 @@ impl Linearized for Statics {
 
     fn balance(&mut self, system: &System, state: &State, _span: Span, unknowns: &[f64], right: &mut [f64]) {
         let (mut problem, _) = self.at(system, state, unknowns);
-        problem.evaluate(right);
+        let scratch = &mut *problem.scratch;
+        let configuration = scratch.frames.at(system, &scratch.q, state, problem.motion);
+        system.forces(&configuration, &Passage::Rest, problem.excitation, &mut scratch.forces);
+        system.constraint_gradients(&configuration, &mut scratch.gradients);
+        problem.balance(right);
     }
 
     fn conclude(&mut self, system: &System, state: &State, _span: Span, unknowns: &[f64], next: &mut State) {

@@ -4,7 +4,7 @@ pub mod far;
 pub mod hanging;
 pub mod paths;
 pub mod preload;
-pub mod refinements;
 pub mod static_buckling;
 pub mod static_motions;
 pub mod statics;
+pub mod stiff;
