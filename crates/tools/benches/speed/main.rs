@@ -37,19 +37,28 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => measure(|_| true, None),
-        ["--only", part] => measure(|name| name == part, None),
+        ["--only", part] if part == CHAIN || PARTS.iter().any(|(name, _)| *name == part) => {
+            measure(|name| name == part, None)
+        }
         // Cargo runs a benchmark in the folder of its package.
         ["--plot", file] => measure(|_| true, Some(&root().join(file))),
         ["--count", kernel, times] => println!("{}", count::run(kernel, times)),
         [chain::MEMORY] => println!("{}", chain::memory()),
-        _ => panic!("arguments: none, --plot FILE.svg, --only PART, or --count {} TIMES", count::KERNELS.join("|")),
+        _ => panic!(
+            "arguments: none, --plot FILE.svg, --only {}|{CHAIN}, or --count {} TIMES",
+            PARTS.map(|(name, _)| name).join("|"),
+            count::KERNELS.join("|")
+        ),
     }
 }
 
 /// The rows of a part of the table.
 type Rows = fn(Option<&Peer>) -> Vec<Row>;
 
-/// The parts of the table in its order, but for the chain, whose costs are drawn, too.
+/// The last part of the table: its costs are also drawn.
+const CHAIN: &str = "chain";
+
+/// The other parts of the table, in its order.
 const PARTS: [(&str, Rows); 7] = [
     ("element", |_| element::rows()),
     ("linear", |_| linear::rows()),
@@ -60,7 +69,7 @@ const PARTS: [(&str, Rows); 7] = [
     ("spring", spring::rows),
 ];
 
-/// Prints the rows of the parts that `is_wanted` names, row by row as they are measured; `picture`: where the costs of the chain are drawn.
+/// Prints the rows of the parts whose names `is_wanted` accepts, part by part; draws the costs of the chain into the file `picture`.
 fn measure(is_wanted: impl Fn(&str) -> bool, picture: Option<&Path>) {
     let peer = Peer::find();
     if peer.is_none() {
@@ -72,7 +81,7 @@ fn measure(is_wanted: impl Fn(&str) -> bool, picture: Option<&Path>) {
     for (_, rows) in PARTS.iter().filter(|(name, _)| is_wanted(name)) {
         print(rows(peer));
     }
-    if is_wanted("chain") {
+    if is_wanted(CHAIN) {
         let (costs, memory) = chain::costs(peer);
         print(chain::rows(&costs, memory));
         if let Some(file) = picture {
