@@ -131,6 +131,19 @@ pub fn most_to_refine(times: usize, size: f64, corrections: &[f64]) -> f64 {
     }
 }
 
+/// Whether a refinement is what the corrections made expected, where at most `largest` was to be left for it, and one may leave a remainder of `size`; `before` is the size of the
+/// refinement before it. A matrix that is stiffer than the system where the iteration has come to, by the tension of a part that a correction has stretched, makes refinements small, but they
+/// do not shrink.
+pub fn is_as_expected(refinement: f64, before: Option<f64>, largest: f64, size: f64) -> bool {
+    let negligible = (STRICTNESS * size).max(ROUND_OFF);
+    refinement <= SURPRISE * largest
+        && before.is_none_or(|before| refinement <= negligible || refinement <= SLOWEST * before)
+}
+
+/// How many times larger than what was to be left for it a refinement may be.
+const SURPRISE: f64 = 3.0;
+/// Refinements of this size are round-off, which does not shrink.
+const ROUND_OFF: f64 = 1e-14;
 /// Corrections are not expected to shrink faster than this: a motion that was linear so far says nothing about one that is not.
 const LEAST_RATIO: f64 = 1e-5;
 /// Slowest shrinking of corrections from which what remains is estimated.
@@ -172,13 +185,17 @@ pub fn solve(
             break;
         }
     }
-    let (_, largest) = system.correction_size(right);
-    let place = system.describe_unknown(largest);
-    Err(Error::NotConverged {
-        time,
-        iterations: convergence.iterations,
-        correction: last,
-        place,
-        tolerance: goal.size(),
-    })
+    Err(not_converged(system, right, (convergence.iterations, last), time, goal.size()))
+}
+
+/// The error that the unknowns have not come to rest after so many iterations: the next `correction` would have this size.
+pub fn not_converged(
+    system: &System,
+    correction: &[f64],
+    (iterations, size): (usize, f64),
+    time: f64,
+    tolerance: f64,
+) -> Error {
+    let (_, largest) = system.correction_size(correction);
+    Error::NotConverged { time, iterations, correction: size, place: system.describe_unknown(largest), tolerance }
 }

@@ -16,4 +16,5 @@ pub mod rigid_rotation;
 pub mod rollback;
 pub mod start_derivatives;
 pub mod step_derivatives;
+pub mod stiff;
 pub mod winches;

@@ -27,7 +27,7 @@ use crate::mechanics::system::work::StepEnergy;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::prediction;
-use crate::solve::newton::{self, Convergence, Goal, MOST_REFINEMENTS, Problem, most_to_refine};
+use crate::solve::newton::{self, Convergence, Goal, MOST_REFINEMENTS, Problem, is_as_expected, most_to_refine};
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
@@ -41,8 +41,8 @@ const REMAINDER: f64 = 0.3;
 /// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with the default tolerance a
 /// hundred-thousandth of that.
 const REMAINDER_OF_FIRST: f64 = 1e3;
-/// How many times larger than what Newton may leave the refinement may be: beyond, what was expected of the corrections was wrong, and the iteration goes on.
-const LARGEST_REFINEMENT: f64 = 10.0;
+/// How often refinements may turn out not to be as expected before the step counts as not solved.
+const MOST_SURPRISES: usize = 3;
 
 /// Smallest spectral radius: below it the other two factors by which a strain far too fast for the step may change, 0.58 and more, are larger.
 pub const SMALLEST_RADIUS: f64 = 0.6;
@@ -218,6 +218,7 @@ impl Midpoint {
         next: &mut State,
     ) -> Result<(Convergence, StepEnergy), Error> {
         let (mut expected, mut refinements) = (state.prediction.shrinking, MOST_REFINEMENTS);
+        let mut surprises = 0;
         loop {
             let size = [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance);
             let mut problem =
@@ -229,38 +230,44 @@ impl Midpoint {
             self.scratch.place(system, state.into());
             self.scratch.check(system, state, span.end)?;
             let bound = size[0] + size[1] * convergence.corrections[0];
-            let mut is_likely = true;
+            let mut before = None;
             for left in (0..convergence.refinements).rev() {
                 let found = self.scratch.evaluate(system, state, dissipation, span, next);
-                let remainder = self.refine(system, state, dissipation, span.step);
-                is_likely &= remainder <= LARGEST_REFINEMENT * most_to_refine(left + 1, bound, convergence.made());
+                let refinement = self.find_refinement(system, state, dissipation, span.step);
                 // Of a first correction this small, round-off decides how it shrinks.
-                if left + 1 == convergence.refinements && convergence.corrections[0] > size[0] {
-                    convergence.measure(remainder);
+                if before.is_none() && convergence.corrections[0] > size[0] {
+                    convergence.measure(refinement);
                 }
-                if left == 0 && (is_likely || expected == Shrinking::default() && convergence.refinements == 1) {
+                let largest = most_to_refine(left + 1, bound, convergence.made());
+                if !is_as_expected(refinement, before, largest, bound) {
+                    if surprises == MOST_SURPRISES {
+                        let reached = (convergence.iterations, refinement);
+                        return Err(newton::not_converged(system, &self.right, reached, span.end, self.tolerance));
+                    }
+                    break;
+                }
+                self.scratch.correct(&self.right);
+                self.scratch.place(system, state.into());
+                if left == 0 {
                     return Ok((convergence, found));
                 }
+                before = Some(refinement);
             }
-            // Corrections so far were no measure: now two of this step decide, and a single refinement, whatever it finds.
+            surprises += 1;
+            // Corrections so far were no measure: now two of this step decide, and a single refinement.
             (expected, refinements) = (Shrinking::default(), 1);
         }
     }
 
-    /// Corrects the converged step once more, with the tangent of the last iteration and the residual that its forces leave: what remains is smaller by another ratio of
-    /// corrections, and joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
-    fn refine(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
+    /// Solves for one more correction of the converged step, into `self.right`, with the tangent of the last iteration and the residual that its forces leave: what remains after it is smaller by another
+    /// ratio of corrections, and joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
+    fn find_refinement(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
         let mut problem = Step { system, start: state.into(), dissipation, step, scratch: &mut self.scratch };
         problem.balance(&mut self.right);
-        if self.kkt.solve_roughly(&mut self.right).is_err() {
-            return f64::INFINITY;
+        match self.kkt.solve_roughly(&mut self.right) {
+            Ok(()) => system.motion_size(&self.right),
+            Err(Singular) => f64::INFINITY,
         }
-        let size = system.motion_size(&self.right);
-        if size.is_finite() {
-            problem.correct(&self.right);
-            self.scratch.place(system, state.into());
-        }
-        size
     }
 
     /// The numerical dissipation of a step of `step` s from `state`.
