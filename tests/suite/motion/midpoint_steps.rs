@@ -1,4 +1,4 @@
-//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step costs no memory; it ends where refinements fail.
+//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step costs no memory, and lends it; it ends where refinements fail.
 
 use crate::motion::generalized_alpha::joint;
 use crate::running::start as begin;
@@ -76,6 +76,27 @@ fn steps_cost_no_memory() {
     let mut step = |number: u32| integrator.step(&system, &mut state, STEP, STEP * f64::from(number)).unwrap();
     (1..=2).for_each(&mut step);
     assert_eq!(count(|| (3..=8).for_each(&mut step)), 0);
+}
+
+/// Results and estimates borrow the memory of the integrator between its steps, and may leave anything there.
+#[test]
+fn memory_lent_between_steps_changes_no_step() {
+    let (system, mut state, mut integrator) = driven(&Arc::default());
+    let (_, mut other, mut untroubled) = driven(&Arc::default());
+    for number in 1..=6 {
+        let end = STEP * f64::from(number);
+        integrator.step(&system, &mut state, STEP, end).unwrap();
+        untroubled.step(&system, &mut other, STEP, end).unwrap();
+        assert_eq!(state, other);
+        let lent = integrator.spare();
+        let moved: Vec<f64> = state.q.iter().map(|value| value + 0.1).collect();
+        lent.frames.set(&system, &moved, &state.triads);
+        lent.state.clone_from(&state);
+        let State { q, velocity, momentum, constraint_momenta, strain_rates, holonomy, .. } = lent.state;
+        for list in [q, velocity, momentum, constraint_momenta, strain_rates, holonomy] {
+            list.fill(f64::NAN);
+        }
+    }
 }
 
 /// Three masses between springs that differ by a factor of 4e7, with steps far too long for two of them: corrections do not shrink as their ratio promises, refinements fail, and the iteration that starts anew must still
