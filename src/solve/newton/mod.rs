@@ -3,6 +3,7 @@
 mod definite;
 pub mod kkt;
 pub mod prediction;
+pub mod refinement;
 
 use self::kkt::Kkt;
 use crate::error::Error;
@@ -17,7 +18,7 @@ pub const MOST_ITERATIONS: usize = 15;
 pub struct Convergence {
     /// Iterations made.
     pub iterations: usize,
-    /// Size of each correction (see [`System::motion_size`]), then that of the refinement of a single one; unused places are 0.
+    /// Size of each correction (see [`System::motion_size`]), then that of the refinement of a single one. The second may be what an iteration with another matrix shows of it. Unused places are 0.
     pub corrections: [f64; MOST_ITERATIONS],
     /// How often the solution has to be refined with the same tangent.
     pub refinements: usize,
@@ -84,70 +85,14 @@ impl Goal {
 
     /// How often the solution has to be refined, where the goal is reached with the corrections made so far.
     fn reached(self, corrections: &[f64]) -> Option<usize> {
-        let [before @ .., last] = corrections else { return None };
         match self {
-            Self::Correction(size) => (*last < size).then_some(0),
-            Self::Remainder { size: [size, share], expected, refinements } => {
-                // A first correction below the size itself leaves less than that, whatever was expected.
-                if *last <= size {
-                    return Some(1);
-                }
-                let size = size + share * corrections[0];
-                let ratio = match before.last() {
-                    Some(before) => last / before.max(f64::MIN_POSITIVE),
-                    // Quadratic convergence: the ratio grows with the correction.
-                    None => {
-                        expected.ratio.max(LEAST_RATIO) * f64::max(1.0, last / expected.first.max(f64::MIN_POSITIVE))
-                    }
-                };
-                // Corrections that hardly shrink say nothing about what remains.
-                if ratio >= SLOWEST {
-                    return None;
-                }
-                let remainder = last * ratio / (1.0 - ratio);
-                (1..=refinements).find(|times| remainder < most_to_refine(*times, size, corrections))
+            Self::Correction(size) => (*corrections.last()? < size).then_some(0),
+            Self::Remainder { size, expected, refinements } => {
+                refinement::needed(corrections, size, expected, refinements)
             }
         }
     }
 }
-
-/// Most refinements of a solution: together they take less work than the iteration that they replace.
-pub const MOST_REFINEMENTS: usize = 4;
-/// What more than one refinement may leave, as a share of what one may: the ratio that all of them rely on is that of an earlier step, or of an iteration whose corrections did not shrink at first.
-const STRICTNESS: f64 = 1e-4;
-
-/// The largest remainder after `corrections` that so many refinements make small enough, where one may leave a remainder of `size`. Each takes off the ratio of what
-/// remains to the last correction. Where all corrections have shrunk, the last refinement but one has to reach `size`.
-pub fn most_to_refine(times: usize, size: f64, corrections: &[f64]) -> f64 {
-    let last = match corrections {
-        [.., last] if times > 1 => last,
-        _ => return size,
-    };
-    let is_measured = corrections.len() > 1 && corrections.windows(2).all(|pair| pair[1] < SLOWEST * pair[0]);
-    if is_measured {
-        last * (size / last).powf(1.0 / times as f64)
-    } else {
-        last * (STRICTNESS * (size / last).powi(2)).powf(1.0 / (times + 1) as f64)
-    }
-}
-
-/// Whether a refinement is what the corrections made expected, where at most `largest` was to be left for it, and one may leave a remainder of `size`; `before` is the size of the
-/// refinement before it. A matrix that is stiffer than the system where the iteration has come to, by the tension of a part that a correction has stretched, makes refinements small, but they
-/// do not shrink.
-pub fn is_as_expected(refinement: f64, before: Option<f64>, largest: f64, size: f64) -> bool {
-    let negligible = (STRICTNESS * size).max(ROUND_OFF);
-    refinement <= SURPRISE * largest
-        && before.is_none_or(|before| refinement <= negligible || refinement <= SLOWEST * before)
-}
-
-/// How many times larger than what was to be left for it a refinement may be.
-const SURPRISE: f64 = 3.0;
-/// Refinements of this size are round-off, which does not shrink.
-const ROUND_OFF: f64 = 1e-14;
-/// Corrections are not expected to shrink faster than this: a motion that was linear so far says nothing about one that is not.
-const LEAST_RATIO: f64 = 1e-5;
-/// Slowest shrinking of corrections from which what remains is estimated.
-const SLOWEST: f64 = 0.5;
 
 /// Iterates until `goal` is reached, at most `limit` times.
 ///

@@ -9,6 +9,7 @@
 //! 10 N m to a node of 1e-7 kg m² (a four-bar linkage with a tilted hinge) breaks that: seen at 1, 2 and 4 ms, not at 0.2 ms.
 
 mod scratch;
+mod solution;
 mod time_error;
 
 use self::scratch::{Scratch, Start, configurations, time_step};
@@ -20,14 +21,13 @@ use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::energy_balance::{Energies, Losses};
 use crate::mechanics::state::pace::Pace;
 use crate::mechanics::state::time_error::TimeError;
-use crate::mechanics::state::{Prediction, Shrinking, State};
+use crate::mechanics::state::{Prediction, State};
 use crate::mechanics::system::System;
 use crate::mechanics::system::gyroscopic;
-use crate::mechanics::system::work::StepEnergy;
 use crate::solve::linear::Singular;
+use crate::solve::newton::Problem;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::prediction;
-use crate::solve::newton::{self, Convergence, Goal, MOST_REFINEMENTS, Problem, is_as_expected, most_to_refine};
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
@@ -35,14 +35,6 @@ use crate::solve::step::pacing::Pacing;
 use crate::solve::step::projection::Projection;
 use crate::solve::step::spare::Spare;
 use crate::solve::step::switching;
-
-/// What Newton may leave of a step before it is refined, as a share of the tolerance.
-const REMAINDER: f64 = 0.3;
-/// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with the default tolerance a
-/// hundred-thousandth of that.
-const REMAINDER_OF_FIRST: f64 = 1e3;
-/// How often refinements may turn out not to be as expected before the step counts as not solved.
-const MOST_SURPRISES: usize = 3;
 
 /// Smallest spectral radius: below it the other two factors by which a strain far too fast for the step may change, 0.58 and more, are larger.
 pub const SMALLEST_RADIUS: f64 = 0.6;
@@ -204,72 +196,6 @@ impl Integrator for Midpoint {
 }
 
 impl Midpoint {
-    /// Solves for the step over `span` from `state`, and refines the solution. Counts iterations, and sets the rates of strains, in `next`. Returns how the iteration went, and
-    /// what the step does to the energies.
-    ///
-    /// # Errors
-    /// Newton does not converge, or the elements cannot bear the end.
-    fn solve(
-        &mut self,
-        system: &System,
-        state: &State,
-        dissipation: Dissipation,
-        span: Span,
-        next: &mut State,
-    ) -> Result<(Convergence, StepEnergy), Error> {
-        let (mut expected, mut refinements) = (state.prediction.shrinking, MOST_REFINEMENTS);
-        let mut surprises = 0;
-        loop {
-            let size = [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance);
-            let mut problem =
-                Step { system, start: state.into(), dissipation, step: span.step, scratch: &mut self.scratch };
-            let control = (Goal::Remainder { size, expected, refinements }, limits::ITERATIONS);
-            let counted = &mut next.statistics.iterations;
-            let mut convergence =
-                newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, span.end, counted)?;
-            self.scratch.place(system, state.into());
-            self.scratch.check(system, state, span.end)?;
-            let bound = size[0] + size[1] * convergence.corrections[0];
-            let mut before = None;
-            for left in (0..convergence.refinements).rev() {
-                let found = self.scratch.evaluate(system, state, dissipation, span, next);
-                let refinement = self.find_refinement(system, state, dissipation, span.step);
-                // Of a first correction this small, round-off decides how it shrinks.
-                if before.is_none() && convergence.corrections[0] > size[0] {
-                    convergence.measure(refinement);
-                }
-                let largest = most_to_refine(left + 1, bound, convergence.made());
-                if !is_as_expected(refinement, before, largest, bound) {
-                    if surprises == MOST_SURPRISES {
-                        let reached = (convergence.iterations, refinement);
-                        return Err(newton::not_converged(system, &self.right, reached, span.end, self.tolerance));
-                    }
-                    break;
-                }
-                self.scratch.correct(&self.right);
-                self.scratch.place(system, state.into());
-                if left == 0 {
-                    return Ok((convergence, found));
-                }
-                before = Some(refinement);
-            }
-            surprises += 1;
-            // Corrections so far were no measure: now two of this step decide, and a single refinement.
-            (expected, refinements) = (Shrinking::default(), 1);
-        }
-    }
-
-    /// Solves for one more correction of the converged step, into `self.right`, with the tangent of the last iteration and the residual that its forces leave: what remains after it is smaller by another
-    /// ratio of corrections, and joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
-    fn find_refinement(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
-        let mut problem = Step { system, start: state.into(), dissipation, step, scratch: &mut self.scratch };
-        problem.balance(&mut self.right);
-        match self.kkt.solve_roughly(&mut self.right) {
-            Ok(()) => system.motion_size(&self.right),
-            Err(Singular) => f64::INFINITY,
-        }
-    }
-
     /// The numerical dissipation of a step of `step` s from `state`.
     fn dissipation(&self, state: &State, step: f64) -> Dissipation {
         let largest = if self.pacing.is_some() { state.pace.damping_step.max(step) } else { self.largest_step };

@@ -1,0 +1,124 @@
+//! How the equations of a step are solved: by Newton's iteration, and refinements with the matrix of its last iteration (MECHANICS 7.6).
+
+use super::{Midpoint, Step};
+use crate::error::Error;
+use crate::mechanics::beam::configuration::Dissipation;
+use crate::mechanics::state::{Shrinking, State};
+use crate::mechanics::system::System;
+use crate::mechanics::system::work::StepEnergy;
+use crate::solve::linear::Singular;
+use crate::solve::newton::{self, Convergence, Goal, refinement};
+use crate::solve::step::limits;
+use crate::solve::step::linearized::Span;
+
+/// What Newton may leave of a step before it is refined, as a share of the tolerance.
+const REMAINDER: f64 = 0.3;
+/// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with the default tolerance a
+/// hundred-thousandth of that.
+const REMAINDER_OF_FIRST: f64 = 1e3;
+/// How many matrices may turn out not to refine the solution before the step counts as not solved.
+const MOST_MATRICES: usize = 4;
+
+impl Midpoint {
+    /// Solves for the step over `span` from `state`, and refines the solution. Counts iterations, and sets the rates of strains, in `next`. Returns how the iteration went, and
+    /// what the step does to the energies.
+    ///
+    /// # Errors
+    /// Newton does not converge, or the elements cannot bear the end.
+    pub(super) fn solve(
+        &mut self,
+        system: &System,
+        state: &State,
+        dissipation: Dissipation,
+        span: Span,
+        next: &mut State,
+    ) -> Result<(Convergence, StepEnergy), Error> {
+        let mut size = [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance);
+        let (mut expected, mut refinements) = (state.prediction.shrinking, refinement::MOST);
+        let mut learned: Option<Convergence> = None;
+        let (begun, mut refused) = (next.statistics.iterations, None);
+        for _ in 0..MOST_MATRICES {
+            let mut problem =
+                Step { system, start: state.into(), dissipation, step: span.step, scratch: &mut self.scratch };
+            let control = (Goal::Remainder { size, expected, refinements }, limits::ITERATIONS);
+            let counted = &mut next.statistics.iterations;
+            let mut convergence =
+                newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, span.end, counted)?;
+            self.scratch.place(system, state.into());
+            self.scratch.check(system, state, span.end)?;
+            let bound = size[0] + size[1] * convergence.corrections[0];
+            let is_known = expected != Shrinking::default();
+            let found = self.refine(system, state, dissipation, span, next, (&mut convergence, bound, is_known));
+            let learned = learned.get_or_insert(convergence);
+            // The first correction of another iteration is what the one before had left.
+            if refused.is_some() {
+                learned.corrections[1] = learned.corrections[1].max(convergence.corrections[0]);
+            }
+            match found {
+                Ok(found) => return Ok((*learned, found)),
+                Err(size) => refused = Some(size),
+            }
+            // Corrections so far do not tell how they shrink: now two more of this step decide.
+            size = [bound, 0.0];
+            (expected, refinements) = (Shrinking::default(), 1);
+        }
+        let iterations = (next.statistics.iterations - begun) as usize;
+        Err(newton::not_converged(
+            system,
+            &self.right,
+            (iterations, refused.unwrap_or_default()),
+            span.end,
+            self.tolerance,
+        ))
+    }
+
+    /// Refines what an iteration has found, which leaves at most `bound`. `is_known`: how corrections shrink was known before. Returns what the step does to the energies.
+    ///
+    /// # Errors
+    /// A refinement of this size is larger than promised: it is not made, and another iteration has to follow.
+    fn refine(
+        &mut self,
+        system: &System,
+        state: &State,
+        dissipation: Dissipation,
+        span: Span,
+        next: &mut State,
+        (convergence, bound, is_known): (&mut Convergence, f64, bool),
+    ) -> Result<StepEnergy, f64> {
+        let (mut left, mut before) = (convergence.refinements, None);
+        loop {
+            let found = self.scratch.evaluate(system, state, dissipation, span, next);
+            let size = self.find_refinement(system, state, dissipation, span.step);
+            // Of a first correction this small, round-off decides how it shrinks.
+            if before.is_none() && convergence.corrections[0] > REMAINDER * self.tolerance {
+                convergence.measure(size);
+            }
+            let largest = refinement::largest_remainder(convergence.made(), bound, left);
+            if !refinement::is_as_promised(size, before, largest, bound) {
+                return Err(size);
+            }
+            self.scratch.correct(&self.right);
+            self.scratch.place(system, state.into());
+            left -= 1;
+            // Where nothing was known, or less was expected, a second one has to show that they shrink.
+            if left == 0 && before.is_none() && !(is_known && refinement::keeps_pace(size, convergence.made())) {
+                left = 1;
+            }
+            if left == 0 {
+                return Ok(found);
+            }
+            before = Some(size);
+        }
+    }
+
+    /// Solves for one more correction of the converged step, into `self.right`, with the tangent of the last iteration and the residual that its forces leave: what remains after it is smaller by another
+    /// ratio of corrections, and joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
+    fn find_refinement(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
+        let mut problem = Step { system, start: state.into(), dissipation, step, scratch: &mut self.scratch };
+        problem.balance(&mut self.right);
+        match self.kkt.solve_roughly(&mut self.right) {
+            Ok(()) => system.motion_size(&self.right),
+            Err(Singular) => f64::INFINITY,
+        }
+    }
+}
