@@ -19,6 +19,7 @@ use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::solve::dynamics::midpoint::Midpoint;
 use ancf14::solve::dynamics::start;
 use ancf14::solve::step::integrator::Integrator;
+use ancf14_testing::curves::load;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -127,4 +128,14 @@ fn steps_end_where_refinements_fail() {
     }
     let statistics = simulation.state().statistics;
     assert!(statistics.iterations <= 3 * statistics.steps, "{statistics:?}");
+}
+
+/// A tolerance below round-off: refinements no longer shrink, and are as small as they get. With round-off taken to be 1e-14, 30 steps of the shaft were rejected.
+#[test]
+fn steps_end_at_round_off() {
+    let shaft = include_str!("../../../models/rotating_shaft.toml");
+    let mut simulation = load(shaft, &[("simulation.tolerance", "1e-14")]);
+    simulation.advance(1.6).unwrap_or_else(|failure| panic!("{}", failure.message));
+    let Statistics { steps, rejected, .. } = simulation.state().statistics;
+    assert_eq!((steps, rejected), (3200, 0));
 }
