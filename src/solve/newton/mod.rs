@@ -18,7 +18,7 @@ pub const MOST_ITERATIONS: usize = 15;
 pub struct Convergence {
     /// Iterations made.
     pub iterations: usize,
-    /// Size of each correction (see [`System::motion_size`]), then that of the refinement of a single one. The second may be what an iteration with another matrix shows of it. Unused places are 0.
+    /// Size of each correction (see [`System::motion_size`]), then that of the refinement of a single one. Where an iteration with another matrix follows, the second one is at least the first correction of that. Unused places are 0.
     pub corrections: [f64; MOST_ITERATIONS],
     /// How often the solution has to be refined with the same tangent.
     pub refinements: usize,

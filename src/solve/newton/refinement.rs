@@ -12,8 +12,15 @@ const LEAST_RATIO: f64 = 1e-5;
 const SLOWEST: f64 = 0.5;
 /// How many times larger than promised a refinement may be.
 const SURPRISE: f64 = 10.0;
-/// Refinements this small are round-off, which does not shrink. It is 1e-14 in shafts and winches, more in cables of kilometers.
-const ROUND_OFF: f64 = 1e-12;
+/// Refinements this small are round-off, which does not shrink: it is 1e-14 in shafts and winches, more in cables of kilometers.
+const LEAST_ROUND_OFF: f64 = 1e-12;
+/// Round-off of a coordinate, as a share of it: some operations lead from coordinates to a refinement.
+const SHARE_OF_COORDINATE: f64 = 16.0 * f64::EPSILON;
+
+/// The size of refinements that are round-off, where the largest coordinate has the size `coordinate`: large far from the origin, and after many turns.
+pub fn round_off(coordinate: f64) -> f64 {
+    f64::max(SHARE_OF_COORDINATE * coordinate, LEAST_ROUND_OFF)
+}
 
 /// How many refinements, of at most `most`, do the rest after `corrections`, by the ratio of the last two, or after the first one by the `expected` ratio. One may leave a `size`, and a `share` of the first correction.
 /// None: an iteration has to follow.
@@ -52,18 +59,31 @@ pub fn largest_remainder(corrections: &[f64], size: f64, times: usize) -> f64 {
     }
 }
 
-/// Whether a refinement is as small as the corrections promised, at most `largest`, where one may leave a remainder of `size`; `before` is the size of the refinement before it. Where a correction has stretched a stiff
-/// part, the matrix has its tension. It is then stiffer than the system, and makes refinements small, however much is left, but they do not shrink.
-pub fn is_as_promised(refinement: f64, before: Option<f64>, largest: f64, size: f64) -> bool {
-    let negligible = f64::max(STRICTNESS * size, ROUND_OFF);
-    refinement <= f64::max(SURPRISE * largest, ROUND_OFF)
-        && before.is_none_or(|before| refinement <= negligible || refinement <= SLOWEST * before)
+/// What a refinement is held against.
+#[derive(Clone, Copy, Debug)]
+pub struct Promise {
+    /// What one may leave.
+    pub bound: f64,
+    /// See [`round_off`].
+    pub round_off: f64,
+    /// Whether it has to shrink.
+    pub shrinks: bool,
 }
 
-/// Whether a first refinement has shrunk as the last two `corrections` have.
-pub fn keeps_pace(refinement: f64, corrections: &[f64]) -> bool {
-    match corrections {
-        [.., before, last] => refinement <= f64::max(last * last / before, ROUND_OFF),
-        _ => true,
+impl Promise {
+    /// Whether a refinement is as small as the corrections promised, at most `largest`; `before` is the size of the refinement before it. Where a correction has stretched a stiff part, the matrix has its tension. It is
+    /// then stiffer than the system, and makes refinements small, however much is left, but they do not shrink.
+    pub fn is_kept(&self, refinement: f64, before: Option<f64>, largest: f64) -> bool {
+        let negligible = f64::max(STRICTNESS * self.bound, self.round_off);
+        let has_shrunk = |before| refinement <= negligible || refinement <= SLOWEST * before;
+        refinement <= f64::max(SURPRISE * largest, self.round_off) && (!self.shrinks || before.is_none_or(has_shrunk))
+    }
+
+    /// Whether a first refinement has shrunk as the last two `corrections` have.
+    pub fn keeps_pace(&self, refinement: f64, corrections: &[f64]) -> bool {
+        match corrections {
+            [.., before, last] if self.shrinks => refinement <= f64::max(last * last / before, self.round_off),
+            _ => true,
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step costs no memory, and lends it; it ends where refinements fail.
+//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step costs no memory; what borrows the integrator's memory between steps changes none; a step ends where refinements fail, and at round-off.
 
 use crate::motion::generalized_alpha::joint;
 use crate::running::start as begin;

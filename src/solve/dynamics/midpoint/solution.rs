@@ -7,7 +7,8 @@ use crate::mechanics::state::{Shrinking, State};
 use crate::mechanics::system::System;
 use crate::mechanics::system::work::StepEnergy;
 use crate::solve::linear::Singular;
-use crate::solve::newton::{self, Convergence, Goal, refinement};
+use crate::solve::newton::refinement::{self, Promise};
+use crate::solve::newton::{self, Convergence, Goal};
 use crate::solve::step::limits;
 use crate::solve::step::linearized::Span;
 
@@ -16,7 +17,7 @@ const REMAINDER: f64 = 0.3;
 /// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with the default tolerance a
 /// hundred-thousandth of that.
 const REMAINDER_OF_FIRST: f64 = 1e3;
-/// How many matrices may turn out not to refine the solution before the step counts as not solved.
+/// With how many matrices a step is tried. The refinements of the last one need not shrink: what several matrices leave alike is round-off.
 const MOST_MATRICES: usize = 4;
 
 impl Midpoint {
@@ -37,7 +38,8 @@ impl Midpoint {
         let (mut expected, mut refinements) = (state.prediction.shrinking, refinement::MOST);
         let mut learned: Option<Convergence> = None;
         let (begun, mut refused) = (next.statistics.iterations, None);
-        for _ in 0..MOST_MATRICES {
+        let round_off = refinement::round_off(system.motion_size(&state.q));
+        for matrix in 1..=MOST_MATRICES {
             let mut problem =
                 Step { system, start: state.into(), dissipation, step: span.step, scratch: &mut self.scratch };
             let control = (Goal::Remainder { size, expected, refinements }, limits::ITERATIONS);
@@ -48,7 +50,8 @@ impl Midpoint {
             self.scratch.check(system, state, span.end)?;
             let bound = size[0] + size[1] * convergence.corrections[0];
             let is_known = expected != Shrinking::default();
-            let found = self.refine(system, state, dissipation, span, next, (&mut convergence, bound, is_known));
+            let promise = Promise { bound, round_off, shrinks: matrix < MOST_MATRICES };
+            let found = self.refine(system, state, dissipation, span, next, (&mut convergence, promise, is_known));
             let learned = learned.get_or_insert(convergence);
             // The first correction of another iteration is what the one before had left.
             if refused.is_some() {
@@ -72,7 +75,7 @@ impl Midpoint {
         ))
     }
 
-    /// Refines what an iteration has found, which leaves at most `bound`. `is_known`: how corrections shrink was known before. Returns what the step does to the energies.
+    /// Refines what an iteration has found, and holds the refinements to `promise`. `is_known`: how corrections shrink was known before. Returns what the step does to the energies.
     ///
     /// # Errors
     /// A refinement of this size is larger than promised: it is not made, and another iteration has to follow.
@@ -83,25 +86,25 @@ impl Midpoint {
         dissipation: Dissipation,
         span: Span,
         next: &mut State,
-        (convergence, bound, is_known): (&mut Convergence, f64, bool),
+        (convergence, promise, is_known): (&mut Convergence, Promise, bool),
     ) -> Result<StepEnergy, f64> {
         let (mut left, mut before) = (convergence.refinements, None);
         loop {
             let found = self.scratch.evaluate(system, state, dissipation, span, next);
             let size = self.find_refinement(system, state, dissipation, span.step);
             // Of a first correction this small, round-off decides how it shrinks.
-            if before.is_none() && convergence.corrections[0] > REMAINDER * self.tolerance {
+            if before.is_none() && size.is_finite() && convergence.corrections[0] > REMAINDER * self.tolerance {
                 convergence.measure(size);
             }
-            let largest = refinement::largest_remainder(convergence.made(), bound, left);
-            if !refinement::is_as_promised(size, before, largest, bound) {
+            let largest = refinement::largest_remainder(convergence.made(), promise.bound, left);
+            if !promise.is_kept(size, before, largest) {
                 return Err(size);
             }
             self.scratch.correct(&self.right);
             self.scratch.place(system, state.into());
             left -= 1;
             // Where nothing was known, or less was expected, a second one has to show that they shrink.
-            if left == 0 && before.is_none() && !(is_known && refinement::keeps_pace(size, convergence.made())) {
+            if left == 0 && before.is_none() && !(is_known && promise.keeps_pace(size, convergence.made())) {
                 left = 1;
             }
             if left == 0 {
