@@ -133,7 +133,7 @@ pub fn solve(
     Err(not_converged(system, right, (convergence.iterations, last), time, goal.size()))
 }
 
-/// The error that the unknowns have not come to rest after so many iterations: the next `correction` would have this size.
+/// The error that Newton has not converged after so many iterations. `correction` is the last one that was found, and has this size.
 pub fn not_converged(
     system: &System,
     correction: &[f64],

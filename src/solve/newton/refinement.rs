@@ -14,7 +14,7 @@ const SLOWEST: f64 = 0.5;
 const SURPRISE: f64 = 10.0;
 /// Refinements this small are round-off, which does not shrink: it is 1e-14 in shafts and winches, more in cables of kilometers.
 const LEAST_ROUND_OFF: f64 = 1e-12;
-/// Round-off of a coordinate, as a share of it: some operations lead from coordinates to a refinement.
+/// Round-off of a refinement as a share of the largest coordinate: that of the several operations between them.
 const SHARE_OF_COORDINATE: f64 = 16.0 * f64::EPSILON;
 
 /// The size of refinements that are round-off, where the largest coordinate has the size `coordinate`: large far from the origin, and after many turns.
@@ -66,7 +66,7 @@ pub struct Promise {
     pub bound: f64,
     /// See [`round_off`].
     pub round_off: f64,
-    /// Whether it has to shrink.
+    /// Whether refinements have to shrink.
     pub shrinks: bool,
 }
 
