@@ -69,8 +69,8 @@ pub struct TimeStep<'a, C = BeamConfiguration<'a>> {
     pub dissipation: Dissipation,
     /// Rates of all strains and relative coordinates over the last step, as [`crate::mechanics::state::State::strain_rates`].
     pub strain_rates: &'a [f64],
-    /// The same at the start, with its velocities.
-    pub start_rates: &'a [f64],
+    /// The same as the velocities at the start let expect them: `State::rate_leads`.
+    pub predicted_rates: &'a [f64],
     /// What elements with holonomy angles have at the start.
     pub starts: &'a [EndStrains],
 }
@@ -80,7 +80,7 @@ impl<C> TimeStep<'_, C> {
     /// [`Self::strain_rates`].
     #[inline]
     pub fn unpredicted(&self, rate: f64, number: usize) -> f64 {
-        self.dissipation.unpredicted(rate, [self.strain_rates[number], self.start_rates[number]])
+        self.dissipation.unpredicted(rate, [self.strain_rates[number], self.predicted_rates[number]])
     }
 }
 
@@ -89,7 +89,7 @@ impl<C> TimeStep<'_, C> {
 pub struct Dissipation {
     /// Not predicted by the rate over the last step, `chi`.
     pub by_last_step: f64,
-    /// Not predicted by the rate at the start, `psi`.
+    /// Not predicted by what alternates of the rates that the velocities at the start make, `psi`.
     pub by_start: f64,
 }
 

@@ -57,8 +57,19 @@ impl<'a> Passage<'a> {
 impl<'a> TimeStep<'a> {
     /// As elements see it.
     pub fn of_beams(&self) -> beams::TimeStep<'a> {
-        let Self { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates, starts } = *self;
+        let Self { start, end, increment, duration, velocity, dissipation, strain_rates, predicted_rates, starts } =
+            *self;
         let (start, end) = (&start.beams, &end.beams);
-        beams::TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates, starts }
+        beams::TimeStep {
+            start,
+            end,
+            increment,
+            duration,
+            velocity,
+            dissipation,
+            strain_rates,
+            predicted_rates,
+            starts,
+        }
     }
 }

@@ -5,12 +5,14 @@ pub mod energy_balance;
 pub mod pace;
 pub mod path_point;
 pub mod place;
+pub mod rate_leads;
 pub mod time_error;
 pub mod viscous_rates;
 
 use self::energy_balance::EnergyBalance;
 use self::pace::Pace;
 use self::path_point::PathPoint;
+use self::rate_leads::RateLeads;
 use self::time_error::TimeError;
 use self::viscous_rates::ViscousRates;
 use crate::math::Vec3;
@@ -46,6 +48,8 @@ pub struct State {
     /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then `g1`, `g2`, `tau` of each bending
     /// point (1/m/s, rad/m/s); then of the rates of all relative coordinates that have a spring (m/s, rad/s).
     pub strain_rates: Vec<f64>,
+    /// By how much the rates that velocities make have led those over steps.
+    pub rate_leads: RateLeads,
     /// Rates of the strains at `time`, as midpoint steps show them.
     pub viscous: ViscousRates,
     /// Reference triads of the nodes.
@@ -113,6 +117,7 @@ impl State {
         lengths(self) == lengths(other)
             && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
             && self.balance.account.is_some() == other.balance.account.is_some()
+            && self.rate_leads.is_possible(other.strain_rates.len())
             && self.viscous.is_possible(other.strain_rates.len())
             && self.prediction.is_possible(other.q.len())
             && self.time_error.is_possible(other.q.len(), other.multipliers.len())
@@ -136,6 +141,7 @@ impl Clone for State {
             accelerations: self.accelerations.clone(),
             constraint_momenta: self.constraint_momenta.clone(),
             strain_rates: self.strain_rates.clone(),
+            rate_leads: self.rate_leads.clone(),
             viscous: self.viscous.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
@@ -171,6 +177,7 @@ impl State {
         holonomy.clone_from(&source.holonomy);
         self.constraint_momenta.clone_from(&source.constraint_momenta);
         self.strain_rates.clone_from(&source.strain_rates);
+        self.rate_leads.copy_from(&source.rate_leads);
         self.viscous.copy_from(&source.viscous);
         relative_values.clone_from(&source.relative_values);
         rotations.clone_from(&source.rotations);

@@ -38,6 +38,7 @@ use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate}
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::energy_balance::EnergyBalance;
 use crate::mechanics::state::pace::Pace;
+use crate::mechanics::state::rate_leads::RateLeads;
 use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::state::viscous_rates::ViscousRates;
 use crate::mechanics::state::{Accelerations, Prediction, State, Statistics};
@@ -458,6 +459,7 @@ impl SystemBuilder {
             multipliers: vec![0.0; system.constraints()],
             constraint_momenta: vec![0.0; system.constraints()],
             strain_rates: vec![0.0; system.mesh.strains() + system.relative_coordinates.len()],
+            rate_leads: RateLeads::default(),
             viscous: ViscousRates::default(),
             prediction: Prediction::default(),
             time_error: TimeError::default(),

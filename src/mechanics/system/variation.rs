@@ -26,6 +26,8 @@ pub struct Variation {
     pub constraint_momenta: Vec<f64>,
     /// Of the strain rates.
     pub strain_rates: Vec<f64>,
+    /// Of the leads of rates, the newest first; empty where the state has none.
+    pub rate_leads: [Vec<f64>; 3],
     /// Of the rates of strains at the instant, and at the start of the last step; empty where the state has none.
     pub viscous: [Vec<f64>; 2],
     /// Of the accelerations: of the coordinates, and algorithmic; empty where the state has none.
@@ -42,9 +44,10 @@ pub struct HoldChange {
 }
 
 /// The lists of a state in the order of a variation's.
-fn lists(state: &State) -> [&Vec<f64>; 10] {
-    let State { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, .. } =
-        state;
+fn lists(state: &State) -> [&Vec<f64>; 13] {
+    let State { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, .. } = state;
+    let State { rate_leads, viscous, accelerations, .. } = state;
+    let [newest, older, oldest] = &rate_leads.leads;
     [
         q,
         velocity,
@@ -52,6 +55,9 @@ fn lists(state: &State) -> [&Vec<f64>; 10] {
         multipliers,
         constraint_momenta,
         strain_rates,
+        newest,
+        older,
+        oldest,
         &viscous.rates,
         &viscous.at_start,
         &accelerations.of_coordinates,
@@ -59,9 +65,20 @@ fn lists(state: &State) -> [&Vec<f64>; 10] {
     ]
 }
 
-fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 10] {
-    let State { q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, .. } =
-        state;
+fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 13] {
+    let State {
+        q,
+        velocity,
+        momentum,
+        multipliers,
+        constraint_momenta,
+        strain_rates,
+        rate_leads,
+        viscous,
+        accelerations,
+        ..
+    } = state;
+    let [newest, older, oldest] = &mut rate_leads.leads;
     [
         q,
         velocity,
@@ -69,6 +86,9 @@ fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 10] {
         multipliers,
         constraint_momenta,
         strain_rates,
+        newest,
+        older,
+        oldest,
         &mut viscous.rates,
         &mut viscous.at_start,
         &mut accelerations.of_coordinates,
@@ -77,20 +97,64 @@ fn lists_mut(state: &mut State) -> [&mut Vec<f64>; 10] {
 }
 
 impl Variation {
-    fn lists(&self) -> [&Vec<f64>; 10] {
+    fn lists(&self) -> [&Vec<f64>; 13] {
         let Self {
-            q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, ..
+            q,
+            velocity,
+            momentum,
+            multipliers,
+            constraint_momenta,
+            strain_rates: rates,
+            rate_leads: [newest, older, oldest],
+            viscous: [end, start],
+            accelerations: [first, second],
+            ..
         } = self;
-        let ([end, start], [first, second]) = (viscous, accelerations);
-        [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, end, start, first, second]
+        [
+            q,
+            velocity,
+            momentum,
+            multipliers,
+            constraint_momenta,
+            rates,
+            newest,
+            older,
+            oldest,
+            end,
+            start,
+            first,
+            second,
+        ]
     }
 
-    fn lists_mut(&mut self) -> [&mut Vec<f64>; 10] {
+    fn lists_mut(&mut self) -> [&mut Vec<f64>; 13] {
         let Self {
-            q, velocity, momentum, multipliers, constraint_momenta, strain_rates, viscous, accelerations, ..
+            q,
+            velocity,
+            momentum,
+            multipliers,
+            constraint_momenta,
+            strain_rates: rates,
+            rate_leads: [newest, older, oldest],
+            viscous: [end, start],
+            accelerations: [first, second],
+            ..
         } = self;
-        let ([end, start], [first, second]) = (viscous, accelerations);
-        [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, end, start, first, second]
+        [
+            q,
+            velocity,
+            momentum,
+            multipliers,
+            constraint_momenta,
+            rates,
+            newest,
+            older,
+            oldest,
+            end,
+            start,
+            first,
+            second,
+        ]
     }
 
     /// No change of `state`.

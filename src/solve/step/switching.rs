@@ -31,6 +31,7 @@ pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> R
     }
     state.balance.skip_jump();
     state.viscous.jump();
+    state.rate_leads.clear();
     state.time_error.known = 0;
     Ok(true)
 }

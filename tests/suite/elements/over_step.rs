@@ -80,7 +80,7 @@ impl Case {
             velocity: &[],
             dissipation,
             strain_rates: &still,
-            start_rates: &still,
+            predicted_rates: &still,
             starts: &[begin],
         };
         let (mut force, mut tangent) = (Coordinates::zeros(), Matrix::zeros());

@@ -129,7 +129,7 @@ fn check(random: &mut Random, law: &Law, kind: Measure, sides: [usize; 2]) {
             velocity,
             dissipation: Dissipation::new(0.8),
             strain_rates: &rates,
-            start_rates: &rates,
+            predicted_rates: &rates,
             starts: &[],
         }));
     };

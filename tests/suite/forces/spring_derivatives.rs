@@ -127,7 +127,7 @@ fn check_spring_derivatives() {
                 velocity: &[],
                 dissipation: Dissipation::default(),
                 strain_rates: &rates,
-                start_rates: &rates,
+                predicted_rates: &rates,
                 starts: &[],
             });
             let reading_end =

@@ -242,15 +242,16 @@ fn there_is_a_limit_of_parts() {
     assert!(message.contains("the limit is 4000"), "{message}");
 }
 
-// What the files that a program had written gave, part by part, with the same version of the solver.
+// What the files that a program had written gave, part by part, with the same version of the solver. The forces and the moment of the net and of the turbine are those after a change of the numerical
+// dissipation, which moved them by 5e-6 and 5e-5.
 const WHEEL_CONTACT: f64 = 2.2057544304771026e-4;
 const WHEEL_TOP: f64 = -1.1114192730415917e-4;
 const WHEEL_FORCE: f64 = -3799.1764434311026;
 const NET_HEIGHT: f64 = -0.1575660434009597;
-const NET_FORCE: f64 = 208.23289432606867;
+const NET_FORCE: f64 = 208.2319202221754;
 const TURBINE_TIP: f64 = -30.153072758125;
-const TURBINE_FORCE: f64 = 58911.92163182247;
-const TURBINE_MOMENT: f64 = 1798712.3890675995;
+const TURBINE_FORCE: f64 = 58915.04647117718;
+const TURBINE_MOMENT: f64 = 1798717.7728679865;
 
 /// The results of a wheel that was written out by a program: 32 frames with their coordinates to the last digit, in place of points on the hub.
 #[test]

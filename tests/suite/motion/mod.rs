@@ -4,6 +4,7 @@ pub mod breaks;
 pub mod chosen_steps;
 pub mod constrained_mass;
 pub mod direct_solver;
+pub mod driven_stiff;
 pub mod dynamics;
 pub mod energies_of_parts;
 pub mod energy_account;

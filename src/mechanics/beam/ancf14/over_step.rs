@@ -73,7 +73,7 @@ impl Added {
         let (duration, [tension, viscosity]) = (step.duration, element.viscosities());
         self.stiffening = 2.0 * (viscosity / duration + step.dissipation.sum());
         self.axial_stiffening = 2.0 * (tension / duration + step.dissipation.sum());
-        let (last, start) = (element.own_rates(step.strain_rates), element.own_rates(step.start_rates));
+        let (last, start) = (element.own_rates(step.strain_rates), element.own_rates(step.predicted_rates));
         self.set_resultants(element, |rates, i, viscosity| {
             let unpredicted = step.dissipation.unpredicted(rates[i], [last[i], start[i]]);
             viscosity * rates[i] + duration * unpredicted

@@ -109,6 +109,7 @@ impl Dynamics for Midpoint {
     /// The first step knows no step before it: the dissipation counts all of its change as unpredicted.
     fn begin(&mut self, _system: &System, state: &mut State) -> Result<(), Error> {
         state.strain_rates.fill(0.0);
+        state.rate_leads.clear();
         state.viscous.clear();
         state.prediction = Prediction::default();
         state.time_error = TimeError::default();
@@ -166,6 +167,7 @@ impl Integrator for Midpoint {
                 }
                 next.time_error.known = 0;
                 next.viscous.jump();
+                next.rate_leads.clear();
                 if let Some(pacing) = self.pacing {
                     pacing.jump(&mut next);
                 }
@@ -332,7 +334,7 @@ impl Problem for Step<'_> {
             from,
             [&start, &end],
             &scratch.increment,
-            (&scratch.start_rates, &scratch.starts),
+            (&scratch.predicted_rates, &scratch.starts),
             h,
             self.dissipation,
         );

@@ -44,6 +44,8 @@ pub struct Scratch {
     pub q_end: Vec<f64>,
     pub forces: Vec<f64>,
     pub start_rates: Vec<f64>,
+    /// Rates of strains as the numerical dissipation predicts them with the velocities at the start.
+    pub predicted_rates: Vec<f64>,
     pub starts: StepStarts,
     pub mass_increment: Vec<f64>,
     pub conditions: Vec<f64>,
@@ -83,14 +85,14 @@ impl Scratch {
         own
     }
 
-    /// Exchanges the memory that a finished step no longer needs with that of `other`. `other` reads the rates at the start and overwrites the rest.
+    /// Exchanges the memory that a finished step no longer needs with that of `other`. `other` reads the predicted rates and overwrites the rest.
     /// [`super::time_error::Estimator::borrow_from`] gives it back.
     pub fn exchange(&mut self, other: &mut Self) {
         std::mem::swap(&mut self.q_middle, &mut other.q_middle);
         std::mem::swap(&mut self.q_end, &mut other.q_end);
         std::mem::swap(&mut self.forces, &mut other.forces);
         std::mem::swap(&mut self.mass_increment, &mut other.mass_increment);
-        std::mem::swap(&mut self.start_rates, &mut other.start_rates);
+        std::mem::swap(&mut self.predicted_rates, &mut other.predicted_rates);
         std::mem::swap(&mut self.starts, &mut other.starts);
         std::mem::swap(&mut self.frames_start, &mut other.frames_start);
         std::mem::swap(&mut self.frames_middle, &mut other.frames_middle);
@@ -107,6 +109,7 @@ impl Scratch {
         let start = self.frames_start.of(system, state);
         let middle = &self.prescribed_middle.drives;
         system.begin_step(&start, middle, &state.velocity, &mut self.starts, Some(&mut self.start_rates));
+        state.rate_leads.predict(&state.strain_rates, &self.start_rates, &mut self.predicted_rates);
     }
 
     /// Start of the iteration: the predicted increment, and the impulses of the last step.
@@ -149,7 +152,7 @@ impl Scratch {
             from,
             [&start, &end],
             &self.increment,
-            (&self.start_rates, &self.starts),
+            (&self.predicted_rates, &self.starts),
             step,
             dissipation,
         ));
@@ -158,6 +161,7 @@ impl Scratch {
 
     /// Continues the rates of strains to the end of the step from `state` that `next` has those over.
     pub fn continue_rates(&self, state: &State, step: f64, next: &mut State) {
+        next.rate_leads.advance(&state.strain_rates, &self.start_rates);
         if self.is_viscous {
             next.viscous.advance(step, &next.strain_rates, &state.strain_rates, &self.start_rates);
         }
@@ -178,7 +182,7 @@ impl Scratch {
             [&self.frames_start, &self.frames_middle, &self.frames_end],
             [&self.prescribed_middle, &self.prescribed_end],
         );
-        let starts = (&self.start_rates[..], &self.starts);
+        let starts = (&self.predicted_rates[..], &self.starts);
         let over = time_step(state.into(), [&start, &end], &self.increment, starts, span.step, dissipation);
         // Not into the memory of the step: its results do not depend on who asks for the work.
         let (mut forces, mut rates, mut gradients) = (self.forces.clone(), next.strain_rates.clone(), Vec::new());
@@ -247,7 +251,7 @@ impl Scratch {
             state.into(),
             [&start, &end],
             &self.increment,
-            (&self.start_rates, &self.starts),
+            (&self.predicted_rates, &self.starts),
             span.step,
             dissipation,
         );
@@ -299,11 +303,11 @@ pub fn time_step<'a>(
     from: Start<'a>,
     [start, end]: [&'a Configuration<'a>; 2],
     increment: &'a [f64],
-    (start_rates, starts): (&'a [f64], &'a StepStarts),
+    (predicted_rates, starts): (&'a [f64], &'a StepStarts),
     duration: f64,
     dissipation: Dissipation,
 ) -> TimeStep<'a> {
     let Start { velocity, strain_rates, .. } = from;
     let starts = starts.list();
-    TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, start_rates, starts }
+    TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, predicted_rates, starts }
 }

@@ -284,7 +284,7 @@ impl Estimator {
             let Dissipation { by_last_step, by_start } = dissipation;
             let by_change = by_last_step + MEAN * h / mean;
             let scale = multiple / by_last_step;
-            let rates = strain_rates.iter().zip(&state.strain_rates).zip(&self.scratch.start_rates);
+            let rates = strain_rates.iter().zip(&state.strain_rates).zip(&self.scratch.predicted_rates);
             for (memory, ((now, last), first)) in start.strain_rates.iter_mut().zip(rates) {
                 *memory += scale * (by_change * (now - last) + by_start * (now - first));
             }
