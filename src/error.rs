@@ -7,6 +7,11 @@ pub fn decimal(time: f64) -> f64 {
     format!("{time:.11e}").parse().unwrap_or(time)
 }
 
+/// A length or an angle as a message shows it: the nearest number of 4 digits.
+fn short(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
 /// A failure of mechanics or solver. A failed step leaves the state as it was, but for the counts of iterations and rejections.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Error {
@@ -204,6 +209,23 @@ end = decimal(*.to)
         drive: String,
         /// Its value at the start, rad or m.
         value: f64,
+    },
+    /// A frame does not begin where it is drawn, and a joint ties it as drawn.
+    #[error(
+        "the frame {frame} begins {d} m and {a} rad from where it is drawn, and {joint} does not hold there; let it begin as drawn, \
+         draw the mechanism there, or take initial = \"equilibrium\", which assembles it there",
+d = short(*.distance),
+a = short(*.angle)
+)]
+    FrameNotAsDrawn {
+        /// The frame.
+        frame: String,
+        /// The joint that does not hold.
+        joint: String,
+        /// How far it is from its drawn position, m.
+        distance: f64,
+        /// How far it is turned, rad.
+        angle: f64,
     },
     /// A number is not finite: a load's expression at this time, or an overflow.
     #[error("{what} is not a finite number at t = {t} s",

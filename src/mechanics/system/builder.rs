@@ -51,6 +51,8 @@ pub struct SystemBuilder {
     /// Its parts so far; joints without inner ones, bodies' and drives'.
     system: System,
     start: f64,
+    /// When moving frames are where the file draws them, s.
+    drawing: f64,
     q: Vec<f64>,
     velocity: Vec<f64>,
     triads: Vec<Triad>,
@@ -70,7 +72,18 @@ impl SystemBuilder {
     /// That is drawn as it is at the time `start`, s.
     pub fn new(start: f64) -> Self {
         let departure = Departure { time: start, ..Departure::default() };
-        Self { start, targets: Targets { end: start, departure, ..Targets::default() }, ..Self::default() }
+        Self {
+            start,
+            drawing: start,
+            targets: Targets { end: start, departure, ..Targets::default() },
+            ..Self::default()
+        }
+    }
+
+    /// Takes the drawing at `time`, s, instead of at the start: joints tie frames as they are then.
+    #[must_use]
+    pub fn drawn_at(self, time: f64) -> Self {
+        Self { drawing: time, ..self }
     }
 
     /// Adds a beam and returns its number. The design is sound: section and material, `y_axis` not along the tangent at the start.
@@ -267,7 +280,7 @@ impl SystemBuilder {
     /// Adds a moving frame and returns its number; `target` is its pose at the start, where a host gives it.
     pub fn add_frame(&mut self, name: &str, guide: FrameGuide, target: Pose) -> usize {
         let frame = MovingFrame { name: name.into(), guide };
-        self.prescribed.frames.push(frame.start(self.start, &target));
+        self.prescribed.frames.push(frame.start(self.drawing, &target));
         self.targets.frames.push(target);
         self.system.moving_frames.push(frame);
         self.system.moving_frames.len() - 1

@@ -50,7 +50,7 @@ pub fn check(document: &Document) -> Result<(), Diagnostics> {
     if mistakes.is_empty() { Ok(()) } else { Err(Diagnostics(mistakes)) }
 }
 
-/// Builds the system with the parameters of now; `start` is the time of the drawing, s.
+/// Builds the system with the parameters of now, as drawn; `start` is the time of its state, s.
 ///
 /// # Errors
 /// Every mistake that the geometry shows, in file order.
@@ -60,7 +60,8 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
         return Err(Diagnostics(mistakes));
     }
     let origin = origin::of(document, &lines);
-    let system = SystemBuilder::new(start);
+    // A run that begins later begins with the same joints: what has moved until then has moved away from the drawing.
+    let system = SystemBuilder::new(start).drawn_at(document.drawn_at(0.0));
     let mut builder =
         Builder { document, lines: &lines, origin, system, mistakes: Vec::new(), joint_switches: Vec::new() };
     for (number, beam) in document.beams.iter().enumerate() {

@@ -12,11 +12,6 @@ impl Document {
         &self.parameters
     }
 
-    /// The start value that the file gives a number; none: it is no parameter and no input.
-    pub fn start(&self, number: Number) -> Option<f64> {
-        self.parameters.iter().find(|row| row.number == number).map(|row| row.variable.start.number())
-    }
-
     /// The value of parameter `index` of [`Self::parameters`].
     pub fn parameter_value(&self, index: usize) -> Value {
         let Number(place) = self.parameters[index].number;

@@ -185,16 +185,10 @@ impl Simulation {
         Ok(())
     }
 
-    /// Where inputs are at the start: as set, but for a frame whose quaternion is 0, which is as the file has it.
+    /// Where inputs are at the start, but for those of frames: the file draws these, and a host that begins elsewhere moves them there.
     fn starts(&self) -> Vec<(Number, f64)> {
-        let time = self.runner.state.time;
-        let undirected = builder::undirected(&self.document, |number| self.inputs.line(number), [time; 2]);
-        let as_drawn: Vec<Number> = undirected.flat_map(|(_, numbers)| numbers).collect();
-        let start = |(number, value)| match as_drawn.contains(&number) {
-            true => (number, self.document.start(number).unwrap_or(value)),
-            false => (number, value),
-        };
-        self.inputs.iter().map(start).collect()
+        let drawn: Vec<Number> = self.document.frames.iter().flat_map(FrameSpec::numbers).collect();
+        self.inputs.iter().filter(|(number, _)| !drawn.contains(number)).collect()
     }
 
     /// Warns, once, of a quaternion of 0 for the end of a step from `begin` to `end`, s.

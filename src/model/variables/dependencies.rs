@@ -5,7 +5,6 @@
 
 use crate::model::builder;
 use crate::model::file::document::Document;
-use crate::model::file::entries::frame::Orientation;
 use crate::model::file::entries::output::Target;
 use crate::model::file::entries::simulation::{Analysis, Initial};
 use crate::model::file::number::{Number, Written};
@@ -23,6 +22,8 @@ pub enum Found {
     Motion,
     /// Where this frame is.
     Frame(usize),
+    /// Where frames are, and temperatures: of a joint, a bushing or a spring, which a frame may have displaced.
+    Frames,
 }
 
 /// The inputs of a file, by value references.
@@ -63,17 +64,7 @@ impl Givens {
                 .chain(builder::switches(document).flatten().map(|switch| switch.active))
                 .filter_map(input)
                 .collect(),
-            frames: document
-                .frames
-                .iter()
-                .map(|frame| {
-                    let turn = match &frame.orientation {
-                        Orientation::Rotation(numbers) => &numbers[..],
-                        Orientation::Quaternion(numbers) => numbers,
-                    };
-                    frame.position.iter().chain(turn).copied().filter_map(input).collect()
-                })
-                .collect(),
+            frames: document.frames.iter().map(|frame| frame.numbers().filter_map(input).collect()).collect(),
             heats: document
                 .beams
                 .iter()
@@ -95,6 +86,7 @@ impl Givens {
             (quantity, _) if quantity.is_acceleration() => Found::All,
             (ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => Found::All,
             (Velocity | AngularVelocity | AngleRate | DistanceRate | Force | KineticEnergy, _) => Found::Motion,
+            (Angle | Distance | Energy, _) => Found::Frames,
             _ => Found::Drawing,
         }
     }
@@ -102,8 +94,8 @@ impl Givens {
     /// What the initial value of a quantity at `target` is found from that somebody sees who moves: also from where that one is.
     pub fn of_seen(&self, quantity: Quantity, target: &Target) -> Found {
         match self.of(quantity, target) {
-            Found::Drawing | Found::Frame(_) if self.as_drawn => Found::Motion,
-            Found::Drawing | Found::Frame(_) => Found::All,
+            Found::Drawing | Found::Frame(_) | Found::Frames if self.as_drawn => Found::Motion,
+            Found::Drawing | Found::Frame(_) | Found::Frames => Found::All,
             found => found,
         }
     }
@@ -121,6 +113,7 @@ impl Givens {
             Found::Drawing => self.heats.clone(),
             Found::Motion => self.drives.iter().chain(frames()).chain(&self.heats).copied().collect(),
             Found::Frame(frame) => self.frames[frame].clone(),
+            Found::Frames => frames().chain(&self.heats).copied().collect(),
         };
         if inputs.len() == self.loads.len() + self.drives.len() + frames().count() + self.heats.len() {
             return None;

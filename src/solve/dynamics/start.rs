@@ -1,9 +1,13 @@
 //! The state at the start: joints hold as drawn, velocities are what the joints allow.
 
 use crate::error::{Error, decimal};
+use crate::math::Vec3;
+use crate::math::rotation::rotation_vector_near;
+use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::guide::Guide;
 use crate::mechanics::input::switch::{Hold, Switch};
+use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
@@ -55,8 +59,16 @@ impl<I: Dynamics> Dynamics for Box<I> {
 /// Checks that the joints hold as drawn.
 ///
 /// # Errors
-/// A joint's sides are apart: names the worst.
+/// A joint's sides are apart.
 pub fn check_assembled(system: &System, state: &State) -> Result<(), Error> {
+    match first_gap(system, state) {
+        None => Ok(()),
+        Some((joint, gap)) => Err(Error::NotAssembled { joint: joint.name.clone(), gap }),
+    }
+}
+
+/// The first joint whose sides are apart, with its gap.
+fn first_gap<'s>(system: &'s System, state: &State) -> Option<(&'s Joint, f64)> {
     let mut cache = FrameCache::default();
     let configuration = cache.of(system, state);
     for joint in &system.joints {
@@ -65,10 +77,10 @@ pub fn check_assembled(system: &System, state: &State) -> Result<(), Error> {
         let gap = phi.iter().fold(0.0_f64, |gap, value| gap.max(value.abs()));
         // A gap that is not a number counts as one.
         if gap.is_nan() || gap > DRAWN_GAP * system.size.max(1.0) {
-            return Err(Error::NotAssembled { joint: joint.name.clone(), gap });
+            return Some((joint, gap));
         }
     }
-    Ok(())
+    None
 }
 
 /// Checks that the winches of `state`, the start of a motion, have paid out what they had in the state `from` that it begins with.
@@ -105,6 +117,39 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+/// Moves the frames from where they are drawn to where they begin. Springs and bushings may be displaced there, and free coordinates of joints too.
+///
+/// # Errors
+/// A joint does not hold there.
+pub fn move_frames(system: &System, state: &mut State) -> Result<(), Error> {
+    let motion = system.prescribe_start(state.time, &state.prescribed, &state.targets);
+    let drawn = state.prescribed.frames.clone();
+    if motion.frames.iter().zip(&drawn).all(|(begun, drawn)| begun.pose == drawn.pose) {
+        return Ok(());
+    }
+    state.prescribed.frames = motion.frames;
+    let Some((joint, gap)) = first_gap(system, state) else {
+        let mut frames = FrameCache::default();
+        frames.of(system, state);
+        system.carry_references(state, &frames);
+        return Ok(());
+    };
+    let begun = &state.prescribed.frames;
+    let way = |side: &Marker| {
+        let Marker::Frame { frame, .. } = *side else { return None };
+        let (from, to) = (drawn[frame].pose, begun[frame].pose);
+        let turn = rotation_vector_near(&(to.axes * from.axes.transpose()), &Vec3::zeros());
+        (from != to).then(|| (frame, (to.place - from.place).norm(), turn.norm()))
+    };
+    Err(match way(&joint.a).or_else(|| way(&joint.b)) {
+        Some((frame, distance, angle)) => {
+            let (frame, joint) = (system.moving_frames[frame].name.clone(), joint.name.clone());
+            Error::FrameNotAsDrawn { frame, joint, distance, angle }
+        }
+        None => Error::NotAssembled { joint: joint.name.clone(), gap },
+    })
 }
 
 /// Finds the equilibrium at `start`, s, from the system as drawn: drives stand still at their values of that time. Where the time of `state` is an earlier one, by a

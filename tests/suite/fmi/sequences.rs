@@ -176,8 +176,8 @@ fn legal(random: &mut Random, mode: Mode, slots: &[Option<Mode>; SLOTS]) -> Acti
             1 => material,
             2 => Action::Mesh { elements: 1 + random.below(3) as i32 },
             3 => gravity,
-            4 => push(random),
-            5 => place,
+            // Not a place of the frame: a motion begins where it is drawn.
+            4 | 5 => push(random),
             _ => Action::Enter,
         },
         Mode::Initialization => match random.below(6) {

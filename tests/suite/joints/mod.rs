@@ -5,6 +5,7 @@ pub mod closed_loops;
 pub mod drives;
 pub mod gears;
 pub mod host_motion;
+mod host_starts;
 pub mod joint_derivatives;
 pub mod joint_freedoms;
 pub mod joint_rates;

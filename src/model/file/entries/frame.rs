@@ -68,6 +68,17 @@ impl FrameSpec {
     }
 }
 
+impl FrameSpec {
+    /// The numbers of its position and its orientation.
+    pub fn numbers(&self) -> impl Iterator<Item = Number> {
+        let turn = match &self.orientation {
+            Orientation::Rotation(numbers) => &numbers[..],
+            Orientation::Quaternion(numbers) => numbers,
+        };
+        self.position.iter().chain(turn).copied()
+    }
+}
+
 /// Makes the components of a vector inputs: `meaning` x, `becomes`.
 fn give(reader: &mut Reader<'_, '_>, numbers: [Number; 3], meaning: &str, becomes: &str) {
     for (number, axis) in numbers.into_iter().zip(["x", "y", "z"]) {

@@ -115,7 +115,10 @@ impl Runner {
         let simulation = &document.simulation;
         warnings.extend(system.jumps(*time, document.value(simulation.stop)));
         match simulation.initial {
-            Initial::AsDrawn => start::check_drives(system, state)?,
+            Initial::AsDrawn => {
+                start::check_drives(system, state)?;
+                start::move_frames(system, state)?;
+            }
             Initial::Equilibrium => {
                 let moves = state.is_moving();
                 warnings.extend(start::find_equilibrium(system, state, *time, document.value(simulation.tolerance))?);
