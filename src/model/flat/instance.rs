@@ -183,7 +183,7 @@ impl<'a> Flattener<'a> {
         &mut self.sections[at]
     }
 
-    fn push(&mut self, scope: &Scope<'_>, section: &Entry, entry: Entry) {
+    pub fn push(&mut self, scope: &Scope<'_>, section: &Entry, entry: Entry) {
         let weight = weight(&entry.item);
         self.push_of(weight, scope, section, entry);
     }
@@ -248,25 +248,19 @@ impl<'a> Flattener<'a> {
             };
             entries.push(Entry { item, ..entry.clone() });
         }
-        if section.key == "point" && scope.motion.moves() && self.is_tied_outside(scope, keys) {
+        let on_frame = section.key == "point" && Self::is_tied_to_frame(scope, keys.clone());
+        self.fill_grounds(scope, (&section.key, &thing.key), keys.clone(), &mut entries);
+        if section.key == "point" && scope.motion.moves() && Self::is_tied_outside(scope, keys) {
             let message = format!("the point `{}` moves with its copy, and what it is on does not", thing.key);
             let label = "put that part into the copy, or give the offset of each copy by expressions, without `turn` and `move`";
             self.error(scope, thing.key_place, &message, label, "");
         }
-        if let Err((place, message, label)) = scope.motion.apply(&section.key, thing.key_place, &mut entries) {
+        if let Err((place, message, label)) = scope.motion.apply(&section.key, thing.key_place, on_frame, &mut entries)
+        {
             self.error(scope, place, message, label, "");
         }
         let item = Item { node: Node::Table(entries), ..thing.item };
         self.push(scope, section, Entry { key: scope.flat_name(&thing.key), key_place: thing.key_place, item });
-    }
-
-    /// Whether a point is on a part that is not of its own copy, nor the ground.
-    fn is_tied_outside<'e>(&self, scope: &Scope<'_>, mut keys: impl Iterator<Item = &'e Entry>) -> bool {
-        let on = keys.find(|entry| entry.key == "on");
-        let Some(Node::Text(text)) = on.map(|entry| &entry.item.node) else { return false };
-        let name = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or(text);
-        let own = scope.flat_name(name);
-        name != "ground" && !matches!(scope.find(None, name, &[]), Found::Name(flat) if flat == own)
     }
 
     fn named(&mut self, scope: &Scope<'_>, section: Option<&str>, name: &str, item: &Item) -> Item {

@@ -4,6 +4,7 @@
 mod copies;
 mod data;
 mod functions;
+mod grounds;
 mod instance;
 mod library;
 mod motion;

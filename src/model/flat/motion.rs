@@ -85,11 +85,16 @@ impl Motion {
         [0, 1, 2].map(|i| turned[i].plus(&self.shift[i]))
     }
 
-    /// Moves a part of a section: its keys are those of the original, with names and numbers of the copy.
+    /// Where the origin goes; none: it stays.
+    pub fn origin(&self) -> Option<&[Scalar; 3]> {
+        (self.shift != zeros()).then_some(&self.shift)
+    }
+
+    /// Moves a part of a section: its keys are those of the original, with names and numbers of the copy. `on_frame`: it is a point on a frame.
     ///
     /// # Errors
     /// Something in it cannot be turned.
-    pub fn apply(&self, section: &str, place: Place, entries: &mut Vec<Entry>) -> Result<(), Refusal> {
+    pub fn apply(&self, section: &str, place: Place, on_frame: bool, entries: &mut Vec<Entry>) -> Result<(), Refusal> {
         if !self.moves() {
             return Ok(());
         }
@@ -104,6 +109,8 @@ impl Motion {
             match role(section, &entry.key, is_list) {
                 Role::Position => self.move_list(&mut entry.item, true)?,
                 Role::Offset if is_on_ground => self.move_list(&mut entry.item, true)?,
+                // The rotation vector of a turned frame turns along, which leaves axes along the global ones where they are.
+                Role::Offset if on_frame => self.move_list(&mut entry.item, false)?,
                 Role::Direction if !is_follower => self.move_list(&mut entry.item, false)?,
                 Role::AlongAxes => self.turn_diagonal(&mut entry.item)?,
                 Role::Axes => self.move_rows(&mut entry.item, false)?,

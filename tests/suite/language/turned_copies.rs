@@ -10,7 +10,7 @@ use ancf14::math::{Mat3, Vec3};
 use ancf14::model::document::Document;
 use ancf14::model::notes::notes;
 use ancf14::model::simulation::Simulation;
-use ancf14_testing::running::{run, start, vector};
+use ancf14_testing::running::{run, start, value, vector};
 
 /// The axis of the turn (not of length 1), its angle, center and the move.
 const AXIS: [f64; 3] = [0.3, -0.5, 0.8];
@@ -101,6 +101,23 @@ rotational_damping = [0.01, 0.01, 0.01]
 a = "block"
 b = "nut"
 stiffness = 5
+[copy.both.spring.stay]
+a = "ground"
+b = "pad"
+stiffness = 3
+length = 0.4
+[copy.both.actuator.pusher]
+a = "nut"
+b = "ground"
+effort = 0.5
+[copy.both.point.knob]
+on = "hand"
+offset = [0.1, 0.05, -0.2]
+[copy.both.spring.string]
+a = "knob"
+b = "pad"
+stiffness = 4
+length = 0.1
 [copy.both.load.pull]
 at = "block"
 force = ["2*t", 0.3, -0.1]
@@ -133,6 +150,9 @@ effort = "5*cos(20*t)"
 at = "eye"
 force = [0.3, 0.2, 0.1]
 follower = true
+[copy.both.output.seen_knob]
+at = "knob"
+quantities = ["position"]
 [copy.both.output.seen_eye]
 at = "eye"
 quantities = ["position", "rotation"]
@@ -187,6 +207,7 @@ fn distance(simulation: &Simulation) -> f64 {
     let (center, shift) = (Vec3::from(CENTER), Vec3::from(MOVE));
     let mut largest: f64 = 0.0;
     for (name, is_position) in [
+        ("seen_knob_K.position", true),
         ("seen_eye_K.position", true),
         ("seen_eye_K.rotation", false),
         ("seen_block_K.position", true),
@@ -270,4 +291,33 @@ fn angles_of_copies_in_degrees_are_told() {
     // An angle below a whole turn, of which all copies together make 360.
     let text = turned("axis = [0, 0, 1], angle = \"5*k\"").replace("count = 3", "count = 72");
     assert_eq!(notes(&Document::parse("m.toml", &text, &[]).unwrap()), [many("5", "0.8")]);
+}
+
+/// A bob on a rope of 0.9 m and 100 N/m from the ground, drawn 1 m away from it.
+const BOB: &str = "[copy.both.body.bob]\nmass = 1\nposition = [1, 0, 0]\ninertia = [1, 1, 1]\n[copy.both.spring.rope]\na = \"ground\"\nb = \"bob\"\n\
+                   stiffness = 100\nlength = 0.9\n[copy.both.output.rope]\nat = \"rope\"\nquantities = [\"force\"]\n";
+
+/// The ground of a copy is its own origin: both ropes pull with 10 N, one of them 10 m away, where a rope from the origin of the model would pull with 1,010 N. The
+/// new end has a name that nothing else has, and where the origin stays, the ground does too. What the file calls ground in a row of the copies is its own.
+#[test]
+fn regression_the_ground_moves_with_its_copy() {
+    let text = |copy: &str| {
+        format!("format = 1\nmodel.name = \"M\"\n[copy.both]\n{copy}\n{BOB}[simulation]\nstop = 1\nstep = 0.01\n")
+    };
+    let both = text("count = 2\nmove = [\"10*(k - 1)\", 0, 0]");
+    let taken = both.replace("[simulation]", "[copy.both.point.rope_ground]\n[simulation]");
+    for (text, end) in [(&both, "rope_ground_2"), (&taken, "rope_ground__2")] {
+        let simulation = start(text);
+        for name in ["rope_1.force", "rope_2.force"] {
+            // Of a length of 1 m, at 10 m: round-off of 2e-15 m times 100 N/m.
+            assert!((value(&simulation, name) - 10.0).abs() < 1e-11, "{name}: {}", value(&simulation, name));
+        }
+        let flat = simulation.document().text();
+        assert!(flat.contains("a = \"ground\"") && flat.contains(&format!("a = \"{end}\"")), "{flat}");
+    }
+    let turned = start(&text("count = 2\nturn = { axis = [0, 0, 1] }"));
+    assert!(turned.document().points.is_empty());
+    let outside = text("over = [{ base = \"ground\" }, { base = \"ground\" }]\nmove = [\"10*(k - 1)\", 0, 0]");
+    let outside = start(&outside.replace("a = \"ground\"", "a = \"base\""));
+    assert!((value(&outside, "rope_2.force") - 1010.0).abs() < 1e-9);
 }
