@@ -1,7 +1,8 @@
-//! Legal models that are hardly ever meant: parts that nothing holds, materials in other units than SI, stubby beams, angles in degrees, motions that
+//! Legal models that are hardly ever meant: parts that nothing holds, joints between places that do not meet, materials in other units than SI, stubby beams, angles in degrees, motions that
 //! begin with a blow, loads with a pole, steps almost as long as the motion or as an oscillation of what acts, forces that do not do what they should, copies in one place.
 
 mod angles;
+mod arms;
 mod fast_signals;
 mod forces;
 mod groups;
@@ -45,6 +46,7 @@ pub fn notes(document: &Document) -> Vec<String> {
     let lines = Lines::of(document);
     let kinds = [
         loose::loose_parts(document),
+        arms::silent_arms(document, &lines),
         materials::odd_materials(document),
         slenderness::stubby_beams(document, &lines),
         angles::odd_angles(document),

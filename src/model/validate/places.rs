@@ -6,10 +6,11 @@ use crate::math::{Mat3, Vec3};
 use crate::mechanics::geometry::triad::Triad;
 use crate::model::file::document::Document;
 use crate::model::file::entries::frame::Orientation;
+use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::{Along, Anchor, Spot};
 
 impl Lines {
-    /// Place of an anchor as drawn, of a frame that moves at t = 0, global, m; the ground itself has none.
+    /// Place of an anchor as drawn, global, m; the ground itself has none.
     pub fn place(&self, document: &Document, anchor: Anchor) -> Option<Vec3> {
         let Some(point) = anchor.point else { return self.place_of(document, anchor.spot) };
         let offset = vector(document, document.points.get(point)?.offset)?;
@@ -32,7 +33,7 @@ impl Lines {
                 Some(self.line(beam)?.place(self.fraction(document, beam, along)?.clamp(0.0, 1.0)))
             }
             Spot::Body(body) => Some(Vec3::from(document.vector(document.bodies.get(body)?.position))),
-            Spot::Frame(frame) => Some(Vec3::from(document.vector(document.frames.get(frame)?.position))),
+            Spot::Frame(frame) => Some(Vec3::from(drawn(document, document.frames.get(frame)?.position))),
         }
     }
 
@@ -52,10 +53,20 @@ impl Lines {
     }
 }
 
-/// The axes of a frame at t = 0; of one that a host turns, as it is drawn.
+/// Numbers of a frame as drawn: a preload begins before t = 0.
+fn drawn(document: &Document, numbers: [Number; 3]) -> [f64; 3] {
+    match document.simulation.preload {
+        Some(_) => numbers.map(|number| document.function(number).value(document.drawn_at(0.0))),
+        None => document.vector(numbers),
+    }
+}
+
+/// The axes of a frame as drawn.
 fn frame_axes(document: &Document, orientation: Orientation) -> Option<Mat3> {
     match orientation {
-        Orientation::Rotation(numbers) => vector(document, numbers).map(|turn| rotation_matrix(&turn)),
+        Orientation::Rotation(numbers) => {
+            vector(document, numbers).map(|_| rotation_matrix(&Vec3::from(drawn(document, numbers))))
+        }
         Orientation::Quaternion(numbers) => {
             let parts = numbers.map(|number| document.value(number));
             let length = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
