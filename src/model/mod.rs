@@ -15,7 +15,7 @@ pub mod verification;
 pub mod view;
 
 pub use file::{document, entries, quantity};
-pub use run::{effort, rows, simulation, step_length};
+pub use run::{effort, missed_damping, rows, simulation, step_length};
 pub use text::names;
 pub use validate::notes;
 pub use view::{drawing, modes};

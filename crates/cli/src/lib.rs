@@ -31,7 +31,7 @@ use ancf14::fmi::{Failure, Model};
 use ancf14::model::document::Document;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
-use ancf14::model::{builder, file, notes};
+use ancf14::model::{builder, file, missed_damping, notes};
 use ancf14_pack::libraries::Platform;
 use ancf14_report::draw::Projection;
 use ancf14_view::Film;
@@ -475,7 +475,8 @@ fn start(simulation: &mut Simulation) -> Result<(), Stop> {
     let notes = notes::notes(simulation.document());
     let start = simulation.about().start;
     let initialized = simulation.initialize(start);
-    for warning in notes.into_iter().chain(simulation.take_warnings()) {
+    let missed = initialized.as_ref().ok().and_then(|()| missed_damping::missed_ratio(simulation));
+    for warning in notes.into_iter().chain(missed).chain(simulation.take_warnings()) {
         complain(&format!("warning: {warning}"));
     }
     initialized.map_err(|failure| failed(simulation, &failure))

@@ -8,6 +8,7 @@ use ancf14::model::entries::simulation::Analysis;
 use ancf14::model::modes::{Kind, Mode, Modes};
 use ancf14::model::simulation::Simulation;
 use ancf14_report::modes::{digits, pace, word};
+use ancf14_report::numbers::significant;
 use ancf14_report::{modes, shapes};
 use ancf14_view::Film;
 use serde_json::{Value, json};
@@ -27,6 +28,8 @@ pub struct Wishes {
     view: bool,
 }
 
+/// Significant digits of a damping ratio, which is of first order.
+const RATIO_DIGITS: usize = 4;
 /// Modes that are found where no number is given.
 const COUNT: u16 = 10;
 /// The page in which the shapes swing.
@@ -110,6 +113,7 @@ fn document(found: &Modes) -> Value {
             "growth_rate": mode.growth_rate(),
             "eigenvalue": mode.eigenvalue,
             "modal_mass": mode.modal_mass,
+            "damping_ratio": mode.damping_ratio,
             "moves": mode.moves,
         })
     };
@@ -117,14 +121,16 @@ fn document(found: &Modes) -> Value {
 }
 
 fn table(found: &Modes) -> String {
-    let mut rows = vec![["mode", "frequency Hz", "rad/s", "moves most"].map(str::to_owned)];
+    let mut rows = vec![["mode", "frequency Hz", "rad/s", "damping ratio", "moves most"].map(str::to_owned)];
     for (number, mode) in found.modes.iter().enumerate() {
         let omega = mode.angular_frequency();
-        let [frequency, omega] = match mode.kind {
-            Kind::Vibration => [digits(omega / std::f64::consts::TAU), digits(omega)],
-            Kind::Free | Kind::Unstable => [pace(mode), String::new()],
+        let [frequency, omega, ratio] = match mode.kind {
+            Kind::Vibration => {
+                [digits(omega / std::f64::consts::TAU), digits(omega), significant(mode.damping_ratio, RATIO_DIGITS)]
+            }
+            Kind::Free | Kind::Unstable => [pace(mode), String::new(), String::new()],
         };
-        rows.push([(number + 1).to_string(), frequency, omega, mode.moves.clone()]);
+        rows.push([(number + 1).to_string(), frequency, omega, ratio, mode.moves.clone()]);
     }
     super::check::aligned(&rows).trim_end().to_owned()
 }

@@ -25,6 +25,8 @@ class Modes:
     """Squares of the angular frequencies, 1/s², shape ``(k,)``; negative for unstable modes."""
     modal_mass: Array
     """Modal masses, kg, or kg m² for modes that are largest at a rotation, shape ``(k,)``."""
+    damping_ratio: Array
+    """Damping ratios to first order, without dry friction, shape ``(k,)``; 0 for modes that do not vibrate."""
     kind: list[str]
     """``vibration``, ``free`` or ``unstable`` for each mode."""
     largest: list[str]
@@ -44,8 +46,8 @@ class Modes:
     @classmethod
     def _of(cls, found: tuple[Any, ...]) -> Modes:
         modes, places, positions, displacements, turns, _ = found
-        numbers = np.array([mode[2] for mode in modes], dtype=float).reshape(-1, 4)
-        omega, growth, eigenvalue, mass = (np.ascontiguousarray(column) for column in numbers.T)
+        numbers = np.array([mode[2] for mode in modes], dtype=float).reshape(-1, 5)
+        omega, growth, eigenvalue, mass, ratio = (np.ascontiguousarray(column) for column in numbers.T)
         shape = (len(modes), len(places), 3)
         return cls(
             frequency=omega / (2 * np.pi),
@@ -53,6 +55,7 @@ class Modes:
             growth_rate=growth,
             eigenvalue=eigenvalue,
             modal_mass=mass,
+            damping_ratio=ratio,
             kind=[mode[0] for mode in modes],
             largest=[mode[1] for mode in modes],
             places=places,

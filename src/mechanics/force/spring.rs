@@ -225,14 +225,21 @@ impl Spring {
         c: &Configuration,
         velocity: &[f64],
     ) -> [MarkerMatrix; 4] {
-        let here = coordinate.gradient(c);
-        let mut blocks = [MarkerMatrix::zeros(); 4];
         let damping = match &self.law {
             Some(law) => self.law_force(law, coordinate, c, &Passage::with_velocity(velocity)).by_v,
             None => self.damping,
         };
-        add_products(&here, &here, damping, &mut blocks);
-        blocks
+        damping_blocks(coordinate, c, damping)
+    }
+
+    /// [`Self::damping_matrix`] at rest. Of friction the viscous part alone: what dry friction takes is not in proportion to a velocity.
+    pub fn damping_at_rest(&self, coordinate: &RelativeCoordinate, c: &Configuration) -> [MarkerMatrix; 4] {
+        let damping = match &self.law {
+            Some(law @ Law::Friction { .. }) => law.viscosity(),
+            Some(law) => self.law_force(law, coordinate, c, &Passage::Rest).by_v,
+            None => self.damping,
+        };
+        damping_blocks(coordinate, c, damping)
     }
 
     /// Power that its damper takes with the velocities `velocity`, W.
@@ -300,6 +307,14 @@ impl Spring {
 /// How far from the middle of a step of `duration` s towards its end the rate of a damper is taken that takes motion at `decay_rate`, 1/s.
 fn lateness(decay_rate: f64, duration: f64) -> f64 {
     1.0 - 2.0 / (decay_rate * duration).max(2.0)
+}
+
+/// The damping matrix of a damper of strength `damping`.
+fn damping_blocks(coordinate: &RelativeCoordinate, c: &Configuration, damping: f64) -> [MarkerMatrix; 4] {
+    let here = coordinate.gradient(c);
+    let mut blocks = [MarkerMatrix::zeros(); 4];
+    add_products(&here, &here, damping, &mut blocks);
+    blocks
 }
 
 /// Adds the part of [`Spring::hessian`] by which the force of a law changes.

@@ -3,8 +3,11 @@
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
 use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::force::spring::Spring;
+use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::system::System;
 use crate::mechanics::system::tangent_layout::TangentLayout;
 
@@ -116,13 +119,42 @@ impl System {
         tangent: &mut Blocks,
     ) {
         self.add_effort_damping(c, velocity, excitation, factor, tangent);
+        self.add_spring_and_mass_damping(c, factor, tangent, |spring, coordinate| {
+            spring.damping_matrix(coordinate, c, velocity)
+        });
+    }
+
+    /// Sets the first blocks of `tangent` to the derivative of all forces with respect to the velocities at rest, under `excitation`, without dry friction.
+    pub fn set_damping_at_rest(&self, c: &Configuration, excitation: &Excitation, tangent: &mut Blocks) {
+        let rest = vec![0.0; self.coordinates()];
+        self.set_material_damping_at_rest(c, tangent);
+        self.add_effort_damping(c, &rest, excitation, 1.0, tangent);
+        self.add_spring_and_mass_damping(c, 1.0, tangent, |spring, coordinate| spring.damping_at_rest(coordinate, c));
+    }
+
+    /// [`Self::set_damping_at_rest`] of the beams' material alone.
+    pub fn set_material_damping_at_rest(&self, c: &Configuration, tangent: &mut Blocks) {
+        let rest = vec![0.0; self.coordinates()];
+        let mut forces = rest.clone();
+        tangent.clear();
+        self.add_material_damping_and_tangent(c, &rest, [0.0, 1.0], &mut forces, tangent);
+    }
+
+    /// Adds `factor` times the damping matrices of the masses of beams, and of springs as `of_spring` gives them.
+    fn add_spring_and_mass_damping(
+        &self,
+        c: &Configuration,
+        factor: f64,
+        tangent: &mut Blocks,
+        of_spring: impl Fn(&Spring, &RelativeCoordinate) -> [MarkerMatrix; 4],
+    ) {
         let layout = TangentLayout::of(self);
         for (number, element, rate) in self.dragged_elements() {
             element.add_mass(factor * rate * element.extent(c.beams.drives), tangent.block_mut(layout.element(number)));
         }
         for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.is_damped()) {
             let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
-            let parts = spring.damping_matrix(&self.relative_coordinates[spring.coordinate], c, velocity);
+            let parts = of_spring(spring, &self.relative_coordinates[spring.coordinate]);
             for (pair, (block, part)) in layout.spring(number).zip(&parts).enumerate() {
                 add_corner(tangent.block_mut(block), counts[pair / 2], part, factor);
             }

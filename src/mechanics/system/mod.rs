@@ -39,6 +39,7 @@ use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::force::actuator::Actuator;
+use crate::mechanics::force::law::Law;
 use crate::mechanics::force::load::{Direction, Load};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
@@ -214,6 +215,12 @@ impl System {
     /// Whether a spring or a material has damping.
     pub fn is_damped(&self) -> bool {
         self.springs.iter().any(Spring::is_damped) || self.has_material_damping() || self.has_mass_damping()
+    }
+
+    /// Whether there is dry friction.
+    pub fn has_dry_friction(&self) -> bool {
+        let laws = self.springs.iter().filter_map(|spring| spring.law.as_ref());
+        laws.into_iter().any(|law| matches!(law, Law::Friction { coulomb, .. } if *coulomb != 0.0))
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

@@ -5,6 +5,7 @@ pub mod correction;
 pub mod effort;
 pub mod finer;
 pub mod levels;
+pub mod missed_damping;
 pub mod neighbor;
 pub mod rows;
 pub(super) mod scale;

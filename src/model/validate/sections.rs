@@ -35,7 +35,8 @@ pub fn material(document: &Document, beam: &BeamSpec) -> Option<Material> {
     Some(Material { young, shear, density: value(written.density), damping })
 }
 
-fn written_damping(document: &Document, beam: &BeamSpec) -> Option<Damping> {
+/// The damping that the file gives a beam.
+pub fn written_damping(document: &Document, beam: &BeamSpec) -> Option<Damping> {
     match document.sections.get(beam.section)?.shape {
         Shape::Rigidities(Rigidities { damping, .. }) => Some(damping),
         _ => Some(document.materials.get(beam.material?)?.damping),

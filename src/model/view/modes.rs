@@ -8,6 +8,7 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::run::simulation::{Simulation, failure};
 use crate::solve::modes;
+use crate::solve::modes::damping::damping_ratios;
 
 pub use modes::Kind;
 
@@ -15,6 +16,8 @@ pub use modes::Kind;
 const BALANCED: f64 = 1e-6;
 /// Skew part of the stiffness, as a share, from which on it is worth a warning.
 const SYMMETRIC: f64 = 1e-8;
+/// Damping ratio up to which the frequency with damping, `√(1 − ζ²)` times the one without, is the same to 2 %.
+const LIGHT: f64 = 0.2;
 /// Points of a line in each element.
 const POINTS: usize = 8;
 
@@ -45,6 +48,8 @@ pub struct Mode {
     pub eigenvalue: f64,
     /// `xᵀ M x` of the shape: the mass that swings, kg, or kg m² if it mostly turns.
     pub modal_mass: f64,
+    /// Its damping ratio to first order, without dry friction; 0 of what does not swing.
+    pub damping_ratio: f64,
     /// What it moves most, in words.
     pub moves: String,
     /// The coordinates of the system, as they change.
@@ -105,7 +110,8 @@ impl Simulation {
             .iter()
             .map(|body| Place { name: body.name.clone(), position: system.global(vec3(&state.q, body.start)).into() });
         places.extend(bodies);
-        let modes = found.modes.iter().map(|mode| {
+        let ratios = damping_ratios(system, state, &found.modes);
+        let modes = found.modes.iter().zip(&ratios).map(|(mode, ratio)| {
             let extreme = system.most_moved(&configuration, &mode.shape);
             // So that what moves most moves by one.
             let shape: Vec<f64> = mode.shape.iter().map(|value| value / extreme.amount).collect();
@@ -114,6 +120,7 @@ impl Simulation {
                 kind: mode.kind,
                 eigenvalue: mode.eigenvalue,
                 modal_mass: extreme.amount.powi(-2),
+                damping_ratio: *ratio,
                 moves: extreme.what,
                 motions: motions
                     .map(|motion| Motion { displacement: motion.displacement.into(), turn: motion.turn.into() })
@@ -129,7 +136,7 @@ impl Simulation {
             nodes,
             lines: drawn_lines(system, &state.q),
             freedoms: found.freedoms,
-            warnings: warnings(system, &found, moving),
+            warnings: warnings(system, &found, &ratios, moving),
         })
     }
 }
@@ -141,7 +148,7 @@ const MOST_OF_MANY: f64 = 0.65;
 const FEW: usize = 6;
 
 /// What the user should know of the modes found.
-fn warnings(system: &System, found: &modes::Modes, moving: bool) -> Vec<String> {
+fn warnings(system: &System, found: &modes::Modes, ratios: &[f64], moving: bool) -> Vec<String> {
     let mut warnings = Vec::new();
     if found.imbalance.is_nan() || found.imbalance > BALANCED {
         warnings.push(String::from(
@@ -161,8 +168,18 @@ fn warnings(system: &System, found: &modes::Modes, moving: bool) -> Vec<String> 
     if moving {
         warnings.push(String::from("velocities are left out: the modes are those of the mechanism at rest"));
     }
-    if system.is_damped() {
-        warnings.push(String::from("damping is left out: the modes are those of the undamped mechanism"));
+    if let Some(number) = ratios.iter().position(|ratio| ratio.abs() > LIGHT) {
+        warnings.push(format!(
+            "mode {} has a damping ratio of {:.2}: frequencies and shapes are those without damping, and ratios are of first order, which is rough for ratios \
+             beyond {LIGHT}; a run in time shows the damped motion",
+            number + 1,
+            ratios[number]
+        ));
+    }
+    if system.has_dry_friction() {
+        warnings.push(String::from(
+            "dry friction is left out of the damping ratios: what it takes depends on the amplitude",
+        ));
     }
     warnings
 }

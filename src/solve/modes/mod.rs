@@ -1,9 +1,10 @@
 //! Natural modes: `K x = ω² M x` on the motions that the constraints allow, `G x = 0`, about a state at rest.
 //!
 //! `K` holds the stiffness of sections, springs and loads and the curvature of the constraints under their forces. Drives and moving
-//! frames stand where they are; damping and velocities are left out. The block of subspace.rs is taken through `K + μ M`, `μ > 0`
+//! frames stand where they are; damping (see damping.rs) and velocities are left out. The block of subspace.rs is taken through `K + μ M`, `μ > 0`
 //! beyond the most unstable motion: systems that can move freely have a singular `K`, unstable ones an indefinite one.
 
+pub mod damping;
 pub mod subspace;
 
 use self::subspace::{Subspace, combination, dot};

@@ -11,6 +11,7 @@ pub mod energy_account;
 pub mod generalized_alpha;
 pub mod generalized_alpha_steps;
 pub mod midpoint_steps;
+mod mode_damping;
 pub mod modes;
 pub mod released_motions;
 pub mod rigid_rotation;

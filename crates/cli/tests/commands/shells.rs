@@ -106,9 +106,14 @@ fn modes_are_listed_for_programs() {
     for (row, mode) in table.lines().skip(1).zip(modes) {
         let cells: Vec<&str> = row.split(',').collect();
         assert_eq!(cells[1], mode["kind"].as_str().unwrap());
-        for (cell, key) in
-            cells[2..7].iter().zip(["frequency", "angular_frequency", "growth_rate", "eigenvalue", "modal_mass"])
-        {
+        for (cell, key) in cells[2..8].iter().zip([
+            "frequency",
+            "angular_frequency",
+            "growth_rate",
+            "eigenvalue",
+            "modal_mass",
+            "damping_ratio",
+        ]) {
             assert_eq!(cell.parse::<f64>().unwrap(), mode[key].as_f64().unwrap(), "{key}");
         }
     }
