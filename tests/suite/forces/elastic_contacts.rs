@@ -18,8 +18,9 @@ fn block(parts: &str, stop: f64) -> String {
 const BUFFER: &str = "[stop.buffer]\njoint = \"rail\"\ncoordinate = \"distance\"\nupper = 0.2\nstiffness = 1e6\n";
 const BUFFERS: &str =
     "[stop.buffer]\njoint = \"rail\"\ncoordinate = \"distance\"\nlower = -0.2\nupper = 0.2\nstiffness = 1e6\n";
-const ROPES: &str = "[spring.rope]\njoint = \"rail\"\ncoordinate = \"distance\"\nstiffness = 1e5\nrest = 0.1\nonly = \"tension\"\n\
-     [spring.bumper]\njoint = \"rail\"\ncoordinate = \"distance\"\nstiffness = 1e5\nrest = -0.1\nonly = \"compression\"\n";
+const ROPES: &str = "[frame.hook]\nposition = [-1, 0, 0]\n\
+     [spring.rope]\na = \"hook\"\nb = \"block\"\nstiffness = 1e5\nlength = 1.1\nonly = \"tension\"\n\
+     [spring.bumper]\na = \"hook\"\nb = \"block\"\nstiffness = 1e5\nlength = 0.9\nonly = \"compression\"\n";
 
 /// The block leaves the stop as fast as it came, with steps that the solver chooses and with steps of the length of the whole contact. Round-off of 500 steps.
 #[test]
