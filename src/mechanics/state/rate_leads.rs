@@ -15,7 +15,7 @@ const WEIGHTS: [f64; ORDER + 1] = [0.125, -0.375, 0.375, -0.125];
 /// By how much the rates of strains that velocities make have led those over the step before, at the starts of the last steps.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RateLeads {
-    /// The newest first, each in the order of [`super::State::strain_rates`]; empty before the first step of a motion and behind a jump.
+    /// The newest first, each in the order of [`super::State::strain_rates`]; empty before the first step of a motion and behind a switch.
     pub leads: [Vec<f64>; ORDER],
 }
 

@@ -167,7 +167,6 @@ impl Integrator for Midpoint {
                 }
                 next.time_error.known = 0;
                 next.viscous.jump();
-                next.rate_leads.clear();
                 if let Some(pacing) = self.pacing {
                     pacing.jump(&mut next);
                 }
