@@ -95,11 +95,6 @@ impl Law {
         }
     }
 
-    /// Whether its stiffness sets in at a contact: of ropes, bumpers and stops.
-    pub fn has_contact(&self) -> bool {
-        matches!(self, Self::OneSided { .. } | Self::Stop { .. })
-    }
-
     /// Its force at an instant.
     pub fn at(&self, x: f64, v: f64) -> LawForce {
         match self {

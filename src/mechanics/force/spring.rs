@@ -11,9 +11,6 @@ use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 
-/// Change of a law's stiffness over a step, as a share of it, up to which numerical dissipation works with it.
-const STEADY: f64 = 0.1;
-
 /// A spring with a damper.
 #[derive(Clone, Debug)]
 pub struct Spring {
@@ -94,12 +91,7 @@ impl Spring {
                     force.viscous += viscous * taken(late);
                     force.by_v += viscous * (1.0 + late);
                 }
-                let number = c.mesh.relative_rate_index(self.coordinate);
-                let stiffness = dissipated_stiffness(law, start, start - step.duration * step.strain_rates[number]);
-                if stiffness > 0.0 {
-                    force.elastic += stiffness * step.duration * step.unpredicted(rate, number);
-                    force.by_x += stiffness * step.dissipation.sum();
-                }
+                // No numerical dissipation: it holds energy in proportion to the stiffness, which would come from nothing where a law stiffens, as at a contact.
                 force
             }
         }
@@ -304,18 +296,6 @@ impl Spring {
     pub fn is_damped(&self) -> bool {
         self.law.as_ref().map_or(self.damping != 0.0, Law::is_damped)
     }
-}
-
-/// The stiffness of `law` that numerical dissipation works with over a step from the elongation `start`, where the step before began at about `before`. The end of the step does not change it.
-///
-/// The dissipation holds energy of the rate over the last step, in proportion to the stiffness. Where that appears or vanishes, as at a contact, such energy comes from nothing: there is no dissipation then.
-fn dissipated_stiffness(law: &Law, start: f64, before: f64) -> f64 {
-    if law.has_contact() {
-        return 0.0;
-    }
-    let [now, then] = [start, before].map(|x| law.at(x, 0.0).by_x);
-    let is_steady = (now - then).abs() <= STEADY * now;
-    if is_steady && now.is_finite() { now } else { 0.0 }
 }
 
 /// How far from the middle of a step of `duration` s towards its end the rate of a damper is taken that takes motion at `decay_rate`, 1/s.
