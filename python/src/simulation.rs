@@ -3,6 +3,7 @@
 use crate::models::{self, FoundModes};
 use crate::refusal::{located, refusal};
 use crate::run::{self, Outcome};
+use ancf14::error::decimal;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
@@ -57,13 +58,13 @@ impl Simulation {
         Ok(simulation.variables().map(row).collect())
     }
 
-    /// The times of the rows of a whole run, s.
+    /// The times of the rows of a whole run, s, as the rows have them: functions of inputs are called with these.
     fn times(&self) -> PyResult<Vec<f64>> {
         let simulation = self.get()?;
         let about = simulation.model().about();
         let rows = simulation.stop_time() / simulation.output_step();
         let last = rows::last(about).ok_or(Error::TooManyRows { rows }).map_err(|error| refusal(&error))?;
-        Ok((0..=last).map(|row| rows::time(about, row, last)).collect())
+        Ok((0..=last).map(|row| decimal(rows::time(about, row, last))).collect())
     }
 
     fn value(&self, name: &str) -> PyResult<f64> {
