@@ -108,7 +108,10 @@ impl BeamDesign {
                 principal,
                 eccentricity: section.odd_moments().map(|(first, third)| Eccentricity {
                     first: first.map(|moment| material.young * moment),
-                    third: third.map(|moment| material.young * moment),
+                    third: match strain {
+                        Strain::Small => [0.0; 4],
+                        _ => third.map(|moment| material.young * moment),
+                    },
                 }),
             }
         }))

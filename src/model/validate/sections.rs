@@ -169,12 +169,12 @@ pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Optio
         let help = "take element = \"ancf14\", or a section of a shape with constant dimensions";
         return Some(document.diagnostic(beam.place, &message, cause, help));
     }
-    if let Elements::Ancf14 { strain: Strain::Small | Strain::LargeTruncated, .. } = beam.formulation
+    if let Elements::Ancf14 { strain: Strain::LargeTruncated, .. } = beam.formulation
         && let Shape::Rigidities(Rigidities { tension_center: Some([number, _]), .. }) = written.shape
     {
         let message = format!("beam {} has a section whose tension center is off its axis", beam.name);
-        let label = "it couples bending with the axial strain, which only the full strain of fibers has";
-        let help = "take strain = \"large\", the default, for the beam";
+        let label = "it couples bending with the axial strain, which the truncated strain has no terms for";
+        let help = "take strain = \"small\", the default of rigidities, or \"large\" for the beam";
         return Some(document.diagnostic(document.place(number), &message, label, help));
     }
     let damping = written_damping(document, beam)?;

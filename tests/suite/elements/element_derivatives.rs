@@ -69,7 +69,7 @@ pub fn straight(length: f64, stiffness: Stiffness) -> Element {
     Element::new(Place::default(), length, stiffness, [1.0, 0.1], &q, [&frames[0], &frames[1]], 0.0)
 }
 
-/// An element whose undeformed shape is bent and twisted at random, and whose section varies, principal axes and, with large strain, tension center included.
+/// An element whose undeformed shape is bent and twisted at random, and whose section varies, principal axes and, but with the truncated strain, tension center included.
 pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element {
     let (q, triads, previous) = random_element_state(random, length, 0.3, 0.5);
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];
@@ -85,10 +85,12 @@ pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element
             fourth: stiffness.fourth.map(|moment| share * moment),
             ..stiffness
         };
-        let eccentricity = (stiffness.strain == Strain::Large).then_some(Eccentricity {
-            first: [1.5 * share, -2.0 * share],
-            third: [0.05, -0.03, 0.04 * share, 0.02].map(|moment| share * moment),
-        });
+        let third = match stiffness.strain {
+            Strain::Large => [0.05, -0.03, 0.04 * share, 0.02].map(|moment| share * moment),
+            Strain::Small | Strain::LargeTruncated => [0.0; 4],
+        };
+        let first = [1.5 * share, -2.0 * share];
+        let eccentricity = (stiffness.strain != Strain::LargeTruncated).then_some(Eccentricity { first, third });
         SectionAt { stiffness, densities: [1.0, 0.1], turn: 0.3 - 0.5 * xi, principal: 0.2 - 0.3 * xi, eccentricity }
     });
     Element::new(Place::default(), length, stiffness, [1.0, 0.1], q.as_slice(), frames, previous).with_sections(

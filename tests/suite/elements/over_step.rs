@@ -137,7 +137,7 @@ fn force_by_definition() {
     let dissipation = Dissipation { by_last_step: 0.03, by_start: 0.02 };
     for _ in 0..20 {
         let own = Stiffness { axial: 0.0, damping: 0.05, ..stiffness(Strain::Small) };
-        let element = curved(&mut random, 0.7, own);
+        let element = Element { eccentricities: None, ..curved(&mut random, 0.7, own) };
         let case = Case::new(&mut random, element);
         let end = case.start + Coordinates::from_fn(|_, _| 0.1 * random.signed());
         let strains = |q: SVector<DualSVec64<14>, 14>| {

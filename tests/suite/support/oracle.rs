@@ -165,7 +165,11 @@ pub fn energy<D: Scalar>(element: &Element, q: &[D], bubble: D, triads: &[Triad;
             let with_torsion = g1 * yyy + g1 * yzz + g2 * yyz + g2 * zzz;
             let cube =
                 g1 * g1 * g1 * yyy + g1 * g1 * g2 * (3.0 * yyz) + g1 * g2 * g2 * (3.0 * yzz) + g2 * g2 * g2 * zzz;
-            let odd = e * (e * 2.0 + 1.0).sqrt() * (g1 * s1 + g2 * s2) + square(tau) * with_torsion * 0.5 + cube * 0.5;
+            let stretch = match k.strain {
+                Strain::Small => D::from(1.0),
+                _ => (e * 2.0 + 1.0).sqrt(),
+            };
+            let odd = e * stretch * (g1 * s1 + g2 * s2) + square(tau) * with_torsion * 0.5 + cube * 0.5;
             total -= odd * point.weight;
         }
     }

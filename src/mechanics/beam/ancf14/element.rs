@@ -204,8 +204,8 @@ pub struct Evaluation<'a> {
     /// Curvatures and twist rates of the carried frame.
     pub kinematics: Kinematics<'a>,
     pub(super) slopes: [axial::Slope; 3],
-    /// Green strains of the axial points; 0 for small strain.
-    pub(super) green: [f64; 3],
+    /// Axial strains of the axial points that bending points see: Green's; engineering ones of a tension center off the axis, else 0, for small strain.
+    pub(super) seen: [f64; 3],
     pub(super) mean_torsion: [f64; 3],
     /// Internal coordinate `b` of the quadratic twist, rad; 0 for linear twist.
     pub bubble: f64,
@@ -271,9 +271,10 @@ impl<'a> Evaluation<'a> {
         };
         let torsion = |point: &AxialPoint| kinematics.twist * point.torsion_by_twist - point.reference_torsion;
         let slopes = [slope(0, first), slope(1, middle), slope(2, last)];
-        let green = match element.stiffness.strain {
+        let seen = match (element.stiffness.strain, &element.eccentricities) {
             // Nothing depends on them.
-            Strain::Small => [0.0; 3],
+            (Strain::Small, None) => [0.0; 3],
+            (Strain::Small, Some(_)) => slopes.each_ref().map(axial::Slope::engineering_strain),
             _ => [slopes[0].green_strain(), slopes[1].green_strain(), slopes[2].green_strain()],
         };
         let mean_torsion = [torsion(first), torsion(middle), torsion(last)];
@@ -281,7 +282,7 @@ impl<'a> Evaluation<'a> {
         let turn = [turned(0), turned(1), turned(2)];
         let strained = |g: usize| {
             let of_kinematics = (kinematics.points[g].curvatures, kinematics.twist);
-            element.bending[g].strains(of_kinematics, 0.0, turn[g], natural.curvature[g], &green)
+            element.bending[g].strains(of_kinematics, 0.0, turn[g], natural.curvature[g], &seen)
         };
         let [(gamma0, strains0), (gamma1, strains1), (gamma2, strains2)] = [strained(0), strained(1), strained(2)];
         // All of it at once, where the caller has room for it: it is large, and nothing of it is copied.
@@ -289,7 +290,7 @@ impl<'a> Evaluation<'a> {
             element,
             kinematics,
             slopes,
-            green,
+            seen,
             mean_torsion,
             bubble: 0.0,
             turn,
@@ -324,10 +325,10 @@ impl<'a> Evaluation<'a> {
     /// Strains of the bending points, as `bubble` and `turn` are.
     #[inline]
     fn set_strains(&mut self) {
-        let Self { kinematics, natural, green, bubble, .. } = self;
+        let Self { kinematics, natural, seen, bubble, .. } = self;
         for (g, point) in self.element.bending.iter().enumerate() {
             let of_kinematics = (kinematics.points[g].curvatures, kinematics.twist);
-            let found = point.strains(of_kinematics, *bubble, self.turn[g], natural.curvature[g], green);
+            let found = point.strains(of_kinematics, *bubble, self.turn[g], natural.curvature[g], seen);
             (self.gammahat[g], self.strains[g]) = found;
         }
     }
@@ -343,13 +344,14 @@ impl<'a> Evaluation<'a> {
                     + if stiffness.strain == Strain::Large { fourth_moments::energy(stiffness, strains) } else { 0.0 });
         }
         for (g, own) in self.element.eccentricities.iter().flat_map(|all| all.iter().enumerate()) {
-            sum += self.element.bending[g].weight * eccentricity::energy(own, &self.strains[g]);
+            sum += self.element.bending[g].weight
+                * eccentricity::energy(self.element.stiffness.strain, own, &self.strains[g]);
         }
         for (m, point) in self.element.axial.iter().enumerate() {
             sum += point.weight
                 * match self.element.stiffness.strain {
                     Strain::Small => axial::small::energy(&point.stiffness, &self.slopes[m]),
-                    _ => axial::large::energy(&point.stiffness, self.green[m], self.mean_torsion[m]),
+                    _ => axial::large::energy(&point.stiffness, self.seen[m], self.mean_torsion[m]),
                 };
         }
         sum
@@ -377,7 +379,7 @@ impl<'a> Evaluation<'a> {
         let gradients = Gradients::new(element, &self.kinematics);
         let torque_by_twist = stretching::torque_by_twist(self);
         let couplings = Couplings::new(self, &first.resultants, &rigidities, torque_by_twist);
-        // At fixed Green strains of the axial points.
+        // At fixed strains of the axial points.
         let factors = first.forces.factors(element);
         let by_shape = gradients.weighted(&factors, element);
         let mut second = [[0.0; COROTATED]; COROTATED];
@@ -392,10 +394,10 @@ impl<'a> Evaluation<'a> {
         if let Some(turn) = &self.turn_from_end {
             turn.apply(hessian);
         }
-        match element.stiffness.strain {
-            Strain::Small => stretching::add_small_hessian(self, scale, hessian),
+        match (element.stiffness.strain, &element.eccentricities) {
+            (Strain::Small, None) => stretching::add_small_hessian(self, scale, hessian),
             _ => {
-                let first = stretching::Large {
+                let first = stretching::Coupled {
                     evaluation: self,
                     resultants: &first.resultants,
                     rigidities: &rigidities,
@@ -418,7 +420,7 @@ impl<'a> Evaluation<'a> {
             density += fourth_moments::gradient(stiffness, strains);
         }
         if let Some(all) = &self.element.eccentricities {
-            density += eccentricity::gradient(&all[g], strains);
+            density += eccentricity::gradient(stiffness.strain, &all[g], strains);
         }
         density * self.element.bending[g].weight + self.added.bending[g]
     }
@@ -433,7 +435,7 @@ impl<'a> Evaluation<'a> {
             density = density + fourth_moments::hessian(stiffness, strains);
         }
         if let Some(all) = &self.element.eccentricities {
-            density = density + eccentricity::hessian(&all[g], strains, self.added.stiffening);
+            density = density + eccentricity::hessian(stiffness.strain, &all[g], strains, self.added.stiffening);
         }
         density * self.element.bending[g].weight
     }
@@ -445,7 +447,7 @@ impl<'a> Evaluation<'a> {
         if element.stiffness.strain != Strain::Small {
             for (m, point) in element.axial.iter().enumerate() {
                 torques[m] =
-                    point.weight * axial::large::gradient(&point.stiffness, self.green[m], self.mean_torsion[m])[1];
+                    point.weight * axial::large::gradient(&point.stiffness, self.seen[m], self.mean_torsion[m])[1];
             }
         }
         FirstOrder { resultants, forces: Forces::new(self, &resultants, &torques) }
@@ -464,21 +466,25 @@ impl<'a> Evaluation<'a> {
     /// Derivative of the energy by `r'` at axial point `m`, N m.
     #[inline]
     fn axial_force(&self, m: usize, resultants: &[Resultants; 3]) -> Vec3 {
-        match self.element.stiffness.strain {
-            Strain::Small => self.slopes[m].engineering_strain_mean_p() * self.engineering_force(m),
-            _ => self.slopes[m].green_strain_p() * self.green_force(m, resultants),
+        self.slopes[m].strain_mean_p(self.element.stiffness.strain) * self.strain_force(m, resultants)
+    }
+
+    /// `F_m`, N m: derivative of the energy by the strain of axial point `m`.
+    #[inline]
+    pub(super) fn strain_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
+        let (element, point) = (self.element, &self.element.axial[m]);
+        let bending = || (0..3).map(|g| element.bending[g].from_axial[m] * resultants[g][3]).sum::<f64>();
+        match (element.stiffness.strain, &element.eccentricities) {
+            (Strain::Small, None) => self.engineering_force(m),
+            (Strain::Small, Some(_)) => self.engineering_force(m) + bending(),
+            _ => {
+                let here = axial::large::gradient(&point.stiffness, self.seen[m], self.mean_torsion[m])[0];
+                point.weight * here + bending() + self.added.axial[m]
+            }
         }
     }
 
-    /// `F_m`, N m: derivative of the large-strain energy by the Green strain of axial point `m`.
-    pub(super) fn green_force(&self, m: usize, resultants: &[Resultants; 3]) -> f64 {
-        let (element, point) = (self.element, &self.element.axial[m]);
-        let here = axial::large::gradient(&point.stiffness, self.green[m], self.mean_torsion[m])[0];
-        let bending: f64 = (0..3).map(|g| element.bending[g].from_axial[m] * resultants[g][3]).sum();
-        point.weight * here + bending + self.added.axial[m]
-    }
-
-    /// `EA eps W`, N m: derivative of the small-strain energy by the strain of axial point `m`.
+    /// `EA eps W`, N m: what the axial points give to the derivative of the small-strain energy by the strain of axial point `m`.
     #[inline]
     pub(super) fn engineering_force(&self, m: usize) -> f64 {
         let point = &self.element.axial[m];

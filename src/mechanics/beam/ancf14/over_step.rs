@@ -10,7 +10,7 @@ use super::element::{Element, Evaluation};
 use super::energy::quadratic_twist::{self, Twist};
 use super::frame::NodeFrame;
 use super::natural::{Natural, curvature_about};
-use super::strain::{Resultants, Strain};
+use super::strain::Resultants;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::configuration::{BeamConfiguration, TimeStep};
 
@@ -318,10 +318,7 @@ impl Element {
         let resultants = [0, 1, 2].map(|g| middle.resultants(g));
         let mut work = 0.0;
         for (g, point) in self.bending.iter().enumerate() {
-            let axial = match self.stiffness.strain {
-                Strain::Small => middle.engineering_force(g),
-                Strain::Large | Strain::LargeTruncated => middle.green_force(g, &resultants),
-            };
+            let axial = middle.strain_force(g, &resultants);
             let [[a1, a2], [b1, b2]] =
                 [&after, &before].map(|natural| curvature_about(natural.curvature[g], point.principal - point.turn));
             work -= axial * (after.axial[g] - before.axial[g])
@@ -349,7 +346,7 @@ impl Evaluation<'_> {
             self.added.rates[i] = (end.strains[i] - start.strains[i]) * per_duration;
         }
         for g in 0..3 {
-            // Green's strain, the last one, is the mean of both ends' already.
+            // The axial strain, the last one, is the mean of both ends' already.
             for i in 0..3 {
                 self.strains[g][i] = (start.strains[3 + 3 * g + i] + end.strains[3 + 3 * g + i]) * 0.5;
             }

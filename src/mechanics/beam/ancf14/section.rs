@@ -65,8 +65,9 @@ pub fn forces_at(element: &Element, xi: f64, strains: &SectionStrains) -> Sectio
     let SectionForces { mut axial, moment: [mut torque, mut about_y, mut about_z] } =
         forces(&here.stiffness, &along_axes);
     if let Some(moments) = &here.eccentricity {
-        let by_strain = eccentricity::gradient(moments, &strains_of_energy(&here.stiffness, &along_axes));
-        axial += by_strain[3] * (1.0 + strains.axial);
+        let by_strain =
+            eccentricity::gradient(here.stiffness.strain, moments, &strains_of_energy(&here.stiffness, &along_axes));
+        axial += by_strain[3] * stretch(&here.stiffness, strains);
         torque += by_strain[2];
         about_y -= by_strain[1];
         about_z += by_strain[0];
@@ -97,14 +98,17 @@ pub fn forces(stiffness: &Stiffness, strains: &SectionStrains) -> SectionForces 
             axial::large::gradient(&stretching, of_energy[3], strains.torsion).into()
         }
     };
-    // By the elongation: Green's strain grows by |r'| with it.
-    let stretch = match stiffness.strain {
+    SectionForces {
+        axial: (by_axial + by_strain[3]) * stretch(stiffness, strains),
+        moment: [by_torsion + by_strain[2], -by_strain[1], by_strain[0]],
+    }
+}
+
+/// The derivative of the axial strain of the energy by the elongation, 1: Green's strain grows by `|r'|` with it.
+fn stretch(stiffness: &Stiffness, strains: &SectionStrains) -> f64 {
+    match stiffness.strain {
         Strain::Small => 1.0,
         Strain::Large | Strain::LargeTruncated => 1.0 + strains.axial,
-    };
-    SectionForces {
-        axial: (by_axial + by_strain[3]) * stretch,
-        moment: [by_torsion + by_strain[2], -by_strain[1], by_strain[0]],
     }
 }
 

@@ -71,7 +71,7 @@ impl Evaluation<'_> {
     pub fn axial_strain(&self, m: usize) -> f64 {
         match self.element.stiffness.strain {
             Strain::Small => self.slopes[m].engineering_strain(),
-            _ => self.green[m],
+            _ => self.seen[m],
         }
     }
 
@@ -80,7 +80,7 @@ impl Evaluation<'_> {
         for (m, strain) in strains.into_iter().enumerate() {
             match self.element.stiffness.strain {
                 Strain::Small => self.slopes[m].natural += strain,
-                Strain::Large | Strain::LargeTruncated => self.green[m] -= strain,
+                Strain::Large | Strain::LargeTruncated => self.seen[m] -= strain,
             }
         }
     }

@@ -5,7 +5,8 @@ use nalgebra::SVector;
 use std::ops::{Add, Mul};
 
 /// Strains at a bending point: `[g1, g2, tau, e]` = curvature about z and (negative) about y (1/m), torsion (rad/m),
-/// axial Green strain of the axial points carried to the bending point (1).
+/// axial strain of the axial points carried to the bending point (1): Green's, for small strain the engineering
+/// one where a tension center off the axis couples it with bending, else 0.
 pub type Strains = SVector<f64, 4>;
 /// Derivatives of a density by [`Strains`]: stress resultants.
 pub type Resultants = SVector<f64, 4>;
@@ -69,7 +70,7 @@ impl Mul<f64> for Rigidities {
 /// Which terms of the strain energy are kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Strain {
-    /// `eps = |r'| − 1`, no coupling (MECHANICS 3.1).
+    /// `eps = |r'| − 1`, linear in the strains (MECHANICS 3.1).
     Small,
     /// Full Green-Lagrange strain, fourth moments included (3.2b).
     Large,
@@ -82,7 +83,7 @@ pub enum Strain {
 pub struct Eccentricity {
     /// `E ∫ (y, z) dA`, N m.
     pub first: [f64; 2],
-    /// `E [∫y³, ∫y²z, ∫yz², ∫z³] dA`, N m³.
+    /// `E [∫y³, ∫y²z, ∫yz², ∫z³] dA`, N m³; 0 for small strain.
     pub third: [f64; 4],
 }
 

@@ -73,9 +73,9 @@ enum Word {
     Ancf24,
 }
 
-/// Reads how the elements of a beam are formulated. Keys of the other formulation are mistakes; those of the file go with its `element`,
+/// Reads how the elements of a beam are formulated, with the strain `strain` unless another one is written. Keys of the other formulation are mistakes; those of the file go with its `element`,
 /// where an override gives another one.
-fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
+fn formulation(reader: &mut Reader<'_, '_>, strain: Strain) -> Elements {
     let is_overridden = reader.is_overridden("element");
     let foreign = |reader: &mut Reader<'_, '_>, keys: &[&str], own: &str, other: &str| {
         for key in keys {
@@ -103,7 +103,7 @@ fn formulation(reader: &mut Reader<'_, '_>) -> Elements {
         Word::Ancf14 => {
             foreign(reader, &own24, "ancf24", "ancf14");
             Elements::Ancf14 {
-                strain: reader.word("strain", &STRAINS, Some(Strain::Large)).unwrap_or(Strain::Large),
+                strain: reader.word("strain", &STRAINS, Some(strain)).unwrap_or(strain),
                 twist: reader.word("twist", &TWISTS, Some(Twist::Linear)).unwrap_or(Twist::Linear),
                 torsion: if reader.boolean("torsion", true) { Torsion::Free } else { Torsion::Suppressed },
             }
@@ -160,7 +160,9 @@ impl BeamSpec {
         let line = Line::read(&mut reader);
         let y_axis = reader.vector_or(&schema::Y_AXIS, [0.0, 1.0, 0.0]);
         let elements = reader.number(&schema::ELEMENTS);
-        let formulation = formulation(&mut reader);
+        // Rigidities are what they say they are: moments in proportion to curvatures. Of a section that is known the fibers' strain is.
+        let strain = if has_material { Strain::Small } else { Strain::Large };
+        let formulation = formulation(&mut reader, strain);
         let pretwist = reader.number_or(&schema::PRETWIST, 0.0);
         let pretension = reader.optional(&schema::PRETENSION);
         let free_curvature = reader.optional_pair(&schema::FREE_CURVATURE);

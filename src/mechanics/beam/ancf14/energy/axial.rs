@@ -60,6 +60,40 @@ impl Slope {
         }
     }
 
+    /// The direction of the force over the step by the strain that `strain` names, 1: its product with the increment is the change of the strain; at an
+    /// instant [`Self::strain_p`].
+    #[inline]
+    pub fn strain_mean_p(&self, strain: Strain) -> Vec3 {
+        match strain {
+            Strain::Small => self.engineering_strain_mean_p(),
+            Strain::Large | Strain::LargeTruncated => self.green_strain_p(),
+        }
+    }
+
+    /// Twice the derivative of the mean strain that `strain` names by the slope at the end of the step, 1.
+    #[inline]
+    pub fn strain_end(&self, strain: Strain) -> Vec3 {
+        match strain {
+            Strain::Small => {
+                let end = self.middle + self.increment * 0.5;
+                end / (end.norm() * self.reference_stretch)
+            }
+            Strain::Large | Strain::LargeTruncated => self.green_strain_p() + self.green_strain_increment(),
+        }
+    }
+
+    /// Twice the derivative of `force` (N m) along [`Self::strain_mean_p`] by the slope at the end of the step, N m, where `force` changes by `stiffness` (N m)
+    /// with the strain that `strain` names; at an increment of zero the Hessian.
+    #[inline]
+    pub fn force_hessian(&self, strain: Strain, force: f64, stiffness: f64) -> Mat3 {
+        match strain {
+            Strain::Small => small::hessian(self, force, stiffness),
+            Strain::Large | Strain::LargeTruncated => {
+                self.green_strain_p() * self.strain_end(strain).transpose() * stiffness + self.green_strain_pp() * force
+            }
+        }
+    }
+
     /// Derivative of the Green strain by the slope at the middle of the step, 1.
     pub fn green_strain_p(&self) -> Vec3 {
         self.middle / self.reference_square

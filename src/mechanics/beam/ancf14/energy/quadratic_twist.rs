@@ -107,8 +107,8 @@ pub struct Condensation {
     pub by_shape: CorotatedVector,
     /// `∂²U/∂b²`, J.
     pub by_b: f64,
-    /// `∂²U/∂e∂b` by the Green strain of each axial point, J; 0 for small strain.
-    pub by_green: [f64; 3],
+    /// `∂²U/∂e∂b` by the strain of each axial point, J; 0 for small strain with the tension center on the axis.
+    pub by_axial: [f64; 3],
 }
 
 impl Condensation {
@@ -119,10 +119,10 @@ impl Condensation {
         couplings: &Couplings,
         rigidities: &[Rigidities; 3],
     ) -> Self {
-        let (mut forces, mut by_b, mut by_green) = (Forces::default(), 0.0, [0.0; 3]);
+        let (mut forces, mut by_b, mut by_axial) = (Forces::default(), 0.0, [0.0; 3]);
         for (g, point) in evaluation.element.bending.iter().enumerate() {
             let ([gamma1, gamma2], [with_1, with_2]) = (evaluation.gammahat[g], rigidities[g].with_axial);
-            let by_axial = (with_1 * gamma2 - with_2 * gamma1) * shape(point.xi);
+            let bent = (with_1 * gamma2 - with_2 * gamma1) * shape(point.xi);
             // `b` is a part of `α` and, as `T` is, of the torsion.
             let PointCouplings { own: [by_1, by_2, by_alpha], twist } = couplings.points[g];
             let (turn, twist_b) = (shape(point.xi), shape_xi(point.xi));
@@ -131,18 +131,19 @@ impl Condensation {
             forces.alpha[g] = by_alpha[2] * turn + twist[2] * twist_b;
             forces.twist += twist[2] * turn + torsion;
             by_b += forces.alpha[g] * turn + (twist[2] * turn + torsion) * twist_b;
-            for (sum, share) in by_green.iter_mut().zip(point.from_axial) {
-                *sum += by_axial * share;
+            for (sum, share) in by_axial.iter_mut().zip(point.from_axial) {
+                *sum += bent * share;
             }
         }
-        Self { by_shape: gradients.sum(&forces), by_b, by_green }
+        Self { by_shape: gradients.sum(&forces), by_b, by_axial }
     }
 
     /// `∂b/∂q`, 14×1: how `b` follows the coordinates.
     pub fn bubble_q(&self, evaluation: &Evaluation) -> ElementVector {
+        let strain = evaluation.element.stiffness.strain;
         let mut by_q = evaluation.kinematics.shape.gradient(&self.by_shape);
         for (m, point) in evaluation.element.axial.iter().enumerate() {
-            by_q += spread(&point.shape_x, &(evaluation.slopes[m].green_strain_p() * self.by_green[m]));
+            by_q += spread(&point.shape_x, &(evaluation.slopes[m].strain_p(strain) * self.by_axial[m]));
         }
         -by_q / self.by_b
     }

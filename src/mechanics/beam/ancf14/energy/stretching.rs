@@ -17,7 +17,7 @@ pub fn torque_by_twist(evaluation: &Evaluation) -> f64 {
     let mut sum = 0.0;
     if element.stiffness.strain != Strain::Small {
         for (m, point) in element.axial.iter().enumerate() {
-            let second = axial::large::hessian(&point.stiffness, evaluation.green[m], evaluation.mean_torsion[m]);
+            let second = axial::large::hessian(&point.stiffness, evaluation.seen[m], evaluation.mean_torsion[m]);
             sum += point.weight * second[(1, 1)] * point.torsion_by_twist.powi(2);
         }
     }
@@ -39,9 +39,9 @@ pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementC
     }
 }
 
-/// What the second derivatives by the Green strains of the axial points are made of.
+/// What the second derivatives by the strains of the axial points are made of, where bending points see them: of large strain, or with a tension center off the axis.
 #[derive(Clone, Copy, Debug)]
-pub struct Large<'a> {
+pub struct Coupled<'a> {
     /// Where they are taken.
     pub evaluation: &'a Evaluation<'a>,
     /// First derivatives by the strains of the bending points.
@@ -54,38 +54,38 @@ pub struct Large<'a> {
     pub condensation: Option<&'a Condensation>,
 }
 
-impl Large<'_> {
-    /// Adds `scale` times all second derivatives by the Green strains of the axial points to `sum`, without the rows and columns of `r_0`.
+impl Coupled<'_> {
+    /// Adds `scale` times all second derivatives by the strains of the axial points to `sum`, without the rows and columns of `r_0`.
     #[inline]
     pub fn add_hessian(&self, scale: f64, sum: &mut ElementColumns) {
         let (element, shape) = (self.evaluation.element, &self.evaluation.kinematics.shape);
+        let strain = element.stiffness.strain;
         self.add_eccentric(scale, sum);
         let (mut bubble_q, mut bubble_end) = (ElementVector::zeros(), ElementVector::zeros());
         for (m, point) in element.axial.iter().enumerate() {
             let slope = &self.evaluation.slopes[m];
             let density =
-                axial::large::hessian(&point.stiffness, self.evaluation.green[m], self.evaluation.mean_torsion[m])
+                axial::large::hessian(&point.stiffness, self.evaluation.seen[m], self.evaluation.mean_torsion[m])
                     * point.weight;
-            // By this Green strain, of the gradient by the corotated shape.
-            let mut by_green = self.gradients.sum(&self.forces(m, density[(0, 1)] * point.torsion_by_twist));
-            let green_p = slope.green_strain_p();
-            // Over a step the Green strain also depends on the increment: d(|Δr'|²/8J0²) by the end's coordinates, twice.
-            let by_end = green_p + slope.green_strain_increment();
+            // By this strain, of the gradient by the corotated shape.
+            let mut by_strain = self.gradients.sum(&self.forces(m, density[(0, 1)] * point.torsion_by_twist));
+            // Over a step the strain also depends on the increment.
+            let (strain_p, by_end) = (slope.strain_mean_p(strain), slope.strain_end(strain));
             if let Some(condensation) = self.condensation {
-                let share = condensation.by_green[m];
-                condensation.condense_row(share, &mut by_green);
-                bubble_q += spread(&point.shape_x, &(green_p * share));
+                let share = condensation.by_axial[m];
+                condensation.condense_row(share, &mut by_strain);
+                bubble_q += spread(&point.shape_x, &(strain_p * share));
                 bubble_end += spread(&point.shape_x, &(by_end * share));
             }
-            let by_middle = shape.gradient(&by_green) * scale;
+            let by_middle = shape.gradient(&by_strain) * scale;
             let turned = self.evaluation.turn_from_end.as_ref().map_or(by_middle, |turn| turn.of_end(&by_middle));
-            add_between([&by_middle, &turned], &point.shape_x, [&green_p, &by_end], sum);
+            add_between([&by_middle, &turned], &point.shape_x, [&strain_p, &by_end], sum);
             let stiffening = self.evaluation.added.axial_stiffening * point.stiffness.axial * point.weight;
             let stiffness = density[(0, 0)] + stiffening;
-            let force = self.evaluation.green_force(m, self.resultants) - stiffness * self.evaluation.added.excess[m];
-            let mut block = green_p * by_end.transpose() * stiffness + slope.green_strain_pp() * force;
+            let force = self.evaluation.strain_force(m, self.resultants) - stiffness * self.evaluation.added.excess[m];
+            let mut block = slope.force_hessian(strain, force, stiffness);
             if let Some(changes) = &self.evaluation.added.axial_rate_changes {
-                block += green_p * changes[m].transpose();
+                block += strain_p * changes[m].transpose();
             }
             add_spread(&point.shape_x, &(block * scale), sum);
         }
@@ -97,21 +97,25 @@ impl Large<'_> {
     /// Adds `scale` times the second derivatives by the axial strains of the bending points, which a tension center off the axis has.
     fn add_eccentric(&self, scale: f64, sum: &mut ElementColumns) {
         let element = self.evaluation.element;
+        let strain = element.stiffness.strain;
+        if strain == Strain::Small {
+            // Linear in the axial strain.
+            return;
+        }
         for (g, own) in element.eccentricities.iter().flat_map(|all| all.iter().enumerate()) {
             let point = &element.bending[g];
             let (mut by_q, mut by_end) = (ElementVector::zeros(), ElementVector::zeros());
             for (m, share) in point.from_axial.into_iter().enumerate() {
                 let (shape_x, slope) = (&element.axial[m].shape_x, &self.evaluation.slopes[m]);
-                let green_p = slope.green_strain_p();
-                by_q += spread(shape_x, &(green_p * share));
-                by_end += spread(shape_x, &((green_p + slope.green_strain_increment()) * share));
+                by_q += spread(shape_x, &(slope.strain_mean_p(strain) * share));
+                by_end += spread(shape_x, &(slope.strain_end(strain) * share));
             }
-            let factor = scale * point.weight * eccentricity::axial(own, &self.evaluation.strains[g]);
+            let factor = scale * point.weight * eccentricity::axial(strain, own, &self.evaluation.strains[g]);
             add_product(factor, &by_q, &by_end, sum);
         }
     }
 
-    /// Derivatives of what the energy has by the Green strain of axial point `m`, by the strains of the bending points; `by_twist` is
+    /// Derivatives of what the energy has by the strain of axial point `m`, by the strains of the bending points; `by_twist` is
     /// the one by `T`, N m.
     #[inline]
     fn forces(&self, m: usize, by_twist: f64) -> Forces {
