@@ -277,7 +277,7 @@ t = decimal(*.time)
     /// The ramp to an equilibrium did not reach its end.
     #[error(
         "no equilibrium was found at t = {t} s: load stepping stopped at {percent:.2} % of the change of the loads ({reason}); this is a limit point \
-         (snap-through), where a drive that prescribes the displacement can follow, or the mesh is too coarse",
+         (snap-through), where a drive that prescribes the displacement can follow, or the mesh is too coarse{doubt}",
 t = decimal(*.time), percent = 100.0 * .share
 )]
     RampStuck {
@@ -285,6 +285,8 @@ t = decimal(*.time), percent = 100.0 * .share
         time: f64,
         /// The share of the change of loads that was reached, 0 to 1.
         share: f64,
+        /// Another possible cause, in words that continue the sentence; empty: there is none.
+        doubt: String,
         /// What failed at last.
         reason: Box<Error>,
     },

@@ -12,6 +12,7 @@ pub mod planar_rod;
 pub mod random;
 pub mod running;
 pub mod spatial_rod;
+pub mod thick_rods;
 pub mod toy;
 
 use ancf14::fmi::location::CARGO_LIBRARY;

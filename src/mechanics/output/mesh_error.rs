@@ -8,6 +8,7 @@
 //! Only nodes at which nothing acts are compared: elsewhere strains may jump. An element without such a node bends at least as the load across it does, its
 //! weight and the axial force times the curvature: `EI κ'' = q + N κ` inside it, while the element has 0.
 
+use super::fiber_strain::FiberStrain;
 use super::strain_fit::{Line, Neighborhood, StrainFit, bend, mean, rise};
 use crate::math::Vec3;
 use crate::math::quadrature::{LOBATTO_POINTS, LOBATTO_WEIGHTS};
@@ -55,6 +56,8 @@ pub struct MeshError {
     pub largest_moment: f64,
     /// Largest axial force of all beams, N.
     pub largest_force: f64,
+    /// Of the element whose fibers strain most under a law of large strain.
+    pub fibers: FiberStrain,
 }
 
 impl System {
@@ -91,6 +94,10 @@ impl System {
     ) {
         let element = beam.first_element + number;
         let own = &neighborhood.own;
+        let fibers = FiberStrain::new(element, own);
+        if fibers.largest() > error.fibers.largest() {
+            error.fibers = fibers;
+        }
         let length = own.length();
         error.energy += own.energy;
         error.round_off += 0.5 * own.element.stiffness.axial * length * NO_STRAIN * NO_STRAIN;

@@ -2,6 +2,7 @@
 
 mod axial_jump;
 pub mod clamped_end;
+pub mod fiber_strain;
 pub mod joint_loads;
 pub mod mesh_error;
 pub mod mode_shape;

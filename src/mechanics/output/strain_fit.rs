@@ -40,6 +40,8 @@ pub struct StrainFit<'a> {
     pub strains: [Line; 3],
     /// `E Iz`, `E Iy` and `G Jt`, where they vary those of the middle, N m².
     pub rigidities: [f64; 3],
+    /// Axial strain `|r'|/J0 − 1` at both ends and in the middle, in their order, 1.
+    pub elongations: [f64; 3],
     /// Axial force at both ends and in the middle, in their order, N.
     pub forces: [f64; 3],
     /// Strain energy, J.
@@ -70,16 +72,18 @@ impl<'a> StrainFit<'a> {
         let [y, z] = element.eccentricities.as_ref().map_or([0.0; 2], |own| own[1].first);
         let relaxed = |bending: f64, moment: f64| bending - moment * moment / stiffness.axial;
         let rigidities = [relaxed(stiffness.bending_z, y), relaxed(stiffness.bending_y, z), stiffness.torsion];
-        let mut fit = Self { element, strains, rigidities, forces: [0.0; 3], energy: evaluation.energy() };
+        let mut fit =
+            Self { element, strains, rigidities, elongations: [0.0; 3], forces: [0.0; 3], energy: evaluation.energy() };
         let strains = evaluation.axial_strains();
+        fit.elongations = strains.map(|strain| match stiffness.strain {
+            Strain::Small => strain,
+            // Green's strain as an elongation.
+            Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * strain).max(0.0).sqrt() - 1.0,
+        });
         fit.forces = [0, 1, 2].map(|m| {
             let x = (LOBATTO_POINTS[m] - 0.5) * element.length;
-            let axial = match stiffness.strain {
-                Strain::Small => strains[m],
-                // Green's strain as an elongation.
-                Strain::Large | Strain::LargeTruncated => (1.0 + 2.0 * strains[m]).max(0.0).sqrt() - 1.0,
-            };
-            fit.section_forces(x, &fit.section_strains(axial, [0, 1, 2].map(|k| fit.strains[k].at(x)))).axial
+            fit.section_forces(x, &fit.section_strains(fit.elongations[m], [0, 1, 2].map(|k| fit.strains[k].at(x))))
+                .axial
         });
         fit
     }

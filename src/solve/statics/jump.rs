@@ -41,9 +41,10 @@ impl Statics {
         }
         // States of their own: no count of the run changes.
         let Some([from, to]) = self.find_jump(system, before, after) else { return };
+        let doubt = system.doubt_of_strain(&self.scratch.frames.of(system, before));
         let at = |share: f64| decimal(before.time + share * (after.time - before.time));
         self.stability.add_remark(format!(
-            "the equilibrium jumps to another branch between t = {} s and {} s: the path passes a limit point, beyond which no equilibrium is near; \
+            "the equilibrium jumps to another branch between t = {} s and {} s: the path passes a limit point, beyond which no equilibrium is near{doubt}; \
              in between it is unstable. Prescribe a displacement by a drive instead of the load to follow it",
             at(from),
             at(to)

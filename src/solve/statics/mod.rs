@@ -312,7 +312,9 @@ impl Statics {
                             }
                             self.examine(system, state, time)?;
                         }
-                        return Err(Error::RampStuck { time, share, reason: Box::new(reason) });
+                        // The equilibrium that the ramp began with: the state is the iterate that led nowhere.
+                        let doubt = system.doubt_of_strain(&self.scratch.frames.of(system, &self.begin));
+                        return Err(Error::RampStuck { time, share, doubt, reason: Box::new(reason) });
                     }
                 }
             }

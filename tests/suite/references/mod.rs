@@ -12,7 +12,6 @@ pub mod polylines;
 pub mod princeton;
 pub mod released_cantilever;
 mod rigidities;
-
 mod rotating_blade;
 pub mod rotating_shaft;
 pub mod shaken_cantilever;

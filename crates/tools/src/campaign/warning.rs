@@ -12,7 +12,7 @@ enum Doubt {
 }
 
 /// Words of every warning that is known, with what is doubted by it.
-const KNOWN: [(&str, Doubt); 30] = [
+const KNOWN: [(&str, Doubt); 31] = [
     ("the integrator has gained", Doubt::Steps),
     ("the integrator has lost", Doubt::Steps),
     ("numerical damping has taken", Doubt::Steps),
@@ -23,6 +23,7 @@ const KNOWN: [(&str, Doubt); 30] = [
     ("which no finite force can do", Doubt::Results),
     ("elements spread a jump", Doubt::Results),
     ("the mesh is too coarse", Doubt::Results),
+    ("the law of strain = \"large\"", Doubt::Nothing),
     ("because of the mesh, as estimated", Doubt::Results),
     ("the mesh error is not known", Doubt::Results),
     ("found far from where the mechanism is drawn", Doubt::Results),

@@ -13,6 +13,7 @@ mod frames;
 mod frequencies;
 mod paths;
 mod princeton;
+mod rigidities;
 mod ring;
 mod roll_up;
 mod shaft;
@@ -53,7 +54,7 @@ pub enum Runs {
 }
 
 /// All sections in the order of the page.
-pub const CASES: [Case; 21] = [
+pub const CASES: [Case; 22] = [
     Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
     Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
     Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
@@ -65,6 +66,7 @@ pub const CASES: [Case; 21] = [
     Case { title: "45-degree bend", runs: Runs::Short, write: bend::write },
     Case { title: "Elastica", runs: Runs::Short, write: elastica::write },
     Case { title: "Rolling up to a circle", runs: Runs::Short, write: roll_up::write },
+    Case { title: "Rods given by their rigidities", runs: Runs::Short, write: rigidities::write },
     Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
     Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
     Case { title: "Stress as drawn and heat", runs: Runs::Short, write: unstressed::write },

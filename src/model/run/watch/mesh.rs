@@ -3,6 +3,7 @@
 use crate::error::decimal;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
+use crate::mechanics::output::fiber_strain::{self, FiberStrain};
 use crate::mechanics::output::mesh_error::{Deformation, MeshError};
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_balance::Energies;
@@ -49,6 +50,7 @@ pub struct MeshWatch {
     /// Of all quantities that are read at points, in the order of the table.
     readings: Vec<Reading>,
     reading_warned: bool,
+    fibers_warned: bool,
     /// Strain energy of the last state that was looked at, J; not saved with the others.
     #[serde(skip)]
     pub strain_energy: f64,
@@ -132,7 +134,7 @@ impl MeshWatch {
         let is_skipped = !self.is_static && !point.is_multiple_of(STRIDE);
         let has_warned = self.energy_warned && self.reading_warned;
         // An equilibrium is looked at all the same: its energy is asked for.
-        if is_skipped || system.beams.is_empty() || (has_warned && !self.is_static) {
+        if is_skipped || system.beams.is_empty() || (has_warned && self.fibers_warned && !self.is_static) {
             return Vec::new();
         }
         let c = frames.of(system, state);
@@ -145,17 +147,35 @@ impl MeshWatch {
         }
         self.largest_moment = self.largest_moment.max(error.largest_moment);
         self.largest_force = self.largest_force.max(error.largest_force);
+        let fibers = self.fibers(system, state, &error.fibers);
         if has_warned || error.energy <= error.round_off {
-            return Vec::new();
+            return fibers.into_iter().collect();
         }
         let energy = self.left_out(system, state, &error);
         let reading = self.readings(system, state, table, &c);
-        energy.into_iter().chain(reading).collect()
+        energy.into_iter().chain(reading).chain(fibers).collect()
     }
 
     /// How often something must be seen.
     fn enough(&self) -> u32 {
         if self.is_static { 1 } else { SIGHTINGS }
+    }
+
+    /// Warns of fibers that strain so far that the law of large strain departs from the rigidities of the section.
+    fn fibers(&mut self, system: &System, state: &State, fibers: &FiberStrain) -> Option<String> {
+        if self.fibers_warned || fibers.largest() < fiber_strain::NOTABLE {
+            return None;
+        }
+        self.fibers_warned = true;
+        let [bending, axial] = fibers.departure().map(|share| 100.0 * share);
+        Some(format!(
+            "fibers of beam {} strain by about {:.0} % at t = {} s: the law of strain = \"large\", Green's strain times Young's modulus, makes bending moments differ by about {bending:.1} % from EI \
+             times the curvature, 1.25 times the square of the bending strain, and axial forces by about {axial:.1} % from EA times the elongation; if these should stay in proportion, take strain = \"small\" \
+             for the beam, or a section of shape = \"rigidities\"",
+            system.beam_of(fibers.element).0.name,
+            100.0 * fibers.largest(),
+            decimal(state.instant()),
+        ))
     }
 
     /// Warns of energy that the elements leave out.
