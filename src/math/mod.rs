@@ -3,6 +3,7 @@
 
 pub mod bishop;
 pub mod blocks;
+pub mod bounds;
 pub mod curve;
 pub mod curve_defect;
 pub mod hermite;
@@ -11,8 +12,11 @@ pub mod integral;
 pub mod jet;
 pub mod monotone;
 pub mod quadrature;
+pub mod range;
+pub mod resolution;
 pub mod rotation;
 pub mod spline;
+pub mod switches;
 pub mod vectors;
 
 /// A vector in space.

@@ -1,7 +1,11 @@
 //! Numbers that may depend on time.
 
+use crate::math::bounds::Bounds;
 use crate::math::integral::integral;
 use crate::math::jet::Jet;
+use crate::math::range::Range;
+use crate::math::resolution::Sight;
+use crate::math::switches::Bounded;
 use std::fmt;
 use std::sync::Arc;
 
@@ -24,6 +28,16 @@ pub struct Pieces {
     pub breaks: Vec<f64>,
     /// Why it has no value at a time, s, in words; none: no reason is known.
     pub undefined: Box<dyn Fn(f64) -> Option<String> + Send + Sync>,
+    /// What is known of it between two times; none: nothing is.
+    pub bounds: Option<TimeBounds>,
+}
+
+/// What is known of a function between two times.
+pub struct TimeBounds {
+    /// Bounds over an interval of time, s.
+    pub bounds: Box<dyn Fn(Range) -> Bounds + Send + Sync>,
+    /// A large absolute value of the function: values far below it are no pulses.
+    pub peak: f64,
 }
 
 impl Signal {
@@ -57,6 +71,35 @@ impl Signal {
     pub fn breaks_at(&self, time: f64) -> bool {
         let breaks = self.breaks();
         breaks.get(breaks.partition_point(|own| *own < time)) == Some(&time)
+    }
+
+    /// The function with its bounds, and its largest value; none: no bounds are known.
+    fn bounded(&self) -> Option<(Bounded<'_>, f64)> {
+        let Self::Pieces(pieces) = self else { return None };
+        let TimeBounds { bounds, peak } = pieces.bounds.as_ref()?;
+        Some((Bounded { jet: &pieces.jet, bounds }, *peak))
+    }
+
+    /// The first time after `from` up to `to`, s, at which it switches; pieces that meet at its breaks count too.
+    pub fn first_switch(&self, range: [f64; 2]) -> Option<f64> {
+        self.bounded()?.0.first_switch(range)
+    }
+
+    /// The end of a step from `from` on the way to `to`, s, that sees as much as `sight` of the function: of a load.
+    pub fn seen_until(&self, range: [f64; 2], sight: Sight) -> f64 {
+        self.bounded().map_or(range[1], |(bounded, peak)| bounded.seen_until(range, peak, sight))
+    }
+
+    /// The same of a position, of which only changes count.
+    pub fn motion_seen_until(&self, range: [f64; 2], sight: Sight) -> f64 {
+        let Some((Bounded { jet, bounds }, peak)) = self.bounded() else { return range[1] };
+        let start = jet(range[0]).value;
+        let change = |time: f64| {
+            let jet = jet(time);
+            Jet { value: jet.value - start, ..jet }
+        };
+        let bounds = |interval: Range| bounds(interval) - Bounds::constant(start);
+        Bounded { jet: &change, bounds: &bounds }.seen_until(range, peak, sight)
     }
 
     /// Why it has no finite value at `time`, s, in words; none: it has one, or no reason is known.

@@ -1,6 +1,7 @@
 //! The times at which functions of time change from one piece to the next: steps end there, and a motion must not jump there.
 
 use crate::error::decimal;
+use crate::math::resolution::Sight;
 use crate::mechanics::input::guide::Guide;
 use crate::mechanics::input::signal::Signal;
 use crate::mechanics::system::System;
@@ -14,13 +15,23 @@ pub const AT_BREAK: f64 = 1e-6;
 /// Jumps below this share of what a function does over a step are round-off of its pieces.
 const SMOOTH: f64 = 1e-9;
 
+/// Changes below this share over [`AT_BREAK`] of a step are no jumps.
+const NEARLY_SMOOTH: f64 = 1e-4;
+
 /// Whether a signal, or one of its first `derivatives` derivatives, jumps at `time`, s, one of its breaks; compared with its changes over `step` s.
 fn jumps(signal: &Signal, time: f64, step: f64, derivatives: usize) -> bool {
-    let [before, after] = [time.next_down(), time]
-        .map(|time| signal.jet(time))
-        .map(|jet| [jet.value, jet.first * step, jet.second * step * step]);
+    changes(signal, [time.next_down(), time], step, derivatives, SMOOTH)
+}
+
+/// Whether a signal, or one of its first `derivatives` derivatives, changes between two times, s, by more than `share` of what it does over `step` s.
+fn changes(signal: &Signal, times: [f64; 2], step: f64, derivatives: usize, share: f64) -> bool {
+    if matches!(signal, Signal::Constant(_)) {
+        return false;
+    }
+    let [before, after] =
+        times.map(|time| signal.jet(time)).map(|jet| [jet.value, jet.first * step, jet.second * step * step]);
     let size = before.iter().chain(&after).map(|part| part.abs()).fold(0.0, f64::max);
-    (0..=derivatives).any(|order| (after[order] - before[order]).abs() > SMOOTH * size)
+    (0..=derivatives).any(|order| (after[order] - before[order]).abs() > share * size)
 }
 
 impl System {
@@ -56,12 +67,48 @@ impl System {
         self.breaks.get(first).copied().filter(|own| *own <= time + margin)
     }
 
+    /// The first time after `from` and before `to`, s, that is further than `margin` s from both, at which a function of time switches.
+    pub fn switch_between(&self, from: f64, to: f64, margin: f64) -> Option<f64> {
+        let (from, to) = (from + margin, to - margin);
+        let earlier = |end: f64, signal: &Signal| signal.first_switch([from, end]).unwrap_or(end);
+        let first = self.signals().fold(to, earlier);
+        (first < to).then_some(first)
+    }
+
+    /// The end of a step from `from` on the way to `to`, s, that sees as much as `sight` of loads, efforts, temperatures and motions.
+    pub fn seen_until(&self, from: f64, to: f64, sight: Sight) -> f64 {
+        // What begins at an end of the step is not within it.
+        let margin = AT_BREAK * (to - from);
+        let inside = [from + margin, to - margin];
+        let load = |end: f64, signal: &Signal| signal.seen_until([inside[0], end], sight);
+        let motion = |end: f64, signal: &Signal| signal.motion_seen_until([inside[0], end], sight);
+        let end = self.loads.iter().flat_map(|load| load.signals()).fold(inside[1], load);
+        let end = self.actuators.iter().filter_map(|actuator| actuator.signal()).fold(end, load);
+        let end = self.heats.iter().flat_map(|heat| heat.signals()).fold(end, load);
+        let end = self.moving_frames.iter().flat_map(|frame| frame.signals()).fold(end, motion);
+        let end = self.drives.iter().fold(end, |end, drive| match &drive.guide {
+            Guide::Rate(signal) => load(end, signal),
+            Guide::Value(signal) => motion(end, signal),
+            Guide::HostValue | Guide::HostRate => end,
+        });
+        if end < inside[1] { end } else { to }
+    }
+
+    /// The jump of a signal, or of one of its first `derivatives` derivatives, within [`AT_BREAK`] of a step of `step` s from `time`, s.
+    fn jumps_near(&self, signal: &Signal, time: f64, step: f64, derivatives: usize) -> bool {
+        if let Some(known) = self.break_at(time, step).filter(|known| signal.breaks_at(*known)) {
+            return jumps(signal, known, step, derivatives);
+        }
+        let margin = AT_BREAK * step;
+        let near = [time - margin, time + margin];
+        changes(signal, near, step, derivatives, NEARLY_SMOOTH)
+            && signal.first_switch(near).is_some_and(|own| jumps(signal, own, step, derivatives))
+    }
+
     /// Whether a load or an effort jumps within [`AT_BREAK`] of a step of `step` s from `time`, or the motion of a drive or a frame, its velocity or its acceleration: what is
     /// known of the motion before does not hold behind it. Pieces that meet smoothly change nothing.
     pub fn is_sudden(&self, time: f64, step: f64) -> bool {
-        let Some(time) = self.break_at(time, step) else { return false };
-        let jumps =
-            |signal: &Signal, derivatives: usize| signal.breaks_at(time) && jumps(signal, time, step, derivatives);
+        let jumps = |signal: &Signal, derivatives: usize| self.jumps_near(signal, time, step, derivatives);
         self.loads.iter().flat_map(|load| load.signals()).any(|signal| jumps(signal, 0))
             || self.actuators.iter().filter_map(|actuator| actuator.signal()).any(|signal| jumps(signal, 0))
             || self.drives.iter().filter_map(|drive| drive.signal()).any(|signal| jumps(signal, 2))
@@ -70,9 +117,7 @@ impl System {
 
     /// Whether the velocity of a drive or a frame jumps within [`AT_BREAK`] of a step of `step` s from `time`.
     pub fn is_struck(&self, time: f64, step: f64) -> bool {
-        let Some(time) = self.break_at(time, step) else { return false };
-        let jumps =
-            |signal: &Signal, derivatives: usize| signal.breaks_at(time) && jumps(signal, time, step, derivatives);
+        let jumps = |signal: &Signal, derivatives: usize| self.jumps_near(signal, time, step, derivatives);
         // Of a rate the velocity is the value itself.
         self.drives.iter().any(|drive| match &drive.guide {
             Guide::Rate(signal) => jumps(signal, 0),

@@ -19,10 +19,11 @@ use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::text::diagnostic::{Diagnostic, Diagnostics};
 use super::validate::{self, Lines};
+use crate::math::bounds::Bounds;
 use crate::math::jet::Jet;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::geometry::pose::Pose;
-use crate::mechanics::input::signal::{Pieces, Signal};
+use crate::mechanics::input::signal::{Pieces, Signal, TimeBounds};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_account::EnergyAccount;
@@ -113,30 +114,35 @@ fn function_signal(document: &Document, function: Function, origin: f64) -> Sign
     if function.is_constant() {
         return Signal::Constant(function.value(0.0) - origin);
     }
-    let breaks = function.breaks(document.span());
-    with_breaks(function, origin, breaks)
+    let span = document.span();
+    let breaks = function.breaks(span);
+    let function = Arc::new(function);
+    let bounds = (!function.switches_too_often(span)).then(|| {
+        let peak = function.bounded(|bounded| bounded.peak(span));
+        let own = function.clone();
+        let bounds = move |interval| own.over(interval) - Bounds::constant(origin);
+        TimeBounds { bounds: Box::new(bounds), peak }
+    });
+    pieces(function, origin, breaks, bounds)
 }
 
 /// The function of time that a number of the file is, with `breaks` of its own.
 fn signal_with(document: &Document, number: Number, breaks: Vec<f64>) -> Signal {
     let function = document.function(number);
-    if function.is_constant() { Signal::Constant(function.value(0.0)) } else { with_breaks(function, 0.0, breaks) }
+    if function.is_constant() {
+        return Signal::Constant(function.value(0.0));
+    }
+    pieces(Arc::new(function), 0.0, breaks, None)
 }
 
-fn with_breaks(function: Function, origin: f64, breaks: Vec<f64>) -> Signal {
-    let is_plain = breaks.is_empty() && !function.may_be_undefined();
-    let function = Arc::new(function);
+fn pieces(function: Arc<Function>, origin: f64, breaks: Vec<f64>, bounds: Option<TimeBounds>) -> Signal {
     let own = function.clone();
     let jet = move |time| {
         let jet = own.jet(time);
         Jet { value: jet.value - origin, ..jet }
     };
-    if is_plain {
-        Signal::Function(Arc::new(jet))
-    } else {
-        let undefined = move |time| function.undefined(time).map(|reason| reason.to_string());
-        Signal::Pieces(Arc::new(Pieces { jet: Box::new(jet), breaks, undefined: Box::new(undefined) }))
-    }
+    let undefined = move |time| function.undefined(time).map(|reason| reason.to_string());
+    Signal::Pieces(Arc::new(Pieces { jet: Box::new(jet), breaks, undefined: Box::new(undefined), bounds }))
 }
 
 /// Builds what [`validate::examine`] has found sound.

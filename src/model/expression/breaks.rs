@@ -1,7 +1,7 @@
 //! Where the tables in an expression have corners: there its derivative jumps, and a step of the solver should end.
 //!
 //! They are known where the argument of a table is `rate * x + start`, of which functions of the file pass on the variable too; corners of a table
-//! whose argument is curved are not looked for.
+//! whose argument is curved are found as the motion gets there, by bounds ([`super::over`]).
 
 use super::program::{Binary, Body, Operation, Program, STACK, Unary, binary, unary};
 use crate::math::jet::Jet;
@@ -30,39 +30,6 @@ impl Line {
 pub(super) fn breaks(program: &Program, range: [f64; 2]) -> Vec<f64> {
     let mut found = Vec::new();
     walk(program, Line { rate: 1.0, start: 0.0 }, range, &mut found);
-    found
-}
-
-/// Where a program with bound parameters compares straight lines that cross, in any order.
-pub(super) fn crossings(program: &Program) -> Vec<f64> {
-    let mut stack: Vec<Option<Line>> = Vec::new();
-    let mut found = Vec::new();
-    for operation in program.operations() {
-        let line = match *operation {
-            Operation::Constant(value) => Some(Line::constant(value)),
-            Operation::Variable => Some(Line { rate: 1.0, start: 0.0 }),
-            Operation::Parameter(_) | Operation::Rate | Operation::Reading(_) => None,
-            Operation::Unary(function) => stack.pop().flatten().and_then(|line| one(function, line)),
-            Operation::Binary(function) => {
-                let pair = stack.pop().flatten().zip(stack.pop().flatten());
-                pair.and_then(|(b, a)| {
-                    if a.rate != b.rate {
-                        found.push((b.start - a.start) / (a.rate - b.rate));
-                    }
-                    two(function, a, b)
-                })
-            }
-            Operation::Ternary(_) => {
-                stack.truncate(stack.len().saturating_sub(3));
-                None
-            }
-            Operation::Call(_) => {
-                stack.pop();
-                None
-            }
-        };
-        stack.push(line);
-    }
     found
 }
 

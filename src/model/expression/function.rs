@@ -1,8 +1,19 @@
 //! A number that may depend on time (or on the curve parameter): one expression, or pieces with ascending limits.
 
-use super::breaks::{breaks, crossings};
+use super::breaks::breaks;
 use super::program::Undefined;
 use super::{Jet, Program};
+use crate::math::bounds::Bounds;
+use crate::math::range::Range;
+use crate::math::switches::Bounded;
+
+/// Switches of a function at most at which steps end: far more than anybody has steps for.
+pub const MOST_SWITCHES: f64 = 1e6;
+/// Parts of the time in which they are counted, and how many there.
+const PARTS: u32 = 8;
+const COUNTED: u32 = 16;
+/// Golden ratio less 1: parts at even distances could all miss what repeats itself.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// One piece: valid while the variable is below `until`; the last one has no limit.
 #[derive(Clone, Debug, PartialEq)]
@@ -149,6 +160,41 @@ impl Function {
         Self { limits: self.limits.clone(), pieces }
     }
 
+    /// Bounds of `f` and its derivatives over an interval; where pieces meet in it, nothing is known but that.
+    pub fn over(&self, interval: Range) -> Bounds {
+        let piece = self.piece(interval.low);
+        if piece == self.piece(interval.high) {
+            self.pieces[piece].over(Bounds::variable(interval))
+        } else {
+            Bounds { switches: true, ..Bounds::default().unbounded() }
+        }
+    }
+
+    /// What `work` finds with the function and its bounds.
+    pub fn bounded<T>(&self, work: impl FnOnce(Bounded) -> T) -> T {
+        work(Bounded { jet: &|t| self.jet(t), bounds: &|interval| self.over(interval) })
+    }
+
+    /// Whether it switches more than [`MOST_SWITCHES`] times between `from` and `to`, by its switches in a few short parts of that.
+    pub fn switches_too_often(&self, span: [f64; 2]) -> bool {
+        self.shortest_switching(span).is_some_and(|period| (span[1] - span[0]) / period > MOST_SWITCHES)
+    }
+
+    /// The mean time between its switches, where they are so many in a short part of the time from `from` to `to` that steps do not follow; none: they are few.
+    pub fn shortest_switching(&self, [from, to]: [f64; 2]) -> Option<f64> {
+        let length = f64::from(COUNTED) * (to - from) / MOST_SWITCHES;
+        self.bounded(|bounded| {
+            (0..PARTS).find_map(|part| {
+                let begin = from + (f64::from(part) * GOLDEN).fract() * (to - from - length);
+                let mut at = begin;
+                for _ in 0..COUNTED {
+                    at = bounded.first_switch([at, begin + length])?;
+                }
+                Some((at - begin) / f64::from(COUNTED))
+            })
+        })
+    }
+
     /// The number of the piece that is valid at t.
     fn piece(&self, t: f64) -> usize {
         self.limits.iter().position(|limit| t < *limit).unwrap_or(self.limits.len())
@@ -167,11 +213,6 @@ impl Function {
             all.dedup();
         }
         all
-    }
-
-    /// Where its pieces compare straight lines that cross, in any order: where a comparison may change.
-    pub fn crossings(&self) -> impl Iterator<Item = f64> + '_ {
-        self.pieces.iter().flat_map(crossings).filter(|at| at.is_finite())
     }
 
     /// Where piece `k` is valid between `from` and `to`.

@@ -7,6 +7,7 @@
 
 mod breaks;
 pub mod function;
+mod over;
 mod parser;
 pub mod program;
 pub mod table;

@@ -1,10 +1,15 @@
 //! A function given by points: between them straight lines or a monotone cubic, outside of them what the file says.
 
+use crate::math::bounds::Bounds;
 use crate::math::jet::Jet;
 use crate::math::monotone::{cubic, slopes};
+use crate::math::range::Range;
 
 /// Points of a table at most: a hundred seconds at a kilohertz.
 pub const MOST_ROWS: usize = 100_000;
+
+/// Points within an interval at most for which bounds are computed one by one.
+const FEW: usize = 8;
 
 /// What stands between two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,8 +101,13 @@ impl Table {
         if self.periods(x) < number { x.next_up() } else { x }
     }
 
+    /// The number of the point that begins the piece in which `x` is.
+    fn piece(&self, x: f64) -> usize {
+        self.x.partition_point(|known| *known <= x).clamp(1, self.x.len() - 1) - 1
+    }
+
     fn inside(&self, x: f64) -> Jet {
-        let k = self.x.partition_point(|known| *known <= x).clamp(1, self.x.len() - 1) - 1;
+        let k = self.piece(x);
         let (ends, values) = ([self.x[k], self.x[k + 1]], [self.y[k], self.y[k + 1]]);
         if self.slopes.is_empty() {
             let slope = (values[1] - values[0]) / (ends[1] - ends[0]);
@@ -134,5 +144,55 @@ impl Table {
         }
         breaks.truncate(most);
         breaks
+    }
+
+    /// Bounds of the table and its derivatives over those of its argument.
+    pub fn over(&self, argument: Bounds) -> Bounds {
+        let Range { low, high } = argument.value;
+        let [first, last] = self.range();
+        let unbounded = Bounds { follows: argument.follows, ..Bounds::default().unbounded() };
+        let may_switch = Bounds { switches: !argument.follows, ..unbounded };
+        if !argument.value.is_finite() {
+            return may_switch;
+        }
+        let (low, high) = match self.outside {
+            Outside::Hold if high < first || low >= last => return Bounds::constant(self.jet(low).value),
+            Outside::Error if low < first || high > last => return may_switch,
+            Outside::Hold | Outside::Error => (low, high),
+            Outside::Repeat if self.periods(low) == self.periods(high) => (self.within(low), self.within(high)),
+            Outside::Repeat => return may_switch,
+        };
+        let leaves = self.outside == Outside::Hold && (low < first || high >= last);
+        let (low, high) = (low.max(first), high.min(last));
+        let (begin, end) = (self.piece(low), self.piece(high));
+        let passes_corner = leaves || (begin < end && self.slopes.is_empty());
+        let found = if end - begin > FEW {
+            unbounded
+        } else {
+            let pieces = (begin..=end).map(|k| self.piece_over(k, [low.max(self.x[k]), high.min(self.x[k + 1])]));
+            pieces.reduce(Bounds::either).expect("there is a piece")
+        };
+        let found = if leaves { found.either(Bounds { value: found.value, ..Bounds::default() }) } else { found };
+        Bounds { switches: passes_corner && !argument.follows, follows: argument.follows, ..found }
+    }
+
+    /// Bounds of piece `k` between two numbers in it.
+    fn piece_over(&self, k: usize, [from, to]: [f64; 2]) -> Bounds {
+        let (ends, values) = ([self.x[k], self.x[k + 1]], [self.y[k], self.y[k + 1]]);
+        if self.slopes.is_empty() {
+            let slope = Range::point((values[1] - values[0]) / (ends[1] - ends[0]));
+            let value = |x: f64| if x == ends[1] { values[1] } else { self.inside(x).value };
+            return Bounds { value: Range::of(&[value(from), value(to)]), first: slope, ..Bounds::default() };
+        }
+        let jet = |x: f64| cubic(ends, values, [self.slopes[k], self.slopes[k + 1]], x);
+        let [a, b] = [jet(from), jet(to)];
+        // The slope is largest, or least, where its derivative, a straight line, is 0.
+        let turn = if a.second * b.second < 0.0 { from + (to - from) * a.second / (a.second - b.second) } else { from };
+        Bounds {
+            value: Range::of(&[a.value, b.value]),
+            first: Range::of(&[a.first, b.first, jet(turn).first]),
+            second: Range::of(&[a.second, b.second]),
+            ..Bounds::default()
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! Legal models that are hardly ever meant: parts that nothing holds, joints between places that do not meet, materials in other units than SI, stubby beams, angles in degrees, motions that
-//! begin with a blow, loads with a pole, steps almost as long as the motion or as an oscillation of what acts, forces that do not do what they should, copies in one place.
+//! begin with a blow, loads with a pole, steps almost as long as the motion or as an oscillation of what acts, too many switches, forces that do not do what they should, copies in one place.
 
 mod angles;
 mod arms;
@@ -8,6 +8,7 @@ mod forces;
 mod groups;
 mod hidden_jumps;
 mod loose;
+mod many_switches;
 mod materials;
 mod poles;
 mod slenderness;
@@ -59,6 +60,7 @@ pub fn notes(document: &Document) -> Vec<String> {
         forces::stacked_copies(document),
         long_step(document).into_iter().collect(),
         fast_signals::fast_signals(document),
+        many_switches::many_switches(document),
     ];
     let mut notes = Vec::new();
     for kind in kinds {

@@ -5,6 +5,7 @@
 
 use super::integrator::Integrator;
 use crate::error::Error;
+use crate::math::resolution::Sight;
 use crate::mechanics::state::State;
 use crate::mechanics::state::pace::Pace;
 use crate::mechanics::system::{AT_BREAK, System};
@@ -139,10 +140,21 @@ impl Pacing {
             integrator.switch(system, state, state.time + margin)?;
             let wanted = self.next_step(state);
             let boundary = system.break_between(state.time, end, margin).unwrap_or(end);
+            // Two steps ahead: none of them is to be a short rest.
+            let ahead = boundary.min(state.time + 2.0 * STRETCH * wanted);
+            let boundary = system.switch_between(state.time, ahead, margin).unwrap_or(boundary);
             let remaining = boundary - state.time;
             let count = (remaining / (STRETCH * wanted)).ceil().max(1.0);
             let step = remaining / count;
             let step_end = if count == 1.0 { boundary } else { state.time + step };
+            let sight = if step_end == boundary && boundary < end { Sight::Changes } else { Sight::Pulses };
+            let seen_end = system.seen_until(state.time, step_end, sight);
+            let is_cut = seen_end < step_end;
+            let (step, step_end) = if is_cut { (seen_end - state.time, seen_end) } else { (step, step_end) };
+            if is_cut {
+                // The dissipation for longer steps would hold back what a pulse moves.
+                state.pace.damping_step = state.pace.damping_step.min(step);
+            }
             let Err(reason) = integrator.step(system, state, step, step_end) else { break };
             state.statistics.rejected += 1;
             let shorter = match reason {

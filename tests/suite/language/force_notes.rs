@@ -88,7 +88,7 @@ fn copies_in_one_place_are_told() {
     );
 }
 
-/// A motion that jumps inside an expression, where no step ends. Jumps between pieces are told by the run itself; corners are none.
+/// A motion that jumps inside an expression. Jumps between pieces are told by the run itself; corners are none.
 #[test]
 fn jumps_inside_expressions_are_told() {
     let drive =

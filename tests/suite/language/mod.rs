@@ -1,6 +1,7 @@
 //! The model file: keys, mistakes, notes, copies, functions, includes, names, descriptions, pictures.
 
 mod arm_notes;
+pub mod bounds;
 pub mod copies;
 pub mod descriptions;
 pub mod force_notes;

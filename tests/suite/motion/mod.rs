@@ -13,6 +13,7 @@ pub mod generalized_alpha_steps;
 pub mod midpoint_steps;
 mod mode_damping;
 pub mod modes;
+pub mod pulses;
 pub mod released_motions;
 pub mod rigid_rotation;
 pub mod rollback;

@@ -2,6 +2,7 @@
 
 use super::solver::Solver;
 use crate::error::Error;
+use crate::math::resolution::Sight;
 use crate::mechanics::input::switch::Hold;
 use crate::mechanics::state::State;
 use crate::mechanics::system::{AT_BREAK, System};
@@ -411,7 +412,7 @@ impl Plan {
     }
 }
 
-/// Takes `state` to the last break before `next`, s, from one to the next; breaks within `margin` s of an end count as that end. Returns
+/// Takes `state` to the last break before `next`, s, from one to the next, and in parts over pulses in between; breaks within `margin` s of an end count as that end. Returns
 /// whether there is none.
 fn march_to_last_break<I: Integrator>(
     integrator: &mut I,
@@ -421,13 +422,24 @@ fn march_to_last_break<I: Integrator>(
     margin: f64,
 ) -> Result<bool, Error> {
     let mut whole = true;
-    while let Some(time) = system.break_between(state.time, next, margin).filter(|_| I::RESOLVES_TIME) {
+    while I::RESOLVES_TIME
+        && let Some(time) = step_end(system, state.time, next, margin)
+    {
         let step = time - state.time;
         integrator.switch(system, state, state.time + margin)?;
         grid_step(integrator, system, state, step, time)?;
         whole = false;
     }
     Ok(whole)
+}
+
+/// The first time after `from` and before `next`, s, at which a step has to end.
+fn step_end(system: &System, from: f64, next: f64, margin: f64) -> Option<f64> {
+    let end = system.break_between(from, next, margin).unwrap_or(next);
+    let end = system.switch_between(from, end, margin).unwrap_or(end);
+    let sight = if end < next { Sight::Changes } else { Sight::Pulses };
+    let end = system.seen_until(from, end, sight);
+    (end < next).then_some(end)
 }
 
 /// An integrator that keeps the state before the step it took last.

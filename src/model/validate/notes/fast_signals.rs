@@ -38,7 +38,7 @@ pub fn fast_signals(document: &Document) -> Vec<Note> {
 }
 
 /// The numbers that may change in time and that no host gives, but for switches.
-fn signals(document: &Document) -> Vec<Number> {
+pub fn signals(document: &Document) -> Vec<Number> {
     let loads = document.loads.iter().filter(|load| !load.input).flat_map(|load| [load.force, load.moment].concat());
     let actuators = document.actuators.iter().filter(|own| !own.input).map(|own| own.effort);
     let drives = document.motions().filter(|(_, is_input)| !is_input).map(|(motion, _)| motion.number());

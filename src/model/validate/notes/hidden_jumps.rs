@@ -1,4 +1,4 @@
-//! Motions that jump inside an expression, where no step ends: `step`, `if`, `floor`, a comparison. Jumps between pieces are told where the run begins.
+//! Motions that jump inside an expression: `step`, `if`, `floor`, a comparison. Jumps between pieces are told where the run begins.
 
 use super::Note;
 use crate::model::expression::function::Function;
