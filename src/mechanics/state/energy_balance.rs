@@ -13,8 +13,9 @@ const BAND: f64 = 0.02;
 /// Share of the largest energy that numerical damping may take unnoticed: it is there to take what the step does not resolve.
 const DAMPED_BAND: f64 = 0.05;
 
-/// Steps in a row that a loss to numerical damping must have lasted: after a sudden start nearly all of the first, tiny energy may go.
-const DAMPED_STEPS: u32 = 200;
+/// Steps after which a drift that was beyond its band is judged: of the first, tiny energy of a smooth or a sudden start nearly all may come from nowhere or go, and does not
+/// matter once the motion has grown. A gain counts if it is still beyond the band by then, or at the end of the run; a loss to numerical damping if it has been so in all these steps.
+const LASTING: u32 = 200;
 
 /// Share of the energy that has passed through the system by which the sums of the work may be off: the middle or the ends of a step stand for all of it.
 const THROUGHPUT: f64 = 5e-3;
@@ -77,7 +78,11 @@ pub struct EnergyBalance {
     struck: u32,
     /// Steps in a row, up to the last one, for which the loss to numerical damping has been beyond its band.
     damped_steps: u32,
-    /// Where the drift left its band first.
+    /// The drift after the last step, where it is a gain beyond its band.
+    beyond: Option<Alarm>,
+    /// A gain that was beyond its band and is still to be judged, and how many steps ago.
+    suspect: Option<(Alarm, u32)>,
+    /// Where the drift had first lasted.
     alarm: Option<Alarm>,
     /// The work by its origin; none: nobody asks for it.
     pub account: Option<EnergyAccount>,
@@ -118,10 +123,20 @@ impl EnergyBalance {
         };
         let band = share * self.largest + passed * self.throughput + SINGLE_STEP * self.peak + noise + THERMAL;
         let is_beyond = self.drift.abs() > band;
+        let now = Alarm { time, drift: self.drift, largest: self.largest };
         self.damped_steps = if damps && is_beyond { self.damped_steps.saturating_add(1) } else { 0 };
-        if is_beyond && self.alarm.is_none() && (!damps || self.damped_steps >= DAMPED_STEPS) {
-            self.alarm = Some(Alarm { time, drift: self.drift, largest: self.largest });
+        if self.damped_steps >= LASTING {
+            self.alarm = self.alarm.or(Some(now));
         }
+        self.beyond = (is_beyond && !damps).then_some(now);
+        let due = self.suspect.is_some_and(|(_, steps)| steps >= LASTING);
+        if due {
+            self.alarm = self.at_end();
+        }
+        self.suspect = match self.suspect.filter(|_| !due) {
+            Some((suspect, steps)) => Some((suspect, steps + 1)),
+            None => self.beyond.map(|now| (now, 0)),
+        };
     }
 
     /// Takes the next steps out of the account: velocities jump with a drive at the end of the first, and what the drive does at an instant is no power. The
@@ -156,6 +171,15 @@ impl EnergyBalance {
         self.alarm
     }
 
+    /// The alarm of a run that ends now: the one that there has been, or a gain that was beyond the band and has not been judged yet.
+    pub fn at_end(&self) -> Option<Alarm> {
+        self.alarm.or_else(|| {
+            let (suspect, _) = self.suspect?;
+            let is_large = suspect.drift.abs() > BAND * self.largest + THROUGHPUT * self.throughput;
+            if is_large { Some(suspect) } else { self.beyond }
+        })
+    }
+
     /// Forgets the energies of the last step: stiffnesses have been set from outside, which is no step's doing.
     pub fn forget_last(&mut self) {
         self.last = None;
@@ -182,9 +206,23 @@ mod tests {
         // The allowance for that one step fades.
         (0..1000).for_each(|_| balance.account(1.5, 0.0, energies(10.0), 0.0, Losses::None));
         balance.account(2.0, 0.0, energies(10.0 + 0.19), 0.0, Losses::None);
-        assert_eq!(balance.alarm(), None);
+        assert_eq!(balance.at_end(), None);
         balance.account(3.0, 0.0, energies(10.0 + 0.35), 0.0, Losses::None);
-        assert!(balance.alarm().is_some_and(|alarm| alarm.time == 3.0 && (alarm.drift - 0.35).abs() < 1e-12));
+        assert_eq!(balance.alarm(), None);
+        assert!(balance.at_end().is_some_and(|alarm| alarm.time == 3.0 && (alarm.drift - 0.35).abs() < 1e-12));
+        (0..=LASTING).for_each(|_| balance.account(4.0, 0.0, energies(10.0), 0.0, Losses::None));
+        assert!(balance.alarm().is_some_and(|alarm| alarm.time == 3.0));
+    }
+
+    /// Of a smooth start all of the first energy may come from nowhere: it is nothing beside that of the motion.
+    #[test]
+    fn a_small_beginning_raises_no_alarm() {
+        let mut balance = EnergyBalance { last: Some(energies(0.0)), ..EnergyBalance::default() };
+        (0..10).for_each(|number| balance.account(1e-3, 0.0, energies(1e-12 * f64::from(number)), 0.0, Losses::None));
+        assert!(balance.at_end().is_some());
+        balance.account(1.0, 675.0, energies(675.0), 0.0, Losses::None);
+        (0..1000).for_each(|_| balance.account(2.0, 0.0, energies(675.0), 0.0, Losses::None));
+        assert_eq!(balance.at_end(), None);
     }
 
     /// A loss may be twice as large and more where the integrator damps, but not without bound.
@@ -196,7 +234,7 @@ mod tests {
         {
             let mut balance = EnergyBalance { last: Some(energies(1.0)), ..EnergyBalance::default() };
             balance.account(0.5, 0.0, energies(1.0), 0.0, losses);
-            (0..DAMPED_STEPS).for_each(|_| balance.account(1.0, 0.0, energies(kinetic), 0.0, losses));
+            (0..=LASTING).for_each(|_| balance.account(1.0, 0.0, energies(kinetic), 0.0, losses));
             assert_eq!(balance.alarm().is_some(), alarms, "{losses:?} {kinetic}");
         }
     }

@@ -69,12 +69,12 @@ impl Watch {
         let alternation = self.alternation.look(system, state, table, results);
         let stops = self.stops.look(system, state);
         let all = twist.into_iter().chain(axial).chain(mesh).chain(ends).chain(alternation).chain(stops);
-        all.chain(self.energy(state)).collect()
+        all.chain(self.energy(state.balance.alarm())).collect()
     }
 
-    /// What the user should know at the end of a run over `span`, s.
-    pub fn conclude(system: &System, span: [f64; 2]) -> Vec<String> {
-        switches::idle(system, span)
+    /// What the user should know at the end, `state`, of a run over `span`, s.
+    pub fn conclude(&mut self, system: &System, state: &State, span: [f64; 2]) -> Vec<String> {
+        self.energy(state.balance.at_end()).into_iter().chain(switches::idle(system, span)).collect()
     }
 
     /// Strain energy of the last state that was looked at, J; 0: none was.
@@ -123,8 +123,8 @@ impl Watch {
     }
 
     /// Warns of energy that cannot come from anywhere, or that has gone nowhere (MECHANICS 7.4: accuracy is the step's).
-    fn energy(&mut self, state: &State) -> Option<String> {
-        let Alarm { time, drift, largest } = state.balance.alarm().filter(|_| !self.energy_warned)?;
+    fn energy(&mut self, alarm: Option<Alarm>) -> Option<String> {
+        let Alarm { time, drift, largest } = alarm.filter(|_| !self.energy_warned)?;
         self.energy_warned = true;
         let (time, share) = (decimal(time), 100.0 * drift.abs() / largest.max(drift.abs()));
         Some(if self.damps && drift < 0.0 {

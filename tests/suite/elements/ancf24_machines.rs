@@ -361,6 +361,7 @@ output_step = 0.1
     let warnings = |integrator: &str| {
         let mut simulation = load(&format!("{text}integrator = {integrator}"), &[]);
         simulation.advance(0.5).unwrap();
+        simulation.conclude();
         simulation.take_warnings().join("\n")
     };
     assert_eq!(warnings("\"conserving\""), "");

@@ -4,7 +4,6 @@ use super::Simulation;
 use super::runner::Runner;
 use crate::model::run::accuracy::{Inexact, Setting};
 use crate::model::run::levels;
-use crate::model::run::watch::Watch;
 
 impl Simulation {
     /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion, and where they are corrected as is left of that; empty where
@@ -43,7 +42,8 @@ impl Simulation {
         }
         self.warnings.extend(of_steps.into_iter().chain(of_mesh));
         let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
-        self.warnings.extend(Watch::conclude(&self.runner.system, [begin, end]));
+        let Runner { system, state, .. } = &self.runner;
+        self.warnings.extend(self.watch.conclude(system, state, [begin, end]));
     }
 
     /// Warns of results that are off by more than a reader expects because of the steps and the mesh together.
