@@ -85,6 +85,17 @@ impl Load {
         jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)
     }
 
+    /// Whether its force may depend on the coordinates.
+    pub fn may_turn(&self) -> bool {
+        let has_moment = match &self.guide {
+            LoadGuide::Signals { moment, .. } => moment.iter().any(|own| !matches!(own, Signal::Constant(0.0))),
+            LoadGuide::Host => true,
+        };
+        self.direction == Direction::Follower
+            || has_moment
+            || self.points.iter().any(|(marker, _)| marker.arm() != Vec3::zeros())
+    }
+
     /// Whether [`Self::force_q`] of point `number` under the components `wrench` is zero: that of a dead force without an arm.
     pub fn is_constant(&self, number: usize, wrench: &Wrench) -> bool {
         self.direction == Direction::Global

@@ -110,6 +110,32 @@ impl Spring {
         }
     }
 
+    /// Whether [`Self::lag`] may be other than 0.
+    pub fn lags(&self, coordinate: &RelativeCoordinate) -> bool {
+        self.damping != 0.0 || self.law.is_some() || (self.stiffness != 0.0 && coordinate.measure == Measure::Length)
+    }
+
+    /// By how much its force over `step`, whose middle is `c`, exceeds that in the middle of the time, where the coordinate and its rate have the values `middle`: N or N m.
+    /// Without what mean strains and numerical dissipation do to an elastic force that is linear.
+    pub fn lag(&self, coordinate: &RelativeCoordinate, c: &Configuration, step: &TimeStep, middle: [f64; 2]) -> f64 {
+        let passage = Passage::Step(*step);
+        let turning = self.tension(coordinate, c, &passage) * (self.shortening(coordinate, c, &passage) - 1.0);
+        let [value, rate] = middle;
+        let Some(law) = &self.law else {
+            return turning + self.damping * (self.rate(coordinate, c, &passage) - rate);
+        };
+        // A law may have a corner on the way: its mean is that of both halves of the time.
+        let [start, end] = [step.start, step.end].map(|end| self.value(coordinate, end) - self.rest);
+        let between = value - self.rest;
+        let mean = |ends: [f64; 2]| {
+            let force = law.over(ends[0], ends[1], 2.0 * (ends[1] - ends[0]) / step.duration);
+            force.elastic + force.viscous
+        };
+        let force = self.law_force(law, coordinate, c, &passage);
+        let halves = 0.5 * (mean([start, between]) + mean([between, end]));
+        turning + RICHARDSON * (force.elastic + force.viscous - halves)
+    }
+
     /// Says that its law is not a finite number at the rate `v`; none: it is one.
     pub fn undefined(&self, coordinate: &RelativeCoordinate, c: &Configuration, v: f64) -> Option<String> {
         let law = self.law.as_ref()?;
@@ -297,6 +323,9 @@ impl Spring {
         self.law.as_ref().map_or(self.damping != 0.0, Law::is_damped)
     }
 }
+
+/// The mean force over a step minus that in time, over its difference from that of both halves: errors of means fall as the square of the length.
+const RICHARDSON: f64 = 4.0 / 3.0;
 
 /// How far from the middle of a step of `duration` s towards its end the rate of a damper is taken that takes motion at `decay_rate`, 1/s.
 fn lateness(decay_rate: f64, duration: f64) -> f64 {

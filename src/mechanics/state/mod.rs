@@ -120,7 +120,7 @@ impl State {
             && self.rate_leads.is_possible(other.strain_rates.len())
             && self.viscous.is_possible(other.strain_rates.len())
             && self.prediction.is_possible(other.q.len())
-            && self.time_error.is_possible(other.q.len(), other.multipliers.len())
+            && self.time_error.is_possible(other.q.len(), other.multipliers.len(), other.relative_values.len())
             && self.pace.is_possible(other.q.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
             && optional(self.excitation.efforts.len(), other.targets.efforts.len())

@@ -11,6 +11,8 @@ pub struct Pace {
     pub damping_step: f64,
     /// Error of the last step over that allowed; 0: not known.
     pub ratio: f64,
+    /// Largest turn in the last step over what it may be.
+    pub turned: f64,
     /// Start of the motion, s.
     pub since: f64,
     /// Changes of all coordinates since the start; empty before the first step.
@@ -22,8 +24,8 @@ pub struct Pace {
 impl Pace {
     /// Whether it may be one of a system with `coordinates` coordinates.
     pub fn is_possible(&self, coordinates: usize) -> bool {
-        let Self { wanted, damping_step, ratio, since, travel, range: [places, angles] } = self;
-        let sizes = [wanted, damping_step, ratio, places, angles];
+        let Self { wanted, damping_step, ratio, turned, since, travel, range: [places, angles] } = self;
+        let sizes = [wanted, damping_step, ratio, turned, places, angles];
         let are_possible = sizes.iter().all(|size| size.is_finite() && **size >= 0.0);
         are_possible && since.is_finite() && (travel.is_empty() || travel.len() == coordinates)
     }

@@ -24,16 +24,16 @@ impl FrameCache {
         self.at(system, &state.q, state, &state.prescribed)
     }
 
-    /// [`Self::at`] with the frames numbered `joint_frames` alone, [`System::joint_frames`]: the configuration is good for conditions of joints and nothing else.
-    pub fn of_joints<'a>(
+    /// [`Self::at`] with the frames numbered `numbers` alone: the configuration is good for what depends on no others.
+    pub fn at_frames<'a>(
         &'a mut self,
         system: &'a System,
-        joint_frames: &[usize],
+        numbers: &[usize],
         q: &'a [f64],
         state: &'a State,
         prescribed: &'a Prescribed,
     ) -> Configuration<'a> {
-        system.mesh.set_frames_of(joint_frames, q, &state.triads, &mut self.frames);
+        system.mesh.set_frames_of(numbers, q, &state.triads, &mut self.frames);
         system.configuration(q, self, state, prescribed)
     }
 

@@ -51,20 +51,23 @@ impl System {
     }
 
     /// Checks what elements, bodies and joints can bear at the end `c` of a step or increment from `state`; `turn` is the
-    /// largest turn of a tangent, a section or a body, rad.
+    /// largest turn of a tangent, a section or a body, rad. Returns the largest turn of all, joints included, over what it may be.
     ///
     /// # Errors
     /// A tangent, a section, a body or an angle turned too far, an element is bent or twisted too far, a slope is out of range, a joint
     /// stands the wrong way round.
-    pub fn check(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
+    pub fn check(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<f64, Error> {
         self.check_winches(c, time)?;
-        self.check_nodes(c, state, turn, time)?;
+        let nodes = self.check_nodes(c, state, turn, time)?;
         self.check_elements(c, time)?;
-        self.check_bodies(c, state, turn, time)?;
-        self.check_joints(c, state, time)
+        let bodies = self.check_bodies(c, state, turn, time)?;
+        let joints = self.check_joints(c, state, time)?;
+        Ok((nodes / turn).max(bodies / turn).max(joints / LARGEST_ANGLE_CHANGE))
     }
 
-    fn check_nodes(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
+    /// Returns the largest turn, rad.
+    fn check_nodes(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<f64, Error> {
+        let mut largest = 0.0_f64;
         for (number, node) in self.mesh.nodes.iter().enumerate() {
             let place = || self.describe_node(number);
             let [before, slope] = [node.slope(&state.q), node.slope(c.beams.q)];
@@ -76,13 +79,15 @@ impl System {
             if angle > turn {
                 return Err(Error::Turned { time, place: format!("the tangent at {}", place()), angle, limit: turn });
             }
+            largest = largest.max(angle);
             let angle = node.section_turn(&state.q, c.beams.q);
             // Not-a-number must fail: `>` alone would let it pass.
             if angle > turn || angle.is_nan() {
                 return Err(Error::Turned { time, place: format!("the section at {}", place()), angle, limit: turn });
             }
+            largest = largest.max(angle);
         }
-        Ok(())
+        Ok(largest)
     }
 
     fn check_elements(&self, c: &Configuration, time: f64) -> Result<(), Error> {
@@ -108,7 +113,9 @@ impl System {
         Ok(())
     }
 
-    fn check_bodies(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<(), Error> {
+    /// Returns the largest turn, rad.
+    fn check_bodies(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<f64, Error> {
+        let mut largest = 0.0_f64;
         for body in &self.bodies {
             let (start, end) = (kinematics::pose(&state.q, body.start), kinematics::pose(c.beams.q, body.start));
             let angle = rotation_angle(&start.axes, &end.axes);
@@ -116,8 +123,9 @@ impl System {
             if angle > turn || angle.is_nan() {
                 return Err(Error::Turned { time, place: format!("body {}", body.name), angle, limit: turn });
             }
+            largest = largest.max(angle);
         }
-        Ok(())
+        Ok(largest)
     }
 
     /// Whether a joint between the sides of a relative coordinate is released: nothing counts its turns then.
@@ -126,7 +134,9 @@ impl System {
         self.joints.iter().filter(is_own).any(|joint| joint.drive.is_none() && joint.is_released(c))
     }
 
-    fn check_joints(&self, c: &Configuration, state: &State, time: f64) -> Result<(), Error> {
+    /// Returns the largest turn, rad.
+    fn check_joints(&self, c: &Configuration, state: &State, time: f64) -> Result<f64, Error> {
+        let mut largest = 0.0_f64;
         if let Some(joint) = self.joints.iter().find(|joint| !joint.is_upright(c)) {
             return Err(Error::Flipped { time, joint: joint.name.clone() });
         }
@@ -139,6 +149,7 @@ impl System {
                 let place = self.describe_relative_coordinate(coordinate);
                 return Err(Error::Turned { time, place, angle, limit: LARGEST_ANGLE_CHANGE });
             }
+            largest = largest.max(angle);
         }
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let coordinate = &self.relative_coordinates[spring.coordinate];
@@ -160,6 +171,6 @@ impl System {
                 return Err(Error::DriveMissed { time, drive: drive.name.clone(), prescribed, reading });
             }
         }
-        Ok(())
+        Ok(largest)
     }
 }

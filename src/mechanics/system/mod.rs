@@ -13,6 +13,7 @@ mod heating;
 pub mod joint_parts;
 mod labels;
 mod limits;
+pub mod middle_forces;
 pub mod step_starts;
 mod switching;
 mod tangent_layout;
@@ -386,8 +387,12 @@ impl System {
 
     /// The frames of nodes that joints depend on, by their numbers.
     pub fn joint_frames(&self) -> Vec<usize> {
-        let sides = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
-        let frames = sides.flat_map(|side| match *side {
+        self.frames_of(self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]))
+    }
+
+    /// The frames of nodes that `markers` depend on, by their numbers.
+    fn frames_of<'a>(&self, markers: impl Iterator<Item = &'a Marker>) -> Vec<usize> {
+        let frames = markers.flat_map(|marker| match *marker {
             Marker::Node { node, .. } => match self.mesh.nodes[node] {
                 Node::Ancf14 { frame, .. } => frame..frame + 1,
                 Node::Ancf24 { .. } => 0..0,

@@ -350,15 +350,18 @@ impl Inexact {
     /// The warning about a run whose results are off by more than a reader expects; `setting` is the one of its steps.
     pub fn warning(&self, setting: Setting) -> Option<String> {
         let Self { name, error, .. } = self;
-        // Beyond the whole range the estimate has a size, but no number that a step could follow from.
-        let remedy = match *error {
-            error if error > 1.0 => format!("take a far smaller {}", setting.name()),
-            error => format!(
-                "take a smaller {} for about {} where the motion is smooth",
-                setting.proposed(PROPOSED / error),
-                percent(PROPOSED)
-            ),
-        };
+        if *error > 1.0 {
+            return Some(format!(
+                "the error of {name} because of the length of the steps is not known: its estimate has grown beyond the range of {name}, as it does where small differences grow or \
+                 the phase of an oscillation is lost; run again with a tenth of {} and compare, or use --verify",
+                setting.name()
+            ));
+        }
+        let remedy = format!(
+            "take a smaller {} for about {} where the motion is smooth",
+            setting.proposed(PROPOSED / error),
+            percent(PROPOSED)
+        );
         (self.excess_of_steps() > 1.0).then(|| {
             format!(
                 "{name} is off by {} of its range because of the length of the steps, as estimated during the run; {remedy}",
@@ -436,7 +439,7 @@ mod tests {
         );
         let found = warning(1e9).unwrap();
         assert!(
-            found.contains("more than 100 %") && found.ends_with("; take a far smaller simulation.step"),
+            found.contains("is not known") && found.contains("a tenth of simulation.step") && !found.contains('%'),
             "{found}"
         );
     }

@@ -289,7 +289,7 @@ impl Scratch {
     }
 
     /// Refuses what the elements cannot bear (MECHANICS 7.4).
-    fn check(&self, system: &System, state: &State, end: f64) -> Result<(), Error> {
+    fn check(&self, system: &System, state: &State, end: f64) -> Result<f64, Error> {
         let configuration = system.configuration(&self.q, &self.frames, state, &self.prescribed);
         system.check(&configuration, state, limits::LARGEST_TURN, end)
     }

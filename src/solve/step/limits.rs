@@ -35,16 +35,23 @@ pub fn check_drives(system: &System, state: &State, end: f64, count: u64) -> Res
 }
 
 /// Refuses moving frames that turn too far over the `step` s from `state` to `end`, where they move as `prescribed`: what
-/// hangs on them may find another root.
+/// hangs on them may find another root. Returns the largest turn over what it may be.
 ///
 /// # Errors
 /// One does.
-pub fn check_frames(system: &System, state: &State, prescribed: &Prescribed, step: f64, end: f64) -> Result<(), Error> {
+pub fn check_frames(
+    system: &System,
+    state: &State,
+    prescribed: &Prescribed,
+    step: f64,
+    end: f64,
+) -> Result<f64, Error> {
     match prescribed.largest_turn(&state.prescribed, step) {
         Some((frame, angle)) if angle > LARGEST_FRAME_TURN => {
             let place = format!("frame {}", system.moving_frames[frame].name);
             Err(Error::Turned { time: end, place, angle, limit: LARGEST_FRAME_TURN })
         }
-        _ => Ok(()),
+        Some((_, angle)) => Ok(angle / LARGEST_FRAME_TURN),
+        None => Ok(0.0),
     }
 }

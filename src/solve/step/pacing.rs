@@ -21,6 +21,8 @@ const SHRINKING: f64 = 0.2;
 /// Error over that allowed which a step aims at, and from which it is taken again.
 const AIM: f64 = 0.7;
 const TOO_LARGE: f64 = 2.0;
+/// Share of the largest turn of a step that a step aims at, at most.
+const NEAR_LIMIT: f64 = 0.9;
 /// What of the error of the last step counts for the next one at least.
 const MEMORY: f64 = 0.9;
 /// Share of the whole error that a step may have, over its share of the duration: where the third derivative of an oscillation passes through zero the steps become longer, and the
@@ -99,6 +101,9 @@ impl Pacing {
             let ended_early = step < ENDED_EARLY * pace.wanted && ratio < 1.0;
             pace.wanted = if ended_early { wanted.max(pace.wanted) } else { wanted };
         }
+        if pace.turned > 0.0 {
+            pace.wanted = pace.wanted.min(NEAR_LIMIT / pace.turned * step);
+        }
         Ok(())
     }
 
@@ -159,6 +164,7 @@ impl Pacing {
             state.statistics.rejected += 1;
             let shorter = match reason {
                 Error::Inexact { ratio, .. } => (AIM / ratio).cbrt().max(SHRINKING),
+                Error::Turned { angle, limit, .. } if angle > limit => (NEAR_LIMIT * limit / angle).max(SHRINKING),
                 _ => 0.5,
             };
             state.pace.wanted = shorter * step;

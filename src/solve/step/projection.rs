@@ -59,7 +59,7 @@ impl Projection {
         frames: &mut FrameCache,
         state: &mut State,
     ) -> Result<(), Error> {
-        let configuration = frames.of_joints(system, &self.joint_frames, &state.q, state, &state.prescribed);
+        let configuration = frames.at_frames(system, &self.joint_frames, &state.q, state, &state.prescribed);
         system.constraint_gradients(&configuration, &mut self.gradients);
         let (momentum, rates) = self.right.split_at_mut(state.q.len());
         momentum.copy_from_slice(&state.momentum);

@@ -8,9 +8,15 @@ use super::projection::Projection;
 use crate::error::Error;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_account::Work;
+use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
+
+/// How far the neighboring state of an impact is moved, as [`System::motion_size`] measures: so little that it is linear.
+const REACH: f64 = 1e-5;
+/// Largest multiple of the error that it is moved by: an error this far below [`REACH`] is round-off.
+const LARGEST_MULTIPLE: f64 = 1e3;
 
 /// Engages and releases what is to be so at `time`, s, the instant of `state` but for rounding; `kkt` is scratch memory. Returns whether anything changed.
 ///
@@ -36,15 +42,43 @@ pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> R
     Ok(true)
 }
 
+/// The state that lies a small multiple of the time-step error from `state`, before an impact; and the multiple. None: there is no error, or it has no bound.
+fn neighbor(system: &System, state: &State) -> Option<(State, f64)> {
+    if !state.time_error.is_known() {
+        return None;
+    }
+    let TimeError { position, velocity, .. } = &state.time_error;
+    let time = state.pace.wanted.max(state.time_error.step);
+    let size = system.motion_size(position).max(time * system.motion_size(velocity));
+    if !size.is_finite() {
+        return None;
+    }
+    let multiple = (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE);
+    let mut neighbor = state.clone();
+    for (list, change) in [(&mut neighbor.q, position), (&mut neighbor.velocity, velocity)] {
+        list.iter_mut().zip(change).for_each(|(value, change)| *value += multiple * change);
+    }
+    system.mass_times(&state.prescribed.drives, &neighbor.velocity, &mut neighbor.momentum);
+    Some((neighbor, multiple))
+}
+
 /// Brings the velocities of `state` to what the constraints allow, and its energies.
 fn collide(system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Error> {
     let before = state.velocity.clone();
     let kinetic_before = system.kinetic_energy(&FrameCache::default().of(system, state), &before);
     let (mut projection, mut frames) = (Projection::once(system), FrameCache::default());
+    let neighbor = neighbor(system, state);
     projection.set_velocity(system, kkt, &mut frames, state)?;
     kkt.check_unique(system, state.time)?;
-    // Its part along what engages is gone; how much of the rest is, the next step finds anew.
-    state.time_error.velocity.fill(0.0);
+    if let Some((mut neighbor, multiple)) = neighbor {
+        projection.set_velocity(system, kkt, &mut frames, &mut neighbor)?;
+        let velocities = neighbor.velocity.iter().zip(&state.velocity);
+        for (error, (moved, own)) in state.time_error.velocity.iter_mut().zip(velocities) {
+            *error = (moved - own) / multiple;
+        }
+    } else {
+        state.time_error.velocity.fill(0.0);
+    }
     system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
     let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
     let dissipated = system.kinetic_energy_of_mesh(&state.prescribed.drives, &change);

@@ -152,9 +152,9 @@ fn truncated_strain_has_its_limit() {
     };
     let (limit, warned, outcome) = check(0.4);
     assert!((limit - 153.0).abs() < 1.0, "{limit}");
-    assert_eq!((warned, outcome), (None, Ok(())));
+    assert_eq!((warned, outcome.map(drop)), (None, Ok(())));
     let (_, warned, outcome) = check(0.6);
-    assert_eq!((warned.as_deref(), outcome), (Some("beam"), Ok(())));
+    assert_eq!((warned.as_deref(), outcome.map(drop)), (Some("beam"), Ok(())));
     let (_, warned, outcome) = check(-1.1);
     assert_eq!(warned.as_deref(), Some("beam"));
     assert!(outcome.unwrap_err().contains("element 0 of beam is twisted by -168"));

@@ -109,7 +109,7 @@ fn conditions_depend_on_the_frames_of_their_nodes_alone() {
         let frames = system.joint_frames();
         state.q.iter_mut().for_each(|value| *value += 0.02 * system.size * random.signed());
         let (mut snapshot, mut found, mut rates) = (FrameCache::default(), Vec::new(), vec![0.0; system.constraints()]);
-        let c = snapshot.of_joints(&system, &frames, &state.q, &state, &state.prescribed);
+        let c = snapshot.at_frames(&system, &frames, &state.q, &state, &state.prescribed);
         system.constraint_gradients(&c, &mut found);
         system.constraint_rates(&c, &mut rates);
         let (mut whole, mut expected) = (FrameCache::default(), vec![0.0; system.constraints()]);

@@ -12,5 +12,6 @@ pub mod mesh_truth;
 pub mod motion_meshes;
 pub mod scales;
 pub mod time_error;
+mod time_error_of_forces;
 pub mod turned_models;
 pub mod verification;

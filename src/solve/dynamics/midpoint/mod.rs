@@ -122,11 +122,12 @@ impl Integrator for Midpoint {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         self.scratch.prepare(system, state, step, end);
         self.scratch.predict(state, step);
-        limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
+        let turned = limits::check_frames(system, state, &self.scratch.prescribed_end, step, end)?;
         let dissipation = self.dissipation(state, step);
         // All that is left may fail: the state changes at the very end.
         let mut next = std::mem::take(&mut self.next);
         next.copy_motion_from(state);
+        next.pace.turned = turned;
         let span = Span { step, end };
         let solved = self.solve(system, state, dissipation, span, &mut next);
         let solved = solved.and_then(|solved| self.judge(system, state, dissipation, span, &mut next).map(|()| solved));
@@ -235,7 +236,7 @@ impl Midpoint {
         next: &mut State,
     ) {
         let Self { estimator: Some(estimator), kkt, scratch, right, .. } = self else { return };
-        state.time_error.resize(system.coordinates(), system.constraints());
+        state.time_error.resize(system.coordinates(), system.constraints(), system.relative_coordinates.len());
         let State { strain_rates, velocity, .. } = next;
         estimator.borrow_from(scratch, |estimator, solution| {
             let taken = Taken { state, dissipation, span, solution, strain_rates };

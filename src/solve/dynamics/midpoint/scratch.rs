@@ -224,8 +224,8 @@ impl Scratch {
         system.constraint_gradients(&middle, &mut self.gradients_middle);
     }
 
-    /// Refuses what the elements cannot bear (MECHANICS 7.4).
-    pub fn check(&self, system: &System, state: &State, end: f64) -> Result<(), Error> {
+    /// Refuses what the elements cannot bear (MECHANICS 7.4); returns the largest turn over what it may be.
+    pub fn check(&self, system: &System, state: &State, end: f64) -> Result<f64, Error> {
         let configuration = system.configuration(&self.q_end, &self.frames_end, state, &self.prescribed_end);
         system.check(&configuration, state, limits::LARGEST_TURN, end)
     }

@@ -47,7 +47,7 @@ impl Midpoint {
             let mut convergence =
                 newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, span.end, counted)?;
             self.scratch.place(system, state.into());
-            self.scratch.check(system, state, span.end)?;
+            next.pace.turned = next.pace.turned.max(self.scratch.check(system, state, span.end)?);
             let bound = size[0] + size[1] * convergence.corrections[0];
             let is_known = expected != Shrinking::default();
             let promise = Promise { bound, round_off, shrinks: matrix < MOST_MATRICES };

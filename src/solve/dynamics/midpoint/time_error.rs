@@ -4,15 +4,16 @@
 //! their difference `ε` follows from it by the tangent of the step, which has been factorized for the step itself. The residual of a motion that is moved by
 //! a small multiple of `ε` has all that this takes: one evaluation of the forces and one back-substitution.
 
-use super::scratch::{Scratch, Start};
+use super::scratch::{Scratch, Start, configurations, time_step};
 use super::{Span, Step};
 use crate::mechanics::beam::configuration::Dissipation;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::state::State;
-use crate::mechanics::state::time_error::TimeError;
+use crate::mechanics::state::time_error::{Passed, TimeError};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::middle_forces::{Mean, Middle, Sight};
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::projection::Projection;
@@ -53,10 +54,23 @@ pub struct Estimator {
     gradients: Vec<JointGradient>,
     /// The frames that joints depend on.
     joint_frames: Vec<usize>,
+    /// Forces that differ between the step and the middle of its time.
+    lags: Lags,
     /// The start of the neighboring motion.
     start: Moved,
     /// Of the neighboring motion, with memory that the step lends it ([`Self::borrow_from`]).
     scratch: Scratch,
+}
+
+/// Forces that differ between the step and the middle of its time ([`System::add_lagging_forces`]).
+#[derive(Debug, Default)]
+struct Lags {
+    /// The frames that they depend on.
+    frames: Vec<usize>,
+    /// What they read in the middle of the time.
+    middles: Vec<Middle>,
+    /// What the next step is to know of it, as [`TimeError::relative`].
+    relative: Vec<Passed>,
 }
 
 /// A neighboring motion, in the charts of a state.
@@ -118,6 +132,7 @@ impl Estimator {
             targets: vec![0.0; conditions],
             gradients: Vec::new(),
             joint_frames: system.joint_frames(),
+            lags: Lags { frames: system.frames_of_lagging_forces(), ..Lags::default() },
             start: Moved::default(),
             scratch: Scratch::borrowing(system),
         }
@@ -197,7 +212,7 @@ impl Estimator {
                 *value = mean - multiple * 2.0 * MEAN * h * (increment / h - velocity);
             }
             let configuration =
-                scratch.frames_middle.of_joints(system, joint_frames, at_middle, state, &scratch.prescribed_middle);
+                scratch.frames_middle.at_frames(system, joint_frames, at_middle, state, &scratch.prescribed_middle);
             system.constraint_gradients(&configuration, &mut scratch.gradients_middle);
         }
         scratch.place(system, start);
@@ -289,7 +304,10 @@ impl Estimator {
                 *memory += scale * (by_change * (now - last) + by_start * (now - first));
             }
         }
-        let scratch = &mut self.scratch;
+        if system.has_lagging_forces() {
+            self.add_lags(system, taken, mean);
+        }
+        let Self { start, scratch, .. } = self;
         scratch.excitation.clone_from(&solution.excitation);
         scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
         scratch.prescribed_end.copy_from(&solution.prescribed_end);
@@ -304,6 +322,53 @@ impl Estimator {
         for (impulse, (multiplier, own)) in scratch.impulses.iter_mut().zip(known) {
             *impulse = own + multiple * 0.5 * h * multiplier;
         }
+    }
+
+    /// Adds to the source, in momentum, by what forces over the step differ from those in the middle of its time. The scratch memory still has the configurations of the step.
+    fn add_lags(&mut self, system: &System, taken: &Taken, mean: f64) {
+        let Taken { state, dissipation, span: Span { step: h, .. }, solution, .. } = *taken;
+        let (error, from) = (&state.time_error, Start::from(state));
+        let Self { lags: Lags { frames, middles, relative }, scratch, filtered, jerk, .. } = self;
+        let [start, middle, end] = configurations(
+            system,
+            from,
+            [&scratch.q_middle, &scratch.q_end],
+            [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
+            [&solution.prescribed_middle, &solution.prescribed_end],
+        );
+        let known = (&*scratch.predicted_rates, &scratch.starts);
+        let step = time_step(from, [&start, &end], &solution.increment, known, h, dissipation);
+        relative.clone_from(&error.relative);
+        middles.clear();
+        middles.resize(relative.len(), Middle::default());
+        system.each_mean_of_step(&middle, &step, |number, Mean { value, rate, force }| {
+            let before = &error.relative[number];
+            let difference =
+                |least: u8, now: f64, before: f64| if error.known < least { 0.0 } else { (now - before) / mean };
+            let acceleration = difference(1, rate, before.rate);
+            let jerk = difference(2, acceleration, before.acceleration);
+            let first = difference(1, force, before.forces[0]);
+            let second = difference(2, first, before.forces[1]);
+            let bend = if error.known < 3 { second } else { 2.0 * second - before.forces[2] };
+            let value = value - MEAN * h * h * in_middle(acceleration, jerk, h);
+            middles[number] = Middle { value, rate: rate - MIDPOINT * h * h * jerk, bend };
+            relative[number] = Passed { rate, acceleration, forces: [force, first, second] };
+        });
+        if error.known < 1 {
+            return;
+        }
+        let factor = 0.5 * h * h;
+        let source = &mut filtered[..jerk.len()];
+        system.add_lags_of_springs(&middle, &step, middles, factor, source);
+        system.add_lagging_forces(&middle, Sight::Step(&step), &solution.excitation, factor, source);
+        for (q, (increment, velocity)) in
+            scratch.q_middle.iter_mut().zip(solution.increment.iter().zip(&state.velocity))
+        {
+            *q -= 2.0 * MEAN * h * (increment / h - velocity);
+        }
+        let (q, prescribed) = (&scratch.q_middle, &solution.prescribed_middle);
+        let middle = scratch.frames_middle.at_frames(system, frames, q, state, prescribed);
+        system.add_lagging_forces(&middle, Sight::Middle(middles), &solution.excitation, -factor, source);
     }
 
     /// Turns `right`, the correction of the neighboring motion, into the change of the error's positions, and its multipliers; sets its velocities and accelerations at the end of
@@ -347,6 +412,9 @@ impl Estimator {
                 error.multipliers.copy_from_slice(multipliers);
                 std::mem::swap(&mut error.jerk, &mut self.jerk);
                 std::mem::swap(&mut error.snap, &mut self.snap);
+                if system.has_lagging_forces() {
+                    std::mem::swap(&mut error.relative, &mut self.lags.relative);
+                }
                 error.known = (error.known + 1).min(3);
                 error.step = self.step;
             }
@@ -373,7 +441,7 @@ impl Estimator {
         let moved = &mut filtered[..next.q.len()];
         let places = moved.iter_mut().zip(next.q.iter().zip(&next.time_error.position));
         places.for_each(|(moved, (own, change))| *moved = own + multiple * change);
-        let neighbor = frames.of_joints(system, joint_frames, moved, next, &next.prescribed);
+        let neighbor = frames.at_frames(system, joint_frames, moved, next, &next.prescribed);
         system.constraint_gradients(&neighbor, gradients);
         targets.fill(0.0);
         system.add_constraint_rates(gradients, &next.velocity, targets);
