@@ -8,6 +8,7 @@ use std::{
 use super::{
     component::{Component, Host},
     fault,
+    float_environment::Usual,
     fmi3_types::Callbacks,
     live,
     types::{fmi2Status, fmi2String},
@@ -75,8 +76,10 @@ pub unsafe fn callbacks<M: Model>(handle: *mut c_void) -> Option<Callbacks> {
     }
 }
 
-/// What `body` gives; a panic in it becomes its words and its place. Whoever calls this sees to it that nothing half-done is used again.
+/// What `body` gives, in the usual floating-point environment; a panic in it becomes its words and its place. Whoever
+/// calls this sees to it that nothing half-done is used again.
 pub(super) fn caught<R>(body: impl FnOnce() -> R) -> Result<R, String> {
+    let _usual = Usual::enter();
     catch_unwind(AssertUnwindSafe(body)).map_err(|payload| fault::message(payload.as_ref()))
 }
 

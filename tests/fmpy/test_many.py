@@ -1,5 +1,5 @@
 """Does a unit bear what hosts do to it in long studies? Very many simulations in one process, very many loads of its library, many instances in
-many threads, and a fork: the same bits, no memory lost, and not a word on stdout or stderr."""
+many threads, a fork, a small stack, and traps: the same bits, no memory lost, and not a word on stdout or stderr."""
 
 import subprocess
 import sys
@@ -23,6 +23,21 @@ def packed(tmp_path_factory):
 
 def library(packed):
     return next((packed / "unit/binaries/linux64").glob("*.so"))
+
+
+def unpack(fmu, folder):
+    """Unpacks a unit; its description."""
+    with zipfile.ZipFile(fmu) as archive:
+        archive.extractall(folder / "unit")
+    return read_model_description(str(fmu), validate=False)
+
+
+def ends(description) -> list[str]:
+    """The value references of the first input, or -1, and of the first and the last output."""
+    reals = [variable for variable in description.modelVariables if variable.type == "Real"]
+    inputs = [variable.valueReference for variable in reals if variable.causality == "input"] or [-1]
+    outputs = [variable.valueReference for variable in reals if variable.causality == "output"]
+    return [str(reference) for reference in (inputs[0], outputs[0], outputs[-1])]
 
 
 def build(name, packed, *more):
@@ -89,12 +104,64 @@ STACK = 256
 
 def test_small_stacks(fmu, tmp_path):
     """Every unit, with derivatives by time and by inputs and a state as bytes, in a thread with the stack that is promised to be enough."""
-    description = read_model_description(str(fmu), validate=False)
-    with zipfile.ZipFile(fmu) as archive:
-        archive.extractall(tmp_path / "unit")
+    description = unpack(fmu, tmp_path)
     program = build("small_stack", tmp_path, library(tmp_path), "-pthread")
-    reals = [variable for variable in description.modelVariables if variable.type == "Real"]
-    inputs = [variable.valueReference for variable in reals if variable.causality == "input"] or [-1]
-    outputs = [variable.valueReference for variable in reals if variable.causality == "output"]
-    words = [description.guid, STACK, description.defaultExperiment.stepSize, inputs[0], outputs[0], outputs[-1]]
-    assert quiet(program, tmp_path / "unit/resources", *map(str, words)) == ""
+    words = [description.guid, str(STACK), str(description.defaultExperiment.stepSize), *ends(description)]
+    assert quiet(program, tmp_path / "unit/resources", *words) == ""
+
+
+def survives_traps(fmu, folder):
+    description = unpack(fmu, folder)
+    program = build("traps", folder, library(folder), "-lm")
+    words = [description.guid, str(description.defaultExperiment.stepSize), "3", *ends(description)]
+    assert quiet(program, folder / "unit/resources", *words) == ""
+
+
+def test_traps(fmu, tmp_path):
+    """Every unit, with gravity and without, in a host that traps divisions by zero, invalid operations and overflows,
+    and rounds upward: the program compares the bits with those of a usual host."""
+    survives_traps(fmu, tmp_path)
+
+
+# The branch of `if` that is not taken is 0/0 at t = 0, the rates of `sqrt(t)` are infinite there, and `exp` overflows
+# in the bounds of the load over the run; a correction divides by ranges that are still 0.
+EXPRESSIONS = """
+format = 1
+[model]
+name = "Expressions"
+[material.steel]
+young = 2.1e11
+poisson = 0.3
+density = 7850
+[section.square]
+shape = "rectangle"
+width = 0.01
+height = 0.01
+[beam.arm]
+material = "steel"
+section = "square"
+from = [0, 0, 0]
+to = [1, 0, 0]
+elements = 2
+[joint.root]
+type = "weld"
+a = "ground"
+b = "arm.start"
+[load.tip]
+at = "arm.end"
+force = [0, "if(t > 0, sin(10*t)/t, 10)", "sqrt(t) + if(t < 0, exp(1e4*(1 + t)), 1)"]
+[output.P]
+at = "arm.end"
+quantities = ["position", "velocity"]
+[simulation]
+stop = 0.1
+step = 1e-3
+correction = true
+"""
+
+
+def test_traps_and_expressions(tmp_path):
+    """Expressions have values that are not finite, also where nothing asks for them."""
+    (tmp_path / "expressions.toml").write_text(EXPRESSIONS)
+    run("pack", tmp_path / "expressions.toml", "-o", tmp_path / "unit.fmu")
+    survives_traps(tmp_path / "unit.fmu", tmp_path)

@@ -120,6 +120,6 @@ impl System {
         for body in &self.bodies {
             (0..BODY).for_each(|local| count(body.start + local, local >= axis_place(0)));
         }
-        if whole > 0.0 { turning / whole } else { 0.0 }
+        if whole > 0.0 { turning / whole.max(f64::MIN_POSITIVE) } else { 0.0 }
     }
 }

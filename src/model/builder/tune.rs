@@ -273,7 +273,7 @@ pub(super) fn axes(orientation: Orientation, value: impl Fn(Number) -> f64) -> O
         Orientation::Quaternion(numbers) => {
             let [w, x, y, z] = numbers.map(value);
             let length = Vec3::new(x, y, z).norm().hypot(w);
-            (length > SHORTEST).then(|| quaternion_matrix([w, x, y, z].map(|part| part / length)))
+            (length > SHORTEST).then(|| quaternion_matrix([w, x, y, z].map(|part| part / length.max(SHORTEST))))
         }
     }
 }
@@ -294,7 +294,7 @@ fn spin(orientation: Orientation, line: impl Fn(Number) -> (f64, f64)) -> Vec3 {
             let (now, change) = (part(|line| line.0), part(|line| line.1));
             let square = now.norm_squared();
             let turn = (change * now.conjugate()).imag() * 2.0;
-            if square > SHORTEST * SHORTEST { turn / square } else { Vec3::zeros() }
+            if square > SHORTEST * SHORTEST { turn / square.max(SHORTEST * SHORTEST) } else { Vec3::zeros() }
         }
     }
 }

@@ -70,7 +70,7 @@ fn frame_axes(document: &Document, orientation: Orientation) -> Option<Mat3> {
         Orientation::Quaternion(numbers) => {
             let parts = numbers.map(|number| document.value(number));
             let length = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
-            (length > 0.0).then(|| quaternion_matrix(parts.map(|part| part / length)))
+            (length > 0.0).then(|| quaternion_matrix(parts.map(|part| part / length.max(f64::MIN_POSITIVE))))
         }
     }
 }

@@ -6,6 +6,10 @@ use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Exponents, Variable};
 use crate::mechanics::system::System;
 
+/// Gravity below which a fall over the extent takes longer than any run, m/s². The denominator is at least that: the
+/// compiler computes the quotient before it tests whether there is gravity, and hosts may trap a division by 0.
+const LEAST_GRAVITY: f64 = 1e-30;
+
 /// What a mechanism is measured by.
 #[derive(Clone, Copy, Debug)]
 pub struct Scales {
@@ -21,7 +25,7 @@ impl Scales {
     /// What `system` is measured by.
     pub fn of(system: &System) -> Self {
         let gravity = system.gravity.norm();
-        let time = (gravity > 0.0).then(|| (system.size / gravity).sqrt());
+        let time = (gravity > 0.0).then(|| (system.size / gravity.max(LEAST_GRAVITY)).sqrt());
         Self { length: system.size, mass: system.mass, time }
     }
 

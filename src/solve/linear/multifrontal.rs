@@ -144,7 +144,8 @@ impl Multifrontal {
             }
         }
         for value in multipliers {
-            *value = if *value > 0.0 { 1.0 / *value } else { 1.0 };
+            // Compilers divide first and choose afterwards: not by 0, which hosts may trap.
+            *value = if *value > 0.0 { 1.0 / value.max(f64::MIN_POSITIVE) } else { 1.0 };
         }
     }
 
@@ -304,7 +305,7 @@ impl Multifrontal {
                 return f64::INFINITY;
             }
             if *magnitude > 0.0 {
-                error = error.max(remainder.abs() / magnitude);
+                error = error.max(remainder.abs() / magnitude.max(f64::MIN_POSITIVE));
             }
         }
         error

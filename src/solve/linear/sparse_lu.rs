@@ -229,7 +229,7 @@ impl SparseLu {
                 return f64::INFINITY;
             }
             if *magnitude > 0.0 {
-                error = error.max(remainder.abs() / magnitude);
+                error = error.max(remainder.abs() / magnitude.max(f64::MIN_POSITIVE));
             }
         }
         error
