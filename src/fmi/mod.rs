@@ -213,11 +213,12 @@ pub trait Model: Sized {
     /// The step cannot be differentiated.
     fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure>;
 
-    /// The derivative of the initial value of `unknown`, a Real that is calculated, by the value of `known`, a Real that can be set. The
-    /// initial state is found already.
+    /// The derivative of the initial value of `unknown`, a Real that is calculated, by the value of `known`, a Real
+    /// that can be set; 0, with a warning, where `known` cannot begin at another value. The initial state is found
+    /// already.
     ///
     /// # Errors
-    /// There is no initial state with another value of `known`.
+    /// The initial state with another value of `known` cannot be found.
     fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure>;
 
     /// The run has ended: [`Self::take_warnings`] then has what should be known of it as a whole.

@@ -107,6 +107,7 @@ impl<M: Model> Instance<M> {
         for &unknown in unknowns {
             self.change(unknown, knowns, seeds)?;
         }
+        self.pass_on_warnings();
         for (change, &unknown) in changes.iter_mut().zip(unknowns) {
             *change = self.change(unknown, knowns, seeds)?;
         }
@@ -134,6 +135,7 @@ impl<M: Model> Instance<M> {
         for &known in knowns {
             self.adjoint(unknowns, seeds, known)?;
         }
+        self.pass_on_warnings();
         for (change, &known) in changes.iter_mut().zip(knowns) {
             *change = self.adjoint(unknowns, seeds, known)?;
         }

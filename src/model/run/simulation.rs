@@ -11,6 +11,7 @@ mod mesh_error;
 mod runner;
 mod saved;
 mod solver;
+mod start;
 mod start_derivatives;
 mod stepping;
 
@@ -23,6 +24,7 @@ use self::derivatives::{Derived, LastStep};
 use self::guid::guid;
 use self::mesh_error::Peak;
 use self::runner::Runner;
+use self::start::NoStart;
 use self::stepping::UnderWay;
 use super::accuracy::{Accuracy, Columns, Inexact, Looker};
 use super::levels::{OtherMesh, Override};
@@ -37,7 +39,6 @@ use crate::model::builder;
 use crate::model::file::document::Document;
 use crate::model::file::entries::frame::FrameSpec;
 use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
-use crate::model::file::number::Number;
 use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::text::diagnostic::Diagnostics;
 use crate::model::variables::inputs::Inputs;
@@ -80,6 +81,8 @@ pub struct Simulation {
     under_way: Option<UnderWay>,
     derived: Derived,
     warned_of_quaternion: bool,
+    /// The variables that cannot begin otherwise, as the log has been told.
+    told_fixed: Vec<usize>,
 }
 
 impl Simulation {
@@ -123,6 +126,7 @@ impl Simulation {
             under_way: None,
             derived: Derived::default(),
             warned_of_quaternion: false,
+            told_fixed: Vec::new(),
         };
         simulation.read_results().map_err(|error| failure(&error))?;
         Ok(simulation)
@@ -183,12 +187,6 @@ impl Simulation {
             self.derived.forget_rates();
         }
         Ok(())
-    }
-
-    /// Where inputs are at the start, but for those of frames: the file draws these, and a host that begins elsewhere moves them there.
-    fn starts(&self) -> Vec<(Number, f64)> {
-        let drawn: Vec<Number> = self.document.frames.iter().flat_map(FrameSpec::numbers).collect();
-        self.inputs.iter().filter(|(number, _)| !drawn.contains(number)).collect()
     }
 
     /// Warns, once, of a quaternion of 0 for the end of a step from `begin` to `end`, s.
@@ -353,32 +351,7 @@ impl Model for Simulation {
     }
 
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
-        self.warn_of_quaternions([start; 2]);
-        let starts = self.starts();
-        if starts.iter().any(|(number, value)| self.document.value(*number) != *value) {
-            let document = Arc::make_mut(&mut self.document);
-            starts.iter().for_each(|(number, value)| document.set_start(*number, *value));
-        }
-        self.document.check().map_err(wrong)?;
-        if let Some(first) = self.first_state.clone() {
-            return self.begin_with_first(&first, start);
-        }
-        let document = &self.document;
-        let mut runner = match self.runner.if_drawn(document, start) {
-            Some(runner) => runner,
-            None => {
-                let built = builder::build(document, document.drawn_at(start))
-                    .map_err(|mistakes| wrong(mistakes.to_string()))?;
-                Runner::new(built, document, start)
-            }
-        };
-        let origin = runner.system.origin;
-        builder::aim(document, &origin, |number| self.inputs.line(number), [start; 2], &mut runner.state.targets);
-        let warnings = runner.find_initial_state(document, self.table.needs_response());
-        self.warnings.extend(warnings.map_err(|error| failure(&error))?);
-        self.begin_with(runner)?;
-        self.start_companion();
-        Ok(())
+        self.find_start(start).map_err(NoStart::into_failure)
     }
 
     fn time(&self) -> f64 {
@@ -430,6 +403,7 @@ impl Model for Simulation {
         }
         self.warnings.clear();
         self.warned_of_quaternion = false;
+        self.told_fixed.clear();
         self.inputs = Inputs::new(&self.document);
         self.forget_step();
         self.forget_mesh_errors();

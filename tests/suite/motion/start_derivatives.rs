@@ -2,6 +2,8 @@
 //! or a parameter that the description does not name.
 
 use crate::curves::load;
+use ancf14::fmi::instance::Instance;
+use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::variable::Causality;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
@@ -215,4 +217,34 @@ fn regression_results_are_numbers() {
             Err(failure) => assert!(!failure.message.is_empty()),
         }
     }
+}
+
+/// A drive begins at 0 as drawn: nothing follows from another start. A host that asks for the whole Jacobian, or the
+/// adjoint one, gets 0 there, with one line in the log, and the derivatives with respect to all else.
+#[test]
+fn regression_values_that_cannot_begin_otherwise() {
+    let hinge = "type = \"revolute\"\naxis = [0, 1, 0]";
+    let drive = "[drive.motor]\njoint = \"root\"\ncoordinate = \"angle\"\ninput = \"value\"\n";
+    let text = CANTILEVER.replace("START", "as_drawn").replacen("type = \"weld\"", hinge, 1) + drive;
+    let mut instance = Instance::of(Standard::Fmi3, load(&text, &[]), false);
+    instance.enter_initialization_mode().unwrap();
+    let names = ["P.acceleration[3]", "R.reaction_force[3]", "motor.value", "tip.force[3]"];
+    let [acceleration, reaction, value, force] = names.map(|name| place(instance.model(), name) as u32);
+    let mut changes = [7.0; 2];
+    instance.take_entries();
+    for _ in 0..2 {
+        instance.directional_derivative(&[acceleration, reaction], &[value], &[1.0], &mut changes).unwrap();
+        assert_eq!(changes, [0.0; 2]);
+        instance.adjoint_derivative(&[acceleration, reaction], &[value], &[1.0, 1.0], &mut changes[..1]).unwrap();
+        assert_eq!(changes[0], 0.0);
+        instance.set_real(&[force], &[1.0]).unwrap();
+    }
+    let told: Vec<String> = instance.take_entries().into_iter().map(|entry| entry.message).collect();
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(
+        told[0].contains("with respect to motor.value are given as 0") && told[0].contains("let it begin at 0"),
+        "{told:?}"
+    );
+    instance.directional_derivative(&[acceleration, reaction], &[force, value], &[1.0, 1.0], &mut changes).unwrap();
+    assert!(changes[0] > 1.0, "{changes:?}");
 }

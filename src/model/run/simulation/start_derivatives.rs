@@ -1,11 +1,13 @@
 //! Derivatives of the start: how the initial values of outputs and calculated parameters change with the inputs and parameters that they
 //! are found from.
 //!
-//! The initial state is found again with a value that differs a little: whatever the start is, a drawing or an equilibrium, its derivative
-//! is a difference. The change moves the system by about [`REACH`] of its size, where it moves it at all.
+//! The initial state is found again with a value that differs a little: whatever the start is, a drawing or an
+//! equilibrium, its derivative is a difference. The change moves the system by about [`REACH`] of its size, where it
+//! moves it at all. Nothing follows from a value that cannot be another one, as that of a drive that must begin at 0.
 
 use super::Simulation;
 use super::derivatives::finite;
+use super::start::NoStart;
 use crate::fmi::{Failure, Model, Value};
 
 /// First change of a value, relative; of 0 the change itself, of a place over the system's size.
@@ -36,14 +38,34 @@ impl Simulation {
         let column = self.start_column(known);
         self.go_back_to(&present);
         (self.warnings, self.derived.starts) = (warnings, starts);
-        let column = column?;
+        let column = match column {
+            Ok(column) => column,
+            Err(NoStart::NotFound(failure)) => return Err(failure),
+            Err(NoStart::Refused(failure)) => {
+                self.tell_fixed(known, &failure);
+                vec![0.0; self.table.variables.len()]
+            }
+        };
         let derivative = column[unknown];
         self.derived.starts.push((known, column));
         finite(derivative)
     }
 
+    /// Tells, once, that variable `known` cannot begin otherwise.
+    fn tell_fixed(&mut self, known: usize, reason: &Failure) {
+        if !self.told_fixed.contains(&known) {
+            self.told_fixed.push(known);
+            let Failure { message, .. } = reason;
+            let name = &self.table.variables[known].name;
+            self.warnings.push(format!(
+                "derivatives of initial values with respect to {name} are given as 0, because it cannot begin at another \
+                 value: {message}"
+            ));
+        }
+    }
+
     /// Derivatives of all initial values by that of variable `known`. Leaves the model anywhere.
-    fn start_column(&mut self, known: usize) -> Result<Vec<f64>, Failure> {
+    fn start_column(&mut self, known: usize) -> Result<Vec<f64>, NoStart> {
         let (time, value) = (self.time(), self.value(known).number());
         let size = self.runner.system.size;
         let is_place = self.table.variables[known].quantity.unit == "m";
@@ -54,11 +76,13 @@ impl Simulation {
         };
         let trial = TRIAL * scale;
         let here = self.runner.state.q.clone();
-        let at = |model: &mut Self, change: f64| {
+        let at = |model: &mut Self, change: f64| -> Result<(), NoStart> {
             model.set_value(known, Value::Real(value + change))?;
-            model.initialize(time)
+            model.find_start(time)
         };
-        at(self, trial).or_else(|_| at(self, -trial))?;
+        at(self, trial).or_else(|above| {
+            at(self, -trial).map_err(|below| if matches!(below, NoStart::Refused(_)) { above } else { below })
+        })?;
         let there = &self.runner.state.q;
         // Another mesh has other coordinates: nothing is known of how far it is.
         let moved = match there.len() == here.len() {
@@ -79,6 +103,6 @@ impl Simulation {
         };
         let [central, forward, backward] = STENCILS;
         let first = difference(central);
-        first.or_else(|failure: Failure| difference(forward).or_else(|_| difference(backward)).map_err(|_| failure))
+        first.or_else(|failure: NoStart| difference(forward).or_else(|_| difference(backward)).map_err(|_| failure))
     }
 }
