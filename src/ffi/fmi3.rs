@@ -101,7 +101,8 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
         let required = unsafe {
             slice(requiredIntermediateVariables, nRequiredIntermediateVariables, "requiredIntermediateVariables")
         }?;
-        component.instance.require_between(required)?;
+        component.instance.require_between(required);
+        component.report();
         Ok(component.into_handle())
     });
     made.unwrap_or_else(|message| Err(Error::Fault { message })).unwrap_or_else(|error| {

@@ -91,7 +91,7 @@ impl Unit {
             list.iter().map(|array| (array.first as u32, array.elements())).collect();
         elements.insert(time_reference(model.variables()) as u32, 1);
         let mut instance = Instance::of(Standard::Fmi3, model, wishes.logging);
-        instance.require_between(&wishes.required)?;
+        instance.require_between(&wishes.required);
         let instance = RefCell::new(instance);
         let unit = Self { instance, name: wishes.name, early_return: wishes.early_return, elements };
         unit.report();

@@ -32,23 +32,30 @@ impl<M: Model> Instance<M> {
         self.enter_initialization_mode()
     }
 
-    /// Whether variables can be read or set during an intermediate update: continuous outputs, continuous inputs and the time.
-    ///
-    /// # Errors
-    /// One of them can neither be read nor set there.
-    pub fn require_between(&mut self, references: &[u32]) -> Result<(), Error> {
+    /// Warns of required intermediate variables that can neither be read nor set during an intermediate update.
+    /// Others can, required or not.
+    pub fn require_between(&mut self, references: &[u32]) {
         for &reference in references {
             if reference == self.arrays.time {
                 continue;
             }
-            self.elements(reference)?;
-            let variable = self.row(reference)?;
-            let is_between = matches!(variable.causality, Causality::Input | Causality::Output);
-            if !is_between || variable.variability != Variability::Continuous {
-                return Err(Error::NotBetween { name: variable.name.clone() });
+            if let Err(error) = self.elements(reference).and_then(|_| self.between(reference)) {
+                self.warn(format!("a required intermediate variable is not offered: {error}"));
             }
         }
-        Ok(())
+    }
+
+    /// Whether a variable can be read during an intermediate update: continuous outputs and continuous inputs.
+    ///
+    /// # Errors
+    /// It cannot.
+    pub(super) fn between(&self, reference: u32) -> Result<(), Error> {
+        let variable = self.row(reference)?;
+        let is_between = matches!(variable.causality, Causality::Input | Causality::Output);
+        match is_between && variable.variability == Variability::Continuous {
+            true => Ok(()),
+            false => Err(Error::NotBetween { name: variable.name.clone() }),
+        }
     }
 
     /// Reads Float64 variables, arrays element by element.

@@ -139,6 +139,9 @@ impl<M: Model> Instance<M> {
         for &reference in references {
             if self.time_at::<T>(reference).is_none() {
                 results_wanted |= is_result(self.variable::<T>(reference)?);
+                if self.mode() == Mode::Update {
+                    self.between(reference)?;
+                }
             }
         }
         match self.mode() {

@@ -141,7 +141,7 @@ fn instantiation_is_refused_with_a_reason() {
                 token,
                 resources,
                 0,
-                0,
+                1,
                 event,
                 0,
                 list,
@@ -163,9 +163,6 @@ fn instantiation_is_refused_with_a_reason() {
         (make(name, c"{wrong}".as_ptr(), here, 0, &[]), "`{wrong}` is not that of the model file"),
         (make(name, token, c"/nowhere/".as_ptr(), 0, &[]), "/nowhere/model.toml: No such file"),
         (make(name, token, here, 1, &[]), "no Event Mode"),
-        (make(name, token, here, 0, &[gravity]), "`gravity[1]` cannot be accessed during intermediate updates"),
-        (make(name, token, here, 0, &[position + 1]), "is an element, P.position[2]"),
-        (make(name, token, here, 0, &[9999]), "no variable with value reference 9999"),
     ] {
         assert!(made.is_null(), "{reason}");
         let line = lines.borrow_mut().remove(0);
@@ -177,9 +174,21 @@ fn instantiation_is_refused_with_a_reason() {
     assert!(lines.borrow().is_empty());
     let fine = make(name, token, here, 0, &[position, force]);
     assert!(!fine.is_null());
+    assert!(lines.borrow().is_empty());
+    // Variables that no update offers are a warning each: a host may require them without ever asking.
+    let warned = make(name, token, here, 0, &[position, gravity, position + 1, 9999]);
+    assert!(!warned.is_null());
+    let told = lines.take();
+    assert_eq!(told.len(), 3, "{told:?}");
+    for (line, reason) in
+        told.iter().zip(["`gravity[1]` cannot be accessed", "is an element, P.position[2]", "reference 9999"])
+    {
+        assert!(line.starts_with("fmi3Warning logStatusWarning ") && line.contains(reason), "{line}");
+    }
     // SAFETY: the handle is live and not used again; NULL is fine.
     unsafe {
         fmi3FreeInstance(fine);
+        fmi3FreeInstance(warned);
         fmi3FreeInstance(null_mut());
         assert!(fmi3InstantiateModelExchange(name, token, here, 0, 0, environment, Some(log)).is_null());
         assert!(

@@ -329,6 +329,7 @@ fn calls_from_inside_an_update() {
     let answer = unit.step_with(0.0, 3e-3, |unit, told| {
         assert_eq!(unit.step(told.time, 1e-3).status, ERROR);
         assert_eq!(unit.set(&[unit.place.reference("gravity")], &[0.0, 0.0, -1.0]), ERROR);
+        assert_eq!(unit.get(&[unit.place.reference("gravity")], &mut [0.0; 3]), ERROR);
         inner.set(inner.get() + 1);
         false
     });
@@ -339,6 +340,7 @@ fn calls_from_inside_an_update() {
     let told = |text: &str| lines.iter().filter(|line| line.contains(text)).count();
     assert_eq!(told("fmi3DoStep in Intermediate Update Mode at t = 0.001 s: not allowed now"), 1);
     assert_eq!(told("fmi3SetFloat64 in Intermediate Update Mode"), 3);
+    assert_eq!(told("fmi3GetFloat64 in Intermediate Update Mode"), 3);
     let freed = unit.step_with(3e-3, 3e-3, |unit, _| {
         // SAFETY: the handle is live; it is not used as one afterwards.
         unsafe { fmi3FreeInstance(unit.c) };
