@@ -218,12 +218,15 @@ pub unsafe extern "C" fn fmi3GetVariableDependencies(
     // SAFETY: the caller's promise.
     unsafe {
         guard(instance, Call::GetVariableDependencies, |instance| {
+            // Before the arrays are touched: a host that passes another number has arrays of another length.
+            instance.check_dependencies(dependent, nDependencies)?;
             let elements = slice_mut(elementIndicesOfDependent, nDependencies, "elementIndicesOfDependent")?;
             let references = slice_mut(independents, nDependencies, "independents")?;
             let others = slice_mut(elementIndicesOfIndependents, nDependencies, "elementIndicesOfIndependents")?;
             let kinds = slice_mut(dependencyKinds, nDependencies, "dependencyKinds")?;
+            instance.dependencies(dependent, elements, references, others)?;
             kinds.fill(fmi3Dependent);
-            instance.dependencies(dependent, elements, references, others)
+            Ok(())
         })
     }
 }

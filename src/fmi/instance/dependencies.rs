@@ -23,6 +23,19 @@ impl<M: Model> Instance<M> {
         Ok(count)
     }
 
+    /// Whether `given` places take the dependencies of a variable.
+    ///
+    /// # Errors
+    /// The mode does not allow it, the variable is not calculated, or it has another number of dependencies.
+    pub fn check_dependencies(&self, dependent: u32, given: usize) -> Result<(), Error> {
+        self.check(Call::GetVariableDependencies)?;
+        let needed = self.count_dependencies(dependent)?;
+        match given == needed {
+            true => Ok(()),
+            false => Err(Error::DependenciesDiffer { needed, given }),
+        }
+    }
+
     /// The dependencies of a variable: the element of it, the variable that it depends on, and the element of that one, from 1.
     ///
     /// # Errors
@@ -34,11 +47,7 @@ impl<M: Model> Instance<M> {
         references: &mut [u32],
         others: &mut [usize],
     ) -> Result<(), Error> {
-        self.check(Call::GetVariableDependencies)?;
-        let needed = self.count_dependencies(dependent)?;
-        if elements.len() != needed {
-            return Err(Error::DependenciesDiffer { needed, given: elements.len() });
-        }
+        self.check_dependencies(dependent, elements.len())?;
         let mut place = 0;
         self.each_dependency(dependent, |element, reference, other| {
             (elements[place], references[place], others[place]) = (element, reference, other);

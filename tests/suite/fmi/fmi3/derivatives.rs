@@ -130,14 +130,18 @@ fn dependencies() {
         assert_eq!(status, OK);
         let (mut own, mut other, mut kinds) = (vec![0; needed], vec![0; needed], vec![0; needed]);
         let mut references = vec![0; needed];
-        let mut ask = |places: usize| {
-            let (own, other, kinds) = (own.as_mut_ptr(), other.as_mut_ptr(), kinds.as_mut_ptr());
-            // SAFETY: the unit is live; the arrays have at least the length that is passed.
-            unsafe {
-                fmi3GetVariableDependencies(unit.c, reference, own, references.as_mut_ptr(), other, kinds, places)
-            }
+        let (first, second, third) = (own.as_mut_ptr(), references.as_mut_ptr(), other.as_mut_ptr());
+        let fourth = kinds.as_mut_ptr();
+        let ask = |places: usize| {
+            // SAFETY: the unit is live; the arrays have the length that is passed, or that is refused before they are
+            // touched.
+            unsafe { fmi3GetVariableDependencies(unit.c, reference, first, second, third, fourth, places) }
         };
-        assert!(needed == 0 || ask(needed - 1) == ERROR);
+        // A wrong number is refused before anything is written: the arrays of such a host may be shorter than it says.
+        for places in [needed.wrapping_sub(1), needed + 1, 1 << 40] {
+            assert_eq!(ask(places), ERROR);
+        }
+        assert!([&own, &other].iter().all(|list| list.iter().all(|place| *place == 0)));
         assert_eq!(ask(needed), OK);
         assert!(kinds.iter().all(|kind| *kind == fmi3Dependent));
         // The same as rows of FMI 2.0's table.
