@@ -2,9 +2,11 @@
 
 import importlib.util
 
+import casadi
 import numpy as np
 import pytest
 from conftest import ROOT, run
+from fmpy import extract
 
 PROGRAM = ROOT / "examples/casadi/crane.py"
 
@@ -49,3 +51,11 @@ def test_the_load_swings_less(crane, packed):
     print(f"CasADi: swing {crane.swing(ramp):.3f} m along a ramp, {crane.swing(optimized):.3f} m optimized")
     assert abs(optimized[-1, 1] - crane.TRAVEL) < 0.05
     assert crane.swing(optimized) < 0.15 * crane.swing(ramp)
+
+
+def test_casadi_reads_the_description(packed, tmp_path):
+    """CasADi stopped at initial unknowns that do not list what they depend on. It now reads all of the description,
+    and then refuses what is no model exchange: its importer has no units of co-simulation, for which the program
+    above has its own."""
+    with pytest.raises(RuntimeError, match="FMU must be of ModelExchange type"):
+        casadi.DaeBuilder("crane", str(extract(packed, tmp_path)))

@@ -40,7 +40,7 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
         .with_attribute(("variableNamingConvention", "structured"));
     root.write_inner_content(|xml| {
         co_simulation(xml, about)?;
-        units(xml, variables)?;
+        units(xml, variables, &[])?;
         types(xml, variables)?;
         log_categories(xml, Standard::Fmi2)?;
         default_experiment(xml, about)?;

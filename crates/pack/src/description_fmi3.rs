@@ -17,6 +17,12 @@ use ancf14::fmi::arrays::{Array, arrays, time_reference};
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::variable::{Causality, Quantity, Variability, Variable};
 
+/// Unit of the independent variable.
+const SECOND: &str = "s";
+
+/// What descriptions say of the first one of the points along a beam.
+const STATION: &str = ", station 1 of ";
+
 /// The text of modelDescription.xml.
 ///
 /// # Errors
@@ -40,7 +46,7 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
         .with_attribute(("variableNamingConvention", "structured"));
     root.write_inner_content(|xml| {
         co_simulation(xml, about)?;
-        units(xml, variables)?;
+        units(xml, variables, &[SECOND])?;
         types(xml, variables)?;
         log_categories(xml, Standard::Fmi3)?;
         default_experiment(xml, about)?;
@@ -110,6 +116,7 @@ fn time(xml: &mut Xml, reference: usize) -> io::Result<()> {
         ("description", "Simulation time, s".into()),
         ("causality", "independent".into()),
         ("variability", "continuous".into()),
+        ("unit", SECOND.into()),
     ];
     empty(xml, "Float64", attributes)
 }
@@ -120,7 +127,7 @@ fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Res
     let first = &elements[0];
     let mut attributes: Attributes<'_> =
         vec![("name", array.name.into()), ("valueReference", array.first.to_string().into())];
-    let description = description(array, first);
+    let description = description(array, elements);
     if !description.is_empty() {
         attributes.push(("description", clean(&description).into()));
     }
@@ -146,17 +153,45 @@ fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Res
     Ok(())
 }
 
-/// Meaning of an array: that of its first element without the place of that element.
-pub(crate) fn description(array: &Array<'_>, first: &Variable) -> String {
-    let whole = &first.description;
+/// Meaning of an array: that of its first element without the place of that element. Where a word in the middle tells
+/// elements apart, all of them are listed: "Force of load tip along global x, y, z".
+pub(crate) fn description(array: &Array<'_>, elements: &[Variable]) -> String {
+    let whole = &elements[0].description;
     if array.dimensions.is_empty() {
         return whole.clone();
     }
-    let whole = whole.strip_suffix(", component 1").unwrap_or(whole);
-    match whole.split_once(", station 1 of ") {
+    let Some(whole) = whole.strip_suffix(", component 1").or_else(|| whole.contains(STATION).then_some(whole)) else {
+        return listed(elements).unwrap_or_else(|| whole.clone());
+    };
+    match whole.split_once(STATION) {
         Some((before, rest)) => format!("{before}, {rest}"),
         None => whole.to_owned(),
     }
+}
+
+/// The sentence of elements whose descriptions differ in one word, with the words of all; none: they do not.
+fn listed(elements: &[Variable]) -> Option<String> {
+    let [first, second, ..] = elements else { return None };
+    let words = first.description.split(' ');
+    let place = words.zip(second.description.split(' ')).position(|(word, other)| word != other)?;
+    let mut list: Vec<&str> = Vec::new();
+    let mut sentence = Vec::new();
+    for element in elements {
+        let mut words: Vec<&str> = element.description.split(' ').collect();
+        let word = std::mem::take(words.get_mut(place)?);
+        // A comma belongs to the sentence.
+        let (word, comma) = word.strip_suffix(',').map_or((word, ""), |word| (word, ","));
+        words[place] = comma;
+        if list.is_empty() {
+            sentence = words;
+        } else if sentence != words {
+            return None;
+        }
+        list.push(word);
+    }
+    let all = list.join(", ") + sentence[place];
+    sentence[place] = &all;
+    Some(sentence.join(" "))
 }
 
 /// Whether an intermediate update can read or set it.
@@ -194,13 +229,16 @@ fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
     attributes
 }
 
-/// Outputs depend on nothing within the same communication point. What the initial values depend on is said where it is less than everything
-/// that is given: of an array what any of its elements depends on.
+/// Outputs depend on nothing within the same communication point. What the initial values depend on is always said,
+/// since importers as CasADi do not know that no list means everything that is given: of an array what any of its
+/// elements depends on.
 fn structure(xml: &mut Xml, arrays: &[Array<'_>], variables: &[Variable]) -> io::Result<()> {
     // The variable that each row is an element of.
     let owners: Vec<usize> = arrays.iter().flat_map(|array| vec![array.first; array.elements()]).collect();
     let outputs = arrays.iter().filter(|array| variables[array.first].causality == Causality::Output);
     let is_unknown = |array: &&Array<'_>| initial(variables[array.first].causality) == Some("calculated");
+    let is_given = |array: &&Array<'_>| has_start(&variables[array.first]);
+    let given: Vec<usize> = arrays.iter().filter(is_given).map(|array| array.first).collect();
     let reference = |array: &Array<'_>| array.first.to_string();
     parent(xml, "ModelStructure", |xml| {
         for output in outputs {
@@ -210,13 +248,14 @@ fn structure(xml: &mut Xml, arrays: &[Array<'_>], variables: &[Variable]) -> io:
             let mut attributes: Attributes<'_> = vec![("valueReference", reference(unknown).into())];
             let elements = &variables[unknown.first..unknown.first + unknown.elements()];
             let rows: Option<Vec<&Vec<usize>>> = elements.iter().map(|element| element.found_from.as_ref()).collect();
-            if let Some(rows) = rows {
-                let mut known: Vec<usize> = rows.into_iter().flatten().map(|row| owners[*row]).collect();
-                known.sort_unstable();
-                known.dedup();
-                let known: Vec<String> = known.iter().map(usize::to_string).collect();
-                attributes.push(("dependencies", known.join(" ").into()));
-            }
+            let mut known = match rows {
+                Some(rows) => rows.into_iter().flatten().map(|row| owners[*row]).collect(),
+                None => given.clone(),
+            };
+            known.sort_unstable();
+            known.dedup();
+            let known: Vec<String> = known.iter().map(usize::to_string).collect();
+            attributes.push(("dependencies", known.join(" ").into()));
             empty(xml, "InitialUnknown", attributes)?;
         }
         Ok(())

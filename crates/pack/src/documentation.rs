@@ -382,7 +382,7 @@ fn table(
             variable.type_name_in(standard),
             escape(variable.quantity.unit.as_str()),
             start(elements),
-            escape(description(row, variable).as_str()),
+            escape(description(row, elements).as_str()),
         )?;
     }
     writeln!(out, "</table>")

@@ -7,7 +7,7 @@ use quick_xml::Writer;
 use crate::error::Error;
 use ancf14::fmi::identifier::is_identifier;
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::fmi::unit::{display_factor, natural};
+use ancf14::fmi::unit::{display_factor, exponents, natural};
 use ancf14::fmi::variable::{Causality, Exponents, Quantity, Variability, Variable};
 use ancf14::fmi::{About, Credits, Value, log};
 
@@ -89,8 +89,8 @@ pub(crate) fn credits(about: &About) -> Attributes<'_> {
     said.collect()
 }
 
-/// Every unit in use, once, by name, with what hosts may show instead.
-pub(crate) fn units(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
+/// Every unit in use, and `more`, once, by name, with what hosts may show instead.
+pub(crate) fn units(xml: &mut Xml, variables: &[Variable], more: &[&str]) -> io::Result<()> {
     let mut units: BTreeMap<&str, (Option<Exponents>, Vec<&str>)> = BTreeMap::new();
     for variable in variables.iter().filter(|variable| is_real(variable) && !variable.quantity.unit.is_empty()) {
         let Quantity { unit, exponents, .. } = &variable.quantity;
@@ -100,6 +100,9 @@ pub(crate) fn units(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
         {
             shown.push(display);
         }
+    }
+    for name in more {
+        units.entry(name).or_insert_with(|| (exponents(name), natural(name).to_vec()));
     }
     if units.is_empty() {
         return Ok(());

@@ -14,8 +14,8 @@ use ancf14::fmi::arrays::{Array, arrays};
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::variable::{Causality, Variable};
 
-/// Outputs of the whole mechanism, which no other unit connects to.
-const TOTALS: [&str; 4] = ["energy", "momentum", "statistics", "work"];
+/// Counts of steps, which no other unit connects to.
+const COUNTS: &str = "statistics";
 
 /// Corners of the icon, in units of a tenth of a millimeter.
 const CORNERS: [(&str, &str); 4] = [("x1", "-100"), ("y1", "-100"), ("x2", "100"), ("y2", "100")];
@@ -54,7 +54,7 @@ fn terminals(variables: &[Variable]) -> Vec<(&str, Vec<Array<'_>>)> {
     let mut terminals: Vec<(&str, Vec<Array<'_>>)> = Vec::new();
     for array in arrays(variables) {
         let connects = matches!(variables[array.first].causality, Causality::Input | Causality::Output);
-        let Some((name, _)) = array.name.rsplit_once('.').filter(|(name, _)| connects && !TOTALS.contains(name)) else {
+        let Some((name, _)) = array.name.rsplit_once('.').filter(|(name, _)| connects && *name != COUNTS) else {
             continue;
         };
         match terminals.iter_mut().find(|(other, _)| *other == name) {
