@@ -57,6 +57,11 @@ class Unit:
         references = [self.references[name] for name in names]
         self.slave.setRealInputDerivatives(references, [1] * len(references), [float(slope) for slope in slopes])
 
+    def rates(self, names) -> list[float]:
+        """Derivatives of outputs with respect to time."""
+        references = [self.references[name] for name in names]
+        return self.slave.getRealOutputDerivatives(references, [1] * len(references))
+
     def derivatives(self, outputs, inputs) -> np.ndarray:
         """Derivatives of outputs at the end of the last step with respect to its inputs."""
         unknowns = [self.references[name] for name in outputs]
@@ -176,15 +181,17 @@ def explicit(folder: Path, step: float, stop: float, along_slope: bool):
     return np.array(places)
 
 
-def connected(folder: Path, step: float, stop: float):
+def connected(folder: Path, step: float, stop: float, extrapolates=False):
     """Places at the ends of all steps of the pair with the bushing, by the plainest of masters: every unit takes its step, then every
-    connection hands its value over."""
+    connection hands its value over, or its value and its derivative by time, as PyFMI's master with `extrapolation_order` 1 does."""
     arm, other = Unit("arm", folder, INTERNAL), Unit("bushed", folder, INTERNAL)
 
     def hand_over():
         for output, entry in CONNECTIONS:
             source, target = (arm, other) if output in arm.references and entry in other.references else (other, arm)
             target.set([entry], source.get([output]))
+            if extrapolates:
+                target.set_slopes([entry], source.rates([output]))
 
     hand_over()
     places = [np.concatenate([arm.get(PLACES[:3]), other.get(PLACES[3:])])]
@@ -239,29 +246,43 @@ def test_iterated_steps_converge_with_order_2(folder):
     assert 1.7 < order < 2.3
 
 
+# Communication steps of the table of masters in docs/coupling.md, s.
+STEPS = [8e-3, 4e-3, 2e-3, 1e-3]
+
+
+def convergence(folder, master):
+    """Errors of a master with the bushing at these steps, as shares of how far it moves, and the orders between
+    them."""
+    expected = whole("whole_bushed", folder, INTERNAL, STEPS[0])
+    way = np.ptp(expected, axis=0).max()
+    errors = [np.abs(master(step)[:: round(STEPS[0] / step)] - expected).max() / way for step in STEPS]
+    orders = [np.log2(a / b) for a, b in zip(errors, errors[1:])]
+    print("errors", ", ".join(f"{100 * error:.2g} %" for error in errors), f"of {way:.3f} m, orders {np.array(orders)}")
+    assert way > 0.05
+    return np.array(errors), np.array(orders)
+
+
 @pytest.mark.parametrize("along_slope, order", [(False, 1), (True, 2)], ids=["held", "along slope"])
 def test_explicit_bushing_converges(folder, along_slope, order):
     """A force held over a step H lags by (H + h)/2 in the mean: order 1. Along the slope of the last step it is off by H² F''/2: order 2,
     like the motion, which is linear in a step. The weight swings at some 20 rad/s, 0.16 rad a step of 8 ms: the next term of the error
-    is that much smaller, which is worth log2(1.16/1.08) = 0.1 of an order; internal steps of H/8 at most another 0.1."""
-    expected = whole("whole_bushed", folder, INTERNAL, 8e-3)
-    way = np.ptp(expected, axis=0).max()
-    steps = [8e-3, 4e-3, 2e-3]
-    errors = [np.abs(explicit(folder, H, 0.256, along_slope)[:: round(8e-3 / H)] - expected).max() for H in steps]
-    orders = [np.log2(a / b) for a, b in zip(errors, errors[1:])]
-    print(f"errors {np.array(errors) / way} of {way} m, orders {orders}")
-    assert way > 0.05
-    assert np.abs(np.array(orders) - order).max() < 0.2
+    is that much smaller, which is worth log2(1.16/1.08) = 0.1 of an order; internal steps of H/4 and less at most another 0.1."""
+    _, orders = convergence(folder, lambda step: explicit(folder, step, 0.256, along_slope))
+    assert np.abs(orders - order).max() < 0.2
 
 
 def test_plain_connections_converge(folder):
-    """Both units step at once: what goes over is a step old on either side, order 1. Steps are half of those above, since there are two delays
-    instead of one."""
-    expected = whole("whole_bushed", folder, INTERNAL, 4e-3)
-    way = np.ptp(expected, axis=0).max()
-    steps = [4e-3, 2e-3, 1e-3]
-    errors = [np.abs(connected(folder, H, 0.256)[:: round(4e-3 / H)] - expected).max() for H in steps]
-    orders = [np.log2(a / b) for a, b in zip(errors, errors[1:])]
-    print(f"errors {np.array(errors) / way} of {way} m, orders {orders}")
-    assert way > 0.05
-    assert np.abs(np.array(orders) - 1).max() < 0.2
+    """Both units step at once: what goes over is a step old on either side, order 1, with twice the error of one
+    delay."""
+    _, orders = convergence(folder, lambda step: connected(folder, step, 0.256))
+    assert np.abs(orders - 1).max() < 0.2
+
+
+def test_extrapolated_connections_converge(folder):
+    """Both units step at once, and go along the derivatives that the other one gives: order 2, but for steps that are
+    too long for what feeds back. The difference of a force over a communication step is half a step old. Its
+    derivative at an instant, or over the last internal step, is not, but feeds back more: with these the forearm
+    fails at 4 ms and at 2 ms."""
+    errors, orders = convergence(folder, lambda step: connected(folder, step, 0.256, True))
+    assert errors[1] < 0.05 and errors[2] < 1e-3
+    assert orders[-1] > 1.8

@@ -181,7 +181,7 @@ pub(crate) const DERIVATIVES: [(&str, &str); 3] = [
         "of the outputs at the end of the last communication step by the inputs during it; 0 before the first step",
     ),
     ("directionalInInitializationMode", "of the initial values by inputs and parameters"),
-    ("time", "right-hand where they follow from positions and velocities, else over the last internal step"),
+    ("time", "right-hand where they follow from positions and velocities, else over the last communication step"),
 ];
 
 pub(crate) fn initial(causality: Causality) -> Option<&'static str> {

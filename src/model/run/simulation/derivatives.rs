@@ -48,7 +48,7 @@ pub(super) struct Derived {
     jacobian: Option<Vec<f64>>,
     /// Derivatives by time of the results that follow from positions and velocities.
     rates: Option<Vec<f64>>,
-    /// Difference quotients of all results over the last internal step.
+    /// Difference quotients of all results over the last communication step, of equilibria over the last increment.
     quotients: Option<Vec<f64>>,
     /// Derivatives of the values of all variables at the start by one of them, each with its value reference.
     pub(super) starts: Vec<(usize, Vec<f64>)>,
@@ -150,8 +150,9 @@ impl Simulation {
         finite(jacobian[input * self.results.len() + result])
     }
 
-    /// The derivative of result number `result` by time, 1/s of its unit: exact where it follows from positions and velocities, else the
-    /// difference quotient of the last internal step, or of the next one if none has been taken; 0 where that one cannot be taken.
+    /// The derivative of result number `result` by time, 1/s of its unit: exact where it follows from positions and
+    /// velocities, else the difference quotient of the last communication step, or of the next internal one if none
+    /// has been taken; 0 where that one cannot be taken.
     pub(super) fn rate(&mut self, result: usize) -> f64 {
         let moves = !matches!(self.runner.solver, Solver::Statics(_));
         if moves && self.table.follows_from_motion(result) {
@@ -187,11 +188,14 @@ impl Simulation {
         Ok(sum)
     }
 
-    /// Difference quotients of all results over the last internal step, or over the next one. Tunable parameters that were set since the
-    /// results were read act on the next step, and on both ends of its quotients: their jump is no derivative.
+    /// Difference quotients of all results over the last communication step, or over the next internal one. Forces
+    /// between two units make masters that extrapolate along derivatives at an instant, or over a short internal
+    /// step, unstable: these see vibrations that no communication step resolves. Tunable parameters that were set
+    /// since the results were read act on the next step, and on both ends of its quotients: their jump is no
+    /// derivative.
     fn quotients(&mut self) -> Result<Vec<f64>, Error> {
         let (system, (state, response)) = if self.last.known {
-            (Arc::clone(&self.runner.system), self.runner.before_last_part(self.last.end, self.last.stop)?)
+            (Arc::clone(&self.runner.system), self.runner.before_quotient(self.last.end, self.last.stop)?)
         } else {
             let next = self.runner.after_next_part(&self.document)?;
             (self.runner.settled(&self.document), next)

@@ -191,28 +191,20 @@ impl Runner {
         Ok(())
     }
 
-    /// The state before the last internal step on the way from the backup to `end`, s, which was left at `stop`, s; and its response.
-    pub(super) fn before_last_part(&mut self, end: f64, stop: f64) -> Result<(State, Response), Error> {
+    /// Where difference quotients of the way from the backup to `end`, s, which was left at `stop`, s, begin, and the
+    /// response there: at the backup, and in a static analysis before its last increment.
+    pub(super) fn before_quotient(&mut self, end: f64, stop: f64) -> Result<(State, Response), Error> {
         let plan = self.plan_until(self.backup.time, end, stop)?;
-        let mut state = self.backup.clone();
-        state.targets.clone_from(&self.state.targets);
-        let mut before = state.clone();
-        let system = &self.system;
-        match &mut self.solver {
-            Solver::None => Err(Error::NotInitialized),
-            Solver::Midpoint(own) => plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state),
-            Solver::GeneralizedAlpha(own) => {
-                plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state)
-            }
-            Solver::Statics(own) => {
-                plan.march(&mut Remembering(own.as_mut(), &mut before), system, &mut state)?;
-                // They have been told already.
-                own.take_remarks();
-                Ok(())
-            }
-        }?;
+        let mut before = self.backup.clone();
+        if let Solver::Statics(own) = &mut self.solver {
+            let mut state = before.clone();
+            state.targets.clone_from(&self.state.targets);
+            plan.march(&mut Remembering(own.as_mut(), &mut before), &self.system, &mut state)?;
+            // They have been told already.
+            own.take_remarks();
+        }
         let mut response = Response::default();
-        self.solver.respond(&mut Responder::new(system), system, &before, &mut response)?;
+        self.solver.respond(&mut Responder::new(&self.system), &self.system, &before, &mut response)?;
         Ok((before, response))
     }
 
