@@ -139,6 +139,15 @@ def structure(root):
             yield f"initial unknown {unknown.get('index')} depends on an output"
 
 
+def annotations(root):
+    """Elements of a vendor have a namespace: VDMCheck2 takes those without one for elements of the standard, and
+    gives no verdict."""
+    for tool in root.findall("VendorAnnotations/Tool"):
+        for element in tool:
+            if not element.tag.startswith("{"):
+                yield f"the element {element.tag} of {tool.get('name')} has no namespace"
+
+
 def capabilities(root):
     """What is claimed goes together, and what is claimed of this product is claimed always."""
     unit = root.find("CoSimulation")
@@ -191,7 +200,7 @@ def words(root):
         yield f"guid {root.get('guid')} is none"
 
 
-RULES = [identifier, unique, bounds, combinations, units, structure, capabilities, categories, experiment, words]
+RULES = [identifier, unique, bounds, combinations, units, structure, annotations, capabilities, categories, experiment, words]
 
 
 def description_problems(xml: bytes) -> list[str]:

@@ -55,6 +55,7 @@ DEFECTS = [
     ("structure", "depends on 1", r' dependencies=""', ' dependencies="1"'),
     ("structure", "InitialUnknowns differ", r"(<InitialUnknowns>\s*)<Unknown [^>]*>", r"\1"),
     ("structure", "depends on an output", r'(<Outputs>\s*<Unknown index="(\d+)".*<InitialUnknowns>\s*<Unknown index="\d+")', r'\1 dependencies="\2"'),
+    ("annotations", "has no namespace", r"<ancf14:Derivatives", "<Derivatives"),
     ("capabilities", "serialized but not had", r'canGetAndSetFMUstate="true"', 'canGetAndSetFMUstate="false"'),
     ("capabilities", "is claimed", r'needsExecutionTool="false"', 'needsExecutionTool="true"'),
     ("categories", "no log category", r'<Category name="[^"]*"', '<Category name="logLog"'),

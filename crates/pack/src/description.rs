@@ -4,7 +4,7 @@
 //! the independent variable). The same model gives the same bytes: a date is the model's own. A capability flag is
 //! true only where the function behind it does the work.
 
-use std::{collections::BTreeMap, io};
+use std::{borrow::Cow, collections::BTreeMap, io};
 
 use quick_xml::events::{BytesDecl, Event};
 
@@ -96,13 +96,18 @@ fn types(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
     })
 }
 
+/// The namespace of the annotation: VDMCheck takes an element without one for an element of the standard, and gives
+/// no verdict.
+const NAMESPACE: [(&str, Cow<'static, str>); 1] = [("xmlns:ancf14", Cow::Borrowed("urn:ancf14"))];
+
 /// What the standard's own attributes cannot say: outputs depend on no input at the same communication point, and the directional derivative
 /// there is that of a whole step.
 fn annotations(xml: &mut Xml) -> io::Result<()> {
     parent(xml, "VendorAnnotations", |xml| {
         let tool = xml.create_element("Tool").with_attribute(("name", "ancf14"));
         tool.write_inner_content(|xml| {
-            empty(xml, "Derivatives", DERIVATIVES.map(|(key, text)| (key, text.into())).into())
+            let texts = DERIVATIVES.map(|(key, text)| (key, text.into()));
+            empty(xml, "ancf14:Derivatives", NAMESPACE.into_iter().chain(texts).collect())
         })?;
         Ok(())
     })
