@@ -98,16 +98,28 @@ def test_threads_and_forks_compute_the_same_bits(packed):
     assert quiet(program, packed / "unit/resources", *words) == ""
 
 
-# Of a thread, KiB: docs/portability.md promises that it is enough.
-STACK = 256
+# Of a thread, KiB: docs/portability.md promises that the first one is enough, and says that 128 are used. Compilers
+# differ by some KiB.
+STACKS = [256, 144]
+
+
+def bears_small_stacks(fmu, folder):
+    description = unpack(fmu, folder)
+    program = build("small_stack", folder, library(folder), "-pthread")
+    for stack in STACKS:
+        words = [description.guid, str(stack), str(description.defaultExperiment.stepSize), *ends(description)]
+        assert quiet(program, folder / "unit/resources", *words) == "", f"{stack} KiB"
 
 
 def test_small_stacks(fmu, tmp_path):
     """Every unit, with derivatives by time and by inputs and a state as bytes, in a thread with the stack that is promised to be enough."""
-    description = unpack(fmu, tmp_path)
-    program = build("small_stack", tmp_path, library(tmp_path), "-pthread")
-    words = [description.guid, str(STACK), str(description.defaultExperiment.stepSize), *ends(description)]
-    assert quiet(program, tmp_path / "unit/resources", *words) == ""
+    bears_small_stacks(fmu, tmp_path)
+
+
+def test_small_stacks_and_a_bushing(tmp_path):
+    """The second derivatives of springs between two parts are the largest matrices."""
+    run("pack", ROOT / "tests/fmpy/coupling/bushed.toml", "-o", tmp_path / "unit.fmu")
+    bears_small_stacks(tmp_path / "unit.fmu", tmp_path)
 
 
 def survives_traps(fmu, folder):

@@ -209,33 +209,45 @@ impl Spring {
     /// Derivative of [`Self::gradient`] by the coordinates of both sides, blocks `aa, ab, ba, bb`; over a step twice that by
     /// the coordinates at its end. At an instant the velocities are fixed.
     pub fn hessian(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> [MarkerMatrix; 4] {
+        let mut blocks = [MarkerMatrix::zeros(); 4];
+        self.set_hessian(coordinate, c, passage, &mut blocks);
+        blocks
+    }
+
+    /// Sets `blocks`, which are 0, to [`Self::hessian`].
+    pub fn set_hessian(
+        &self,
+        coordinate: &RelativeCoordinate,
+        c: &Configuration,
+        passage: &Passage,
+        blocks: &mut [MarkerMatrix; 4],
+    ) {
         if self.is_idle() {
-            return [MarkerMatrix::zeros(); 4];
+            return;
         }
         let shortening = self.shortening(coordinate, c, passage);
         if let Some(law) = &self.law {
             let force = self.law_force(law, coordinate, c, passage);
-            let mut blocks = coordinate.hessian(c, (force.elastic + force.viscous) * shortening);
-            add_law_hessian(&force, coordinate, c, passage, &mut blocks);
-            return blocks;
+            coordinate.set_hessian(c, (force.elastic + force.viscous) * shortening, blocks);
+            add_law_hessian(&force, coordinate, c, passage, blocks);
+            return;
         }
-        let mut blocks = coordinate.hessian(c, self.tension(coordinate, c, passage) * shortening);
+        coordinate.set_hessian(c, self.tension(coordinate, c, passage) * shortening, blocks);
         let here = coordinate.gradient(c);
         match passage {
-            Passage::Rest | Passage::Corrected(_) => add_products(&here, &here, self.stiffness, &mut blocks),
+            Passage::Rest | Passage::Corrected(_) => add_products(&here, &here, self.stiffness, blocks),
             Passage::Step(TimeStep { end, duration, dissipation, .. }) => {
                 let viscous = 2.0 * self.damping * (1.0 + self.lateness(*duration)) / duration;
                 let stiffness = self.stiffness * (1.0 + 2.0 * dissipation.sum()) + viscous;
-                add_products(&here, &coordinate.gradient(end), stiffness, &mut blocks);
+                add_products(&here, &coordinate.gradient(end), stiffness, blocks);
             }
             Passage::Instant { velocity, .. } => {
-                add_products(&here, &here, self.stiffness, &mut blocks);
+                add_products(&here, &here, self.stiffness, blocks);
                 if self.damping != 0.0 {
-                    add_products(&here, &coordinate.rate_gradient(c, velocity), self.damping, &mut blocks);
+                    add_products(&here, &coordinate.rate_gradient(c, velocity), self.damping, blocks);
                 }
             }
         }
-        blocks
     }
 
     /// Derivative of [`Self::gradient`] with respect to the velocities of both sides, blocks `aa, ab, ba, bb`.

@@ -74,14 +74,19 @@ impl RelativeCoordinate {
 
     /// `factor` times its second derivative with respect to the coordinates of both its sides, blocks `aa, ab, ba, bb`.
     pub fn hessian(&self, c: &Configuration, factor: f64) -> [MarkerMatrix; 4] {
+        let mut blocks = [MarkerMatrix::zeros(); 4];
+        self.set_hessian(c, factor, &mut blocks);
+        blocks
+    }
+
+    /// Sets `blocks`, which are 0, to [`Self::hessian`]: these 18 KB are once on the stack then.
+    pub fn set_hessian(&self, c: &Configuration, factor: f64, blocks: &mut [MarkerMatrix; 4]) {
         let (a, b) = (self.a.pose(c), self.b.pose(c));
         let by_poses = self.measure.gradient(&a, &b);
         let mut hessian = PairHessian::default();
         self.measure.add_hessian(&a, &b, factor, &mut hessian);
         let sides = [self.a.pose_q(c), self.b.pose_q(c)];
-        let mut blocks = [MarkerMatrix::zeros(); 4];
-        pull_back(c, [&self.a, &self.b], &sides, &(by_poses * factor), &hessian, &mut blocks);
-        blocks
+        pull_back(c, [&self.a, &self.b], &sides, &(by_poses * factor), &hessian, blocks);
     }
 
     /// Derivative of its rate with respect to the coordinates of both sides at fixed velocities, 24×1 each.

@@ -94,6 +94,7 @@ impl System {
     }
 
     /// [`Self::add_material_damping`] with the velocities, and its derivatives with respect to the coordinates and to the velocities, times `scales`.
+    #[inline(never)]
     pub(super) fn add_material_damping_and_tangent(
         &self,
         c: &Configuration,
@@ -141,6 +142,7 @@ impl System {
     }
 
     /// Adds `factor` times the damping matrices of the masses of beams, and of springs as `of_spring` gives them.
+    #[inline(never)]
     fn add_spring_and_mass_damping(
         &self,
         c: &Configuration,

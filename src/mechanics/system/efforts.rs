@@ -52,6 +52,7 @@ impl System {
     }
 
     /// Sets the blocks of actuators in `tangent` to `-scale` times the derivative of their forces with respect to the coordinates (over a step: twice that with respect to those at its end).
+    #[inline(never)]
     pub(super) fn set_effort_tangent(
         &self,
         c: &Configuration,
@@ -83,6 +84,7 @@ impl System {
     }
 
     /// Adds `-factor` times the derivative of the forces of actuators with respect to the velocities, at the instant `c`, to their blocks in `tangent`.
+    #[inline(never)]
     pub(super) fn add_effort_damping(
         &self,
         c: &Configuration,

@@ -5,6 +5,7 @@ use crate::math::jet::Jet;
 use crate::mechanics::beam::configuration::Purpose;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
+use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
@@ -70,6 +71,34 @@ impl System {
         tangent: &mut Blocks,
     ) {
         self.add_external(c, passage, excitation, forces);
+        let layout = TangentLayout::of(self);
+        self.add_beams_and_set_tangent(c, passage, scale, forces, tangent);
+        self.add_mass_damping(c, passage, forces);
+        self.add_mass_damping_tangent(c, passage, scale, tangent);
+        if let Passage::Instant { velocity, velocity_by_q, purpose: Purpose::Derivatives, .. } = passage {
+            self.add_material_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, tangent);
+        }
+        for number in 0..self.bodies.len() {
+            tangent.block_mut(layout.body(number)).fill(0.0);
+        }
+        self.set_load_tangent(c, excitation, scale, tangent);
+        self.add_springs(c, passage, forces);
+        self.set_spring_tangent(c, passage, scale, tangent);
+        self.set_effort_tangent(c, passage, excitation, scale, tangent);
+    }
+
+    // Each on its own: as parts of one function the matrices of beams, loads and springs would stand on the stack
+    // side by side.
+
+    #[inline(never)]
+    fn add_beams_and_set_tangent(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        scale: f64,
+        forces: &mut [f64],
+        tangent: &mut Blocks,
+    ) {
         let (layout, of_beams) = (TangentLayout::of(self), passage.of_beams());
         for (number, element) in self.mesh.elements.iter().enumerate() {
             let block = tangent.block_mut(layout.element(number));
@@ -83,15 +112,11 @@ impl System {
                 _ => element.add_gradient_and_set_hessian(&c.beams, &of_beams, scale, forces, block),
             }
         }
-        self.add_mass_damping(c, passage, forces);
-        self.add_mass_damping_tangent(c, passage, scale, tangent);
-        if let Passage::Instant { velocity, velocity_by_q, purpose: Purpose::Derivatives, .. } = passage {
-            self.add_material_damping_and_tangent(c, velocity, [scale, scale * velocity_by_q], forces, tangent);
-        }
-        for number in 0..self.bodies.len() {
-            tangent.block_mut(layout.body(number)).fill(0.0);
-        }
-        let mut load_points = layout.load_points();
+    }
+
+    #[inline(never)]
+    fn set_load_tangent(&self, c: &Configuration, excitation: &Excitation, scale: f64, tangent: &mut Blocks) {
+        let mut load_points = TangentLayout::of(self).load_points();
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
             for ((number, (marker, _)), block) in load.points.iter().enumerate().zip(&mut load_points) {
                 if load.is_constant(number, wrench) {
@@ -103,7 +128,11 @@ impl System {
                 copy_corner(tangent.block_mut(block), count, &force_q, -scale);
             }
         }
-        self.add_springs(c, passage, forces);
+    }
+
+    #[inline(never)]
+    fn set_spring_tangent(&self, c: &Configuration, passage: &Passage, scale: f64, tangent: &mut Blocks) {
+        let layout = TangentLayout::of(self);
         for (number, spring) in self.springs.iter().enumerate() {
             let blocks = layout.spring(number);
             // Every coordinate of a joint has a spring, most of them do nothing.
@@ -112,14 +141,15 @@ impl System {
                 continue;
             }
             let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());
-            let parts = spring.hessian(&self.relative_coordinates[spring.coordinate], c, passage);
+            let mut parts = [MarkerMatrix::zeros(); 4];
+            spring.set_hessian(&self.relative_coordinates[spring.coordinate], c, passage, &mut parts);
             for (pair, (block, part)) in blocks.zip(&parts).enumerate() {
                 copy_corner(tangent.block_mut(block), counts[pair / 2], part, scale);
             }
         }
-        self.set_effort_tangent(c, passage, excitation, scale, tangent);
     }
 
+    #[inline(never)]
     pub(super) fn add_springs(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let parts = spring.gradient(&self.relative_coordinates[spring.coordinate], c, passage);

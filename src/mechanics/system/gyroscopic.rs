@@ -141,6 +141,7 @@ pub fn add_chart_forces(system: &System, frames: &FrameCache, momentum_rate: &[f
 
 /// Adds `scale` times the derivative of [`add_rate_forces`] and [`add_chart_forces`] by the coordinates to the element blocks of
 /// `blocks`, when velocities and accelerations follow the coordinates with the factors `by_q`, 1/s and 1/s².
+#[inline(never)]
 pub fn add_rate_tangent(
     system: &System,
     (frames, drives): (&FrameCache, &[Jet]),

@@ -268,7 +268,8 @@ pub(super) fn finite(derivative: f64) -> Result<f64, Failure> {
 }
 
 /// Repeats the step that led to `state` and differentiates it, with the `response` there if results ask for it. Returns the derivatives with
-/// the state that they are of.
+/// the state that they are of. Not inlined: all integrators together would take their stack side by side.
+#[inline(never)]
 fn differentiate<I: Linearized>(
     integrator: &mut I,
     system: &System,
