@@ -147,7 +147,7 @@ fn meshes_finer_than_the_beam_is_thick_are_told() {
     let line = "from = [0, 0, 0]\nto = [0.05, 0, 0]";
     let told = start(&rod(line, 2000, "")).take_warnings();
     assert!(
-        matches!(&told[..], [one] if one.starts_with("the elements of arm are at most 2.5e-5 m long, 1/100")),
+        matches!(&told[..], [one] if one.starts_with("the 2000 elements of arm are at most 2.5e-5 m long, 1/100")),
         "{told:?}"
     );
     assert_eq!(start(&rod(line, 20, "")).take_warnings(), Vec::<String>::new());

@@ -5,6 +5,7 @@ pub mod coarse_ends;
 pub mod coarse_meshes;
 pub mod correction;
 pub mod energy_watch;
+pub mod fine_meshes;
 pub mod finer_meshes;
 pub mod limits_of_models;
 pub mod mesh_error_of_units;
