@@ -66,6 +66,8 @@ pub struct State {
     pub excitation: Excitation,
     /// Where the path is that is followed by its arc length, which is then the time; none: functions of time are taken at `time`.
     pub path: Option<PathPoint>,
+    /// Coordinates that a free motion would change, held at their values by the statics.
+    pub held: Vec<HeldCoordinate>,
     /// Rotation vectors of the sensors from the orientation as drawn, rad, continued over turns.
     pub rotations: Vec<Vec3>,
     /// Steps are `2^-halving` of the step size.
@@ -124,6 +126,7 @@ impl State {
             && self.pace.is_possible(other.q.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
             && optional(self.excitation.efforts.len(), other.targets.efforts.len())
+            && self.held.iter().all(|held| held.index < other.q.len() && held.stiffness > 0.0)
             && self.path.as_ref().is_none_or(|path| path.tangent.len() == other.q.len() + 1)
     }
 }
@@ -150,6 +153,7 @@ impl Clone for State {
             targets: self.targets.clone(),
             excitation: self.excitation.clone(),
             path: self.path.clone(),
+            held: self.held.clone(),
             rotations: self.rotations.clone(),
             ..*self
         }
@@ -187,11 +191,21 @@ impl State {
         self.targets.copy_from(&source.targets);
         self.excitation.copy_from(&source.excitation);
         self.path.clone_from(&source.path);
+        self.held.clone_from(&source.held);
         self.halving = source.halving;
         self.good_steps = source.good_steps;
         self.balance = source.balance;
         self.statistics = source.statistics;
     }
+}
+
+/// A coordinate that the statics hold: it stands for a motion that takes no load and costs no energy.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HeldCoordinate {
+    /// Its index.
+    pub index: usize,
+    /// What the tangent has more on its diagonal, J per square of the coordinate's unit; the residual has no term of it.
+    pub stiffness: f64,
 }
 
 /// Accelerations as generalized-alpha carries them on, 1/s² each; empty for other integrators.

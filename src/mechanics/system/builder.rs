@@ -488,6 +488,7 @@ impl SystemBuilder {
             targets,
             excitation: Excitation::default(),
             path: None,
+            held: Vec::new(),
             halving: 0,
             good_steps: 0,
             balance: EnergyBalance::default(),

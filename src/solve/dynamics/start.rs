@@ -166,6 +166,8 @@ pub fn find_equilibrium(system: &System, state: &mut State, start: f64, toleranc
         follow_path(system, &mut statics, state, start)?;
     }
     state.velocity.fill(0.0);
+    // A motion may go on freely.
+    state.held.clear();
     // Counts are those of the motion.
     state.statistics = Statistics::default();
     Ok(statics.take_remarks())

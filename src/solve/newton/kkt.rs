@@ -298,12 +298,56 @@ impl Kkt {
         }
     }
 
-    /// What a null vector of the matrix moves most, found by inverse iterations on the matrix with a slightly shifted diagonal.
+    /// Adds `stiffness` to the diagonal at `unknown`, a coordinate.
+    pub fn stiffen(&mut self, unknown: usize, stiffness: f64) {
+        let contains = |block: &Block| {
+            (block.row..block.row + block.rows).contains(&unknown)
+                && (block.column..block.column + block.columns).contains(&unknown)
+        };
+        let Some(number) = self.blocks.layout().iter().position(contains) else { return };
+        let Block { row, column, rows, .. } = self.blocks.layout()[number];
+        self.blocks.block_mut(number)[(unknown - column) * rows + unknown - row] += stiffness;
+    }
+
+    /// Scaling of unknown `index` in the last factorization: what it is measured in.
+    pub fn scale(&self, index: usize) -> f64 {
+        self.solver.scale(index)
+    }
+
+    /// Factorizes the matrix and returns the unknown that a null vector moves most; none where the matrix is regular.
+    ///
+    /// # Errors
+    /// The matrix is singular, and no motion of the system is a null vector: in words.
+    pub fn find_free_unknown(&mut self, system: &System) -> Result<Option<usize>, String> {
+        let regularity = match self.solver.factorize(&self.blocks) {
+            Ok(()) => self.solver.regularity(&self.blocks),
+            Err(Singular) => Regularity::Unknown,
+        };
+        let index = match regularity {
+            Regularity::Regular => return Ok(None),
+            Regularity::Singular(index) => index,
+            Regularity::Unknown => self.lost_unknown(system)?,
+        };
+        if index >= system.coordinates() || system.too_short_element(index).is_some() {
+            return Err(advice(system, index));
+        }
+        Ok(Some(index))
+    }
+
+    /// What a null vector of the matrix moves most, in words.
     fn lost_direction(&self, system: &System) -> String {
+        self.lost_unknown(system).map_or_else(|what| what, |index| advice(system, index))
+    }
+
+    /// The unknown that a null vector of the matrix moves most, found by inverse iterations on the matrix with a slightly shifted diagonal.
+    ///
+    /// # Errors
+    /// It is not found: why the matrix is singular, in words.
+    fn lost_unknown(&self, system: &System) -> Result<usize, String> {
         let size = system.coordinates() + system.constraints();
         let mut shifted = self.blocks.clone();
         if shifted.values().iter().any(|value| !value.is_finite()) {
-            return String::from("a number in the equations is not finite; try a smaller step");
+            return Err(String::from("a number in the equations is not finite; try a smaller step"));
         }
         for index in 0..size {
             let block = shifted.push(Block { row: index, column: index, rows: 1, columns: 1 });
@@ -311,20 +355,20 @@ impl Kkt {
             shifted.block_mut(block)[0] = sign * SHIFT / self.solver.scale(index).powi(2);
         }
         let unnamed = || String::from("a part of the mechanism can move freely or is constrained twice");
-        let Ok(mut solver) = SparseLu::new(&units(system), &shifted) else { return unnamed() };
+        let Ok(mut solver) = SparseLu::new(&units(system), &shifted) else { return Err(unnamed()) };
         if solver.factorize(&shifted).is_err() {
-            return unnamed();
+            return Err(unnamed());
         }
         let mut vector: Vec<f64> = (0..size).map(|index| irregular(index) / self.solver.scale(index)).collect();
         for _ in 0..3 {
             if solver.solve(&mut vector).is_err() {
-                return unnamed();
+                return Err(unnamed());
             }
             let norm = vector.iter().fold(0.0_f64, |norm, value| norm.max(value.abs()));
             vector.iter_mut().for_each(|value| *value /= norm);
         }
         let scaled = vector.iter().enumerate().map(|(index, value)| (index, (value / self.solver.scale(index)).abs()));
-        scaled.max_by(|a, b| a.1.total_cmp(&b.1)).map_or_else(unnamed, |(index, _)| advice(system, index))
+        scaled.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index).ok_or_else(unnamed)
     }
 }
 

@@ -81,6 +81,7 @@ impl Problem for Equilibrium<'_> {
         kkt.set_curvatures_and_gradients(system, &configuration, &scratch.multipliers, 1.0, &mut scratch.gradients);
         self.balance(right);
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
+        state.held.iter().for_each(|held| kkt.stiffen(held.index, held.stiffness));
         self.time
     }
 

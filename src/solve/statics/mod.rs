@@ -5,29 +5,29 @@
 //! stiffness before it pulls: it is first let fall to where it hangs (relaxation.rs).
 
 mod equilibrium;
+mod holding;
 mod jump;
+mod linearized;
 pub mod path;
 mod relaxation;
 pub mod stability;
 mod switching;
 
 use self::equilibrium::{Equilibrium, Tangent};
+use self::holding::Holding;
 use self::path::Path;
 use self::stability::{Stability, StabilityRecord};
 use crate::error::Error;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
-use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
-use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
-use crate::solve::step::linearized::{Linearized, Span};
 
 /// Largest turn of a tangent in an increment, rad: `1 + t_r·t < 0.1` (MECHANICS 2.6).
 const LARGEST_TURN: f64 = 2.69;
@@ -51,6 +51,7 @@ pub struct Statics {
     current_motion: Prescribed,
     scratch: Scratch,
     stability: Stability,
+    holding: Holding,
     /// Whether the equilibrium that an increment starts from is unstable, as far as motions are counted there.
     leaves_unstable: bool,
     /// How fast the path was in its last increment.
@@ -95,6 +96,7 @@ impl Statics {
             current_motion: Prescribed::default(),
             scratch,
             stability: Stability::default(),
+            holding: Holding::default(),
             leaves_unstable: false,
             pace: None,
             next: None,
@@ -126,9 +128,29 @@ impl Statics {
     fn find_first(&mut self, system: &System, drawn: &State, next: &mut State, time: f64) -> Result<(), Error> {
         self.stability.forget();
         self.leaves_unstable = false;
+        self.search_holding(system, drawn, next, |statics, system, next| {
+            statics.ramp_or_relax(system, drawn, next, time)
+        })?;
+        let held = next.held.len();
+        self.release_held(system, next);
+        self.remark_held(system, drawn, next);
+        next.statistics.steps += 1;
+        let unstable = match next.held.len() == held {
+            // The search has judged it.
+            true => self.stability.known().is_some_and(|known| known.unstable > 0),
+            false => self.is_unstable(system, next),
+        };
+        if unstable {
+            self.remark_start(system, next);
+        }
+        Ok(())
+    }
+
+    /// Sets `next`, a copy of `drawn`, to an equilibrium of `time`, by a ramp or by relaxation, and judges its stability.
+    fn ramp_or_relax(&mut self, system: &System, drawn: &State, next: &mut State, time: f64) -> Result<(), Error> {
         let ramped = self.ramp_to(system, next, time);
-        let mut unstable = ramped.is_ok() && self.is_unstable(system, next);
-        let outcome = match ramped {
+        let unstable = ramped.is_ok() && self.is_unstable(system, next);
+        match ramped {
             Ok(()) if !unstable => Ok(()),
             hopeless @ Err(Error::NotFinite { .. }) => hopeless,
             // As drawn it may be slack, or Newton has gone up to a place of rest that nothing holds.
@@ -136,20 +158,14 @@ impl Statics {
                 let tried = next.statistics;
                 next.clone_from(drawn);
                 next.statistics = tried;
-                let relaxed = self.relax(system, next, time).and_then(|()| self.kkt.check_unique(system, time));
+                let relaxed = self.relax(system, next, time).and_then(|()| self.make_unique(system, next, time));
                 next.time = time;
-                let outcome = after_relaxation(ramped, relaxed);
+                after_relaxation(ramped, relaxed)?;
                 self.remark_fall(system, drawn, next);
-                unstable = outcome.is_ok() && self.is_unstable(system, next);
-                outcome
+                self.is_unstable(system, next);
+                Ok(())
             }
-        };
-        outcome?;
-        next.statistics.steps += 1;
-        if unstable {
-            self.remark_start(system, next);
         }
-        Ok(())
     }
 
     /// Sets `next`, a copy of `state`, to the equilibrium after it, and remarks what has become unstable or jumped on the way.
@@ -160,7 +176,9 @@ impl Statics {
         }
         let before = self.stability.known();
         self.leaves_unstable = before.is_some_and(|known| known.counted > 0);
-        self.ramp_to(system, next, time)?;
+        self.search_holding(system, state, next, |statics, system, next| statics.ramp_to(system, next, time))?;
+        self.release_held(system, next);
+        self.remark_held(system, state, next);
         next.statistics.steps += 1;
         match before {
             Some(before) => {
@@ -176,7 +194,11 @@ impl Statics {
     /// Takes `next` to the only equilibrium near the end of the ramp to `time`.
     fn ramp_to(&mut self, system: &System, next: &mut State, time: f64) -> Result<(), Error> {
         self.ramp(system, next, time)?;
-        self.kkt.check_unique(system, time)?;
+        if self.holding.is_allowed {
+            self.make_unique(system, next, time)?;
+        } else {
+            self.kkt.check_unique(system, time).inspect_err(|_| self.holding.has_met_free = true)?;
+        }
         next.time = time;
         Ok(())
     }
@@ -301,6 +323,7 @@ impl Statics {
                 }
                 // Smaller increments do not help against these; an iteration that runs away is another matter.
                 Err(reason @ Error::NotFinite { .. }) if system.undefined(time).is_some() => return Err(reason),
+                Err(reason @ Error::Singular { .. }) if self.holding.is_allowed => return Err(reason),
                 Err(reason) => {
                     state.statistics.rejected += 1;
                     increment = 0.5 * f64::min(increment, 1.0 - share);
@@ -357,6 +380,19 @@ impl Statics {
         if !self.leaves_unstable && self.iterate(system, state, time, Tangent::Fast).is_ok() {
             return Ok(());
         }
+        let reason = match self.iterate(system, state, time, Tangent::Exact) {
+            Err(reason) => reason,
+            outcome => return outcome,
+        };
+        self.holding.has_met_free |= matches!(reason, Error::Singular { .. });
+        if !self.holding.is_allowed {
+            return Err(reason);
+        }
+        let held = state.held.clone();
+        self.hold_free_motions(system, state, time)?;
+        if state.held == held {
+            return Err(reason);
+        }
         self.iterate(system, state, time, Tangent::Exact)
     }
 
@@ -406,63 +442,6 @@ impl Integrator for Statics {
     /// An increment switches at its end.
     fn switch(&mut self, _system: &System, _state: &mut State, _time: f64) -> Result<bool, Error> {
         Ok(false)
-    }
-}
-
-impl Statics {
-    /// The equilibrium of the time of `state` under what the host wants there, at given unknowns.
-    fn at<'a>(&'a mut self, system: &'a System, state: &'a State, unknowns: &[f64]) -> (Equilibrium<'a>, &'a mut Kkt) {
-        let time = state.instant();
-        system.excite(time, &state.targets, &mut self.current);
-        self.current_motion.copy_from(&state.prescribed);
-        self.current_motion.stop();
-        let (q, multipliers) = unknowns.split_at(state.q.len());
-        self.scratch.q.copy_from_slice(q);
-        self.scratch.multipliers.copy_from_slice(multipliers);
-        let (excitation, motion) = (&self.current, &self.current_motion);
-        let scratch = &mut self.scratch;
-        (Equilibrium { system, state, time, excitation, motion, scratch, tangent: Tangent::Exact }, &mut self.kkt)
-    }
-}
-
-impl Linearized for Statics {
-    /// An equilibrium depends on what acts, not on the way to it.
-    const MEMORY: bool = false;
-    const PROJECTS: bool = false;
-
-    fn unknowns(&self, after: &State, unknowns: &mut Vec<f64>) {
-        unknowns.clear();
-        unknowns.extend(after.q.iter().chain(&after.multipliers));
-    }
-
-    fn factorize(&mut self, system: &System, state: &State, span: Span, unknowns: &[f64]) -> Result<(), Error> {
-        let mut right = std::mem::take(&mut self.right);
-        let (mut problem, kkt) = self.at(system, state, unknowns);
-        problem.linearize(kkt, &mut right);
-        self.right = right;
-        self.kkt.factorize(system, span.end)
-    }
-
-    fn solve(&mut self, right: &mut [f64]) -> Result<(), Singular> {
-        self.kkt.solve_again(right)
-    }
-
-    fn balance(&mut self, system: &System, state: &State, _span: Span, unknowns: &[f64], right: &mut [f64]) {
-        let (mut problem, _) = self.at(system, state, unknowns);
-        let scratch = &mut *problem.scratch;
-        let configuration = scratch.frames.at(system, &scratch.q, state, problem.motion);
-        system.forces(&configuration, &Passage::Rest, problem.excitation, &mut scratch.forces);
-        system.constraint_gradients(&configuration, &mut scratch.gradients);
-        problem.balance(right);
-    }
-
-    fn conclude(&mut self, system: &System, state: &State, _span: Span, unknowns: &[f64], next: &mut State) {
-        let (q, multipliers) = unknowns.split_at(state.q.len());
-        next.clone_from(state);
-        next.q.copy_from_slice(q);
-        next.multipliers.copy_from_slice(multipliers);
-        self.scratch.frames.set(system, &next.q, &next.triads);
-        system.carry_references(next, &self.scratch.frames);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Static analysis: equilibria, paths of loads, buckling.
 
 pub mod far;
+pub mod free_motions;
 pub mod hanging;
 pub mod paths;
 pub mod preload;

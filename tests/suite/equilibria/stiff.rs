@@ -90,7 +90,7 @@ force = ["t", 0, -1]
     assert!(error < 1e-8, "{error:e} m");
 }
 
-/// A beam that heat has bent is free to turn about its hinge. The stresses of Newton's iterates hold it; the run must still report that it can turn.
+/// A beam that heat has bent is free to turn about its hinge. The stresses of Newton's iterates hold it; the run must still tell that it can turn.
 #[test]
 fn hot_beams_that_can_turn_are_reported() {
     let parts = r#"
@@ -124,6 +124,7 @@ stop = 1
 "#;
     let mut simulation = Simulation::load("model.toml", &format!("{HEAD}{parts}"), &[])
         .unwrap_or_else(|failure| panic!("{}", failure.message));
-    let failure = simulation.initialize(0.0).expect_err("a beam that is free to turn");
-    assert!(failure.message.contains("can move freely"), "{}", failure.message);
+    simulation.initialize(0.0).unwrap_or_else(|failure| panic!("{}", failure.message));
+    let told = simulation.take_warnings().concat();
+    assert!(told.contains("a free motion takes no load") && told.contains("arm."), "{told}");
 }

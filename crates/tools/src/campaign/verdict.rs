@@ -187,7 +187,7 @@ mod tests {
         let Verdict::SilentlyWrong(error) = judge(&wrong) else { panic!("{:?}", judge(&wrong)) };
         assert!(error.family == "tip.velocity" && (error.size - 0.02).abs() < 1e-12, "{error:?}");
         assert_eq!(verdict(Setting::Mesh(2), &wrong, &reference(101)), Verdict::Right { is_warned: false });
-        wrong.warnings.push(String::from("dampers are not used: the analysis is static"));
+        wrong.warnings.push(String::from("the given initial velocities are not used: the analysis is static"));
         assert_eq!(judge(&wrong), Verdict::SilentlyWrong(error.clone()));
         let warning = String::from("by t = 1 s the integrator has gained 3 J");
         wrong.warnings.push(warning.clone());

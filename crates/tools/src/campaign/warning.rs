@@ -12,7 +12,7 @@ enum Doubt {
 }
 
 /// Words of every warning that is known, with what is doubted by it.
-const KNOWN: [(&str, Doubt); 31] = [
+const KNOWN: [(&str, Doubt); 32] = [
     ("the integrator has gained", Doubt::Steps),
     ("the integrator has lost", Doubt::Steps),
     ("numerical damping has taken", Doubt::Steps),
@@ -36,7 +36,8 @@ const KNOWN: [(&str, Doubt); 31] = [
     ("is unstable: what would leave it", Doubt::Results),
     ("unstable mode", Doubt::Results),
     ("initial velocities", Doubt::Nothing),
-    ("dampers are not used", Doubt::Nothing),
+    ("takes no load and costs no energy", Doubt::Nothing),
+    ("take no load and cost no energy", Doubt::Nothing),
     ("the quaternion of frame", Doubt::Nothing),
     ("is unusually soft", Doubt::Nothing),
     ("is unusually light", Doubt::Nothing),
