@@ -97,6 +97,7 @@ impl Document {
             names: Names::default(),
             carriers: Vec::new(),
             functions: Vec::new(),
+            moving_frames: Vec::new(),
         };
         context.names = collect_names(&tree, &mut context);
         let mut tree = Top(tree);
@@ -387,10 +388,13 @@ impl Top {
         }
         let none = |kind: Kind| context.names.of(kind).next().is_none();
         let is_explained = context.names.has_nameless || !context.names.unclear.is_empty();
-        if none(Kind::Beam) && none(Kind::Body) && !is_explained {
+        // A spring or an actuator at a frame has a force without anything that it could move.
+        let is_force = !none(Kind::Frame) && !(none(Kind::Spring) && none(Kind::Actuator));
+        if none(Kind::Beam) && none(Kind::Body) && !is_force && !is_explained {
             let end = context.report.source.end();
             let label = "a section [beam.NAME] or [body.NAME] is missing";
-            context.report.error(end, "the file has no beam and no body", label, "");
+            let help = "a spring or an actuator alone acts on a [frame.NAME] that moves";
+            context.report.error(end, "the file has no beam and no body", label, help);
         }
     }
 }

@@ -250,6 +250,11 @@ impl Numbers {
         found.collect()
     }
 
+    /// Whether a number is written as a function of time.
+    pub fn changes_in_time(&self, number: Number) -> bool {
+        matches!(&self.slots[number.0].written, Written::Formula(formula) if !formula.is_constant())
+    }
+
     /// Whether everything that a number is made of is finite: otherwise the mistake is reported where it begins.
     pub fn is_sound(&self, place: usize) -> bool {
         match &self.slots[place].written {

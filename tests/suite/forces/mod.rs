@@ -12,3 +12,4 @@ pub mod loads;
 pub mod observers;
 pub mod points;
 pub mod spring_derivatives;
+mod units_without_parts;

@@ -139,7 +139,7 @@ pub(super) fn between(reader: &mut Reader<'_, '_>) -> (Option<Action>, Option<Co
     reader.exclude("coordinate", "a");
     let a = Anchor::read(reader, "a", &SIDES);
     let b = Anchor::read(reader, "b", &SIDES);
-    Anchor::expect_motion(reader, a, b);
+    Anchor::expect_way(reader, a, b);
     (a.zip(b).map(|(a, b)| Action::Between { a, b }), Some(Coordinate::Distance))
 }
 

@@ -63,8 +63,12 @@ impl FrameSpec {
             None => Orientation::Rotation(rotation),
         };
         let place = reader.place;
+        let frame = Self { name: name.to_owned(), place, position, orientation, input: given.is_some() };
+        let changes = |number: Number| reader.context.numbers.changes_in_time(number);
+        let moves = frame.input || frame.numbers().any(changes);
+        reader.context.moving_frames.push(moves);
         reader.finish();
-        Some(Self { name: name.to_owned(), place, position, orientation, input: given.is_some() })
+        Some(frame)
     }
 }
 

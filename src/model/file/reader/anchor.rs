@@ -146,12 +146,26 @@ impl Anchor {
         matches!(self.spot, Spot::Beam { .. } | Spot::Body(_))
     }
 
-    /// Reports a joint or spring of which neither side can move.
+    /// Reports a joint of which neither side can move.
     pub(in crate::model) fn expect_motion(reader: &mut Reader<'_, '_>, a: Option<Self>, b: Option<Self>) {
         let (Some(a), Some(b)) = (a, b) else { return };
         if !a.can_move() && !b.can_move() {
             let message = format!("{} connects two points that cannot move", reader.title);
             reader.context.report.error(b.place, &message, "one side must be a beam or a body", "");
+        }
+    }
+
+    /// Reports a spring or an actuator between two points of which neither moves: unlike a joint, it also has a force between frames.
+    pub(in crate::model) fn expect_way(reader: &mut Reader<'_, '_>, a: Option<Self>, b: Option<Self>) {
+        let (Some(a), Some(b)) = (a, b) else { return };
+        let frames = &reader.context.moving_frames;
+        let moves = |side: Self| match side.spot {
+            Spot::Frame(frame) => frames.get(frame).copied().unwrap_or(true),
+            _ => side.can_move(),
+        };
+        if !moves(a) && !moves(b) {
+            let message = format!("{} connects two points that cannot move", reader.title);
+            reader.context.report.error(b.place, &message, "one side must be a beam, a body or a frame that moves", "");
         }
     }
 }

@@ -32,6 +32,8 @@ pub struct Context<'a> {
     pub names: Names,
     /// What the points of the file are tied to, in their order; none where that is wrong.
     pub carriers: Vec<Option<Anchor>>,
+    /// Whether the frames of the file move, in their order.
+    pub moving_frames: Vec<bool>,
     /// The functions of the file, by their names.
     pub functions: Vec<(String, Callee)>,
 }
