@@ -3,7 +3,7 @@
 use super::instance::Flattener;
 use super::motion::Motion;
 use super::scalar::Scalar;
-use super::scope::{Scope, entries_of};
+use super::scope::{Scope, StandIn, entries_of};
 use super::tables::{COPY, INCLUDE, PARAMETERS, names_of};
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::{Kind, SECTIONS, is_legal, is_reserved, suggestion};
@@ -26,8 +26,8 @@ const INDEX: &str = "k";
 /// Relative round-off of an angle that an expression gives.
 const ROUND_OFF: f64 = 1e-9;
 
-/// What differs from copy to copy besides the index: a name and a text for each.
-type Row = Vec<(String, String)>;
+/// What differs from copy to copy besides the index.
+type Row = Vec<StandIn>;
 
 impl Flattener<'_> {
     /// All copies of a `[copy.NAME]`.
@@ -51,7 +51,8 @@ impl Flattener<'_> {
                 return;
             }
             let k = (number + 1).to_string();
-            let values = std::iter::once((index.clone(), k.clone())).chain(row).collect();
+            let own = StandIn { name: index.clone(), text: k.clone(), written: k.clone() };
+            let values = std::iter::once(own).chain(row).collect();
             let indices = outer.indices.iter().cloned().chain([k.clone()]).collect();
             let note = self.note(outer, &format!("in copy {k} of {}", copy.key));
             let scope = Scope {
@@ -272,10 +273,10 @@ impl Flattener<'_> {
             }
             let mut row = Row::new();
             for entry in entries {
-                let text = match &entry.item.node {
+                let written = match &entry.item.node {
                     Node::Integer(value) => value.to_string(),
                     Node::Float(value) => format!("{value:?}"),
-                    Node::Text(text) => self.expression(outer, text),
+                    Node::Text(text) => text.clone(),
                     other => {
                         let message = format!("`{}` is {}", entry.key, other.describe());
                         let label = "a number, an expression or a name in quotes was expected";
@@ -283,7 +284,11 @@ impl Flattener<'_> {
                         return None;
                     }
                 };
-                row.push((entry.key.clone(), text));
+                let text = match &entry.item.node {
+                    Node::Text(text) => self.expression(outer, text),
+                    _ => written.clone(),
+                };
+                row.push(StandIn { name: entry.key.clone(), text, written });
             }
             if !self.spend(0, row.len(), item.place) {
                 return None;

@@ -2,7 +2,7 @@
 
 use super::instance::Flattener;
 use super::motion::Motion;
-use super::scope::{Found, Meaning, Scope};
+use super::scope::{Found, Scope};
 use crate::model::text::tree::{Entry, Item, Node};
 
 /// The word for the ground.
@@ -50,15 +50,23 @@ impl Flattener<'_> {
 
     /// Whether a point is on a frame.
     pub fn is_tied_to_frame<'e>(scope: &Scope<'_>, keys: impl Iterator<Item = &'e Entry>) -> bool {
-        carrier(keys).is_some_and(|name| matches!(scope.find(Some("frame"), name, &[]), Found::Name(_)))
+        carrier(keys).is_some_and(|name| is_frame(scope, name))
     }
 }
 
 /// The motion of the ground that `text` means: of the file or the copy where the word stands; none: it means something else.
 fn ground<'p>(scope: &'p Scope<'p>, text: &str) -> Option<&'p Motion> {
-    match scope.meaning(text) {
-        Some(Meaning::Text(value)) => ground(scope.parent?, &value),
-        _ => (text == GROUND).then_some(&scope.motion),
+    match scope.row(text) {
+        Some((written, outside)) => ground(outside, written),
+        None => (text == GROUND).then_some(&scope.motion),
+    }
+}
+
+/// Whether a name means a frame, that of a row of a list included.
+fn is_frame<'p>(scope: &'p Scope<'p>, name: &str) -> bool {
+    match scope.row(name) {
+        Some((written, outside)) => is_frame(outside, written),
+        None => matches!(scope.find(Some("frame"), name, &[]), Found::Name(_)),
     }
 }
 

@@ -272,11 +272,10 @@ impl<'a> Flattener<'a> {
     fn reference(&mut self, scope: &Scope<'_>, section: Option<&str>, text: &str, place: Place) -> Option<String> {
         let length = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(text.len());
         let (name, mut rest) = text.split_at(length);
-        if let Some(Meaning::Text(value)) = scope.meaning(name)
-            && value.starts_with(|c: char| c.is_ascii_alphabetic())
+        if let Some((written, outside)) = scope.row(name)
+            && written.starts_with(|c: char| c.is_ascii_alphabetic())
         {
-            let stand_in = format!("{value}{rest}");
-            return scope.parent.and_then(|outside| self.reference(outside, section, &stand_in, place));
+            return self.reference(outside, section, &format!("{written}{rest}"), place);
         }
         let mut indices = Vec::new();
         while let Some((inner, behind)) = bracket(rest) {

@@ -19,8 +19,8 @@ pub(super) struct Scope<'p> {
     pub prefix: String,
     /// Which copy it is of each `copy` that it stands in, in its file, the outermost first.
     pub indices: Vec<String>,
-    /// The texts that stand for names in expressions: indices, and names of lists.
-    pub values: Vec<(String, String)>,
+    /// What stands for names: indices, and names of lists.
+    pub values: Vec<StandIn>,
     /// What the `include` sets of the parameters of its file.
     pub set: &'p [Entry],
     /// Where it is.
@@ -29,6 +29,16 @@ pub(super) struct Scope<'p> {
     pub note: usize,
     /// How many copies and files it stands in.
     pub depth: usize,
+}
+
+/// A text that stands for a name.
+#[derive(Clone, Debug)]
+pub(super) struct StandIn {
+    pub name: String,
+    /// In expressions: with the names of the flat model.
+    pub text: String,
+    /// As written, with the names of the scope around: where it is the name of a part.
+    pub written: String,
 }
 
 /// What a name in an expression means.
@@ -92,11 +102,21 @@ impl<'p> Scope<'p> {
         })
     }
 
+    /// What stands for a name in this very scope.
+    fn stand_in(&self, name: &str) -> Option<&StandIn> {
+        self.values.iter().rev().find(|own| own.name == name)
+    }
+
+    /// The text of a list of copies that a name stands for, as written, and the scope that it is written in.
+    pub fn row(&'p self, name: &str) -> Option<(&'p str, &'p Scope<'p>)> {
+        self.chain().find_map(|scope| Some((scope.stand_in(name)?.written.as_str(), scope.parent?)))
+    }
+
     /// What a name in an expression means; none: it is none of copies, includes or parameters.
     pub fn meaning(&'p self, name: &str) -> Option<Meaning<'p>> {
         for scope in self.chain() {
-            if let Some((_, text)) = scope.values.iter().rev().find(|(known, _)| known == name) {
-                return Some(Meaning::Text(text.clone()));
+            if let Some(own) = scope.stand_in(name) {
+                return Some(Meaning::Text(own.text.clone()));
             }
             let own =
                 table(scope.body, PARAMETERS).and_then(|parameters| parameters.iter().find(|entry| entry.key == name));

@@ -111,6 +111,55 @@ fn an_included_blade_is_copied() {
 /// Messages name the included file with its line, and which of its copies is meant.
 #[test]
 fn mistakes_in_included_files_are_told_there() {
+/// A file whose copies get the names of their parts from a list is included as it is: names of ends and of coordinates get the prefix of the include once. The flat model is that of the file by itself, with this prefix.
+#[test]
+fn included_copies_name_the_parts_of_their_own_file() {
+    let machines = [
+        ("robot", include_str!("../../machines/robot.toml"), "[copy.motors]"),
+        ("prism", include_str!("../../machines/tensegrity_prism.toml"), "over"),
+    ];
+    for (name, text, word) in machines {
+        assert!(text.contains(word));
+        // All but the sections that only a model has.
+        let sections: Vec<String> = text.split("\n[").map(str::to_owned).collect();
+        let is_own = |section: &&String| !section.starts_with("model]") && !section.starts_with("simulation]");
+        let part = sections.iter().filter(is_own).cloned().collect::<Vec<_>>().join("\n[");
+        let shared: Vec<String> =
+            sections.iter().filter(|section| !is_own(section)).map(|own| format!("[{own}\n")).collect();
+        let model = format!("format = 1\n{}[include.q]\nfile = \"part.toml\"\n", shared.concat());
+        let folder = folder(&format!("lists-{name}"), &[("m.toml", &model), ("part.toml", &part)]);
+        let included = parse(&folder, &[]).unwrap_or_else(|message| panic!("{name}: {message}"));
+        let alone = Document::parse("m.toml", text, &[]).unwrap_or_else(|message| panic!("{message}"));
+        let names = |document: &Document, prefix: &str| -> Vec<String> {
+            let joints = document
+                .joints
+                .iter()
+                .map(|joint| format!("{prefix}{} {:?} {:?}", joint.name, joint.a.spot, joint.b.spot));
+            let springs = document.springs.iter().map(|spring| format!("{prefix}{}", spring.name));
+            joints.chain(springs).collect()
+        };
+        assert_eq!(names(&included, ""), names(&alone, "q_"), "{name}");
+    }
+}
+
+/// Rows of a list in a list, the ground of an included file that is moved, and a point on a frame: each name is that of the scope in which it is written.
+#[test]
+fn rows_of_lists_mean_what_they_mean_where_they_stand() {
+    let part = "format = 1\n[parameters]\narm = 0.3\n[frame.hand]\nposition = [0, 0, 0]\n\
+                [body.block]\nmass = 1\nposition = [1, 0, 0]\ninertia = [1, 1, 1]\n\
+                [copy.outer]\nindex = \"i\"\nover = [{ end = \"ground\" }, { end = \"hand\" }]\n\
+                [copy.outer.copy.inner]\nover = [{ tie = \"end\", far = \"arm\" }]\n\
+                [copy.outer.copy.inner.spring.band]\na = \"tie\"\nb = \"block\"\nstiffness = \"far\"\nlength = 1\n";
+    let model = "format = 1\n[model]\nname = \"Rows\"\n[include.q]\nfile = \"part.toml\"\nmove = [0, 0, 2]\n\
+                 [simulation]\nstop = 1\n";
+    let folder = folder("rows", &[("m.toml", model), ("part.toml", part)]);
+    let document = parse(&folder, &[]).unwrap_or_else(|message| panic!("{message}"));
+    let text = document.text();
+    for line in ["a = \"q_band_ground_1_1\"", "a = \"q_hand\"", "b = \"q_block\"", "stiffness = \"q_arm\""] {
+        assert!(text.contains(line), "{line} is not in\n{text}");
+    }
+}
+
     let case = |test: &str, files: &[(&str, &str)], expected: &[&str]| {
         let message = parse(&folder(test, files), &[]).err().unwrap_or_else(|| panic!("{test} was taken"));
         for expected in expected {
