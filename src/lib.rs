@@ -39,4 +39,5 @@ pub mod model;
 mod simulation;
 pub mod solve;
 
+pub use model::file::Reach;
 pub use simulation::{Error, Kind, Results, SavedState, Simulation, Variable, VariableId};

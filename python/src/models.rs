@@ -45,7 +45,7 @@ pub fn drawing(model: &Simulation) -> String {
 }
 
 /// The bytes of an FMU, of FMI 3.0 or 2.0, with the library of this platform and those of others beside it.
-pub fn fmu(model: &Simulation, text: &str, library: PathBuf, fmi: u8) -> Result<Vec<u8>, String> {
+pub fn fmu(model: &Simulation, library: PathBuf, fmi: u8) -> Result<Vec<u8>, String> {
     let standard = match fmi {
         2 => Standard::Fmi2,
         3 => Standard::Fmi3,
@@ -55,7 +55,7 @@ pub fn fmu(model: &Simulation, text: &str, library: PathBuf, fmi: u8) -> Result<
     let icon = picture::icon(&drawing).map_err(|reason| format!("cannot draw the mechanism: {reason}"))?;
     let page = Film::drawn(model).page(None).map_err(|reason| format!("cannot show the mechanism: {reason}"))?;
     let contents = Contents {
-        model: text,
+        model: model.document().text(),
         state: model.first_state().map(|state| &*state.bytes),
         licences: LICENCES,
         icon: &icon,

@@ -7,7 +7,7 @@ use ancf14::error::decimal;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
-use ancf14::{Error, Kind};
+use ancf14::{Error, Kind, Reach};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -28,10 +28,21 @@ type Row = (String, String, String, &'static str, Option<f64>, (Option<f64>, Opt
 #[pymethods]
 impl Simulation {
     #[new]
-    fn new(py: Python<'_>, name: &str, text: &str, overrides: Vec<(String, String)>) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        name: &str,
+        text: &str,
+        overrides: Vec<(String, String)>,
+        folder: Option<PathBuf>,
+        allow_outside: bool,
+    ) -> PyResult<Self> {
         let overrides: Vec<(&str, &str)> =
             overrides.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
-        let simulation = py.detach(|| ancf14::Simulation::from_text_with(name, text, &overrides));
+        let reach = if allow_outside { Reach::Anywhere } else { Reach::Inside };
+        let simulation = py.detach(|| match &folder {
+            Some(folder) => ancf14::Simulation::from_text_in(folder, reach, name, text, &overrides),
+            None => ancf14::Simulation::from_text_with(name, text, &overrides),
+        });
         Ok(Self { simulation: Some(simulation.map_err(|error| refusal(&error))?), halt: Halt::default() })
     }
 
@@ -126,10 +137,10 @@ impl Simulation {
         Ok(models::drawing(self.get()?.model()))
     }
 
-    /// The bytes of an FMU of the model, whose text is given.
-    fn pack<'py>(&self, py: Python<'py>, text: &str, library: PathBuf, fmi: u8) -> PyResult<Bound<'py, PyBytes>> {
+    /// The bytes of an FMU of the model.
+    fn pack<'py>(&self, py: Python<'py>, library: PathBuf, fmi: u8) -> PyResult<Bound<'py, PyBytes>> {
         let model = self.get()?.model();
-        let bytes = py.detach(|| models::fmu(model, text, library, fmi)).map_err(PyRuntimeError::new_err)?;
+        let bytes = py.detach(|| models::fmu(model, library, fmi)).map_err(PyRuntimeError::new_err)?;
         Ok(PyBytes::new(py, &bytes))
     }
 

@@ -2,6 +2,7 @@
 
 import csv
 import html
+import pickle
 import re
 import sys
 import zipfile
@@ -115,3 +116,39 @@ def test_missing_packages_are_named(monkeypatch: pytest.MonkeyPatch, package: st
 def test_exit_codes_are_those_of_the_program() -> None:
     assert program(Path.cwd(), "run", "nowhere.toml").returncode == 2
     assert program(Path.cwd(), "--help").returncode == 0
+
+
+def test_included_files_lie_in_the_folder_of_the_model(tmp_path: Path) -> None:
+    folder = tmp_path / "models"
+    folder.mkdir()
+    (folder / "pull.csv").write_text("time,force\n0,1\n1,3\n")
+    (tmp_path / "pull.csv").write_text("time,force\n0,1\n1,3\n")
+    text = """format = 1
+[model]
+name = "Pull"
+[function.pull]
+file = "FILE"
+[body.b]
+mass = 1
+position = [0, 0, 0]
+inertia = [1, 1, 1]
+[load.l]
+at = "b"
+force = ["pull(t)", 0, 0]
+[output.b_motion]
+at = "b"
+quantities = ["velocity"]
+[simulation]
+stop = 1
+"""
+    (folder / "inside.toml").write_text(text.replace("FILE", "pull.csv"))
+    (folder / "outside.toml").write_text(text.replace("FILE", "../pull.csv"))
+    inside = ancf14.Model(folder / "inside.toml")
+    with pytest.raises(ancf14.ModelError, match="outside of the folder of the model file"):
+        ancf14.Model(folder / "outside.toml")
+    outside = ancf14.Model(folder / "outside.toml", allow_outside=True)
+    # The impulse of the line, 2 N s; the table is a straight line, which steps take exactly.
+    for model in (inside, outside, pickle.loads(pickle.dumps(outside))):
+        assert abs(model.run()["b_motion.velocity[1]"][-1] - 2) < 1e-9
+    with pytest.raises(ancf14.ModelError, match="without a folder"):
+        ancf14.Model.from_string(text.replace("FILE", "pull.csv"))

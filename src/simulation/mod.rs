@@ -18,6 +18,7 @@ use crate::fmi::instance::{FmuState, Instance};
 use crate::fmi::lifecycle::{Call, Mode};
 use crate::fmi::variable::Variable as Row;
 use crate::fmi::{About, Model, Value};
+use crate::model::file::{Folder, Reach};
 use crate::model::modes::Modes;
 use crate::model::simulation::{Halt, Placement};
 use crate::model::{self, effort, file, names, notes};
@@ -66,9 +67,32 @@ impl Simulation {
     /// # Errors
     /// As [`Self::open`], or an override is wrong.
     pub fn open_with(path: impl AsRef<Path>, overrides: &[(&str, &str)]) -> Result<Self, Error> {
+        Self::open_reaching(path, Reach::Inside, overrides)
+    }
+
+    /// Loads the model file at `path`, as [`Self::open_with`] does; where `reach` allows it, the model includes files and reads tables from outside of its folder.
+    ///
+    /// # Errors
+    /// As [`Self::open_with`].
+    pub fn open_reaching(path: impl AsRef<Path>, reach: Reach, overrides: &[(&str, &str)]) -> Result<Self, Error> {
         let path = path.as_ref();
         let text = file::text(path).map_err(|reason| Error::Unreadable { reason })?;
-        Self::load(path.parent(), &path.display().to_string(), &text, overrides)
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::from_text_in(folder, reach, &path.display().to_string(), &text, overrides)
+    }
+
+    /// Loads a model from its text, as [`Self::from_text_with`] does, which names files in `folder`, and elsewhere where `reach` allows it.
+    ///
+    /// # Errors
+    /// As [`Self::from_text_with`].
+    pub fn from_text_in(
+        folder: &Path,
+        reach: Reach,
+        name: &str,
+        text: &str,
+        overrides: &[(&str, &str)],
+    ) -> Result<Self, Error> {
+        Self::load(Some(Folder::new(folder, reach)), name, text, overrides)
     }
 
     /// Loads a model from its text; `name` is what messages call the file.
@@ -87,7 +111,7 @@ impl Simulation {
         Self::load(None, name, text, overrides)
     }
 
-    fn load(folder: Option<&Path>, name: &str, text: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
+    fn load(folder: Option<Folder<'_>>, name: &str, text: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
         let overrides: Vec<(String, String)> =
             overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
         let mut model = model::simulation::Simulation::load_in(folder, name, text, &overrides)

@@ -6,6 +6,7 @@ use super::{MODEL_FILE, Stop, complain, load, page, say};
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Model, header};
 use ancf14::model::drawing::Drawing;
+use ancf14::model::file::Reach;
 use ancf14::model::notes;
 use ancf14_pack::contents::{Contents, LICENCES};
 use ancf14_pack::libraries::{self, Platform};
@@ -37,7 +38,7 @@ pub fn standard(text: &str) -> Result<Standard, String> {
 /// are given or lie beside it.
 pub fn pack(
     standard: Standard,
-    file: &Path,
+    (file, reach): (&Path, Reach),
     output: &Path,
     library: Option<&Path>,
     others: Vec<(Platform, PathBuf)>,
@@ -52,7 +53,7 @@ pub fn pack(
         None => std::env::current_exe()
             .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?,
     };
-    let (simulation, text) = load(file, &[])?;
+    let (simulation, text) = load(file, &[], reach)?;
     // No library at the place that was given is a wrong argument; a failed write is not.
     let own = libraries::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let mut beside = libraries::find_others(&own);
@@ -89,7 +90,7 @@ pub fn pack(
 }
 
 /// Writes the C header of the model `file`.
-pub fn header(file: &Path, output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
+pub fn header((file, reach): (&Path, Reach), output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
     output::spare(&[(MODEL_FILE, file)], &[output.to_owned()])?;
     if output.extension().is_some_and(|ending| ending == "toml") {
         let shown = output.display();
@@ -97,7 +98,7 @@ pub fn header(file: &Path, output: &Path, prefix: Option<&str>) -> Result<(), St
             "error: {shown} has the name of a model file; choose another name for the header"
         )));
     }
-    let (simulation, _) = load(file, &[])?;
+    let (simulation, _) = load(file, &[], reach)?;
     let about = simulation.about();
     let prefix = prefix.unwrap_or(&about.identifier);
     let text =

@@ -29,6 +29,7 @@ mod watch;
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Failure, Model};
 use ancf14::model::document::Document;
+use ancf14::model::file::{Folder, Reach};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
 use ancf14::model::{builder, file, missed_damping, notes};
@@ -175,6 +176,8 @@ enum Command {
         /// Model file
         #[arg(value_name = "MODEL.toml")]
         file: PathBuf,
+        #[command(flatten)]
+        files: FileArguments,
         /// The FMU
         #[arg(short, long, value_name = "MODEL.fmu")]
         output: PathBuf,
@@ -193,6 +196,8 @@ enum Command {
         /// Model file
         #[arg(value_name = "MODEL.toml")]
         file: PathBuf,
+        #[command(flatten)]
+        files: FileArguments,
         /// The header
         #[arg(short, long, value_name = "MODEL.h")]
         output: PathBuf,
@@ -223,6 +228,22 @@ struct ModelArguments {
     /// Change a number or a word of the model: --set steel.young=2.1e11 --set arm.strain=small
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = key_and_value)]
     overrides: Vec<(String, String)>,
+    #[command(flatten)]
+    files: FileArguments,
+}
+
+#[derive(Args, Clone, Copy, Debug, Default)]
+struct FileArguments {
+    /// Let the model include files and read tables from outside of its folder; only for a model that you trust
+    #[arg(long)]
+    allow_outside: bool,
+}
+
+impl FileArguments {
+    /// Which files the model may name.
+    fn reach(self) -> Reach {
+        if self.allow_outside { Reach::Anywhere } else { Reach::Inside }
+    }
 }
 
 fn key_and_value(text: &str) -> Result<(String, String), String> {
@@ -388,10 +409,12 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, _) = model.load()?;
             vtk::export(simulation, &vtk, every, &[model.input()])
         }
-        Command::Pack { file, output, fmi, library, binaries } => {
-            export::pack(fmi, &file, &output, library.as_deref(), binaries, program)
+        Command::Pack { file, files, output, fmi, library, binaries } => {
+            export::pack(fmi, (&file, files.reach()), &output, library.as_deref(), binaries, program)
         }
-        Command::Header { file, output, prefix } => export::header(&file, &output, prefix.as_deref()),
+        Command::Header { file, files, output, prefix } => {
+            export::header((&file, files.reach()), &output, prefix.as_deref())
+        }
         Command::Demo => demo::demo(),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { folder } => shell::manual(&folder),
@@ -408,7 +431,7 @@ fn shown(text: &clap::Error) -> u8 {
 
 impl ModelArguments {
     fn load(&self) -> Result<(Simulation, String), Stop> {
-        load(&self.file, &self.overrides)
+        load(&self.file, &self.overrides, self.files.reach())
     }
 
     /// The model as messages call it.
@@ -454,12 +477,12 @@ fn name(path: &Path) -> String {
 }
 
 /// Reads a model file; gives its text too, without copies and includes.
-fn load(path: &Path, overrides: &[(String, String)]) -> Result<(Simulation, String), Stop> {
+fn load(path: &Path, overrides: &[(String, String)], reach: Reach) -> Result<(Simulation, String), Stop> {
     let name = name(path);
     let read = if is_piped(path) { file::piped(&name, io::stdin()) } else { file::text(path) };
     let text = read.map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     // The parts of a model from a pipe are those of the current folder.
-    let folder = path.parent();
+    let folder = path.parent().map(|path| Folder::new(path, reach));
     let simulation = Simulation::load_in(folder, &name, &text, overrides).map_err(|Failure { message, .. }| {
         let mistakes = Document::parse_in(folder, &name, &text, overrides)
             .and_then(|document| builder::build(&document, 0.0).map(drop))

@@ -38,8 +38,8 @@ pub fn view(order: Order<'_>) -> Result<(), Stop> {
     let other = other.map(Source::of);
     let sources = || iter::once(&source).chain(&other);
     refuse(&source, sources().any(Source::is_model), model, (modes.is_some(), live.is_some()))?;
-    let opened = source.open(&model.overrides)?;
-    let second = other.as_ref().map(|other| other.open(&model.overrides)).transpose()?;
+    let opened = source.open(model)?;
+    let second = other.as_ref().map(|other| other.open(model)).transpose()?;
     let solver = live.map(|given| live::solver(given.as_deref(), program)).transpose()?;
     let file = output.unwrap_or_else(|| {
         let mut ending = OsString::new();
@@ -150,9 +150,9 @@ impl<'a> Source<'a> {
         self.page.as_ref().map_or((MODEL_FILE, self.given), |page| ("a page that is to be shown", page))
     }
 
-    fn open(&self, overrides: &[(String, String)]) -> Result<Opened, Stop> {
+    fn open(&self, model: &ModelArguments) -> Result<Opened, Stop> {
         let Some(page) = &self.page else {
-            let (simulation, text) = load(self.given, overrides)?;
+            let (simulation, text) = load(self.given, &model.overrides, model.files.reach())?;
             return Ok(Opened::Model(Box::new(simulation), text));
         };
         let shown = page.display();

@@ -19,6 +19,7 @@ from ._errors import CallError, Interrupted, ModelError, RunError, SolverWarning
 from ._modes import Modes
 from ._names import Components
 from ._results import Results
+from ._source import Source
 from ._study import sweep
 from ._study.points import Space
 from ._study.reducers import Outputs
@@ -85,25 +86,30 @@ class Model:
     ``parameters`` changes numbers and words of the file by key, as ``--set`` of the command line does:
     ``Model("crane.toml", {"boom.elements": 12})``.
 
+    The files that the model includes, and the tables of its functions, lie in its folder or below. ``allow_outside=True`` lets it read files elsewhere; only for a model that you trust.
+
     Raises ModelError if the file has mistakes; the message underlines each of them.
     """
 
-    def __init__(self, file: str | os.PathLike[str], parameters: Parameters | None = None) -> None:
+    def __init__(
+        self, file: str | os.PathLike[str], parameters: Parameters | None = None, *, allow_outside: bool = False
+    ) -> None:
         try:
             text = Path(file).read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as reason:
             raise ModelError(f"cannot read {os.fspath(file)}: {reason}") from None
-        self._load(os.fspath(file), text, parameters)
+        folder = os.path.dirname(os.path.abspath(file))
+        self._load(Source(os.fspath(file), text, folder, allow_outside), parameters)
 
     @classmethod
     def from_string(cls, text: str, parameters: Parameters | None = None, *, name: str = "model.toml") -> Model:
         """Load a model from its text; messages call it ``name``."""
         model = cls.__new__(cls)
-        model._load(name, text, parameters)
+        model._load(Source(name, text, None, False), parameters)
         return model
 
-    def _load(self, file: str, text: str, parameters: Parameters | None) -> None:
-        self._file, self._source = file, text
+    def _load(self, source: Source, parameters: Parameters | None) -> None:
+        self._source = source
         self._overrides = [(key, _text(value)) for key, value in (parameters or {}).items()]
         simulation = self._open()
         self.name = simulation.name()
@@ -126,12 +132,12 @@ class Model:
         return f"<ancf14.Model {self.name!r}: {count}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _loaded, (self._file, self._source, self._overrides)
+        return _loaded, (self._source, self._overrides)
 
     def _open(self, changes: Sequence[tuple[str, str]] = ()) -> _native.Simulation:
         changed = dict([*self._overrides, *changes])
         with raising():
-            return _native.Simulation(self._file, self._source, list(changed.items()))
+            return self._source.load(list(changed.items()))
 
     def run(
         self,
@@ -190,7 +196,7 @@ class Model:
         with raising():
             times = simulation.times() if inputs else []
         names, values = self._table(inputs or {}, times)
-        rerun = (self._file, self._source, list(dict([*self._overrides, *changes]).items()), names, values)
+        rerun = (self._source, list(dict([*self._overrides, *changes]).items()), names, values)
         with raising():
             variables = simulation.variables()
             found, table, warnings, error, _ = simulation.run(names, values)
@@ -272,7 +278,7 @@ class Model:
 
     def unit(self, parameters: Parameters | None = None) -> Unit:
         """Return a simulation to advance step by step, with the parameters changed."""
-        return Unit(self._file, self._source, list(dict([*self._overrides, *self._changes(parameters)]).items()))
+        return Unit(self._source, list(dict([*self._overrides, *self._changes(parameters)]).items()))
 
     def modes(self, count: int = 10, parameters: Parameters | None = None) -> Modes:
         """Find the ``count`` lowest natural modes about the initial state."""
@@ -305,18 +311,20 @@ class Model:
         if fmi not in (2, 3):
             raise CallError(f"fmi is 2 or 3, not {fmi}")
         library = Path(__file__).with_name("libancf14.so")
-        path.write_bytes(self._open().pack(self._source, str(library), fmi))
+        path.write_bytes(self._open().pack(str(library), fmi))
         return path
 
 
-def _loaded(file: str, text: str, overrides: list[tuple[str, str]]) -> Model:
+def _loaded(source: Source, overrides: list[tuple[str, str]]) -> Model:
     """Return a model from a pickle. Its warnings were issued when it was loaded from the file."""
-    return _cached(file, text, tuple(overrides))
+    return _cached(source, tuple(overrides))
 
 
 @functools.lru_cache(maxsize=8)
-def _cached(file: str, text: str, overrides: tuple[tuple[str, str], ...]) -> Model:
+def _cached(source: Source, overrides: tuple[tuple[str, str], ...]) -> Model:
     """Return a model from a pickle; a worker of a study gets the same one with every chunk."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SolverWarning)
-        return Model.from_string(text, dict(overrides), name=file)
+        model = Model.__new__(Model)
+        model._load(source, dict(overrides))
+        return model

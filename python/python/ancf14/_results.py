@@ -170,9 +170,9 @@ class Results(Mapping[str, Array]):
         """
         if not len(self.time):
             raise CallError("there is nothing to view: the run has no row")
-        file, text, overrides, names, values = self._rerun
+        source, overrides, names, values = self._rerun
         with raising():
-            simulation = _native.Simulation(file, text, overrides)
+            simulation = source.load(overrides)
             *_, error, page = simulation.run(names, values, True, len(self.time) - 1)
         if page is None:
             raise error or CallError("the page cannot be written")

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._errors import CallError, raising, warn
 from ._names import Components
+from ._source import Source
 
 
 @dataclass(frozen=True)
@@ -28,10 +29,10 @@ class Unit:
     reads any variable, in its SI unit. A name without its index stands for all components: an array of shape ``(3,)``.
     """
 
-    def __init__(self, file: str, text: str, overrides: list[tuple[str, str]]) -> None:
-        self._made_from = (file, text, overrides)
+    def __init__(self, source: Source, overrides: list[tuple[str, str]]) -> None:
+        self._made_from = (source, overrides)
         with raising():
-            self._simulation = _native.Simulation(file, text, overrides)
+            self._simulation = source.load(overrides)
         self._components = Components(row[0] for row in self._simulation.variables())
         self._pace = (0.0, 0.0, 0)
         """A time, a step and how many such steps followed: the time is not a running sum."""
@@ -125,9 +126,9 @@ class Unit:
         return _restored, (*self._made_from, self.state)
 
 
-def _restored(file: str, text: str, overrides: list[tuple[str, str]], state: State) -> Unit:
+def _restored(source: Source, overrides: list[tuple[str, str]], state: State) -> Unit:
     """Return a unit from a pickle."""
-    unit = Unit(file, text, overrides)
+    unit = Unit(source, overrides)
     unit._simulation.take_warnings()
     unit.state = state
     return unit

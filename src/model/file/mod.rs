@@ -1,7 +1,6 @@
 //! A model file as typed data: [`document::Document`], whose [`entries`] the `reader` reads key by key.
 
 mod collisions;
-mod disk;
 pub mod document;
 pub mod entries;
 pub mod number;
@@ -17,4 +16,5 @@ mod settings;
 mod timing;
 pub mod unit;
 
-pub use disk::{content, piped, text};
+pub use super::text::disk::{content, piped, text};
+pub use super::text::folder::{Folder, Reach};

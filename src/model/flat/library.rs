@@ -1,13 +1,14 @@
 //! The files that a model includes, each read once, and those with the tables of its functions.
 
-use super::Read;
+use super::Files;
 use super::data::{file_of, rows};
 use super::scope::entries_of;
 use super::tables::{COPY, FUNCTION, INCLUDE, table};
 use crate::model::text::diagnostic::{Diagnostics, Place, Report, Source};
+use crate::model::text::folder::{Refusal, normalized};
 use crate::model::text::tree::{self, Entry, Item, Node};
 use std::collections::BTreeMap;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// More files than this are a mistake.
 const MOST_FILES: usize = 100;
@@ -38,21 +39,17 @@ impl Library {
     ///
     /// # Errors
     /// A file cannot be read, is not TOML, or includes itself.
-    pub fn load(
-        tree: &[Entry],
-        source: &mut Source,
-        folder: Option<&Path>,
-        read: Read<'_>,
-    ) -> Result<Self, Diagnostics> {
+    pub fn load(tree: &[Entry], source: &mut Source, files: Option<Files<'_>>) -> Result<Self, Diagnostics> {
         let mut library = Self::default();
-        library.add(tree, None, source, folder, read)?;
-        library.add_tables(tree, source, folder, read)?;
+        let folder = files.map(|files| files.folder);
+        library.add(tree, None, source, folder, files)?;
+        library.add_tables(tree, source, folder, files)?;
         let mut next = 0;
         while next < library.files.len() {
             let tree = library.files[next].tree.clone();
             let folder = library.files[next].path.parent().map(Path::to_owned);
-            library.add(&tree, Some(next), source, folder.as_deref(), read)?;
-            library.add_tables(&tree, source, folder.as_deref(), read)?;
+            library.add(&tree, Some(next), source, folder.as_deref(), files)?;
+            library.add_tables(&tree, source, folder.as_deref(), files)?;
             next += 1;
         }
         Ok(library)
@@ -75,7 +72,7 @@ impl Library {
         tree: &[Entry],
         source: &mut Source,
         folder: Option<&Path>,
-        read: Read<'_>,
+        files: Option<Files<'_>>,
     ) -> Result<(), Diagnostics> {
         for (name, place, column) in functions_with_files(tree) {
             let refused = |source: &Source, place: Place, message: &str, label: &str, help: &str| {
@@ -83,7 +80,7 @@ impl Library {
                 report.error(place, message, label, help);
                 Err(report.finish())
             };
-            let Some(folder) = folder else {
+            let (Some(folder), Some(files)) = (folder, files) else {
                 let message = format!("`{name}` cannot be read: this model is a text without a folder");
                 let help = "load the model from its file, or load the text that `ancf14 check --resolved` prints";
                 return refused(source, place, &message, "", help);
@@ -95,11 +92,9 @@ impl Library {
                     let message = format!("the model has tables in more than {MOST_FILES} files");
                     return refused(source, place, &message, "one too many", "");
                 }
-                None => match read(&path) {
+                None => match (files.read)(name, &path) {
                     Ok(text) => source.include(&path.display().to_string(), &text),
-                    Err(reason) => {
-                        return refused(source, place, &reason, "", "paths are relative to the folder of this file");
-                    }
+                    Err(Refusal { message, help }) => return refused(source, place, &message, "", help),
                 },
             };
             if self.data.iter().all(|(known, _)| *known != path) {
@@ -122,7 +117,7 @@ impl Library {
         from: Option<usize>,
         source: &mut Source,
         folder: Option<&Path>,
-        read: Read<'_>,
+        files: Option<Files<'_>>,
     ) -> Result<(), Diagnostics> {
         for (place, name) in names(tree) {
             let refused = |source: &Source, message: &str, label: &str, help: &str| {
@@ -130,7 +125,7 @@ impl Library {
                 report.error(place, message, label, help);
                 Err(report.finish())
             };
-            let Some(folder) = folder else {
+            let (Some(folder), Some(files)) = (folder, files) else {
                 let message = format!("`{name}` cannot be included: this model is a text without a folder");
                 let help = "load the model from its file, or load the text that `ancf14 check --resolved` prints";
                 return refused(source, &message, "", help);
@@ -155,9 +150,9 @@ impl Library {
                     "",
                 );
             }
-            let text = match read(&path) {
+            let text = match (files.read)(&name, &path) {
                 Ok(text) => text,
-                Err(reason) => return refused(source, &reason, "", "paths are relative to the folder of this file"),
+                Err(Refusal { message, help }) => return refused(source, &message, "", help),
             };
             let shown = path.display().to_string();
             let number = source.include(&shown, &text);
@@ -188,20 +183,6 @@ impl Library {
         }
         false
     }
-}
-
-/// A path without `parts/..` and `.`: two ways to write one file are one file.
-fn normalized(path: &Path) -> PathBuf {
-    let mut normal = PathBuf::new();
-    for part in path.components() {
-        let is_below = matches!(normal.components().next_back(), Some(Component::Normal(_)));
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir if is_below => drop(normal.pop()),
-            other => normal.push(other),
-        }
-    }
-    normal
 }
 
 /// The functions of a file that have their tables in files, those in copies too: the name of the file with its place, and the column.

@@ -20,27 +20,39 @@ use self::library::Library;
 use self::scope::Scope;
 use self::tables::{COPY, FUNCTION, INCLUDE, table};
 use crate::model::text::diagnostic::{Diagnostics, Report, Source};
+use crate::model::text::folder::Refusal;
 use crate::model::text::overrides;
 use crate::model::text::tree::{self, Entry};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Reads a file of this path; the reason where that fails.
-pub type Read<'r> = &'r dyn Fn(&Path) -> Result<String, String>;
+/// The files that a model names.
+#[derive(Clone, Copy)]
+pub struct Files<'r> {
+    /// The folder that relative paths in the model file begin at.
+    pub folder: &'r Path,
+    /// Reads a file of this name and path.
+    pub read: &'r dyn Fn(&str, &Path) -> Result<String, Refusal>,
+}
+
+impl std::fmt::Debug for Files<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Files").field("folder", &self.folder).finish_non_exhaustive()
+    }
+}
 
 /// The largest flat model, bytes: that of a model file.
 const LARGEST: usize = 10 << 20;
 
 /// Turns a file into a flat one if it has copies, includes or tables in files, with the overrides that decide what there is; otherwise returns it as it is.
-/// Relative paths in the file are relative to `folder`; none: the text comes from memory and includes nothing.
+/// Without `files` the text comes from memory and includes nothing.
 ///
 /// # Errors
 /// Everything that is wrong with copies and includes.
 pub fn flat(
     mut source: Source,
     overrides: &[(String, String)],
-    folder: Option<&Path>,
-    read: Read<'_>,
+    files: Option<Files<'_>>,
 ) -> Result<Source, Diagnostics> {
     let text = source.text(0);
     if !text.contains(COPY) && !text.contains(INCLUDE) && !text.contains(FUNCTION) {
@@ -55,7 +67,7 @@ pub fn flat(
     if !report.is_empty() {
         return Err(report.finish());
     }
-    let library = Library::load(&tree, &mut source, folder, read)?;
+    let library = Library::load(&tree, &mut source, files)?;
     // The first pass finds the parameters that decide what there is, the second one has their numbers.
     let mut known = BTreeMap::new();
     loop {

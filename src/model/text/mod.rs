@@ -2,6 +2,8 @@
 
 pub mod csv;
 pub mod diagnostic;
+pub(super) mod disk;
+pub(super) mod folder;
 pub(super) mod keys;
 pub mod names;
 pub(super) mod overrides;

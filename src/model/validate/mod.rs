@@ -13,7 +13,7 @@ mod winches;
 
 pub use lines::{Lines, division, fits};
 
-use super::file;
+use super::file::Folder;
 use super::file::document::Document;
 use super::file::entries::actuator::Action;
 use super::file::entries::beam::BeamSpec;
@@ -26,8 +26,9 @@ use super::file::entries::stop::StopSpec;
 use super::file::entries::{load, output};
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
-use super::flat;
+use super::flat::{self, Files};
 use super::text::diagnostic::{Diagnostic, Diagnostics, Place, Source};
+use super::text::folder::Refusal;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::centerline::{Centerline, Spacing};
 use crate::mechanics::beam::design::Elements;
@@ -55,27 +56,33 @@ impl Document {
     /// # Errors
     /// Everything that is wrong with the file, with included files and with the overrides.
     pub fn parse_in(
-        folder: Option<&Path>,
+        folder: Option<Folder<'_>>,
         file_name: &str,
         text: &str,
         overrides: &[(String, String)],
     ) -> Result<Self, Diagnostics> {
-        let source = flat::flat(Source::new(file_name, text, overrides), overrides, folder, &file::text)?;
+        let read = |name: &str, path: &Path| match folder {
+            Some(folder) => folder.text(name, path),
+            None => Err(Refusal { message: format!("cannot read {name}"), help: "" }),
+        };
+        let files = folder.map(|folder| Files { folder: folder.path(), read: &read });
+        let source = flat::flat(Source::new(file_name, text, overrides), overrides, files)?;
         let (document, mut report) = Self::read(&source, overrides);
         report.extend(document.as_ref().map_or(Vec::new(), mistakes));
         document.filter(|_| report.is_empty()).ok_or_else(|| report.finish())
     }
 
     /// The other files that a file reads, included ones and tables, those too that are missing; where something is wrong with one of them, those up to it.
-    pub fn files_in(folder: &Path, file_name: &str, text: &str, overrides: &[(String, String)]) -> Vec<PathBuf> {
-        let files = RefCell::new(Vec::new());
-        let read = |path: &Path| {
-            files.borrow_mut().push(path.to_owned());
-            file::text(path)
+    pub fn files_in(folder: Folder<'_>, file_name: &str, text: &str, overrides: &[(String, String)]) -> Vec<PathBuf> {
+        let found = RefCell::new(Vec::new());
+        let read = |name: &str, path: &Path| {
+            found.borrow_mut().push(path.to_owned());
+            folder.text(name, path)
         };
+        let files = Files { folder: folder.path(), read: &read };
         // What is wrong, parse_in tells.
-        drop(flat::flat(Source::new(file_name, text, overrides), overrides, Some(folder), &read));
-        files.into_inner()
+        drop(flat::flat(Source::new(file_name, text, overrides), overrides, Some(files)));
+        found.into_inner()
     }
 }
 

@@ -5,6 +5,7 @@
 use ancf14::fmi::Model;
 use ancf14::model::document::Document;
 use ancf14::model::expression::function::Function;
+use ancf14::model::file::{Folder, Reach};
 use ancf14::model::simulation::Simulation;
 use ancf14_testing::running;
 use std::fs;
@@ -241,7 +242,8 @@ fn folder(test: &str, files: &[(&str, &str)]) -> PathBuf {
 fn parse(folder: &Path, overrides: &[(&str, &str)]) -> Result<Document, String> {
     let overrides: Vec<_> = overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
     let text = fs::read_to_string(folder.join("m.toml")).unwrap();
-    Document::parse_in(Some(folder), "m.toml", &text, &overrides).map_err(|mistakes| mistakes.to_string())
+    Document::parse_in(Some(Folder::new(folder, Reach::Inside)), "m.toml", &text, &overrides)
+        .map_err(|mistakes| mistakes.to_string())
 }
 
 const GUST: &str = "time [s],speed [m/s],gust [m/s]\n0,1,0\n0.3,2.5,1e-1\n1.1,0.125,0.7\n";
@@ -263,7 +265,8 @@ fn tables_in_files_are_those_of_the_flat_text() {
         positions
     };
     let load = |folder: Option<&Path>, text: &str| {
-        Simulation::load_in(folder, "m.toml", text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message))
+        Simulation::load_in(folder.map(|path| Folder::new(path, Reach::Inside)), "m.toml", text, &[])
+            .unwrap_or_else(|failure| panic!("{}", failure.message))
     };
     let from_file = positions(load(Some(&folder), &text));
     assert!(from_file.iter().any(|bits| f64::from_bits(*bits) > 0.1));

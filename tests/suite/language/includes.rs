@@ -2,9 +2,11 @@
 //! test; paths are relative to the file that names them.
 
 use ancf14::model::document::Document;
+use ancf14::model::file::{Folder, Reach};
 use ancf14::model::simulation::Simulation;
 use std::fs;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 /// A folder with files, for one test.
 fn folder(test: &str, files: &[(&str, &str)]) -> PathBuf {
@@ -20,7 +22,8 @@ fn folder(test: &str, files: &[(&str, &str)]) -> PathBuf {
 fn parse(folder: &std::path::Path, overrides: &[(&str, &str)]) -> Result<Document, String> {
     let overrides: Vec<_> = overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
     let text = fs::read_to_string(folder.join("m.toml")).unwrap();
-    Document::parse_in(Some(folder), "m.toml", &text, &overrides).map_err(|mistakes| mistakes.to_string())
+    Document::parse_in(Some(Folder::new(folder, Reach::Inside)), "m.toml", &text, &overrides)
+        .map_err(|mistakes| mistakes.to_string())
 }
 
 const BLADE: &str = r#"format = 1
@@ -98,7 +101,7 @@ fn an_included_blade_is_copied() {
     assert!(document.text().contains("blade_2_length = { value = \"L*2\", unit = \"m\", min = 0.1 }"));
     assert!(document.text().contains("blade_2_half = \"blade_2_length/2\""));
     let text = fs::read_to_string(folder.join("m.toml")).unwrap();
-    let simulation = Simulation::load_in(Some(&folder), "m.toml", &text, &[])
+    let simulation = Simulation::load_in(Some(Folder::new(&folder, Reach::Inside)), "m.toml", &text, &[])
         .unwrap_or_else(|failure| panic!("{}", failure.message));
     // The third blade has the length 9 and points to -120 degrees.
     let tip = ancf14_testing::running::vector(&simulation, "tip.position");
@@ -108,9 +111,6 @@ fn an_included_blade_is_copied() {
     assert_eq!(Document::parse("m.toml", flat, &[]).unwrap_or_else(|message| panic!("{message}")).text(), flat);
 }
 
-/// Messages name the included file with its line, and which of its copies is meant.
-#[test]
-fn mistakes_in_included_files_are_told_there() {
 /// A file whose copies get the names of their parts from a list is included as it is: names of ends and of coordinates get the prefix of the include once. The flat model is that of the file by itself, with this prefix.
 #[test]
 fn included_copies_name_the_parts_of_their_own_file() {
@@ -160,6 +160,9 @@ fn rows_of_lists_mean_what_they_mean_where_they_stand() {
     }
 }
 
+/// Messages name the included file with its line, and which of its copies is meant.
+#[test]
+fn mistakes_in_included_files_are_told_there() {
     let case = |test: &str, files: &[(&str, &str)], expected: &[&str]| {
         let message = parse(&folder(test, files), &[]).err().unwrap_or_else(|| panic!("{test} was taken"));
         for expected in expected {
@@ -223,4 +226,98 @@ fn the_turn_of_an_include_has_its_angle() {
     assert_eq!(notes_of("axis = [0, 0, 1], angle = 90"), Ok(vec![note.to_owned()]));
     let message = notes_of("axis = [0, 0, 1]").unwrap_err();
     assert!(message.contains("`turn` needs an axis and an angle"), "{message}");
+}
+
+/// A model must not read files of the computer that are not its own, as their lines come back in messages and in packed FMUs: neither by a path, nor through a link. Allowed explicitly, it reads them.
+#[test]
+fn files_outside_of_the_folder_are_refused() {
+    let secret = "time,value\n0,1\n1,2\n";
+    let model = |file: &str| {
+        format!(
+            "format = 1\n[model]\nname = \"M\"\n[function.f]\nfile = \"{file}\"\n[body.b]\nmass = 1\nposition = [0, 0, 0]\n\
+             inertia = [1, 1, 1]\n[load.l]\nat = \"b\"\nforce = [\"f(t)\", 0, 0]\n[simulation]\nstop = 1\n"
+        )
+    };
+    let around = folder(
+        "outside",
+        &[("secret.csv", secret), ("models/parts/inside.csv", secret), ("models-2/secret.csv", secret)],
+    );
+    let folder = around.join("models");
+    let parse = |file: &str, reach: Reach| {
+        let text = model(file);
+        let parsed = Document::parse_in(Some(Folder::new(&folder, reach)), "m.toml", &text, &[]);
+        parsed.map(|_| ()).map_err(|mistakes| mistakes.to_string())
+    };
+    assert_eq!(parse("parts/inside.csv", Reach::Inside), Ok(()));
+    assert_eq!(parse("parts/../parts/inside.csv", Reach::Inside), Ok(()));
+    let absolute = around.join("secret.csv").display().to_string();
+    for file in ["../secret.csv", "../models-2/secret.csv", "parts/../../secret.csv", &absolute] {
+        let message = parse(file, Reach::Inside).unwrap_err();
+        let own = folder.canonicalize().unwrap().display().to_string();
+        let says = [file, &own, "outside of the folder of the model file", "--allow-outside"];
+        assert!(says.into_iter().all(|words| message.contains(words)), "{message}");
+        assert!(!message.contains("time,value"), "{message}");
+        assert_eq!(parse(file, Reach::Anywhere), Ok(()), "{file}");
+    }
+    // A file that is not there gives nothing away.
+    let message = parse("../none.csv", Reach::Inside).unwrap_err();
+    assert!(message.contains("outside of the folder"), "{message}");
+    // An included file is no way out either: the folder is that of the model.
+    fs::write(folder.join("parts/part.toml"), "format = 1\n[include.up]\nfile = \"../../part.toml\"\n").unwrap();
+    let text = model("parts/inside.csv") + "[include.part]\nfile = \"parts/part.toml\"\n";
+    let parsed = Document::parse_in(Some(Folder::new(&folder, Reach::Inside)), "m.toml", &text, &[]);
+    let message = parsed.map(|_| ()).map_err(|mistakes| mistakes.to_string()).unwrap_err();
+    assert!(message.contains("`../../part.toml` is") && message.contains("outside of the folder"), "{message}");
+    #[cfg(unix)]
+    {
+        let link = folder.join("link.csv");
+        drop(fs::remove_file(&link));
+        std::os::unix::fs::symlink("../secret.csv", &link).unwrap();
+        let message = parse("link.csv", Reach::Inside).unwrap_err();
+        assert!(message.contains("outside of the folder"), "{message}");
+        assert_eq!(parse("link.csv", Reach::Anywhere), Ok(()));
+    }
+}
+
+/// Files that include the next one twice make a million of the last: the depth, and without it the number, is told at once.
+#[test]
+fn branches_of_includes_are_told_at_once() {
+    let next = |number: usize| {
+        format!("format = 1\n[include.a]\nfile = \"{number}.toml\"\n[include.b]\nfile = \"{number}.toml\"\n")
+    };
+    for (deepest, told) in
+        [(21, "too many copies and includes stand in one another"), (18, "the copies make too many parts")]
+    {
+        let names: Vec<String> = (1..=deepest).map(|number| format!("{number}.toml")).collect();
+        let texts: Vec<String> = (2..=deepest).map(next).chain([String::from("format = 1\n")]).collect();
+        let model = next(1)
+            + "[model]\nname = \"M\"\n[body.b]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n[simulation]\nstop = 1\n";
+        let files = names.iter().zip(&texts).map(|(name, text)| (name.as_str(), text.as_str()));
+        let files: Vec<(&str, &str)> = files.chain([("m.toml", model.as_str())]).collect();
+        let folder = folder(&format!("branches-{deepest}"), &files);
+        let begin = Instant::now();
+        let message = parse(&folder, &[]).map(|_| ()).unwrap_err();
+        assert!(message.contains(told), "{message}");
+        // Some ms; before, seconds.
+        assert!(begin.elapsed() < Duration::from_secs(2), "{:?}", begin.elapsed());
+    }
+}
+
+/// A pipe under the name of a table may never say anything: it is refused, not waited for.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_table() {
+    let folder = folder("pipe", &[]);
+    fs::create_dir_all(&folder).unwrap();
+    let pipe = folder.join("rows.csv");
+    drop(fs::remove_file(&pipe));
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.is_ok_and(|status| status.success()), "mkfifo");
+    let text = "format = 1\n[model]\nname = \"M\"\n[function.f]\nfile = \"rows.csv\"\n[body.b]\nmass = 1\nposition = [0, 0, 0]\n\
+                inertia = [1, 1, 1]\n[simulation]\nstop = 1\n";
+    for reach in [Reach::Inside, Reach::Anywhere] {
+        let parsed = Document::parse_in(Some(Folder::new(&folder, reach)), "m.toml", text, &[]);
+        let message = parsed.map(|_| ()).map_err(|mistakes| mistakes.to_string()).unwrap_err();
+        assert!(message.contains("it is not a regular file"), "{message}");
+    }
 }

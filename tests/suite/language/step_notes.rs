@@ -3,6 +3,7 @@
 
 use ancf14::fmi::Model;
 use ancf14::model::document::Document;
+use ancf14::model::file::{Folder, Reach};
 use ancf14::model::notes::notes;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::step_length::long_step;
@@ -108,7 +109,8 @@ fn steps_of_the_models_are_not_told() {
     for path in models {
         let text = fs::read_to_string(path).unwrap();
         let name = path.file_name().unwrap().to_string_lossy();
-        let simulation = Simulation::load_in(path.parent(), &name, &text, &[]);
+        let simulation =
+            Simulation::load_in(path.parent().map(|path| Folder::new(path, Reach::Inside)), &name, &text, &[]);
         // A part of another model has no [model].
         let Ok(mut simulation) = simulation else { continue };
         let found = notes(simulation.document());

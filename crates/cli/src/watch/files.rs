@@ -5,7 +5,7 @@
 
 use super::super::ModelArguments;
 use ancf14::model::document::Document;
-use ancf14::model::file;
+use ancf14::model::file::{self, Folder};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ fn stamp(path: &Path) -> Stamp {
 fn listed(model: &ModelArguments) -> Vec<PathBuf> {
     let folder = model.file.parent().unwrap_or(Path::new(""));
     let text = file::text(&model.file).unwrap_or_default();
-    Document::files_in(folder, &model.name(), &text, &model.overrides)
+    Document::files_in(Folder::new(folder, model.files.reach()), &model.name(), &text, &model.overrides)
 }
 
 impl Files {
@@ -75,10 +75,11 @@ impl Files {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::FileArguments;
     use super::*;
 
     fn model(file: PathBuf) -> ModelArguments {
-        ModelArguments { file, overrides: Vec::new() }
+        ModelArguments { file, overrides: Vec::new(), files: FileArguments::default() }
     }
 
     /// A model has the files that it includes and their tables, missing ones too, and those that a mistake hides now; each change of one of them is seen, and nothing else.

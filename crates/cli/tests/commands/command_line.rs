@@ -279,3 +279,28 @@ fn regression_stations_are_drawn_as_shapes() {
         }
     }
 }
+
+/// A table outside of the folder of the model is refused, with the way out; that way, every command that reads a model takes it.
+#[test]
+fn files_elsewhere_need_a_word_of_the_user() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let folder = directory.path().join("models");
+    std::fs::create_dir(&folder).expect("a folder");
+    std::fs::write(directory.path().join("pull.csv"), "time,force\n0,1\n1,2\n").expect("a table");
+    let file = "format = 1\n[model]\nname = \"Pull\"\n[function.pull]\nfile = \"../pull.csv\"\n[body.b]\nmass = 1\nposition = [0, 0, 0]\n\
+                inertia = [1, 1, 1]\n[load.l]\nat = \"b\"\nforce = [\"pull(t)\", 0, 0]\n[simulation]\nstop = 1\n";
+    std::fs::write(folder.join("m.toml"), file).expect("a model");
+    for command in
+        [&["check", "m.toml"][..], &["run", "m.toml"], &["header", "m.toml", "-o", "m.h"], &["modes", "m.toml"]]
+    {
+        let refused = ancf14(&folder, command);
+        let message = text(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(2), "{command:?}: {message}");
+        assert!(
+            message.contains("outside of the folder of the model file") && message.contains("--allow-outside"),
+            "{message}"
+        );
+        let allowed = ancf14(&folder, &[command, &["--allow-outside"]].concat());
+        assert!(allowed.status.success(), "{command:?}: {}", text(&allowed.stderr));
+    }
+}

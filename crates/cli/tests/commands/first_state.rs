@@ -6,6 +6,7 @@ use crate::stages::{MODEL, column, rows, run};
 use ancf14::fmi::Model;
 use ancf14::fmi::instance::Instance;
 use ancf14::fmi::location::{MODEL_FILE, STATE_FILE};
+use ancf14::model::file::{Folder, Reach};
 use ancf14::model::simulation::Simulation;
 use std::fs;
 use std::path::Path;
@@ -72,9 +73,10 @@ fn units_begin_at_the_time_of_their_state() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     keep(folder);
-    let mut model = Simulation::load_in(Some(folder), "m.toml", &named(&other()), &[]).unwrap();
+    let mut model =
+        Simulation::load_in(Some(Folder::new(folder, Reach::Inside)), "m.toml", &named(&other()), &[]).unwrap();
     assert_eq!(model.about().start, 0.1);
-    let plain = Simulation::load_in(Some(folder), "m.toml", &other(), &[]).unwrap();
+    let plain = Simulation::load_in(Some(Folder::new(folder, Reach::Inside)), "m.toml", &other(), &[]).unwrap();
     assert_ne!(model.about().guid, plain.about().guid);
     let refused = model.initialize(0.0).err().unwrap().message;
     assert!(refused.contains("at t = 0.1 s, and cannot start at t = 0 s"), "{refused}");

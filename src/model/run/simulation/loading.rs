@@ -3,8 +3,8 @@
 use super::{ReadState, Simulation, mistaken};
 use crate::fmi::Failure;
 use crate::fmi::location::STATE_FILE;
-use crate::model::file;
 use crate::model::file::document::Document;
+use crate::model::file::{self, Folder};
 use std::path::Path;
 
 impl Simulation {
@@ -21,13 +21,13 @@ impl Simulation {
     /// # Errors
     /// Everything that is wrong with the file, each with its place.
     pub fn load_in(
-        folder: Option<&Path>,
+        folder: Option<Folder<'_>>,
         file_name: &str,
         text: &str,
         overrides: &[(String, String)],
     ) -> Result<Self, Failure> {
         Self::load_with(folder, file_name, text, overrides, &|name| match folder {
-            Some(folder) => file::content(&folder.join(name)),
+            Some(folder) => file::content(&folder.path().join(name)),
             None => Err(format!("`{name}` cannot be read: this model is a text without a folder")),
         })
     }
@@ -37,7 +37,7 @@ impl Simulation {
     /// # Errors
     /// Everything that is wrong with the file, each with its place.
     pub fn load_with(
-        folder: Option<&Path>,
+        folder: Option<Folder<'_>>,
         file_name: &str,
         text: &str,
         overrides: &[(String, String)],

@@ -19,11 +19,25 @@ pub fn text(path: &Path) -> Result<String, String> {
     utf8(&name, bytes)
 }
 
+/// Checks that `path` leads to a file: a pipe or a device may have no end, or never begin.
+///
+/// # Errors
+/// As a sentence: it does not, or is not there.
+pub fn regular(path: &Path) -> Result<(), String> {
+    let name = path.display();
+    match std::fs::metadata(path) {
+        Ok(there) if there.is_file() => Ok(()),
+        Ok(_) => Err(format!("cannot read {name}: it is not a regular file")),
+        Err(reason) => Err(format!("cannot read {name}: {reason}")),
+    }
+}
+
 /// The bytes of the file at `path`.
 ///
 /// # Errors
 /// As a sentence: the file cannot be read.
 pub fn content(path: &Path) -> Result<Vec<u8>, String> {
+    regular(path)?;
     std::fs::read(path).map_err(|reason| format!("cannot read {}: {reason}", path.display()))
 }
 
