@@ -182,6 +182,10 @@ impl Function {
 
     /// The mean time between its switches, where they are so many in a short part of the time from `from` to `to` that steps do not follow; none: they are few.
     pub fn shortest_switching(&self, [from, to]: [f64; 2]) -> Option<f64> {
+        // One look at the whole time does for most functions.
+        if !self.over(Range { low: from, high: to }).switches {
+            return None;
+        }
         let length = f64::from(COUNTED) * (to - from) / MOST_SWITCHES;
         self.bounded(|bounded| {
             (0..PARTS).find_map(|part| {

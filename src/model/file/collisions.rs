@@ -5,6 +5,7 @@ use super::number::Numbers;
 use super::parameter::Parameter;
 use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::Names;
+use std::collections::BTreeMap;
 
 /// One variable, or several that differ in their indices only.
 struct Variables {
@@ -48,8 +49,12 @@ pub(super) fn report(
         }));
     }
     list.sort_by_key(|variables| variables.place);
-    for (k, second) in list.iter().enumerate() {
-        let Some(first) = list[..k].iter().find(|first| first.name == second.name) else { continue };
+    let mut firsts: BTreeMap<&str, &Variables> = BTreeMap::new();
+    for second in &list {
+        let Some(first) = firsts.get(second.name.as_str()).copied() else {
+            firsts.insert(&second.name, second);
+            continue;
+        };
         let title = |variables: &Variables| match names.owner(&variables.name, variables.place) {
             Some(owner) => format!("[{}.{}]", owner.kind.word(), owner.name),
             None => String::from("another section"),

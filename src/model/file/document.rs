@@ -22,6 +22,7 @@ use super::entries::simulation::{Analysis, SimulationSpec, Steps};
 use super::entries::spring::SpringSpec;
 use super::entries::stop::StopSpec;
 use super::entries::winch::WinchSpec;
+use super::many_results;
 use super::number::{Number, Numbers};
 use super::objections;
 use super::parameter::Parameter;
@@ -152,6 +153,7 @@ impl Document {
             locks: &locks,
         };
         let outputs = tree.named(&mut context, "output", |name, reader| OutputSpec::read(name, reader, things));
+        many_results::report(&outputs, &mut context.report);
         let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
         tree.finish(&mut context);
 
@@ -453,7 +455,7 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
             report.error(thing.key_place, &message, &label, SHARED);
             names.unclear.push(name.clone());
         }
-        names.list.push(Named { name: name.clone(), kind, index, place: thing.key_place });
+        names.add(Named { name: name.clone(), kind, index, place: thing.key_place });
     }
     names.has_nameless = !nameless.is_empty();
     names

@@ -3,6 +3,7 @@
 mod collisions;
 pub mod document;
 pub mod entries;
+mod many_results;
 pub mod number;
 mod objections;
 pub mod parameter;

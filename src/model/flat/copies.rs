@@ -18,6 +18,8 @@ const OF_INCLUDE: [&str; 4] = ["file", "set", "turn", "move"];
 const OF_TURN: [&str; 3] = ["axis", "angle", "center"];
 /// More copies of one thing than this are a mistake.
 const MOST: f64 = 10_000.0;
+/// What an include counts as in numbers and words.
+const VALUES_OF_INCLUDE: usize = 100;
 /// Copies in copies, and includes in includes.
 const DEEPEST: usize = 20;
 /// The name of the index where the file does not say one.
@@ -101,6 +103,10 @@ impl Flattener<'_> {
             let help = "a name is a letter, then letters, digits and _";
             return self.error(outer, include.key_place, &format!("`{}` is not a valid name", include.key), "", help);
         }
+        // Files without parts count too: they take time.
+        if !self.spend(0, VALUES_OF_INCLUDE, include.key_place) {
+            return;
+        }
         let library = self.library;
         let named = keys.iter().find(|entry| entry.key == "file");
         let Some((shown, body)) = named.and_then(|entry| library.file(entry.item.place)) else {
@@ -163,6 +169,8 @@ impl Flattener<'_> {
         if scope.depth >= DEEPEST {
             let label = format!("at most {DEEPEST} are allowed");
             self.error(scope, place, "too many copies and includes stand in one another", &label, "");
+            // There may be a million others.
+            self.stop();
         }
         scope.depth < DEEPEST
     }

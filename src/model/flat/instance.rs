@@ -98,6 +98,11 @@ impl<'a> Flattener<'a> {
         !self.is_full
     }
 
+    /// Leaves out everything that is not filled in yet: a mistake is reported that would come again and again.
+    pub fn stop(&mut self) {
+        self.is_full = true;
+    }
+
     /// Fills in everything that a file or a copy has.
     pub fn fill(&mut self, scope: &Scope<'_>) {
         for entry in scope.body {

@@ -3,6 +3,7 @@
 use super::diagnostic::Place;
 use crate::fmi::identifier::is_identifier;
 use crate::model::expression::program::{FUNCTIONS, MORE_FUNCTIONS};
+use std::collections::BTreeMap;
 
 /// What a name stands for: the sections that carry names, and the entries of `[parameters]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,7 +114,9 @@ pub struct Named {
 #[derive(Clone, Debug, Default)]
 pub struct Names {
     /// The named things, in the order of the file.
-    pub list: Vec<Named>,
+    list: Vec<Named>,
+    /// Which of them have a name, ascending.
+    by_name: BTreeMap<String, Vec<usize>>,
     /// Names that a mistake, which is reported, makes unclear: references to them are worth no message.
     pub unclear: Vec<String>,
     /// Whether things without a name are reported: an unknown name may be theirs.
@@ -123,26 +126,49 @@ pub struct Names {
 impl Names {
     /// The first thing whose name excludes that another thing of this kind has it.
     pub fn clash(&self, kind: Kind, name: &str) -> Option<&Named> {
-        self.list.iter().find(|named| named.name == name && named.kind.shares_names_with(kind))
+        self.called(name).find(|named| named.kind.shares_names_with(kind))
+    }
+
+    /// Adds a thing, behind those that stand before it in the file.
+    pub fn add(&mut self, named: Named) {
+        self.by_name.entry(named.name.clone()).or_default().push(self.list.len());
+        self.list.push(named);
+    }
+
+    /// The things of a name, in the order of the file.
+    fn called(&self, name: &str) -> impl Iterator<Item = &Named> {
+        self.by_name.get(name).into_iter().flatten().map(|number| &self.list[*number])
+    }
+
+    /// The thing of this name of a kind that `is_meant`.
+    pub fn find_of(&self, name: &str, is_meant: fn(Kind) -> bool) -> Option<&Named> {
+        self.called(name).find(|named| is_meant(named.kind))
+    }
+
+    /// A name that nothing has, made of one that something has and of what it is: `pin_joint`.
+    pub fn free_name(&self, name: &str, kind: Kind) -> String {
+        let mut free = format!("{name}_{}", kind.word());
+        while self.called(&free).next().is_some() {
+            free.push('_');
+        }
+        free
     }
 
     /// What a name stands for where one of `kinds` is expected; if it is none of them, what else it stands for.
     pub fn find_among(&self, name: &str, kinds: &[Kind]) -> Option<&Named> {
-        let fitting = self.list.iter().find(|named| named.name == name && kinds.contains(&named.kind));
-        fitting.or_else(|| self.list.iter().find(|named| named.name == name))
+        let fitting = self.called(name).find(|named| kinds.contains(&named.kind));
+        fitting.or_else(|| self.called(name).next())
     }
 
     /// The thing in whose section the variable `NAME.key` is written at `place`: the nearest above it.
     pub fn owner(&self, variable: &str, place: Place) -> Option<&Named> {
         let name = variable.split('.').next().unwrap_or(variable);
-        let above = self.list.iter().filter(|named| named.name == name && named.place <= place);
-        above.max_by_key(|named| named.place)
+        self.called(name).filter(|named| named.place <= place).max_by_key(|named| named.place)
     }
 
     /// Whether a reported mistake is the reason that a name is not known or not what it should be.
     pub fn is_unclear(&self, name: &str) -> bool {
-        let is_known = || self.list.iter().any(|named| named.name == name);
-        self.unclear.iter().any(|unclear| unclear == name) || self.has_nameless && !is_known()
+        self.unclear.iter().any(|unclear| unclear == name) || self.has_nameless && self.called(name).next().is_none()
     }
 
     /// The name of a thing by its place among its kind.

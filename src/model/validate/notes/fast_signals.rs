@@ -10,6 +10,9 @@ use crate::model::file::number::Number;
 /// Samples of a function in a step, and in all.
 const PER_STEP: f64 = 4.0;
 const MOST: u32 = 100_000;
+/// Samples of all functions of a model: half a second. Of each function there are a few hundred steps at least.
+const MOST_OF_ALL: usize = 10_000_000;
+const LEAST: usize = 1_000;
 /// Golden ratio less 1: samples at even distances would see an oscillation of the same period as a constant.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// A change of direction smaller than this share of the range is a ripple.
@@ -24,8 +27,14 @@ pub fn fast_signals(document: &Document) -> Vec<Note> {
         return Vec::new();
     }
     let (length, stop) = (document.value(step), document.value(document.simulation.stop));
-    let note = |number: Number| {
-        let period = shortest_period(&document.function(number), length, stop)?;
+    let functions: Vec<(Number, Function)> = signals(document)
+        .into_iter()
+        .map(|number| (number, document.function(number)))
+        .filter(|(_, function)| !function.is_constant() && function.readings().is_empty())
+        .collect();
+    let most = (MOST_OF_ALL / functions.len().max(1)).clamp(LEAST, MOST as usize) as u32;
+    let note = |(number, function): (Number, Function)| {
+        let period = shortest_period(&function, [length, stop], most)?;
         let text = format!(
             "oscillates with a period of {period:.2e} s, which is {:.1} steps of step = {length} s. An oscillation needs {STEPS_PER_PERIOD} steps or more: set step = \
              {:.1e} or less, or leave `step` out, and the solver chooses its steps",
@@ -34,7 +43,7 @@ pub fn fast_signals(document: &Document) -> Vec<Note> {
         );
         Some(Note::of(document, number, &text))
     };
-    signals(document).into_iter().filter_map(note).collect()
+    functions.into_iter().filter_map(note).collect()
 }
 
 /// The numbers that may change in time and that no host gives, but for switches.
@@ -52,12 +61,9 @@ pub fn signals(document: &Document) -> Vec<Number> {
     loads.chain(actuators).chain(drives).chain(frames).collect()
 }
 
-/// The shortest period below `STEPS_PER_PERIOD` steps of length `step` with which a function oscillates up to `stop`, s. Where pieces meet, steps end: a swing across such an instant is resolved.
-fn shortest_period(function: &Function, step: f64, stop: f64) -> Option<f64> {
-    if function.is_constant() || !function.readings().is_empty() {
-        return None;
-    }
-    let count = (PER_STEP * stop / step).ceil().min(f64::from(MOST)) as u32;
+/// The shortest period below `STEPS_PER_PERIOD` steps of length `step` with which a function oscillates up to `stop`, s, by `most` samples. Where pieces meet, steps end: a swing across such an instant is resolved.
+fn shortest_period(function: &Function, [step, stop]: [f64; 2], most: u32) -> Option<f64> {
+    let count = (PER_STEP * stop / step).ceil().min(f64::from(most)) as u32;
     let time = |k: u32| (f64::from(k) + 0.5 * (f64::from(k) * GOLDEN).fract()) * step / PER_STEP;
     let samples: Vec<(f64, f64)> =
         (0..count).map(|k| (time(k), function.value(time(k)))).filter(|(_, value)| value.is_finite()).collect();

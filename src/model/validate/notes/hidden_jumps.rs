@@ -1,6 +1,7 @@
 //! Motions that jump inside an expression: `step`, `if`, `floor`, a comparison. Jumps between pieces are told where the run begins.
 
 use super::Note;
+use crate::math::range::Range;
 use crate::model::expression::function::Function;
 use crate::model::file::document::Document;
 use crate::model::file::entries::drive::Motion;
@@ -38,7 +39,7 @@ pub fn hidden_jumps(document: &Document) -> Vec<Note> {
 
 /// The first jump of a function up to `stop`, s, which is not between two of its pieces: when, and by how much.
 fn jump(function: &Function, stop: f64) -> Option<(f64, f64)> {
-    if function.is_constant() {
+    if function.is_constant() || !function.over(Range { low: 0.0, high: stop }).switches {
         return None;
     }
     let pieces = function.breaks([0.0, stop]);

@@ -1,12 +1,16 @@
 //! Loads that grow without bound at an instant: steps pass over it, and what they miss is arbitrary.
 
 use super::Note;
+use crate::math::range::Range;
 use crate::model::expression::function::Function;
 use crate::model::file::document::Document;
 use crate::model::file::number::Number;
 
-/// Instants at which a load is looked at.
+/// Instants at which a load is looked at whose bounds do not exclude a pole, and at which its size is taken before.
 const SAMPLES: usize = 1000;
+const FIRST_SAMPLES: usize = 10;
+/// Where in its part of the time each of them is.
+const OFF: f64 = 0.381_966;
 /// A peak whose neighborhood is searched is so many times the mean size.
 const PEAK: f64 = 5.0;
 /// Halvings of the neighborhood of a peak, and those of its second half.
@@ -36,11 +40,21 @@ fn pole(function: &Function, stop: f64) -> Option<f64> {
     if function.is_constant() {
         return None;
     }
-    let interval = stop / SAMPLES as f64;
     // Off the ends of pieces and the zeros of denominators.
-    let time = |k: usize| (k as f64 + 0.381_966) * interval;
-    let sizes: Vec<f64> = (0..SAMPLES).map(|k| function.value(time(k)).abs()).collect();
-    let mean = sizes.iter().sum::<f64>() / SAMPLES as f64;
+    let sizes = |count: usize| -> Vec<f64> {
+        let time = |k: usize| (k as f64 + OFF) * (stop / count as f64);
+        (0..count).map(|k| function.value(time(k)).abs()).collect()
+    };
+    let mean = |sizes: &[f64]| sizes.iter().sum::<f64>() / sizes.len() as f64;
+    let bounds = function.over(Range { low: 0.0, high: stop }).value;
+    let largest = f64::max(bounds.low.abs(), bounds.high.abs());
+    if largest <= UNBOUNDED * mean(&sizes(FIRST_SAMPLES)) {
+        return None;
+    }
+    let interval = stop / SAMPLES as f64;
+    let time = |k: usize| (k as f64 + OFF) * interval;
+    let sizes = sizes(SAMPLES);
+    let mean = mean(&sizes);
     let mut peaks = (1..SAMPLES - 1).filter(|k| sizes[*k] >= sizes[k - 1] && sizes[*k] >= sizes[k + 1]);
     peaks.find_map(|k| {
         let (mut at, mut width) = (time(k), interval);
