@@ -10,6 +10,8 @@ struct Template {
     name: &'static str,
     about: &'static str,
     text: &'static str,
+    /// What differs from that text: a template runs without a warning, where an example may show one.
+    changes: &'static [[&'static str; 2]],
 }
 
 /// All of them, the simplest first.
@@ -18,46 +20,67 @@ const TEMPLATES: [Template; 9] = [
         name: "beam",
         about: "a clamped beam with a force at its end",
         text: include_str!("../templates/beam.toml"),
+        changes: &[],
     },
     Template {
         name: "pendulum",
         about: "two flexible beams hinged to each other",
         text: include_str!("../../../models/pendulum.toml"),
+        changes: &[
+            ["quantities = [\"axial_strain\", \"curvature\"]", "quantities = [\"position\"]"],
+            ["step = 2e-3", "step = 1e-3"],
+        ],
     },
     Template {
         name: "cable",
         about: "a slack cable between two masts, in gusts of wind",
         text: include_str!("../templates/cable.toml"),
+        changes: &[],
     },
     Template {
         name: "rotor",
         about: "an unbalanced disk on a flexible shaft, run up through its critical speed",
         text: include_str!("../templates/rotor.toml"),
+        changes: &[],
     },
     Template {
         name: "linkage",
         about: "a four-bar linkage of flexible bars, with a drive",
         text: include_str!("../../../models/four_bar.toml"),
+        changes: &[
+            ["rate = \"speed\"", "rate = \"speed*smoothstep(0, 2, t)\""],
+            ["driven at constant speed;", "started smoothly, then driven at constant speed;"],
+            ["\nstep = 4e-3", "\nstep = 2e-3"],
+        ],
     },
     Template {
         name: "robot",
         about: "a flexible arm moved by two motors",
         text: include_str!("../../../models/robot.toml"),
+        changes: &[],
     },
     Template {
         name: "crane",
         about: "a boom with a load on a rope, whose foot a host drives",
         text: include_str!("../../../models/crane.toml"),
+        changes: &[],
     },
     Template {
         name: "spring",
         about: "a helical spring, curved as drawn, pulled along its axis",
         text: include_str!("../../../models/helical_spring.toml"),
+        changes: &[],
     },
     Template {
         name: "wheel",
         about: "a bicycle wheel: spokes by copies, equilibrium under a load",
         text: include_str!("../../../models/bicycle_wheel.toml"),
+        changes: &[
+            ["elements = \"2*spokes\"", "elements = \"4*spokes\""],
+            ["rim.node[2*k - 2]", "rim.node[4*k - 4]"],
+            ["rim.node[3*spokes/2]", "rim.node[3*spokes]"],
+            ["rim.node[spokes/2]", "rim.node[spokes]"],
+        ],
     },
 ];
 
@@ -85,7 +108,8 @@ pub fn new(name: &Path, from: &str) -> Result<(), Stop> {
     let Some(title) = title else {
         return bad(format!("{} is no name for a model; give one with a letter, as crane", name.display()));
     };
-    let mut text = named(template.text, &title, &file);
+    let changed = template.changes.iter().fold(template.text.to_owned(), |text, [old, new]| text.replace(old, new));
+    let mut text = named(&changed, &title, &file);
     if !text.starts_with('#') {
         let about = template.about;
         let about = about[..1].to_uppercase() + &about[1..];
@@ -120,4 +144,19 @@ fn named(text: &str, title: &str, file: &Path) -> String {
         }
     }
     lines.join("\n") + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A change of a text that is not in it would be lost.
+    #[test]
+    fn every_change_of_a_template_is_made() {
+        for template in &TEMPLATES {
+            for [old, _] in template.changes {
+                assert!(template.text.contains(old), "{}: {old}", template.name);
+            }
+        }
+    }
 }

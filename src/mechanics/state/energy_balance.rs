@@ -68,6 +68,8 @@ pub struct EnergyBalance {
     drift: f64,
     /// Sum of the sizes of the work of all steps, J.
     throughput: f64,
+    /// By how much the work may be off where it is known by its power at the ends of steps, J.
+    doubt: f64,
     /// Largest work of a single step, J, fading from step to step.
     peak: f64,
     /// Largest sum of kinetic and elastic energy so far, J.
@@ -121,7 +123,8 @@ impl EnergyBalance {
             Losses::NumericalAtInstants if damps => (DAMPED_BAND, DAMPED_THROUGHPUT),
             _ => (BAND, THROUGHPUT),
         };
-        let band = share * self.largest + passed * self.throughput + SINGLE_STEP * self.peak + noise + THERMAL;
+        let known = share * self.largest + passed * self.throughput + SINGLE_STEP * self.peak;
+        let band = known + self.doubt + noise + THERMAL;
         let is_beyond = self.drift.abs() > band;
         let now = Alarm { time, drift: self.drift, largest: self.largest };
         self.damped_steps = if damps && is_beyond { self.damped_steps.saturating_add(1) } else { 0 };
@@ -137,6 +140,12 @@ impl EnergyBalance {
             Some((suspect, steps)) => Some((suspect, steps + 1)),
             None => self.beyond.map(|now| (now, 0)),
         };
+    }
+
+    /// The work of a step of `step` s by the power at its start and `power` at its end, W, J. Where the power jumps, as of a drive that stops at once, the work may be anything between those of the two.
+    pub fn work_by_power(&mut self, power: f64, step: f64) -> f64 {
+        self.doubt += 0.5 * step * (power - self.power[0]).abs();
+        0.5 * step * (self.power[0] + power)
     }
 
     /// Takes the next steps out of the account: velocities jump with a drive at the end of the first, and what the drive does at an instant is no power. The
@@ -223,6 +232,20 @@ mod tests {
         balance.account(1.0, 675.0, energies(675.0), 0.0, Losses::None);
         (0..1000).for_each(|_| balance.account(2.0, 0.0, energies(675.0), 0.0, Losses::None));
         assert_eq!(balance.at_end(), None);
+    }
+
+    /// A power that jumps from one end of a step to the other says nothing of the work between: energy that does not follow it is not lost. Energy that falls without any power is.
+    #[test]
+    fn work_by_jumping_power_is_doubted() {
+        for (power, kinetic, alarms) in [(400.0, 1.0, false), (0.0, 0.8, true)] {
+            let mut balance = EnergyBalance { last: Some(energies(1.0)), ..EnergyBalance::default() };
+            let work = balance.work_by_power(power, 1e-3);
+            balance.account(1.0, work, energies(kinetic), 0.0, Losses::NumericalAtInstants);
+            for _ in 0..2 * DAMPED_STEPS {
+                balance.account(2.0, 0.0, energies(kinetic), 0.0, Losses::NumericalAtInstants);
+            }
+            assert_eq!(balance.alarm().is_some(), alarms, "{power} {kinetic}");
+        }
     }
 
     /// A loss may be twice as large and more where the integrator damps, but not without bound.

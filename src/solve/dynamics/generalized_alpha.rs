@@ -316,7 +316,7 @@ impl Scratch {
             .account
             .is_some()
             .then(|| shares(system, &configuration, &self.velocity, &self.excitation, [driving, damping]));
-        let given = 0.5 * step * (balance.power[0] + power[0]);
+        let given = balance.work_by_power(power[0], step);
         // Where a rate changes within a step, the powers at its ends are not those between: the smaller one is surely taken.
         let taken = step * balance.power[1].min(power[1]);
         balance.account(end, given - taken, energies, system.energy_noise(), Losses::NumericalAtInstants);

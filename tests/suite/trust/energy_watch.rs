@@ -49,6 +49,22 @@ fn resolved_motions_are_not_warned_of() {
     }
 }
 
+/// A drive that stops a mass at once, or within a step: its power jumps, and the integrator that knows powers at the ends of steps only cannot tell its work. The motion is exact, whatever the account says.
+#[test]
+fn a_drive_that_stops_a_mass_takes_no_numerical_damping() {
+    for rate in ["[{ until = 1, is = \"t\" }, { is = 0 }]", "\"smoothstep(0, 0.5, t) - smoothstep(1, 1.001, t)\""] {
+        let text = format!(
+            "format = 1\n[model]\nname = \"Stop\"\n[body.mass]\nmass = 2\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
+             [joint.rail]\ntype = \"prismatic\"\na = \"ground\"\nb = \"mass\"\naxis = [1, 0, 0]\n\
+             [drive.ramp]\njoint = \"rail\"\ncoordinate = \"distance\"\nrate = {rate}\n\
+             [output.m]\nat = \"mass\"\nquantities = [\"velocity\"]\n\
+             [simulation]\nintegrator = \"generalized_alpha\"\nstop = 3\nstep = 1e-3\noutput_step = 0.1\n"
+        );
+        let told = warnings(&text, 3.0);
+        assert!(told.iter().all(|warning| !warning.contains("numerical damping has taken")), "{told:?}");
+    }
+}
+
 /// A motor that works against a damper for a thousand times the kinetic energy: the sums of the work agree to their last digits.
 #[test]
 fn steady_power_is_accounted_for() {

@@ -4,7 +4,7 @@ use crate::command_line::{ancf14, text};
 use crate::printed;
 use std::fs;
 
-/// Every template: written, named after the file, without mistakes, notes or paths of this repository, and its start is computed.
+/// Every template: written, named after the file, without mistakes, notes or paths of this repository, and its run has no warning.
 #[test]
 fn templates_run_as_they_are() {
     let directory = tempfile::tempdir().unwrap();
@@ -21,6 +21,9 @@ fn templates_run_as_they_are() {
         assert!(file.starts_with("# "), "{file}");
         let checked = ancf14(directory.path(), &["check", &format!("{name}.toml")]);
         assert!(checked.status.success() && checked.stderr.is_empty(), "{template}: {}", text(&checked.stderr));
+        // Nor does the run warn, of its steps or its mesh.
+        let ran = ancf14(directory.path(), &["run", &format!("{name}.toml")]);
+        assert!(ran.status.success() && ran.stderr.is_empty(), "{template}: {}", text(&ran.stderr));
     }
 }
 

@@ -173,9 +173,6 @@ impl Runner {
         if moves {
             warnings.push(format!("{given} are not used: the analysis is static"));
         }
-        if system.is_damped() {
-            warnings.push(String::from("dampers are not used: the analysis is static"));
-        }
         Ok(())
     }
 
