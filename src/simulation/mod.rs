@@ -267,7 +267,8 @@ impl Simulation {
         self.instance.terminate().map_err(|error| Error::of(error, self.time()))?;
         let model = self.instance.model();
         let statistics = &model.state().statistics;
-        self.warnings.extend(effort::rejections(model.document(), statistics, self.time(), self.rows));
+        let duration = self.time() - model.about().start;
+        self.warnings.extend(effort::rejections(model.document(), statistics, duration, self.rows));
         Ok(())
     }
 

@@ -5,6 +5,7 @@ use super::{Complaint, Stop, say, voice};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::drawing::Drawing;
+use ancf14::model::effort::Statistics;
 use ancf14::model::run::accuracy::Inexact;
 use ancf14::model::simulation::Simulation;
 use ancf14_report::draw::{self, PROJECTIONS};
@@ -25,15 +26,15 @@ const LINES: usize = 10;
 /// Digits of the numbers in it.
 const DIGITS: usize = 4;
 
-/// Sums up a run that took `wall` seconds; none if it has no row. `settings` are the overrides of `--set`.
+/// Sums up a run that took these counts and `wall` seconds; none if it has no row. `settings` are the overrides of `--set`.
 pub fn summary(
     simulation: &Simulation,
     results: &Results,
     settings: &[(String, String)],
-    wall: f64,
+    (statistics, wall): (Statistics, f64),
     is_complete: bool,
 ) -> Option<Summary> {
-    let (about, statistics) = (simulation.about(), &simulation.state().statistics);
+    let about = simulation.about();
     Some(Summary {
         program: format!("ancf14 {}", env!("CARGO_PKG_VERSION")),
         model: about.name.clone(),

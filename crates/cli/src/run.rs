@@ -12,7 +12,7 @@ use super::verify::{self, Wish};
 use super::{Stop, complain, failed, page, say, stages, start};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
-use ancf14::model::effort;
+use ancf14::model::effort::{self, Statistics};
 use ancf14::model::simulation::{Beginning, Simulation};
 use ancf14_report::plot::Plot;
 use ancf14_report::results::Results;
@@ -98,6 +98,9 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
         .map_err(|reason| Stop::Failed(format!("error: cannot watch for signals: {reason}")))?;
     say(&format!("rows go to {}, which becomes {COMPLETE} at the end", partial.display()))?;
 
+    // The state of a run that is continued has its counts.
+    let before = from.as_ref().map_or(Statistics::default(), Beginning::counts);
+    let begin = plan.begin;
     let clock = Instant::now();
     let outcome = simulate(&mut simulation, (inputs, from.as_ref()), plan, &mut results, &rows, film.as_mut(), &keeper);
     let wall = clock.elapsed().as_secs_f64();
@@ -110,12 +113,12 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
         simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
     }
     drop(keeper);
-    let (statistics, reached) = (&simulation.state().statistics, results.reached().unwrap_or(0.0));
-    if let Some(warning) = effort::rejections(simulation.document(), statistics, reached, results.count) {
+    let (statistics, reached) = (simulation.state().statistics.since(before), results.reached().unwrap_or(begin));
+    if let Some(warning) = effort::rejections(simulation.document(), &statistics, reached - begin, results.count) {
         complain(&format!("warning: {warning}"));
     }
     let outcome = outcome.map_err(|end| end.stop(&locked(&rows)));
-    let summary = conclusion::summary(&simulation, &results, settings, wall, is_complete);
+    let summary = conclusion::summary(&simulation, &results, settings, (statistics, wall), is_complete);
     let told = match (&finished, &summary) {
         (Ok(_), Some(summary)) => conclusion::tell(summary, &simulation),
         _ => Ok(()),

@@ -286,3 +286,14 @@ pub struct Statistics {
     /// Rejected steps.
     pub rejected: u64,
 }
+
+impl Statistics {
+    /// The counts since `before`.
+    pub fn since(self, before: Self) -> Self {
+        Self {
+            steps: self.steps.saturating_sub(before.steps),
+            iterations: self.iterations.saturating_sub(before.iterations),
+            rejected: self.rejected.saturating_sub(before.rejected),
+        }
+    }
+}

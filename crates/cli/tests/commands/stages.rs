@@ -107,6 +107,29 @@ fn two_parts_are_one_run() {
     }
 }
 
+/// Both parts of a run tell their own counts, which make up those of the whole; results count on.
+#[test]
+fn each_part_tells_its_own_steps() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let steps = |out: &str, arguments: &[&str]| {
+        let output = run(folder, MODEL, out, &[&["--set", "simulation.step=1e-3"], arguments].concat());
+        let summary = fs::read_to_string(folder.join(out).join("summary.json")).unwrap();
+        let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+        let steps = summary["steps"].as_u64().unwrap();
+        let said = printed(&output);
+        assert!(said.contains(&format!(": {steps} steps, ")), "{said}");
+        [steps, summary["iterations"].as_u64().unwrap()]
+    };
+    let whole = steps("whole", &[]);
+    let first = steps("first", &["--set", "simulation.stop=0.1", "--save-state", "state"]);
+    let second = steps("second", &["--from-state", "state"]);
+    assert_eq!(first[0], 100);
+    assert_eq!([first[0] + second[0], first[1] + second[1]], whole);
+    let counted = column(&rows(folder, "second"), "statistics.steps");
+    assert_eq!((counted.first(), counted.last()), (Some(&100.0), Some(&200.0)));
+}
+
 /// Steps that the solver chooses depend on how long the run is to be: two runs are one within the accuracy of the steps, and the second one begins with the last row of the first.
 #[test]
 fn chosen_steps_go_on_too() {

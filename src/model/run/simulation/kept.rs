@@ -12,8 +12,8 @@ use crate::fmi::instance::serialized::{Flaw, Magic, ROOM, content, seal};
 use crate::fmi::{Failure, Model};
 use crate::mechanics::input::switch::Hold;
 use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate};
-use crate::mechanics::state::State;
 use crate::mechanics::state::place::Counterparts;
+use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::builder::{self, Built};
@@ -102,6 +102,11 @@ impl Beginning {
     /// The time at which the run begins, s.
     pub fn time(&self) -> f64 {
         self.kept.time()
+    }
+
+    /// The counts of the run that is continued; of another model's run none.
+    pub fn counts(&self) -> Statistics {
+        if self.continues { self.kept.state.statistics } else { Statistics::default() }
     }
 
     /// Whether the run continues the one that left the state: the model file and its overrides are the same.
