@@ -144,6 +144,12 @@ impl Simulation {
         Ok(PyBytes::new(py, &bytes))
     }
 
+    /// Warns of the errors of these results only.
+    fn judge_only(&mut self, names: Vec<String>) -> PyResult<()> {
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        self.get_mut()?.judge_only(&names).map_err(|error| refusal(&error))
+    }
+
     /// Asks for the mesh error of motions, which a run tells at its end.
     fn ask_for_mesh_error(&mut self) -> PyResult<()> {
         self.halt = self.get_mut()?.ask_for_mesh_error(ancf14_cli::background::start);

@@ -238,6 +238,21 @@ impl Simulation {
         self.instance.model_mut().ask_for_mesh_error(placement)
     }
 
+    /// Restricts the warnings about errors of the steps and the mesh, which [`Self::finish`] gives, to these results: `tip.position`, or a component of it.
+    ///
+    /// # Errors
+    /// There is no such result; the nearest name is suggested.
+    pub fn judge_only(&mut self, names: &[&str]) -> Result<(), Error> {
+        for name in names {
+            let is_known = self.table().iter().any(|row| row.name.split('[').next() == name.split('[').next());
+            if !is_known {
+                self.find(name)?;
+            }
+        }
+        self.instance.model_mut().judge_only(names);
+        Ok(())
+    }
+
     /// Advances to `time`, s. The internal steps are those of the model file: where `time` is a multiple of `simulation.step`, results
     /// have the bits of `ancf14 run`.
     ///

@@ -182,8 +182,9 @@ class Model:
         inputs: Inputs | None,
         told: list[str],
         mesh_error: bool = False,
+        judged: Sequence[str] | None = None,
     ) -> Results:
-        """Simulate; the warnings go to ``told``. With ``mesh_error`` a second run beside a motion, with half the elements, tells the mesh error."""
+        """Simulate; the warnings go to ``told``, those about errors only of the results ``judged``, if given. With ``mesh_error`` a second run beside a motion, with half the elements, tells the mesh error."""
         changes = self._changes(parameters)
         changes += [
             (key, _text(float(value)))
@@ -193,6 +194,8 @@ class Model:
         simulation = self._open(changes)
         if mesh_error:
             simulation.ask_for_mesh_error()
+        if judged is not None:
+            simulation.judge_only(judged)
         with raising():
             times = simulation.times() if inputs else []
         names, values = self._table(inputs or {}, times)

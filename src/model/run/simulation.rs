@@ -75,6 +75,8 @@ pub struct Simulation {
     first_state: Option<Arc<FirstState>>,
     /// How far results are off because of the mesh, a family each, as found at the end; empty: not known.
     mesh_errors: Vec<Inexact>,
+    /// The families of results whose errors are warned of; none: all.
+    judged: Option<Vec<String>>,
     inputs: Inputs,
     last: LastStep,
     /// A communication step that is taken part by part.
@@ -114,6 +116,7 @@ impl Simulation {
             companion: None,
             first_state: None,
             mesh_errors: Vec::new(),
+            judged: None,
             table: Arc::new(table),
             runner: Runner::new(built, &document, 0.0),
             inputs: Inputs::new(&document),

@@ -12,6 +12,7 @@ from .._native import __version__
 from .points import Points
 from .reducers import Array, Reduced
 from .store import Store, fingerprint
+from .told import grouped
 from .work import Done, Recipe, expect_same
 
 if TYPE_CHECKING:
@@ -93,7 +94,10 @@ class Table:
         errors = [NOT_COMPUTED if error is None else error for error in self._errors]
         for name, texts in (("error", errors), ("warning", self._warnings)):
             variables[name] = (points.dimensions, np.array(texts, dtype=object).reshape(points.shape))
-        return xarray.Dataset(variables, coordinates, {"model": self._model.name, "ancf14": __version__})
+        about: dict[str, Any] = {"model": self._model.name, "ancf14": __version__}
+        if any(self._warnings):
+            about["warnings"] = grouped(self._warnings, len(points))
+        return xarray.Dataset(variables, coordinates, about)
 
     def _inner(self, output: Reduced, shape: tuple[int, ...]) -> list[str]:
         """Return the dimensions of one value."""

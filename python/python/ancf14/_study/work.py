@@ -25,6 +25,11 @@ class Recipe:
     settings: dict[str, Any]
     """Keyword arguments of ``Model.run``."""
 
+    def judged(self) -> list[str] | None:
+        """Return the results whose errors matter: those that are kept. None: all, as a function may read any."""
+        columns = [output.column for output in self.outputs]
+        return None if None in columns else [column for column in columns if column is not None]
+
 
 @dataclass
 class Done:
@@ -71,7 +76,7 @@ class DifferentRows(CallError):
 
 def _run(recipe: Recipe, parameters: dict[str, Any], done: Done, told: list[str]) -> list[Array]:
     """Run one point; collects what the solver warns of in ``told``."""
-    results = recipe.model._run(parameters, told=told, **recipe.settings)
+    results = recipe.model._run(parameters, told=told, judged=recipe.judged(), **recipe.settings)
     values = [output.of(results) for output in recipe.outputs]
     if any(output.is_series for output in recipe.outputs):
         if done.times is None:

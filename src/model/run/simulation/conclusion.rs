@@ -21,6 +21,17 @@ impl Simulation {
         self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
     }
 
+    /// Warns at the end of the errors of these results only, as `tip.position` or a component of it: nobody reads the others.
+    pub fn judge_only(&mut self, names: &[&str]) {
+        let family = |name: &&str| name.split('[').next().unwrap_or(name).to_owned();
+        self.judged = Some(names.iter().map(family).collect());
+    }
+
+    /// Whether errors of a family of results are warned of.
+    fn is_judged(&self, own: &Inexact) -> bool {
+        self.judged.as_ref().is_none_or(|judged| judged.contains(&own.name))
+    }
+
     /// Looks a last time, and warns of errors that are larger than a reader expects, of each kind or together.
     pub(super) fn end_run(&mut self) {
         // Results as computed: they were read once, so that they can be read again.
@@ -32,9 +43,11 @@ impl Simulation {
             Some(pacing) => Setting::Accuracy(pacing.accuracy),
             None => Setting::Step(state.time_error.step),
         };
-        let of_steps = self.least_accurate().and_then(|worst| worst.warning(setting));
+        let errors = self.estimated_errors().into_iter().filter(|own| self.is_judged(own));
+        let of_steps = errors.max_by(|a, b| a.error.total_cmp(&b.error)).and_then(|worst| worst.warning(setting));
         let seen_from = self.find_mesh_errors();
-        let worst = self.mesh_errors.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()));
+        let errors = self.mesh_errors.iter().filter(|own| self.is_judged(own));
+        let worst = errors.max_by(|a, b| a.excess().total_cmp(&b.excess()));
         let twists = self.document.beams.iter().any(levels::has_linear_twist);
         let of_mesh = worst.and_then(|worst| worst.warning_of_mesh(seen_from, twists));
         if of_steps.is_none() && of_mesh.is_none() {
@@ -49,7 +62,7 @@ impl Simulation {
     /// Warns of results that are off by more than a reader expects because of the steps and the mesh together.
     fn warning_of_both(&self, setting: Setting) -> Option<String> {
         let steps = self.estimated_errors();
-        let pairs = steps.iter().filter_map(|steps| {
+        let pairs = steps.iter().filter(|own| self.is_judged(own)).filter_map(|steps| {
             let mesh = self.mesh_errors.iter().find(|mesh| mesh.name == steps.name)?;
             Some((steps, mesh))
         });
