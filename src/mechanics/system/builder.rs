@@ -466,7 +466,7 @@ impl SystemBuilder {
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
         prescribed.holds = system.holds_at(start, &targets).map(Hold::drawn).collect();
         targets.depart(start, &prescribed);
-        let state = State {
+        let mut state = State {
             time: start,
             momentum: vec![0.0; q.len()],
             multipliers: vec![0.0; system.constraints()],
@@ -479,7 +479,7 @@ impl SystemBuilder {
             pace: Pace::default(),
             accelerations: Accelerations::default(),
             holonomy: vec![0.0; system.mesh.branches],
-            relative_values: vec![0.0; system.relative_coordinates.len()],
+            relative_values: Vec::new(),
             rotations: vec![Vec3::zeros(); system.sensors.len()],
             q,
             velocity,
@@ -494,6 +494,7 @@ impl SystemBuilder {
             balance: EnergyBalance::default(),
             statistics: Statistics::default(),
         };
+        state.relative_values = system.drawn_values(&state);
         (system, state)
     }
 }

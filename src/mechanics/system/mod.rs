@@ -52,7 +52,7 @@ use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::input::switch::Switch;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
-use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
+use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate};
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::State;
 use std::ops::Range;
@@ -304,6 +304,17 @@ impl System {
         for (triad, frame) in state.triads.iter_mut().zip(&frames.frames) {
             *triad = frame.carried();
         }
+    }
+
+    /// The relative coordinates of `state`, which is as drawn: lengths are what they are, coordinates of joints 0.
+    fn drawn_values(&self, state: &State) -> Vec<f64> {
+        let mut frames = FrameCache::default();
+        let configuration = frames.of(self, state);
+        let value = |own: &RelativeCoordinate| match own.measure {
+            Measure::Length => own.value(&configuration, 0.0),
+            _ => 0.0,
+        };
+        self.relative_coordinates.iter().map(value).collect()
     }
 
     /// A relative coordinate in words.

@@ -76,7 +76,11 @@ fn a_frame_that_moves_by_itself_stretches_a_spring() {
         .replace("position = [0, 0, 0]\ninput = \"rotation\"", "position = [\"0.1*sin(2*pi*t)\", 0, 0]")
         .replace("[simulation]", "[simulation]\ntotals = [\"work\", \"energy\"]");
     let curves = Curves::run(&text, &[]);
-    let force = curves.column("strut.force");
+    let (force, length) = (curves.column("strut.force"), curves.column("strut.distance"));
+    for (time, length) in curves.time.iter().zip(&length) {
+        // From the first row on; round-off.
+        assert!((length - 1.0 - 0.1 * (2.0 * PI * time).sin()).abs() < 1e-14, "at {time} s: {length}");
+    }
     for (time, force) in curves.time.iter().zip(&force) {
         let (sine, cosine) = (2.0 * PI * time).sin_cos();
         let exact = 100.0 * 0.1 * sine + 2.0 * 0.1 * 2.0 * PI * cosine;
