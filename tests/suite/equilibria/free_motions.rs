@@ -3,7 +3,6 @@
 
 use crate::running::{run, start, try_start, value, vector};
 use ancf14::fmi::Model;
-use ancf14::math::Vec3;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::modes::Kind;
 use std::f64::consts::PI;
