@@ -10,6 +10,7 @@ use crate::model::file::entries::simulation::{Analysis, Initial};
 use crate::model::file::number::{Number, Written};
 use crate::model::file::quantity::Quantity;
 use crate::model::file::reader::anchor::{Anchor, Spot};
+use std::collections::BTreeMap;
 
 /// What an initial value is found from, besides the parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +48,9 @@ impl Givens {
     /// Of a file, whose parameters and inputs are the first rows of the variable table.
     pub fn new(document: &Document) -> Self {
         let rows = || document.parameters().iter().enumerate();
-        let input = |number: Number| rows().find(|(_, row)| row.number == number && row.is_input()).map(|(at, _)| at);
+        let inputs: BTreeMap<usize, usize> =
+            rows().filter(|(_, row)| row.is_input()).map(|(at, row)| (row.number.0, at)).collect();
+        let input = |number: Number| inputs.get(&number.0).copied();
         let simulation = &document.simulation;
         Self {
             parameters: rows().filter(|(_, row)| !row.is_input() && !row.is_calculated()).map(|(at, _)| at).collect(),
