@@ -11,6 +11,7 @@ mod folder;
 mod inputs;
 mod keeper;
 mod live;
+mod loading;
 mod modes;
 mod new;
 mod output;
@@ -27,19 +28,17 @@ mod vtk;
 mod watch;
 
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::fmi::{Failure, Model};
-use ancf14::model::document::Document;
-use ancf14::model::file::{Folder, Reach};
+use ancf14::model::file::Reach;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
-use ancf14::model::{builder, file, missed_damping, notes};
 use ancf14_pack::libraries::Platform;
 use ancf14_report::draw::Projection;
 use ancf14_view::Film;
 use clap::{Args, Parser, Subcommand};
 use inputs::Inputs;
+use loading::{failed, load, start};
 use std::ffi::{OsStr, OsString};
-use std::io::{self, ErrorKind};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use verify::Wish;
 use voice::{Complaint, Style, complain, say};
@@ -474,42 +473,6 @@ fn stem(path: &Path) -> &OsStr {
 /// The model file as messages call it.
 fn name(path: &Path) -> String {
     if is_piped(path) { "standard input".to_owned() } else { path.display().to_string() }
-}
-
-/// Reads a model file; gives its text too, without copies and includes.
-fn load(path: &Path, overrides: &[(String, String)], reach: Reach) -> Result<(Simulation, String), Stop> {
-    let name = name(path);
-    let read = if is_piped(path) { file::piped(&name, io::stdin()) } else { file::text(path) };
-    let text = read.map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    // The parts of a model from a pipe are those of the current folder.
-    let folder = path.parent().map(|path| Folder::new(path, reach));
-    let simulation = Simulation::load_in(folder, &name, &text, overrides).map_err(|Failure { message, .. }| {
-        let mistakes = Document::parse_in(folder, &name, &text, overrides)
-            .and_then(|document| builder::build(&document, 0.0).map(drop))
-            .err();
-        mistakes.map_or(Stop::Bad(message), Stop::Mistaken)
-    })?;
-    let text = simulation.document().text().to_owned();
-    Ok((simulation, text))
-}
-
-/// Finds the initial state, with the warnings about it and about the file.
-fn start(simulation: &mut Simulation) -> Result<(), Stop> {
-    let notes = notes::notes(simulation.document());
-    let start = simulation.about().start;
-    let initialized = simulation.initialize(start);
-    let missed = initialized.as_ref().ok().and_then(|()| missed_damping::missed_ratio(simulation));
-    for warning in notes.into_iter().chain(missed).chain(simulation.take_warnings()) {
-        complain(&format!("warning: {warning}"));
-    }
-    initialized.map_err(|failure| failed(simulation, &failure))
-}
-
-/// The message about a simulation that failed, with the line of the part that it names.
-fn failed(simulation: &Simulation, failure: &Failure) -> Stop {
-    let Failure { message, .. } = failure;
-    let located = simulation.document().locate(message);
-    Stop::Failed(located.map_or_else(|| format!("error: {message}"), |mistake| mistake.to_string()))
 }
 
 /// The page of a film.
