@@ -26,11 +26,14 @@ const STIFF: f64 = 0.05;
 /// Held motions that a message names.
 const NAMED: usize = 3;
 
-/// Whether the solver may hold free motions, and whether it has met one.
+/// Whether the solver may hold free motions, and what it has met.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Holding {
     pub(super) is_allowed: bool,
+    /// A matrix was singular.
     pub(super) has_met_free: bool,
+    /// A free motion takes a load, or a constraint is redundant: smaller loads do not help.
+    pub(super) is_hopeless: bool,
 }
 
 impl Statics {
@@ -42,7 +45,7 @@ impl Statics {
         next: &mut State,
         search: impl Fn(&mut Self, &System, &mut State) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        self.holding = Holding { is_allowed: false, has_met_free: !from.held.is_empty() };
+        self.holding = Holding { has_met_free: !from.held.is_empty(), ..Holding::default() };
         let Err(reason) = search(self, system, next) else { return Ok(()) };
         let is_number = matches!(reason, Error::NotFinite { .. });
         if !self.holding.has_met_free || is_number {
@@ -53,12 +56,10 @@ impl Statics {
         next.statistics = tried;
         self.holding.is_allowed = true;
         let outcome = search(self, system, next);
-        self.holding.is_allowed = false;
-        outcome.map_err(|second| match second {
-            // Along a path of equilibria the first reason may be an iteration that a load on a free motion has kept from converging.
-            Error::Singular { .. } => second,
-            _ => reason,
-        })
+        let is_hopeless = self.holding.is_hopeless;
+        self.holding = Holding::default();
+        // The first reason may be an iteration that a load along a free motion has kept from converging.
+        outcome.map_err(|second| if is_hopeless { second } else { reason })
     }
 
     /// Holds a coordinate of each free motion of `state` under what acts now.
@@ -66,12 +67,20 @@ impl Statics {
     /// # Errors
     /// A constraint is redundant, or a load acts along a free motion.
     pub(super) fn hold_free_motions(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
-        state.held.clear();
-        self.assemble_current(system, state, time);
-        self.choose_held(system, state, time)?;
+        self.hold_unloaded(system, state, time)?;
         self.assemble_current(system, state, time);
         self.kkt.factorize(system, time)?;
         self.check_unloaded(system, state, time)
+    }
+
+    /// Holds a coordinate of each free motion of `state`, along which no load acts.
+    ///
+    /// # Errors
+    /// A constraint is redundant.
+    pub(super) fn hold_unloaded(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
+        state.held.clear();
+        self.assemble_current(system, state, time);
+        self.choose_held(system, state, time)
     }
 
     /// Holds free motions of `state`, an equilibrium, whose matrix at Newton's last iterate is set: no load acts along them.

@@ -244,8 +244,15 @@ impl Statics {
         self.current.copy_from(&state.excitation);
         self.current_motion.copy_from(&state.prescribed);
         self.current_motion.stop();
+        let time = state.instant();
         // The equilibrium may be unstable.
-        self.iterate(system, state, state.instant(), Tangent::Exact)
+        match self.iterate(system, state, time, Tangent::Exact) {
+            Err(Error::Singular { .. }) => {
+                self.hold_unloaded(system, state, time)?;
+                self.iterate(system, state, time, Tangent::Exact)
+            }
+            outcome => outcome,
+        }
     }
 
     /// Forgets what is known of the last equilibrium: the state has been set from outside.
@@ -323,7 +330,7 @@ impl Statics {
                 }
                 // Smaller increments do not help against these; an iteration that runs away is another matter.
                 Err(reason @ Error::NotFinite { .. }) if system.undefined(time).is_some() => return Err(reason),
-                Err(reason @ Error::Singular { .. }) if self.holding.is_allowed => return Err(reason),
+                Err(reason) if self.holding.is_hopeless => return Err(reason),
                 Err(reason) => {
                     state.statistics.rejected += 1;
                     increment = 0.5 * f64::min(increment, 1.0 - share);
@@ -389,7 +396,7 @@ impl Statics {
             return Err(reason);
         }
         let held = state.held.clone();
-        self.hold_free_motions(system, state, time)?;
+        self.hold_free_motions(system, state, time).inspect_err(|_| self.holding.is_hopeless = true)?;
         if state.held == held {
             return Err(reason);
         }
