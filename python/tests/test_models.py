@@ -152,3 +152,14 @@ stop = 1
         assert abs(model.run()["b_motion.velocity[1]"][-1] - 2) < 1e-9
     with pytest.raises(ancf14.ModelError, match="without a folder"):
         ancf14.Model.from_string(text.replace("FILE", "pull.csv"))
+
+
+def test_mistakes_in_parameters_are_shown_as_parameters() -> None:
+    with pytest.raises(ancf14.ModelError) as caught:
+        ancf14.Model(CANTILEVER, {"arm.elemnts": 4})
+    message = str(caught.value)
+    assert "command line" not in message and "--set" not in message
+    # The underline stands below the wrong word.
+    lines = message.splitlines()
+    place = next(number for number, line in enumerate(lines) if "arm.elemnts=4" in line)
+    assert "in the parameters" in message and lines[place + 1].index("^") == lines[place].index("arm.elemnts")

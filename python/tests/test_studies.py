@@ -70,6 +70,19 @@ def test_units_and_meanings_are_there() -> None:
     assert list(study["axis"].values) == ["x", "y", "z"]
 
 
+def test_warnings_are_about_what_a_study_keeps_and_come_by_kind() -> None:
+    model = ancf14.Model.from_string(SWING.replace("stop = 0.1, step = 1e-2, output_step = 2e-2", "stop = 2, step = 5e-2"))
+    lengths = {"length": [0.5, 0.7, 0.9]}
+    kept = model.sweep(lengths, ["bob.displacement:last"])
+    assert all("bob.displacement is off by about" in text for text in kept["warning"].values)
+    # Three texts that differ in their numbers are one kind.
+    assert len(set(kept["warning"].values.tolist())) == 3
+    (line,) = kept.attrs["warnings"]
+    assert line.startswith("3 of 3 points: bob.displacement is off by about ") and " to " in line
+    other = model.sweep(lengths, ["statistics.steps:last"])
+    assert (other["warning"] == "").all() and "warnings" not in other.attrs
+
+
 def test_samples_keep_their_order() -> None:
     model = swing()
     samples = [{"length": 1.2, "mass": 1}, {"length": 0.8, "mass": 3}, {"length": 1.2, "mass": 1}]

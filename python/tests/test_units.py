@@ -71,6 +71,10 @@ def test_values_are_read_and_set_by_name() -> None:
         unit["steel.densty"] = 1
     with pytest.raises(ancf14.CallError, match=r"\(3,\)"):
         unit["push.force"] = 1
+    # That it is a result counts, not its shape.
+    for name, value in (("tip.displacement", 1), ("tip.displacement", [1, 2, 3]), ("tip.displacement[1]", 1)):
+        with pytest.raises(ancf14.CallError, match="is a result and cannot be set"):
+            unit[name] = value
     unit.initialize()
     with pytest.raises(ancf14.CallError, match="before the simulation is initialized"):
         unit["steel.density"] = 8000

@@ -33,7 +33,9 @@ class Unit:
         self._made_from = (source, overrides)
         with raising():
             self._simulation = source.load(overrides)
-        self._components = Components(row[0] for row in self._simulation.variables())
+        variables = self._simulation.variables()
+        self._components = Components(row[0] for row in variables)
+        self._results = {row[0].split("[")[0] for row in variables if row[3] == "output"}
         self._pace = (0.0, 0.0, 0)
         """A time, a step and how many such steps followed: the time is not a running sum."""
 
@@ -59,6 +61,9 @@ class Unit:
                 return
             values = np.asarray(value, dtype=float)
             shape = self._components.shape(name)
+            if name in self._results:
+                # It cannot be set, whatever its shape; the message says why.
+                self._simulation.set(next(iter(self._components.names(name).values())), 0.0)
             if values.shape != shape:
                 raise CallError(f"the value of `{name}` has the shape {values.shape}; give one of shape {shape}")
             before = self._simulation.save()
