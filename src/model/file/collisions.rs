@@ -61,7 +61,11 @@ pub(super) fn report(
         };
         let message = format!("{} and {} both have a variable `{}`", title(first), title(second), second.name);
         let label = format!("line {} has the other one", report.source.line(first.place));
-        let help = "variables are named NAME.key and NAME.quantity: give one of the two another name";
-        report.error(second.place, &message, &label, help);
+        let free = names.owner(&second.name, second.place).map(|own| names.free_name(&own.name, own.kind));
+        let proposal = free.map_or(String::new(), |free| format!(": call this one `{free}`, for instance"));
+        let help = format!(
+            "variables are named NAME.key and NAME.quantity, and hosts tell them apart by these names{proposal}"
+        );
+        report.error(second.place, &message, &label, &help);
     }
 }

@@ -31,10 +31,11 @@ use super::reader::{Context, Reader};
 use super::released;
 use crate::model::expression::function::Function;
 use crate::model::text::diagnostic::{Diagnostic, Place, Report, Source};
-use crate::model::text::names::{Kind, Named, Names, SECTIONS, is_legal, is_reserved, suggestion};
+use crate::model::text::names::{Kind, Named, Names, SECTIONS, free_name, is_legal, is_reserved, suggestion};
 use crate::model::text::overrides;
 use crate::model::text::tree::{self, Entry, Node};
 use crate::solve::step::pacing::Pacing;
+use std::collections::BTreeSet;
 
 /// A model file.
 #[derive(Clone, Debug)]
@@ -97,8 +98,8 @@ impl Document {
             numbers: Numbers::default(),
             names: Names::default(),
             carriers: Vec::new(),
-            functions: Vec::new(),
             moving_frames: Vec::new(),
+            functions: Vec::new(),
         };
         context.names = collect_names(&tree, &mut context);
         let mut tree = Top(tree);
@@ -401,8 +402,8 @@ impl Top {
     }
 }
 
-/// Why two things cannot have the same name.
-const SHARED: &str = "beams, bodies, frames, points, joints, drives, actuators, gears, springs, friction, stops and locks share their names";
+/// Which things cannot have the same name.
+const SHARED: &str = "beams, bodies, frames and points share their names, and so do joints, drives, actuators, gears, springs, friction, stops and locks";
 
 /// Every name with what it stands for; illegal, reserved and double ones are reported.
 fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
@@ -442,6 +443,7 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
         }
     }
     found.sort_by_key(|(_, _, thing)| thing.key_place);
+    let taken: BTreeSet<&str> = found.iter().map(|(_, _, thing)| thing.key.as_str()).collect();
     for (kind, index, thing) in found {
         let name = &thing.key;
         if !is_legal(name) {
@@ -452,7 +454,14 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
         } else if let Some(first) = names.clash(kind, name) {
             let message = format!("the name `{name}` is used twice");
             let label = format!("line {} has a {} of this name", report.source.line(first.place), first.kind.word());
-            report.error(thing.key_place, &message, &label, SHARED);
+            let help = match kind {
+                Kind::Parameter => String::new(),
+                _ => {
+                    let free = free_name(name, kind, |name| taken.contains(name));
+                    format!("{SHARED}: call this one `{free}`, for instance")
+                }
+            };
+            report.error(thing.key_place, &message, &label, &help);
             names.unclear.push(name.clone());
         }
         names.add(Named { name: name.clone(), kind, index, place: thing.key_place });

@@ -3,6 +3,7 @@
 use super::instance::Flattener;
 use super::motion::Motion;
 use super::scope::{Found, Scope};
+use super::tables::PLACES;
 use crate::model::text::tree::{Entry, Item, Node};
 
 /// The word for the ground.
@@ -44,7 +45,7 @@ impl Flattener<'_> {
     pub fn is_tied_outside<'e>(scope: &Scope<'_>, keys: impl Iterator<Item = &'e Entry>) -> bool {
         carrier(keys).is_some_and(|name| {
             let own = scope.flat_name(name);
-            !matches!(scope.find(None, name, &[]), Found::Name(flat) if flat == own)
+            !matches!(scope.find(Some(PLACES), name, &[]), Found::Name(flat) if flat == own)
         })
     }
 

@@ -1,5 +1,7 @@
 //! What the keys of the format hold: names of other things, words, or numbers, and which of these turn with a copy.
 
+use super::tables::PLACES;
+
 /// What a key holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
@@ -19,14 +21,14 @@ pub(super) enum Role {
     Axes,
     /// The table of a curve.
     Curve,
-    /// The name of a material or a section.
+    /// The name of a thing of a section, or of a place or a point of it; a position where it is a list.
     Name(&'static str),
-    /// The name of a part or a point of it; a position where it is a list.
+    /// The name of a part or a point of it, whatever it is.
     Part,
 }
 
 /// The roles of all keys: section, key, role. Where a section is not said, the key has its role everywhere.
-const ROLES: [(&str, &str, Role); 112] = [
+const ROLES: [(&str, &str, Role); 115] = [
     ("function", "argument", Role::Word),
     ("function", "table", Role::Number),
     ("function", "file", Role::Word),
@@ -76,11 +78,14 @@ const ROLES: [(&str, &str, Role); 112] = [
     ("", "active", Role::Number),
     ("", "input", Role::Word),
     ("joint", "type", Role::Word),
-    ("", "a", Role::Part),
-    ("", "b", Role::Part),
-    ("", "at", Role::Part),
-    ("", "on", Role::Part),
-    ("", "joint", Role::Part),
+    ("gear", "a", Role::Name("joint")),
+    ("gear", "b", Role::Name("joint")),
+    ("", "a", Role::Name(PLACES)),
+    ("", "b", Role::Name(PLACES)),
+    ("output", "at", Role::Part),
+    ("", "at", Role::Name(PLACES)),
+    ("", "on", Role::Name(PLACES)),
+    ("", "joint", Role::Name("joint")),
     ("joint", "axis", Role::Direction),
     ("joint", "axis2", Role::Direction),
     ("", "coordinate", Role::Word),
@@ -100,8 +105,8 @@ const ROLES: [(&str, &str, Role); 112] = [
     ("load", "force", Role::Direction),
     ("load", "moment", Role::Direction),
     ("load", "follower", Role::Word),
-    ("output", "in", Role::Part),
-    ("output", "of", Role::Part),
+    ("output", "in", Role::Name(PLACES)),
+    ("output", "of", Role::Name(PLACES)),
     ("output", "quantities", Role::Word),
     ("material", "mass_damping", Role::Number),
     ("material", "damping_ratios", Role::Number),
@@ -151,7 +156,7 @@ pub(super) fn role(section: &str, key: &str, is_list: bool) -> Role {
     }
     let fits = |(of, name, _): &&(&str, &str, Role)| (of.is_empty() || *of == section) && *name == key;
     match ROLES.iter().find(fits).map(|(.., role)| *role) {
-        Some(Role::Part) if is_list => Role::Position,
+        Some(Role::Name(_) | Role::Part) if is_list => Role::Position,
         Some(role) => role,
         None => Role::Number,
     }

@@ -2,7 +2,7 @@
 //! included file names have the prefix of the include.
 
 use super::motion::Motion;
-use super::tables::{FUNCTION, INCLUDE, PARAMETERS, bodies, has, names_of, table};
+use super::tables::{FUNCTION, INCLUDE, PARAMETERS, PLACES, bodies, has, names_of, table};
 use crate::model::text::names::{Kind, SECTIONS};
 use crate::model::text::tree::{Entry, Item, Node};
 
@@ -140,9 +140,9 @@ impl<'p> Scope<'p> {
         }
     }
 
-    /// The flat name of a part whose coordinate stands in an expression; none: the file has no such part here.
+    /// The flat name of a joint whose coordinate stands in an expression; none: the file has no such joint here.
     pub fn part(&'p self, name: &str) -> Option<String> {
-        match self.find(None, name, &[]) {
+        match self.find(Some("joint"), name, &[]) {
             Found::Name(flat) => Some(flat),
             Found::Unknown | Found::Copies | Found::TooMany(_) => None,
         }
@@ -173,6 +173,7 @@ impl<'p> Scope<'p> {
     /// Names of things that references can mean, for suggestions.
     pub fn known(&'p self, section: Option<&str>) -> Vec<&'p str> {
         let words = SECTIONS.iter().filter(|(word, kind)| match section {
+            Some(PLACES) => kind.is_place(),
             Some(section) => *word == section,
             None => !matches!(kind, Kind::Function | Kind::Material | Kind::Section),
         });

@@ -25,9 +25,13 @@ pub fn names_of<'b>(body: &'b [Entry], key: &str) -> impl Iterator<Item = &'b st
     table(body, key).unwrap_or_default().iter().map(|entry| entry.key.as_str())
 }
 
+/// The word for all sections of places, which an `a`, a `b`, an `on` or an `in` can refer to.
+pub const PLACES: &str = "place";
+
 /// Whether `body` has a thing of this name: in `section`, or a part.
 pub fn has(body: &[Entry], section: Option<&str>, name: &str) -> bool {
     let is_wanted = |(word, kind): &&(&str, Kind)| match section {
+        Some(PLACES) => kind.is_place(),
         Some(section) => *word == section,
         None => !matches!(kind, Kind::Function | Kind::Material | Kind::Section | Kind::Load | Kind::Output),
     };

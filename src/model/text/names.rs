@@ -53,15 +53,20 @@ pub const SECTIONS: [(&str, Kind); 18] = [
 ];
 
 impl Kind {
-    /// Whether it is a part of the mechanism, which an `a`, a `b` or an `at` can refer to.
-    fn is_part(self) -> bool {
+    /// Whether it is a place: what an `a`, a `b`, an `on` or an `in` can refer to.
+    pub fn is_place(self) -> bool {
+        matches!(self, Self::Body | Self::Beam | Self::Frame | Self::Point)
+    }
+
+    /// Whether it holds places together or acts on them: only outputs refer to places and to these by one key.
+    pub fn is_connection(self) -> bool {
         use Kind::*;
-        matches!(self, Body | Beam | Frame | Point | Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock)
+        matches!(self, Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock)
     }
 
     /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.
     fn shares_names_with(self, other: Self) -> bool {
-        self == other || self.is_part() && other.is_part()
+        self == other || self.is_place() && other.is_place() || self.is_connection() && other.is_connection()
     }
 
     /// The word for messages: `a beam`.
@@ -147,11 +152,7 @@ impl Names {
 
     /// A name that nothing has, made of one that something has and of what it is: `pin_joint`.
     pub fn free_name(&self, name: &str, kind: Kind) -> String {
-        let mut free = format!("{name}_{}", kind.word());
-        while self.called(&free).next().is_some() {
-            free.push('_');
-        }
-        free
+        free_name(name, kind, |name| self.by_name.contains_key(name))
     }
 
     /// What a name stands for where one of `kinds` is expected; if it is none of them, what else it stands for.
@@ -180,6 +181,15 @@ impl Names {
     pub fn of(&self, kind: Kind) -> impl Iterator<Item = &str> {
         self.list.iter().filter(move |named| named.kind == kind).map(|named| named.name.as_str())
     }
+}
+
+/// A name that is not taken, made of one that is and of what it is: `pin_joint`.
+pub fn free_name(name: &str, kind: Kind, is_taken: impl Fn(&str) -> bool) -> String {
+    let mut free = format!("{name}_{}", kind.word());
+    while is_taken(&free) {
+        free.push('_');
+    }
+    free
 }
 
 /// The candidate nearest to `word`, if it is near enough to be meant: at most a third of the letters differ.

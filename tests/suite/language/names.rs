@@ -149,3 +149,65 @@ fn an_override_of_a_shared_name_adds_a_key() {
         assert!(!message.contains("unknown key"), "{message}");
     }
 }
+
+/// A bar on a pin: the body, its point and the joint at it, and what is asked of them.
+fn pinned(point: &str, outputs: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Pinned\"\ngravity = [0, 0, -9.81]\n\
+         [joint.pin]\ntype = \"revolute\"\na = \"ground\"\nb = \"bar\"\nat = [0, 0, 0]\naxis = [0, 1, 0]\n\
+         [body.bar]\nmass = 2\nposition = [0.5, 0, 0]\ninertia = [0.1, 0.1, 0.1]\n\
+         [point.{point}]\non = \"bar\"\noffset = [-0.4, 0, 0]\n{outputs}\
+         [simulation]\nstop = 0.1\nstep = 1e-2\n"
+    )
+}
+
+fn try_load(text: &str) -> Result<Simulation, String> {
+    Simulation::load("m.toml", text, &[]).map_err(|failure| failure.message)
+}
+
+/// A point and the joint at it may have one name: an `a` means the point, a `joint` the joint, and an output the one that has its quantities.
+#[test]
+fn a_place_and_a_connection_may_have_one_name() {
+    let output = |name: &str, quantities: &str| format!("[output.{name}]\nat = \"pin\"\nquantities = {quantities}\n");
+    let rest = "[spring.coil]\njoint = \"pin\"\ncoordinate = \"angle\"\nstiffness = 1\n[spring.tie]\na = \"ground\"\nb = \"pin\"\nstiffness = 3\nlength = 0.1\n";
+    let text =
+        pinned("pin", &(output("seen", "[\"position\"]") + &output("held", "[\"reaction_force\", \"angle\"]") + rest));
+    let simulation = try_load(&text).unwrap_or_else(|message| panic!("{message}"));
+    for variable in ["seen.position[1]", "held.reaction_force[3]", "held.angle", "pin.offset[1]"] {
+        assert!(simulation.variables().iter().any(|own| own.name == variable), "{variable}");
+    }
+    // A beam and a joint, of which the joint stands first: `arm.end` is a point of the beam.
+    let beams = "format = 1\n[model]\nname = \"Arm\"\n[joint.arm]\ntype = \"weld\"\na = \"ground\"\nb = \"arm.start\"\n\
+        [material.m]\nyoung = 2e11\npoisson = 0.3\ndensity = 7800\n[section.s]\nshape = \"circle\"\nradius = 0.01\n\
+        [beam.arm]\nmaterial = \"m\"\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 2\n\
+        [output.end]\nat = \"arm.end\"\nquantities = [\"position\"]\n[output.root]\nat = \"arm\"\nquantities = [\"reaction_force\"]\n\
+        [simulation]\nstop = 0.1\n";
+    assert!(try_load(beams).is_ok(), "{:?}", try_load(beams).err());
+    // In copies too: the point is the one outside, the joint that of the copy.
+    let copied = "format = 1\n[model]\nname = \"Copies\"\n[point.pin]\noffset = [0, 0, 1]\n\
+        [copy.all]\ncount = 2\n[copy.all.body.bob]\nmass = 1\nposition = [\"k\", 0, 0]\ninertia = [1, 1, 1]\n\
+        [copy.all.joint.pin]\ntype = \"spherical\"\na = \"ground\"\nb = \"bob\"\n\
+        [copy.all.spring.tie]\na = \"pin\"\nb = \"bob\"\nstiffness = 1\n[simulation]\nstop = 0.1\n";
+    let simulation = try_load(copied).unwrap_or_else(|message| panic!("{message}"));
+    assert_eq!(simulation.document().text().matches("a = \"pin\"").count(), 2, "{}", simulation.document().text());
+}
+
+/// Where both could be meant, and where two variables would have one name, the message proposes a name that is free.
+#[test]
+fn messages_about_names_propose_one() {
+    let refused = |text: &str| try_load(text).map(|_| ()).unwrap_err();
+    let frame = "[frame.pin]\nposition = [0, 0, 0]\n[output.held]\nat = \"pin\"\nquantities = [\"reaction_force\"]\n";
+    let message = refused(&pinned("hole", frame));
+    assert!(
+        message.contains("`pin` is a frame and a joint") && message.contains("call the joint `pin_joint`"),
+        "{message}"
+    );
+    let output = "[output.bar]\nat = \"bar\"\nquantities = [\"position\"]\n";
+    let message = refused(&pinned("hole", output));
+    assert!(message.contains("both have a variable `bar.position`") && message.contains("`bar_output`"), "{message}");
+    let message = refused(&pinned("bar", ""));
+    assert!(message.contains("the name `bar` is used twice") && message.contains("`bar_point`"), "{message}");
+    let twice = "[drive.pin]\njoint = \"pin\"\ncoordinate = \"angle\"\nvalue = 0\n[body.pin_drive]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n";
+    let message = refused(&pinned("hole", twice));
+    assert!(message.contains("`pin_drive_`"), "{message}");
+}

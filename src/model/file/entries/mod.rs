@@ -14,6 +14,7 @@ pub mod joint;
 pub mod load;
 pub mod lock;
 pub mod material;
+mod namesakes;
 pub mod output;
 pub mod overview;
 pub mod parameters;

@@ -7,6 +7,7 @@ use super::friction::FrictionSpec;
 use super::gear::GearSpec;
 use super::joint::{self, Coordinate, JointSpec};
 use super::lock::LockSpec;
+use super::namesakes::which;
 use super::section::{SectionSpec, Shape};
 use super::spring::SpringSpec;
 use super::stop::StopSpec;
@@ -215,9 +216,14 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
     }
     reader.refuse("stations", "`stations` belong to a whole beam", "they need on = \"BEAM\" instead of `at`");
     let names = &reader.context.names;
-    let whole = reader.text_of("at").filter(|name| !names.is_unclear(name));
-    let whole = whole.and_then(|name| names.find_among(name, WATCHED.kinds));
-    match whole.map(|named| (named.kind, named.index)) {
+    let name = reader.text_of("at").filter(|name| !names.is_unclear(name));
+    let [connection, place] =
+        [Kind::is_connection, Kind::is_place].map(|is_meant| names.find_of(name?, is_meant).cloned());
+    let meant = match (connection, place) {
+        (Some(connection), Some(place)) => Some(which(reader, connection, place)?),
+        (connection, place) => connection.or(place),
+    };
+    match meant.map(|named| (named.kind, named.index)) {
         Some((Kind::Joint, index)) => {
             reader.take("at");
             Some(Target::Joint(index))
@@ -250,6 +256,7 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
             reader.take("at");
             Some(Target::Lock(index))
         }
+        Some((kind, _)) if kind.is_place() => Anchor::read(reader, "at", &OBSERVING).map(Target::At),
         _ => Anchor::read(reader, "at", &WATCHED).map(Target::At),
     }
 }

@@ -181,7 +181,9 @@ fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed)
         return None;
     }
     let at = context.report.source.inside(place, text, 0..length);
-    let Some(named) = context.names.find_among(name, allowed.kinds) else {
+    // Only a beam has points: a joint of the same name may stand before it.
+    let beam = || context.names.find_of(name, |kind| kind == Kind::Beam).filter(|_| !rest.is_empty());
+    let Some(named) = beam().or_else(|| context.names.find_among(name, allowed.kinds)) else {
         let known = allowed.kinds.iter().flat_map(|kind| context.names.of(*kind));
         let near = suggestion(name, known.chain(allowed.ground.then_some("ground")));
         let label = if near.is_empty() { allowed.expected() } else { near };

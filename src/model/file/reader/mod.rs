@@ -255,6 +255,17 @@ impl<'c, 'a> Reader<'c, 'a> {
         })
     }
 
+    /// The texts of a list, as far as they are texts.
+    pub fn texts_of(&self, key: &str) -> Vec<String> {
+        let entry = self.entries.iter().find(|entry| entry.key == key);
+        let items = entry.map_or(&[][..], |entry| match &entry.item.node {
+            Node::Array(items) => items,
+            _ => &[],
+        });
+        let text = |item: &Item| if let Node::Text(text) = &item.node { Some(text.clone()) } else { None };
+        items.iter().filter_map(text).collect()
+    }
+
     /// A key that cannot stand together with another one that is there.
     pub fn exclude(&mut self, key: &'static str, other: &str) {
         if let Some(entry) = self.take(key) {
