@@ -148,6 +148,11 @@ impl EnergyBalance {
         0.5 * step * (self.power[0] + power)
     }
 
+    /// Doubts the work of a step, of which two estimates differ by `difference`, J.
+    pub fn add_doubt(&mut self, difference: f64) {
+        self.doubt += difference.abs();
+    }
+
     /// Takes the next steps out of the account: velocities jump with a drive at the end of the first, and what the drive does at an instant is no power. The
     /// forces of the steps behind it make up for it.
     pub fn skip_jump(&mut self) {

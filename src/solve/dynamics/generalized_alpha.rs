@@ -9,16 +9,17 @@
 //! are when references are carried. It differs from the derivative of the chart's angle by a term of second order in the step. The
 //! forces are those of the start's chart; `C` of gyroscopic.rs makes up for it.
 
+use super::power::{begin_balance, driven_work, shares};
 use super::start::Dynamics;
 use crate::error::Error;
 use crate::mechanics::beam::configuration::Purpose;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
-use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_account::{EnergyAccount, Work};
-use crate::mechanics::state::energy_balance::{Energies, EnergyBalance, Losses};
+use crate::mechanics::state::energy_balance::{EnergyBalance, Losses};
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::mechanics::system::{AT_BREAK, System};
@@ -317,6 +318,10 @@ impl Scratch {
             .is_some()
             .then(|| shares(system, &configuration, &self.velocity, &self.excitation, [driving, damping]));
         let given = balance.work_by_power(power[0], step);
+        let multipliers = [(&state.multipliers[..], 1.0), (&self.scaled_multipliers, acceleration_by_q)];
+        let along = driven_work(system, &self.gradients, multipliers, [&state.q, &self.q], &mut self.forces);
+        let before = system.driven_work(&self.gradients, &state.multipliers, &state.velocity);
+        balance.add_doubt(0.5 * step * (before + driving) - along);
         // Where a rate changes within a step, the powers at its ends are not those between: the smaller one is surely taken.
         let taken = step * balance.power[1].min(power[1]);
         balance.account(end, given - taken, energies, system.energy_noise(), Losses::NumericalAtInstants);
@@ -348,32 +353,6 @@ impl Scratch {
         state.time = end;
         state.statistics.steps += 1;
     }
-}
-
-/// Power by its origin at the instant `c`, W; drives but for those of springs give `driving`, and dampers take `damping`.
-fn shares(
-    system: &System,
-    c: &Configuration,
-    velocity: &[f64],
-    excitation: &Excitation,
-    [driving, damping]: [f64; 2],
-) -> Work {
-    let [loads, actuators] = system.loads_and_actuators(c, &Passage::with_velocity(velocity), excitation, velocity);
-    Work { loads, actuators, drives: driving + system.power_of_frames(c, velocity), dissipated: damping }
-}
-
-/// The energies (J) and the power of what acts from outside (W), also by its origin, at `state`, whose last step is not known or was before a break.
-fn begin_balance(system: &System, state: &State) -> (Energies, [f64; 2], Work) {
-    let (mut cache, mut excitation, mut gradients) = (FrameCache::default(), Excitation::default(), Vec::new());
-    let configuration = cache.of(system, state);
-    system.excite(state.time, &state.targets, &mut excitation);
-    system.constraint_gradients(&configuration, &mut gradients);
-    let mut forces = vec![0.0; state.q.len()];
-    let (energies, [acting, damping]) =
-        system.energies_and_power(&configuration, &state.velocity, &excitation, &mut forces);
-    let driving = system.driven_work(&gradients, &state.multipliers, &state.velocity);
-    let shares = shares(system, &configuration, &state.velocity, &excitation, [driving, damping]);
-    (energies, [acting + driving, damping], shares)
 }
 
 /// One step as Newton sees it.

@@ -2,4 +2,5 @@
 
 pub mod generalized_alpha;
 pub mod midpoint;
+mod power;
 pub mod start;

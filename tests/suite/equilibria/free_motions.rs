@@ -66,8 +66,8 @@ fn a_cable_between_ball_joints_hangs_as_between_universal_joints() {
     let [ball, universal] = ["spherical", "universal"].map(hang);
     println!("{ball} {universal}");
     assert!((ball - universal).norm() < TOLERANCE, "{ball} {universal}");
-    // A chain of this length and span sags by 0.3566 m; the cable is stiff enough to bend less.
-    assert!(ball[2] < -0.3 && ball[2] > -0.4, "{ball}");
+    // A chain of this length and span sags by 0.36278 m; the bending stiffness of the cable takes 1.7 % of that.
+    assert!(ball[2] < -0.355 && ball[2] > -0.36278, "{ball}");
 }
 
 /// Two cables in series spin independently of each other, and hang slack between ball joints: two motions are held.
