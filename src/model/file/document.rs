@@ -392,7 +392,7 @@ impl Top {
         let none = |kind: Kind| context.names.of(kind).next().is_none();
         let is_explained = context.names.has_nameless || !context.names.unclear.is_empty();
         // A spring or an actuator at a frame has a force without anything that it could move.
-        let is_force = !none(Kind::Frame) && !(none(Kind::Spring) && none(Kind::Actuator));
+        let is_force = !none(Kind::Frame) && [Kind::Spring, Kind::Actuator].into_iter().any(|kind| !none(kind));
         if none(Kind::Beam) && none(Kind::Body) && !is_force && !is_explained {
             let end = context.report.source.end();
             let label = "a section [beam.NAME] or [body.NAME] is missing";
