@@ -14,7 +14,7 @@ const BAND: f64 = 0.02;
 const DAMPED_BAND: f64 = 0.05;
 
 /// Steps after which a drift that was beyond its band is judged: of the first, tiny energy of a smooth or a sudden start nearly all may come from nowhere or go, and does not
-/// matter once the motion has grown. A gain counts if it is still beyond the band by then, or at the end of the run; a loss to numerical damping if it has been so in all these steps.
+/// matter once the motion has grown. A drift counts if it is large beside the energy by then, or at the end of the run; a loss to numerical damping if it has been so in all these steps.
 const LASTING: u32 = 200;
 
 /// Share of the energy that has passed through the system by which the sums of the work may be off: the middle or the ends of a step stand for all of it.
@@ -80,10 +80,8 @@ pub struct EnergyBalance {
     struck: u32,
     /// Steps in a row, up to the last one, for which the loss to numerical damping has been beyond its band.
     damped_steps: u32,
-    /// The drift after the last step, where it is a gain beyond its band.
-    beyond: Option<Alarm>,
-    /// A gain that was beyond its band and is still to be judged, and how many steps ago.
-    suspect: Option<(Alarm, u32)>,
+    /// A drift that was beyond its band, no loss to numerical damping, and is still to be judged.
+    suspect: Option<Suspect>,
     /// Where the drift had first lasted.
     alarm: Option<Alarm>,
     /// The work by its origin; none: nobody asks for it.
@@ -99,6 +97,17 @@ pub struct Alarm {
     pub drift: f64,
     /// The largest energy until then, J.
     pub largest: f64,
+}
+
+/// A drift beyond its band that is still to be judged.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct Suspect {
+    /// Where it left its band.
+    first: Alarm,
+    /// Steps since then.
+    steps: u32,
+    /// The largest drift since then, J.
+    most: f64,
 }
 
 impl EnergyBalance {
@@ -131,15 +140,16 @@ impl EnergyBalance {
         if self.damped_steps >= LASTING {
             self.alarm = self.alarm.or(Some(now));
         }
-        self.beyond = (is_beyond && !damps).then_some(now);
-        let due = self.suspect.is_some_and(|(_, steps)| steps >= LASTING);
-        if due {
-            self.alarm = self.at_end();
+        if let Some(suspect) = &mut self.suspect {
+            suspect.steps += 1;
+            suspect.most = suspect.most.max(self.drift.abs());
+        } else if is_beyond && !damps {
+            self.suspect = Some(Suspect { first: now, steps: 0, most: self.drift.abs() });
         }
-        self.suspect = match self.suspect.filter(|_| !due) {
-            Some((suspect, steps)) => Some((suspect, steps + 1)),
-            None => self.beyond.map(|now| (now, 0)),
-        };
+        if self.suspect.is_some_and(|suspect| suspect.steps >= LASTING) {
+            self.alarm = self.at_end();
+            self.suspect = None;
+        }
     }
 
     /// The work of a step of `step` s by the power at its start and `power` at its end, W, J. Where the power jumps, as of a drive that stops at once, the work may be anything between those of the two.
@@ -185,12 +195,13 @@ impl EnergyBalance {
         self.alarm
     }
 
-    /// The alarm of a run that ends now: the one that there has been, or a gain that was beyond the band and has not been judged yet.
+    /// The alarm of a run that ends now: the one that there has been, or a drift that has not been judged yet.
     pub fn at_end(&self) -> Option<Alarm> {
         self.alarm.or_else(|| {
-            let (suspect, _) = self.suspect?;
-            let is_large = suspect.drift.abs() > BAND * self.largest + THROUGHPUT * self.throughput;
-            if is_large { Some(suspect) } else { self.beyond }
+            let Suspect { first, most, .. } = self.suspect?;
+            // Energy that came from nowhere is no measure of it.
+            let band = BAND * (self.largest - most) + THROUGHPUT * self.throughput;
+            (most > band).then_some(first)
         })
     }
 
@@ -224,7 +235,7 @@ mod tests {
         balance.account(3.0, 0.0, energies(10.0 + 0.35), 0.0, Losses::None);
         assert_eq!(balance.alarm(), None);
         assert!(balance.at_end().is_some_and(|alarm| alarm.time == 3.0 && (alarm.drift - 0.35).abs() < 1e-12));
-        (0..=LASTING).for_each(|_| balance.account(4.0, 0.0, energies(10.0), 0.0, Losses::None));
+        (0..2 * LASTING).for_each(|_| balance.account(4.0, 0.0, energies(10.0), 0.0, Losses::None));
         assert!(balance.alarm().is_some_and(|alarm| alarm.time == 3.0));
     }
 
@@ -246,7 +257,7 @@ mod tests {
             let mut balance = EnergyBalance { last: Some(energies(1.0)), ..EnergyBalance::default() };
             let work = balance.work_by_power(power, 1e-3);
             balance.account(1.0, work, energies(kinetic), 0.0, Losses::NumericalAtInstants);
-            for _ in 0..2 * DAMPED_STEPS {
+            for _ in 0..2 * LASTING {
                 balance.account(2.0, 0.0, energies(kinetic), 0.0, Losses::NumericalAtInstants);
             }
             assert_eq!(balance.alarm().is_some(), alarms, "{power} {kinetic}");
@@ -262,7 +273,7 @@ mod tests {
         {
             let mut balance = EnergyBalance { last: Some(energies(1.0)), ..EnergyBalance::default() };
             balance.account(0.5, 0.0, energies(1.0), 0.0, losses);
-            (0..=LASTING).for_each(|_| balance.account(1.0, 0.0, energies(kinetic), 0.0, losses));
+            (0..2 * LASTING).for_each(|_| balance.account(1.0, 0.0, energies(kinetic), 0.0, losses));
             assert_eq!(balance.alarm().is_some(), alarms, "{losses:?} {kinetic}");
         }
     }
