@@ -110,19 +110,13 @@ impl Spring {
         }
     }
 
-    /// Whether [`Self::lag`] may be other than 0.
-    pub fn lags(&self, coordinate: &RelativeCoordinate) -> bool {
-        self.damping != 0.0 || self.law.is_some() || (self.stiffness != 0.0 && coordinate.measure == Measure::Length)
-    }
-
     /// By how much its force over `step`, whose middle is `c`, exceeds that in the middle of the time, where the coordinate and its rate have the values `middle`: N or N m.
     /// Without what mean strains and numerical dissipation do to an elastic force that is linear.
     pub fn lag(&self, coordinate: &RelativeCoordinate, c: &Configuration, step: &TimeStep, middle: [f64; 2]) -> f64 {
         let passage = Passage::Step(*step);
-        let turning = self.tension(coordinate, c, &passage) * (self.shortening(coordinate, c, &passage) - 1.0);
         let [value, rate] = middle;
         let Some(law) = &self.law else {
-            return turning + self.damping * (self.rate(coordinate, c, &passage) - rate);
+            return self.damping * (self.rate(coordinate, c, &passage) - rate);
         };
         // A law may have a corner on the way: its mean is that of both halves of the time.
         let [start, end] = [step.start, step.end].map(|end| self.value(coordinate, end) - self.rest);
@@ -133,7 +127,7 @@ impl Spring {
         };
         let force = self.law_force(law, coordinate, c, &passage);
         let halves = 0.5 * (mean([start, between]) + mean([between, end]));
-        turning + RICHARDSON * (force.elastic + force.viscous - halves)
+        RICHARDSON * (force.elastic + force.viscous - halves)
     }
 
     /// Says that its law is not a finite number at the rate `v`; none: it is one.

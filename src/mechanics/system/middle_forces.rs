@@ -7,7 +7,6 @@ use super::System;
 use super::equations::add;
 use crate::mechanics::force::actuator::{self, EffortGuide};
 use crate::mechanics::force::load::Load;
-use crate::mechanics::force::spring::Spring;
 use crate::mechanics::geometry::marker_jacobian::MarkerVector;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
@@ -22,6 +21,8 @@ pub struct Middle {
     pub rate: f64,
     /// The second derivative of the force of laws on it by time as differences of the motion have it, N/s² or N m/s².
     pub bend: f64,
+    /// The force of a spring on it over the step, N or N m.
+    pub tension: f64,
 }
 
 /// A relative coordinate over a step.
@@ -31,6 +32,8 @@ pub struct Mean {
     pub value: f64,
     /// Its rate, m/s or rad/s.
     pub rate: f64,
+    /// The force of a spring on it, N or N m.
+    pub tension: f64,
     /// The force of a law on it, N or N m.
     pub force: f64,
 }
@@ -49,18 +52,15 @@ impl System {
     pub fn has_lagging_forces(&self) -> bool {
         !self.actuators.is_empty()
             || self.loads.iter().any(Load::may_turn)
-            || self.springs.iter().any(|own| self.lags(own))
-    }
-
-    fn lags(&self, spring: &Spring) -> bool {
-        spring.lags(&self.relative_coordinates[spring.coordinate])
+            || self.springs.iter().any(|own| !own.is_idle())
     }
 
     /// The frames of nodes that these forces depend on, by their numbers.
     pub fn frames_of_lagging_forces(&self) -> Vec<usize> {
         let loads = self.loads.iter().filter(|load| load.may_turn());
         let points = loads.flat_map(|load| load.points.iter().map(|(marker, _)| marker));
-        let sides = self.actuators.iter().flat_map(|own| self.sides(own.coordinate));
+        let springs = self.springs.iter().map(|spring| spring.coordinate);
+        let sides = springs.chain(self.actuators.iter().map(|own| own.coordinate)).flat_map(|own| self.sides(own));
         self.frames_of(points.chain(sides))
     }
 
@@ -103,7 +103,7 @@ impl System {
         }
     }
 
-    /// Adds `factor` times by how much forces of springs over `step`, whose middle is `c`, exceed those in the middle of its time.
+    /// Adds `factor` times by how much forces of springs over `step`, whose middle is `c`, exceed those in the middle of its time, but for what [`Self::subtract_turned_springs`] takes.
     pub fn add_lags_of_springs(
         &self,
         c: &Configuration,
@@ -112,31 +112,48 @@ impl System {
         factor: f64,
         forces: &mut [f64],
     ) {
-        for spring in self.springs.iter().filter(|spring| self.lags(spring)) {
+        for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let coordinate = &self.relative_coordinates[spring.coordinate];
-            let Middle { value, rate, bend } = middles[spring.coordinate];
+            let Middle { value, rate, bend, .. } = middles[spring.coordinate];
             // Differences of the motion have the law's part as well.
             let known = if spring.law.is_some() { step.duration * step.duration / 24.0 * bend } else { 0.0 };
             let lag = spring.lag(coordinate, c, step, [value, rate]) + known;
+            let own = coordinate.gradient(c).map(|side| side * lag);
+            let whole = spring.gradient(coordinate, c, &Passage::Step(*step));
+            for (marker, part) in self.sides(spring.coordinate).into_iter().zip(&[own[0] + whole[0], own[1] + whole[1]])
+            {
+                let range = marker.coordinates(&self.mesh);
+                add(forces, range.start, &(part * factor).as_slice()[..range.len()]);
+            }
+        }
+    }
+
+    /// Subtracts `factor` times the forces of springs over a step, in the directions that they have at `c`, in the middle of its time.
+    pub fn subtract_turned_springs(&self, c: &Configuration, middles: &[Middle], factor: f64, forces: &mut [f64]) {
+        for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
+            let coordinate = &self.relative_coordinates[spring.coordinate];
+            let tension = middles[spring.coordinate].tension;
             for (marker, part) in self.sides(spring.coordinate).into_iter().zip(&coordinate.gradient(c)) {
                 let range = marker.coordinates(&self.mesh);
-                add(forces, range.start, &(part * (factor * lag)).as_slice()[..range.len()]);
+                add(forces, range.start, &(part * (-factor * tension)).as_slice()[..range.len()]);
             }
         }
     }
 
     /// Calls `take` with the number of each relative coordinate that these forces depend on, and with its means over `step`, whose middle is `c`.
     pub fn each_mean_of_step(&self, c: &Configuration, step: &TimeStep, mut take: impl FnMut(usize, Mean)) {
-        let springs = self.springs.iter().filter(|spring| self.lags(spring)).map(|spring| {
+        let springs = self.springs.iter().filter(|spring| !spring.is_idle()).map(|spring| {
             let coordinate = &self.relative_coordinates[spring.coordinate];
-            let force = spring.law.as_ref().map_or(0.0, |_| spring.tension(coordinate, c, &Passage::Step(*step)));
-            (spring.coordinate, force)
+            let tension = spring.tension(coordinate, c, &Passage::Step(*step));
+            (spring.coordinate, tension, if spring.law.is_some() { tension } else { 0.0 })
         });
-        let readings = self.actuators.iter().flat_map(|own| own.readings().iter().map(|own| (own.coordinate, 0.0)));
-        for (number, force) in springs.chain(readings) {
+        let readings = self.actuators.iter().flat_map(|own| own.readings().iter().map(|own| own.coordinate));
+        let readings =
+            readings.filter(|number| self.springs.iter().all(|own| own.is_idle() || own.coordinate != *number));
+        for (number, tension, force) in springs.chain(readings.map(|number| (number, 0.0, 0.0))) {
             let [start, end] =
                 [step.start, step.end].map(|c| self.relative_coordinates[number].value(c, c.relative_values[number]));
-            take(number, Mean { value: 0.5 * (start + end), rate: (end - start) / step.duration, force });
+            take(number, Mean { value: 0.5 * (start + end), rate: (end - start) / step.duration, tension, force });
         }
     }
 }

@@ -341,7 +341,7 @@ impl Estimator {
         relative.clone_from(&error.relative);
         middles.clear();
         middles.resize(relative.len(), Middle::default());
-        system.each_mean_of_step(&middle, &step, |number, Mean { value, rate, force }| {
+        system.each_mean_of_step(&middle, &step, |number, Mean { value, rate, tension, force }| {
             let before = &error.relative[number];
             let difference =
                 |least: u8, now: f64, before: f64| if error.known < least { 0.0 } else { (now - before) / mean };
@@ -351,7 +351,7 @@ impl Estimator {
             let second = difference(2, first, before.forces[1]);
             let bend = if error.known < 3 { second } else { 2.0 * second - before.forces[2] };
             let value = value - MEAN * h * h * in_middle(acceleration, jerk, h);
-            middles[number] = Middle { value, rate: rate - MIDPOINT * h * h * jerk, bend };
+            middles[number] = Middle { value, rate: rate - MIDPOINT * h * h * jerk, bend, tension };
             relative[number] = Passed { rate, acceleration, forces: [force, first, second] };
         });
         if error.known < 1 {
@@ -369,6 +369,7 @@ impl Estimator {
         let (q, prescribed) = (&scratch.q_middle, &solution.prescribed_middle);
         let middle = scratch.frames_middle.at_frames(system, frames, q, state, prescribed);
         system.add_lagging_forces(&middle, Sight::Middle(middles), &solution.excitation, -factor, source);
+        system.subtract_turned_springs(&middle, middles, factor, source);
     }
 
     /// Turns `right`, the correction of the neighboring motion, into the change of the error's positions, and its multipliers; sets its velocities and accelerations at the end of
