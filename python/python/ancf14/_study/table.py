@@ -94,10 +94,10 @@ class Table:
         errors = [NOT_COMPUTED if error is None else error for error in self._errors]
         for name, texts in (("error", errors), ("warning", self._warnings)):
             variables[name] = (points.dimensions, np.array(texts, dtype=object).reshape(points.shape))
-        about: dict[str, Any] = {"model": self._model.name, "ancf14": __version__}
+        attributes: dict[str, Any] = {"model": self._model.name, "ancf14": __version__}
         if any(self._warnings):
-            about["warnings"] = grouped(self._warnings, len(points))
-        return xarray.Dataset(variables, coordinates, about)
+            attributes["warnings"] = grouped(self._warnings, len(points))
+        return xarray.Dataset(variables, coordinates, attributes)
 
     def _inner(self, output: Reduced, shape: tuple[int, ...]) -> list[str]:
         """Return the dimensions of one value."""
