@@ -106,7 +106,7 @@ struct Suspect {
     first: Alarm,
     /// Steps since then.
     steps: u32,
-    /// The largest drift since then, J.
+    /// The largest drift beyond its band since then, J.
     most: f64,
 }
 
@@ -142,7 +142,9 @@ impl EnergyBalance {
         }
         if let Some(suspect) = &mut self.suspect {
             suspect.steps += 1;
-            suspect.most = suspect.most.max(self.drift.abs());
+            if is_beyond && !damps {
+                suspect.most = suspect.most.max(self.drift.abs());
+            }
         } else if is_beyond && !damps {
             self.suspect = Some(Suspect { first: now, steps: 0, most: self.drift.abs() });
         }

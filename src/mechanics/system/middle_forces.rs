@@ -1,7 +1,7 @@
 //! Forces of turning loads, actuators, dampers and laws in the middle of the time of a step, beside those that the step takes: sources of the time-step error (MECHANICS 7.8).
 //!
 //! A step takes these forces at the means of its ends. In the middle of its time coordinates are `h²/8` of their acceleration less, and rates `h²/24` of its derivative.
-//! Elastic forces of beams and of springs without a law are not among them: of those the estimate knows the rates of strains.
+//! The sizes of elastic forces of beams and of springs without a law are not among them, as the estimate knows the rates of their strains; the directions of springs are.
 
 use super::System;
 use super::equations::add;
@@ -48,7 +48,7 @@ pub enum Sight<'a> {
 }
 
 impl System {
-    /// Whether [`Self::add_lagging_forces`] may add anything.
+    /// Whether a force may differ between the step and the middle of its time.
     pub fn has_lagging_forces(&self) -> bool {
         !self.actuators.is_empty()
             || self.loads.iter().any(Load::may_turn)
@@ -148,9 +148,8 @@ impl System {
             (spring.coordinate, tension, if spring.law.is_some() { tension } else { 0.0 })
         });
         let readings = self.actuators.iter().flat_map(|own| own.readings().iter().map(|own| own.coordinate));
-        let readings =
-            readings.filter(|number| self.springs.iter().all(|own| own.is_idle() || own.coordinate != *number));
-        for (number, tension, force) in springs.chain(readings.map(|number| (number, 0.0, 0.0))) {
+        // A spring on a coordinate that an actuator reads comes after it: it knows the force as well.
+        for (number, tension, force) in readings.map(|number| (number, 0.0, 0.0)).chain(springs) {
             let [start, end] =
                 [step.start, step.end].map(|c| self.relative_coordinates[number].value(c, c.relative_values[number]));
             take(number, Mean { value: 0.5 * (start + end), rate: (end - start) / step.duration, tension, force });

@@ -45,6 +45,23 @@ fn the_error_is_the_one_asked_for() {
     assert!((steps[3] / steps[1] / 10.0 - 1.0).abs() < 0.1, "{steps:?}");
 }
 
+/// A wheel that starts smoothly and turns by 0.6 rad between two rows, more than a step may: steps stay below that instead of being rejected once a row, and the first, tiny energy raises no alarm.
+#[test]
+fn wheels_turn_without_rejected_steps() {
+    for rate in ["150*smoothstep(0, 0.5, t)", "1200*min(t, 0.5)^3"] {
+        let mut simulation = start(&format!(
+            "format = 1\n[model]\nname = \"Wheel\"\n[body.wheel]\nmass = 1\nposition = [0, 0, 0]\ninertia = [0.04, 0.06, 0.04]\n\
+             [joint.shaft]\ntype = \"revolute\"\na = \"ground\"\nb = \"wheel\"\naxis = [0, 1, 0]\n\
+             [drive.motor]\njoint = \"shaft\"\ncoordinate = \"angle\"\nrate = \"{rate}\"\n[simulation]\nstop = 2\n"
+        ));
+        run(&mut simulation, 4e-3, 2.0, |_| ());
+        simulation.conclude();
+        assert_eq!(simulation.take_warnings(), Vec::<String>::new(), "{rate}");
+        let statistics = simulation.state().statistics;
+        assert!(statistics.rejected * 50 < statistics.steps, "{rate}: {statistics:?}");
+    }
+}
+
 /// How a host cuts the time into communication steps changes no more than the accuracy.
 #[test]
 fn communication_steps_do_not_matter() {
