@@ -4,22 +4,22 @@ use super::time_error::{difference, estimate, rows};
 use ancf14::model::simulation::Simulation;
 
 /// A body of 1 kg, 1 m from the origin, with what holds and moves it, run for `stop` s by rows of 10 ms.
-fn body(parts: &str, output: &str, step: &str, stop: f64) -> String {
+fn body(parts: &str, output: &str, accuracy: &str, stop: f64) -> String {
     format!(
-        "format = 1\n[model]\nname = \"Forces\"\n{parts}\n[output.P]\n{output}\n[simulation]\nstop = {stop}\nstep = {step}\noutput_step = 0.01\n"
+        "format = 1\n[model]\nname = \"Forces\"\n{parts}\n[output.P]\n{output}\n[simulation]\nstop = {stop}\naccuracy = {accuracy}\noutput_step = 0.01\n"
     )
 }
 
-/// Each force: parts, output, name of a result, its family, step, its eighth, end, and how far the estimate may be from the truth.
-type Case = (&'static str, &'static str, &'static str, &'static str, f64);
+/// Each force: parts, output, name of a result, its family, the end, s, and how far the estimate may be from the truth.
+type Case = (&'static str, &'static str, &'static str, &'static str, f64, f64);
 
 const SLIDER: &str = "[body.b]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
     [joint.j]\ntype = \"prismatic\"\na = \"ground\"\nb = \"b\"\naxis = [1, 0, 0]\n";
 const READING: &str = "at = \"j\"\nquantities = [\"distance\", \"distance_rate\"]";
 const POINT: &str = "at = \"b\"\nquantities = [\"position\", \"angular_velocity\"]";
 
-/// The estimate is right to the next order, `omega h`: 5 to 10 % here. Dry friction that turns about within a step, and ropes that begin to pull within one, are taken by
-/// halves of the step: a factor of 2. Behind the impact of a lock two steps know no derivatives, of the 25 steps in which the spring turns about: half as much.
+/// The estimate is right to the next order, `omega h`, which is 2 to 5 % here. A rope begins to pull somewhere within a step: 20 %. Behind the impact of a lock two steps know no derivatives, and a jump of
+/// the second derivative is all that they have: 30 %.
 const CASES: [(&str, Case); 7] = [
     (
         "controller",
@@ -28,6 +28,7 @@ const CASES: [(&str, Case); 7] = [
             READING,
             "P.distance",
             "P.distance",
+            2.0,
             0.1,
         ),
     ),
@@ -38,16 +39,18 @@ const CASES: [(&str, Case); 7] = [
             READING,
             "P.distance",
             "P.distance",
+            2.0,
             0.1,
         ),
     ),
     (
         "damper",
         (
-            "[spring.k]\njoint = \"j\"\ncoordinate = \"distance\"\nstiffness = 2500\nrest = 1\ndamping = 40",
+            "[spring.k]\njoint = \"j\"\ncoordinate = \"distance\"\nstiffness = 2500\nrest = 1\ndamping = 400",
             READING,
             "P.distance",
             "P.distance",
+            2.0,
             0.1,
         ),
     ),
@@ -58,6 +61,7 @@ const CASES: [(&str, Case); 7] = [
             READING,
             "P.distance",
             "P.distance",
+            2.0,
             0.1,
         ),
     ),
@@ -68,7 +72,8 @@ const CASES: [(&str, Case); 7] = [
             READING,
             "P.distance",
             "P.distance",
-            1.0,
+            2.0,
+            0.2,
         ),
     ),
     (
@@ -77,11 +82,12 @@ const CASES: [(&str, Case); 7] = [
             "[body.c]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\nvelocity = [1, 0, 0]\n\
          [joint.k]\ntype = \"prismatic\"\na = \"b\"\nb = \"c\"\naxis = [1, 0, 0]\nstiffness = 100\n\
          [spring.s]\njoint = \"j\"\ncoordinate = \"distance\"\nstiffness = 300\n\
-         [lock.l]\njoint = \"k\"\ncoordinate = \"distance\"\nactive = \"t > 0.5\"",
+         [lock.l]\njoint = \"k\"\ncoordinate = \"distance\"\nactive = \"t > 1\"",
             READING,
             "P.distance",
             "P.distance",
-            0.5,
+            3.0,
+            0.3,
         ),
     ),
     (
@@ -91,26 +97,24 @@ const CASES: [(&str, Case); 7] = [
             POINT,
             "P.position[1]",
             "P.position",
+            2.0,
             0.1,
         ),
     ),
 ];
 
-/// A run with an eighth of the step has a 64th of the error.
+/// With a hundredth of the accuracy a run has a hundredth of the error.
 #[test]
 fn the_errors_of_forces_are_known() {
-    for (force, (parts, output, name, family, bound)) in CASES {
+    for (force, (parts, output, name, family, stop, bound)) in CASES {
         let parts = format!("{SLIDER}{parts}");
-        let parts = if force == "turning load" {
-            parts.replace(&SLIDER[SLIDER.find("[joint").expect("a joint")..], "")
-        } else {
-            parts
-        };
+        let parts =
+            if output == POINT { parts.replace(&SLIDER[SLIDER.find("[joint").expect("a joint")..], "") } else { parts };
         // An estimate is that of the component that is off by most, over the range of the one that ranges most.
         let other = name.replace("[1]", "[2]");
         let errors = [name, &other].map(|name| {
-            let (found, simulation) = rows(&body(&parts, output, "2e-3", 2.0), name, 0.01, 2.0);
-            let (exact, _) = rows(&body(&parts, output, "2.5e-4", 2.0), name, 0.01, 2.0);
+            let (found, simulation) = rows(&body(&parts, output, "1e-3", stop), name, 0.01, stop);
+            let (exact, _) = rows(&body(&parts, output, "1e-5", stop), name, 0.01, stop);
             let range = exact.iter().copied().fold(0.0, f64::max) - exact.iter().copied().fold(0.0, f64::min);
             (range * difference(&found, &exact), range, simulation)
         });
