@@ -10,6 +10,7 @@ use super::entries::friction::FrictionSpec;
 use super::entries::function;
 use super::entries::gear::GearSpec;
 use super::entries::joint::JointSpec;
+use super::entries::keys_of;
 use super::entries::load::LoadSpec;
 use super::entries::lock::LockSpec;
 use super::entries::material::MaterialSpec;
@@ -25,6 +26,7 @@ use super::entries::winch::WinchSpec;
 use super::many_results;
 use super::number::{Number, Numbers};
 use super::objections;
+use super::overrides;
 use super::parameter::Parameter;
 use super::range::Range;
 use super::reader::{Context, Reader};
@@ -32,7 +34,6 @@ use super::released;
 use crate::model::expression::function::Function;
 use crate::model::text::diagnostic::{Diagnostic, Place, Report, Source};
 use crate::model::text::names::{Kind, Named, Names, SECTIONS, free_name, is_legal, is_reserved, suggestion};
-use crate::model::text::overrides;
 use crate::model::text::tree::{self, Entry, Node};
 use crate::solve::step::pacing::Pacing;
 use std::collections::BTreeSet;
@@ -349,7 +350,7 @@ impl Top {
             Some(Entry { key_place, item, .. }) => match item.node {
                 Node::Table(entries) => {
                     let prefix = if key == "model" { String::new() } else { format!("{key}.") };
-                    Some(Reader::new(context, format!("[{key}]"), prefix, key_place, entries))
+                    Some(Reader::new(context, keys_of(key), format!("[{key}]"), prefix, key_place, entries))
                 }
                 _ => {
                     context.wrong_type(key, &item, &format!("a section [{key}]"));
@@ -376,7 +377,10 @@ impl Top {
         for Entry { key: name, key_place, item } in self.table(word).unwrap_or_default() {
             let Node::Table(entries) = item.node else { continue };
             let title = format!("[{word}.{name}]");
-            list.extend(read(&name, Reader::new(context, title, format!("{name}."), key_place, entries)));
+            list.extend(read(
+                &name,
+                Reader::new(context, keys_of(word), title, format!("{name}."), key_place, entries),
+            ));
         }
         list
     }

@@ -6,6 +6,7 @@ pub mod entries;
 mod many_results;
 pub mod number;
 mod objections;
+pub(super) mod overrides;
 pub mod parameter;
 mod parts;
 pub mod quantity;

@@ -3,10 +3,9 @@
 use super::library::Library;
 use super::names::{Name, operand, replaced};
 use super::print::{Section, print};
-use super::roles::{Role, role};
 use super::scalar::Scalar;
 use super::scope::{Found, Meaning, Scope, entries_of};
-use super::tables::{COPY, FUNCTION, INCLUDE, PARAMETERS};
+use super::tables::{COPY, FUNCTION, INCLUDE, PARAMETERS, Role, role};
 use crate::model::expression::{Variable, compile};
 use crate::model::text::diagnostic::{Place, Report, Source};
 use crate::model::text::names::{SECTIONS, suggestion};
@@ -22,8 +21,6 @@ const MOST_VALUES: usize = 1_000_000;
 const DEPTH: usize = 50;
 /// What an included file may not have.
 const OF_MODELS: [&str; 2] = ["model", "simulation"];
-/// Words of [simulation]; its other keys are numbers.
-const WORDS: [&str; 3] = ["analysis", "initial", "integrator"];
 
 /// The flat model while it is filled.
 #[derive(Debug)]
@@ -165,12 +162,9 @@ impl<'a> Flattener<'a> {
             let label = "parts, parameters, copies and includes were expected";
             return self.error(scope, entry.key_place, &message, label, help);
         }
+        let is_known = OF_MODELS.contains(&entry.key.as_str());
         for inner in inner {
-            let is_number = match entry.key.as_str() {
-                "model" => inner.key == "gravity",
-                "simulation" => !WORDS.contains(&inner.key.as_str()),
-                _ => false,
-            };
+            let is_number = is_known && role(&entry.key, &inner.key, false) != Role::Word;
             let item = if is_number { self.numbers(scope, &inner.item) } else { inner.item.clone() };
             self.push(scope, entry, Entry { item, ..inner.clone() });
         }

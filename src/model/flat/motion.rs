@@ -1,7 +1,7 @@
 //! Where a copy is: its original, turned and then moved, `R (x - center) + center + move`; in nested copies one motion after the other.
 
-use super::roles::{Role, role};
 use super::scalar::Scalar;
+use super::tables::{Role, role};
 use crate::model::text::source::Place;
 use crate::model::text::tree::{Entry, Item, Node};
 

@@ -1,5 +1,7 @@
 //! Looks into the sections of a file and of copies.
 
+use crate::model::file::entries::keys_of;
+pub use crate::model::file::schema::{PLACES, Role};
 use crate::model::text::names::{Kind, SECTIONS};
 use crate::model::text::tree::{Entry, Node};
 
@@ -25,8 +27,14 @@ pub fn names_of<'b>(body: &'b [Entry], key: &str) -> impl Iterator<Item = &'b st
     table(body, key).unwrap_or_default().iter().map(|entry| entry.key.as_str())
 }
 
-/// The word for all sections of places, which an `a`, a `b`, an `on` or an `in` can refer to.
-pub const PLACES: &str = "place";
+/// What a key of a section holds: of a key that is not known, numbers.
+pub fn role(section: &str, key: &str, is_list: bool) -> Role {
+    match keys_of(section).iter().find(|own| own.word == key).map(|own| own.role) {
+        Some(Role::Name(_) | Role::Part) if is_list => Role::Position,
+        Some(role) => role,
+        None => Role::Number,
+    }
+}
 
 /// Whether `body` has a thing of this name: in `section`, or a part.
 pub fn has(body: &[Entry], section: Option<&str>, name: &str) -> bool {

@@ -8,10 +8,10 @@ use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
 use crate::model::file::entries::output::OutputSpec;
 use crate::model::file::entries::simulation::{Analysis, Steps};
+use crate::model::file::entries::simulation::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::file::entries::{load, output};
 use crate::model::file::parameter::Parameter;
 use crate::model::file::reader::anchor::{Along, Anchor, Spot};
-use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::validate;
 
 /// A key and a value, as `--set` takes them.

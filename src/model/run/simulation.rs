@@ -39,7 +39,7 @@ use crate::model::builder;
 use crate::model::file::document::Document;
 use crate::model::file::entries::frame::FrameSpec;
 use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
-use crate::model::file::schema::{COARSEST_ACCURACY, FINEST_ACCURACY};
+use crate::model::file::entries::simulation::{COARSEST_ACCURACY, FINEST_ACCURACY};
 use crate::model::text::diagnostic::Diagnostics;
 use crate::model::variables::inputs::Inputs;
 use crate::model::variables::{Moment, Source, Table};

@@ -7,9 +7,24 @@ use crate::model::file::number::{Number, Written};
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, SIDES};
 use crate::model::file::reader::input::{HELD, make_input};
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, PLACES, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::Kind;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("joint", Role::Name("joint"), "the joint that it acts on"),
+    Key::word("coordinate", &words_of(&Coordinate::WORDS), "the coordinate of the joint"),
+    Key::name("a", Role::Name(PLACES), "the first of two points, instead of a joint"),
+    Key::name("b", Role::Name(PLACES), "the second of two points"),
+    Key::number(&[&TORQUE, &THRUST]),
+    Key::flag("input", "true: the host gives the effort"),
+];
+
+const TORQUE: Rule =
+    Rule::new("effort", "torque of the actuator on side b about the axis", "N.m").tunable().in_control();
+const THRUST: Rule =
+    Rule::new("effort", "force of the actuator on side b, away from side a", "N").tunable().in_control();
 
 /// A section `[actuator.NAME]`.
 #[derive(Clone, Debug)]
@@ -84,8 +99,8 @@ impl ActuatorSpec {
             return None;
         };
         let rule = match coordinate {
-            Coordinate::Angle => &schema::TORQUE,
-            Coordinate::Distance => &schema::THRUST,
+            Coordinate::Angle => &TORQUE,
+            Coordinate::Distance => &THRUST,
         };
         let input = reader.boolean("input", false);
         let effort = if input {

@@ -1,6 +1,7 @@
 //! `[beam.NAME]`: a beam and how it is divided and formulated; its line is in curve.rs.
 
-use super::curve::Line;
+use super::body::ANGULAR_VELOCITY;
+use super::curve::{FROM, Line, SPACINGS, TO};
 use super::section::SectionSpec;
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::ancf14::strain::Strain;
@@ -9,9 +10,54 @@ use crate::mechanics::beam::design::{Elements, Torsion};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::input::{RAMPED, make_input};
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::Kind;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("material", Role::Name("material"), "the material; none where the section has rigidities"),
+    Key::name("section", Role::Name("section"), "the cross-section"),
+    Key::global(&[&FROM], Role::Position),
+    Key::global(&[&TO], Role::Position),
+    Key::name("curve", Role::Curve, "the line of a curved beam, instead of `from` and `to`: a table"),
+    Key::word("spacing", &words_of(&SPACINGS), "how elements share a curve"),
+    Key::global(&[&Y_AXIS], Role::Direction),
+    Key::number(&[&PRETWIST]),
+    Key::number(&[&ELEMENTS]),
+    Key::word("element", &words_of(&ELEMENT_WORDS), "the formulation of the elements"),
+    Key::word("strain", &words_of(&STRAINS), "the strain measure"),
+    Key::word("twist", &words_of(&TWISTS), "the twist along an element"),
+    Key::flag("torsion", "false: no torsion"),
+    Key::flag("ancf24_poisson", "true: the full material law of ancf24"),
+    Key::word("ancf24_shear", &words_of(&SHEARS), "the transverse shear moduli of ancf24"),
+    Key::number(&[&PRETENSION]),
+    Key::list(&[&FREE_CURVATURE], "2"),
+    Key::number(&[&FREE_TORSION]),
+    Key::number(&[&TENSION_DAMPING]),
+    Key::number(&[&TEMPERATURE]),
+    Key::list(&[&TEMPERATURE_GRADIENT], "2"),
+    Key::flag("temperature_input", "true: the host gives both temperatures"),
+    Key::global(&[&VELOCITY], Role::Direction),
+    Key::global(&[&ANGULAR_VELOCITY], Role::Direction),
+];
+
+const Y_AXIS: Rule = Rule::new("y_axis", "direction of the section's y at the start, global", "");
+/// More elements than this are a slip of the finger.
+const MOST_ELEMENTS: f64 = 1e5;
+const ELEMENTS: Rule = Rule::new("elements", "number of elements", "").from(1.0).to(MOST_ELEMENTS).count();
+const PRETWIST: Rule = Rule::new("pretwist", "additional turn of the section from start to end", "rad");
+const PRETENSION: Rule = Rule::new("pretension", "axial force of the beam as drawn, tension positive", "N");
+const FREE_CURVATURE: Rule =
+    Rule::new("free_curvature", "curvature of the beam without stress, about the section's y and z", "1/m");
+const FREE_TORSION: Rule = Rule::new("free_torsion", "torsion of the beam without stress", "rad/m");
+const TENSION_DAMPING: Rule =
+    Rule::new("tension_damping", "damping of the axial strain, beyond that of the material", "s").from(0.0).tunable();
+const TEMPERATURE: Rule =
+    Rule::new("temperature", "temperature of the beam, above that at which it is as drawn", "K").along_in_time();
+const TEMPERATURE_GRADIENT: Rule =
+    Rule::new("temperature_gradient", "gradient of the temperature along the section's y and z", "K/m").along_in_time();
+const VELOCITY: Rule = Rule::new("velocity", "initial velocity of the start, global axes", "m/s");
 
 /// A section `[beam.NAME]`.
 #[derive(Clone, Debug)]
@@ -65,7 +111,7 @@ const TWISTS: [(&str, Twist); 2] = [("linear", Twist::Linear), ("quadratic", Twi
 const SHEARS: [(&str, Shear); 2] = [("section", Shear::Section), ("continuum", Shear::Continuum)];
 
 /// The words of `element`.
-const ELEMENTS: [(&str, Word); 2] = [("ancf14", Word::Ancf14), ("ancf24", Word::Ancf24)];
+const ELEMENT_WORDS: [(&str, Word); 2] = [("ancf14", Word::Ancf14), ("ancf24", Word::Ancf24)];
 
 #[derive(Clone, Copy)]
 enum Word {
@@ -99,7 +145,7 @@ fn formulation(reader: &mut Reader<'_, '_>, strain: Strain) -> Elements {
         "temperature_input",
     ];
     let own24 = ["ancf24_poisson", "ancf24_shear"];
-    match reader.word("element", &ELEMENTS, Some(Word::Ancf14)).unwrap_or(Word::Ancf14) {
+    match reader.word("element", &ELEMENT_WORDS, Some(Word::Ancf14)).unwrap_or(Word::Ancf14) {
         Word::Ancf14 => {
             foreign(reader, &own24, "ancf24", "ancf14");
             Elements::Ancf14 {
@@ -122,10 +168,10 @@ fn formulation(reader: &mut Reader<'_, '_>, strain: Strain) -> Elements {
 fn temperature(reader: &mut Reader<'_, '_>) -> (Option<Number>, Option<[Number; 2]>, bool) {
     let input = reader.boolean("temperature_input", false);
     let temperature = match input {
-        true => Some(reader.number_or(&schema::TEMPERATURE, 0.0)),
-        false => reader.optional(&schema::TEMPERATURE),
+        true => Some(reader.number_or(&TEMPERATURE, 0.0)),
+        false => reader.optional(&TEMPERATURE),
     };
-    let gradient = reader.optional_pair(&schema::TEMPERATURE_GRADIENT);
+    let gradient = reader.optional_pair(&TEMPERATURE_GRADIENT);
     if input {
         for number in temperature.into_iter().chain(gradient.into_iter().flatten()) {
             make_input(reader.context, number);
@@ -158,19 +204,19 @@ impl BeamSpec {
             Some(reader.reference("material", Kind::Material).unwrap_or(0))
         };
         let line = Line::read(&mut reader);
-        let y_axis = reader.vector_or(&schema::Y_AXIS, [0.0, 1.0, 0.0]);
-        let elements = reader.number(&schema::ELEMENTS);
+        let y_axis = reader.vector_or(&Y_AXIS, [0.0, 1.0, 0.0]);
+        let elements = reader.number(&ELEMENTS);
         // Rigidities are what they say they are: moments in proportion to curvatures. Of a section that is known the fibers' strain is.
         let strain = if has_material { Strain::Small } else { Strain::Large };
         let formulation = formulation(&mut reader, strain);
-        let pretwist = reader.number_or(&schema::PRETWIST, 0.0);
-        let pretension = reader.optional(&schema::PRETENSION);
-        let free_curvature = reader.optional_pair(&schema::FREE_CURVATURE);
-        let free_torsion = reader.optional(&schema::FREE_TORSION);
-        let tension_damping = reader.optional(&schema::TENSION_DAMPING);
+        let pretwist = reader.number_or(&PRETWIST, 0.0);
+        let pretension = reader.optional(&PRETENSION);
+        let free_curvature = reader.optional_pair(&FREE_CURVATURE);
+        let free_torsion = reader.optional(&FREE_TORSION);
+        let tension_damping = reader.optional(&TENSION_DAMPING);
         let (temperature, temperature_gradient, temperature_input) = temperature(&mut reader);
-        let velocity = reader.vector_or(&schema::VELOCITY, [0.0; 3]);
-        let angular_velocity = reader.vector_or(&schema::ANGULAR_VELOCITY, [0.0; 3]);
+        let velocity = reader.vector_or(&VELOCITY, [0.0; 3]);
+        let angular_velocity = reader.vector_or(&ANGULAR_VELOCITY, [0.0; 3]);
         let place = reader.place;
         reader.finish();
         Some(Self {

@@ -2,8 +2,29 @@
 
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Role, Rule};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::number(&[&MASS]),
+    Key::global(&[&CENTER], Role::Position),
+    Key::list(&[&PRINCIPAL_INERTIA, &INERTIA], "3 or 6"),
+    Key::global(&[&AXES], Role::Axes),
+    Key::global(&[&BODY_VELOCITY], Role::Direction),
+    Key::global(&[&ANGULAR_VELOCITY], Role::Direction),
+];
+
+const MASS: Rule = Rule::new("mass", "mass", "kg").above(0.0);
+const CENTER: Rule = Rule::new("position", "center of mass as drawn, global", "m");
+const PRINCIPAL_INERTIA: Rule =
+    Rule::new("inertia", "moment of inertia about the center of mass, body axes", "kg.m2").above(0.0);
+const INERTIA: Rule =
+    Rule::new("inertia", "tensor of inertia about the center of mass, body axes (xx, yy, zz, xy, yz, zx)", "kg.m2");
+const AXES: Rule = Rule::new("axes", "body axes as drawn, global, one per row", "");
+const BODY_VELOCITY: Rule = Rule::new("velocity", "initial velocity of the center of mass, global axes", "m/s");
+pub(super) const ANGULAR_VELOCITY: Rule =
+    Rule::new("angular_velocity", "initial angular velocity, global axes", "rad/s");
 
 /// A section `[body.NAME]`.
 #[derive(Clone, Debug)]
@@ -37,12 +58,12 @@ pub enum Inertia {
 
 impl BodySpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
-        let mass = reader.number(&schema::MASS);
-        let position = reader.vector(&schema::CENTER);
+        let mass = reader.number(&MASS);
+        let position = reader.vector(&CENTER);
         let inertia = Inertia::read(&mut reader);
-        let axes = reader.table(&schema::AXES);
-        let velocity = reader.vector_or(&schema::BODY_VELOCITY, [0.0; 3]);
-        let angular_velocity = reader.vector_or(&schema::ANGULAR_VELOCITY, [0.0; 3]);
+        let axes = reader.table(&AXES);
+        let velocity = reader.vector_or(&BODY_VELOCITY, [0.0; 3]);
+        let angular_velocity = reader.vector_or(&ANGULAR_VELOCITY, [0.0; 3]);
         let place = reader.place;
         reader.finish();
         Some(Self { name: name.to_owned(), place, mass, position, inertia, axes, velocity, angular_velocity })
@@ -52,9 +73,9 @@ impl BodySpec {
 impl Inertia {
     fn read(reader: &mut Reader<'_, '_>) -> Self {
         let expected = "a list of 3 or 6";
-        match reader.length_of(schema::INERTIA.key) {
-            Some(6) => Self::Tensor(reader.list(&schema::INERTIA, expected)),
-            _ => Self::Principal(reader.list(&schema::PRINCIPAL_INERTIA, expected)),
+        match reader.length_of(INERTIA.key) {
+            Some(6) => Self::Tensor(reader.list(&INERTIA, expected)),
+            _ => Self::Principal(reader.list(&PRINCIPAL_INERTIA, expected)),
         }
     }
 }

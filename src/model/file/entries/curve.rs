@@ -3,8 +3,16 @@
 use crate::mechanics::beam::centerline::Spacing;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::Rule;
 use crate::model::text::diagnostic::Place;
+
+pub(super) const FROM: Rule = Rule::new("from", "start of the beam, global", "m");
+pub(super) const TO: Rule = Rule::new("to", "end of the beam, global", "m");
+const CURVE_X: Rule = Rule::new("x", "global x of the beam along its curve", "m").along_beam();
+const CURVE_Y: Rule = Rule::new("y", "global y of the beam along its curve", "m").along_beam();
+const CURVE_Z: Rule = Rule::new("z", "global z of the beam along its curve", "m").along_beam();
+const CURVE_S: Rule = Rule::new("s", "curve parameter at the start and at the end of the beam", "");
+const CURVE_POINTS: Rule = Rule::new("points", "points of the beam's curve, global", "m");
 
 /// What the beam follows.
 #[derive(Clone, Debug)]
@@ -48,7 +56,7 @@ pub enum Shape {
 }
 
 /// The words of `spacing`.
-const SPACINGS: [(&str, Spacing); 2] = [("arc", Spacing::Arc), ("s", Spacing::Parameter)];
+pub(super) const SPACINGS: [(&str, Spacing); 2] = [("arc", Spacing::Arc), ("s", Spacing::Parameter)];
 /// What a curve looks like.
 const FORMS: &str = "{ x = .., y = .., z = .., s = [0, 1] } or { points = [[0, 0, 0], ..] }";
 
@@ -72,7 +80,7 @@ impl Line {
             true => reader.vector_or(rule, [0.0; 3]),
             false => reader.vector(rule),
         };
-        let (from, to) = (stand_in(reader, &schema::FROM), stand_in(reader, &schema::TO));
+        let (from, to) = (stand_in(reader, &FROM), stand_in(reader, &TO));
         (!curved).then_some(Self::Straight { from, to })
     }
 }
@@ -105,8 +113,8 @@ impl Shape {
             }
             Self::points(&mut reader)
         } else if expressions.contains(&true) {
-            let coordinates = [&schema::CURVE_X, &schema::CURVE_Y, &schema::CURVE_Z].map(|rule| reader.number(rule));
-            let range = reader.list(&schema::CURVE_S, "a list of 2");
+            let coordinates = [&CURVE_X, &CURVE_Y, &CURVE_Z].map(|rule| reader.number(rule));
+            let range = reader.list(&CURVE_S, "a list of 2");
             Some(Self::Expressions { coordinates, range })
         } else {
             reader.missing("points", "or x, y, z as expressions of s, and s = [0, 1]");
@@ -119,7 +127,7 @@ impl Shape {
 
     fn points(reader: &mut Reader<'_, '_>) -> Option<Self> {
         let (count, place) = (reader.length_of("points"), reader.place_of("points"));
-        let points = reader.points(&schema::CURVE_POINTS)?;
+        let points = reader.points(&CURVE_POINTS)?;
         if let Some(count) = count.filter(|count| *count < 2) {
             let message = format!("{} has {}", reader.title, if count == 1 { "a single point" } else { "no points" });
             reader.context.report.error(place, &message, "2 points or more were expected", "");

@@ -2,8 +2,19 @@
 
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::Rule;
 use std::f64::consts::TAU;
+
+pub(super) const MATERIAL_DAMPING: Rule =
+    Rule::new("damping", "viscous stress per strain rate, over the modulus", "s").from(0.0).tunable();
+pub(super) const MASS_DAMPING: Rule =
+    Rule::new("mass_damping", "damping in proportion to mass: force over mass and velocity", "1/s").from(0.0).tunable();
+pub(super) const DAMPING_RATIOS: Rule =
+    Rule::new("damping_ratios", "ratio of critical damping at each of two frequencies", "").from(0.0).tunable();
+pub(super) const DAMPING_FREQUENCIES: Rule =
+    Rule::new("damping_frequencies", "frequency at which a ratio of critical damping is given", "Hz")
+        .above(0.0)
+        .tunable();
 
 /// The damping of a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,12 +40,12 @@ impl Damping {
         if reader.has("damping_ratios") || reader.has("damping_frequencies") {
             reader.exclude("damping", "damping_ratios");
             reader.exclude("mass_damping", "damping_ratios");
-            let ratios = reader.list(&schema::DAMPING_RATIOS, "a list of 2");
-            return Self::Ratios { ratios, frequencies: reader.list(&schema::DAMPING_FREQUENCIES, "a list of 2") };
+            let ratios = reader.list(&DAMPING_RATIOS, "a list of 2");
+            return Self::Ratios { ratios, frequencies: reader.list(&DAMPING_FREQUENCIES, "a list of 2") };
         }
         Self::Coefficients {
-            stiffness: reader.number_or(&schema::MATERIAL_DAMPING, 0.0),
-            mass: reader.number_or(&schema::MASS_DAMPING, 0.0),
+            stiffness: reader.number_or(&MATERIAL_DAMPING, 0.0),
+            mass: reader.number_or(&MASS_DAMPING, 0.0),
         }
     }
 

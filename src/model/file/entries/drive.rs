@@ -1,13 +1,28 @@
 //! `[drive.NAME]`: prescribes a free coordinate of a joint.
 
 use super::joint::{self, Coordinate, JointSpec};
-use super::switch::SwitchSpec;
+use super::switch::{ACTIVE, SwitchSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::input::{REACHED, make_input};
-use crate::model::file::schema::{self, Rule};
+use crate::model::file::schema::{Key, Role, Rule, words_of};
 use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::Kind;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("joint", Role::Name("joint"), "the joint that it moves"),
+    Key::word("coordinate", &words_of(&Coordinate::WORDS), "the coordinate of the joint"),
+    Key::number(&[&ANGLE, &DISTANCE]),
+    Key::number(&[&ANGLE_RATE, &DISTANCE_RATE]),
+    Key::number(&[&ACTIVE]),
+    Key::word("input", &words_of(&INPUTS), "what the host gives"),
+];
+
+const ANGLE: Rule = Rule::new("value", "angle that the drive prescribes", "rad").in_time();
+const DISTANCE: Rule = Rule::new("value", "distance that the drive prescribes", "m").in_time();
+const ANGLE_RATE: Rule = Rule::new("rate", "rate of the angle that the drive prescribes", "rad/s").in_time();
+const DISTANCE_RATE: Rule = Rule::new("rate", "rate of the distance that the drive prescribes", "m/s").in_time();
 
 /// A section `[drive.NAME]`.
 #[derive(Clone, Debug)]
@@ -59,11 +74,11 @@ impl Word {
     /// The rule of the key of this word.
     fn rule(self, coordinate: Coordinate) -> &'static Rule {
         match (self, coordinate) {
-            (Self::Value, Coordinate::Angle) => &schema::ANGLE,
-            (Self::Value, Coordinate::Distance) => &schema::DISTANCE,
-            (Self::Rate, Coordinate::Angle) => &schema::ANGLE_RATE,
-            (Self::Rate, Coordinate::Distance) => &schema::DISTANCE_RATE,
-            (Self::Active, _) => &schema::ACTIVE,
+            (Self::Value, Coordinate::Angle) => &ANGLE,
+            (Self::Value, Coordinate::Distance) => &DISTANCE,
+            (Self::Rate, Coordinate::Angle) => &ANGLE_RATE,
+            (Self::Rate, Coordinate::Distance) => &DISTANCE_RATE,
+            (Self::Active, _) => &ACTIVE,
         }
     }
 }

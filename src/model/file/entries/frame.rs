@@ -5,8 +5,24 @@ use crate::math::rotation::quaternion_of;
 use crate::model::file::number::{Meta, Number, Slot, Written};
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::input::{REACHED, make_input, make_start};
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Role, Rule};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::global(&[&FRAME_POSITION], Role::Position),
+    Key::global(&[&FRAME_ROTATION], Role::Direction),
+    Key::word(
+        "input",
+        &["true", "false", "quaternion", "rotation"],
+        "true: the host gives the position and the orientation",
+    ),
+];
+
+const FRAME_POSITION: Rule = Rule::new("position", "place of the frame, global", "m").in_time();
+const FRAME_ROTATION: Rule = Rule::new("rotation", "rotation vector of the frame, global axes", "rad").in_time();
+/// In the place of a rotation that the host gives.
+const QUATERNION: Rule = Rule::new("quaternion", "orientation of the frame", "");
 
 /// A section `[frame.NAME]`.
 #[derive(Clone, Debug)]
@@ -43,8 +59,8 @@ const INPUTS: [(&str, Word); 2] = [("quaternion", Word::Quaternion), ("rotation"
 
 impl FrameSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
-        let position = reader.vector(&schema::FRAME_POSITION);
-        let rotation = reader.vector_or(&schema::FRAME_ROTATION, [0.0; 3]);
+        let position = reader.vector(&FRAME_POSITION);
+        let rotation = reader.vector_or(&FRAME_ROTATION, [0.0; 3]);
         // The word true is the older one, and means the same as "quaternion".
         let given = match reader.text_of("input") {
             Some(_) => reader.word("input", &INPUTS, None),
@@ -109,7 +125,7 @@ fn quaternion(reader: &mut Reader<'_, '_>, name: &str, rotation: [Number; 3]) ->
     }
     std::array::from_fn(|k| {
         let (word, value) = parts[k];
-        let mut meta = Meta::of(&schema::QUATERNION, format!("{name}.quaternion[{}]", k + 1));
+        let mut meta = Meta::of(&QUATERNION, format!("{name}.quaternion[{}]", k + 1));
         meta.description = format!(
             "Quaternion {word} of the orientation of frame {name}, {REACHED}, along the shortest arc; \
              its length does not matter"

@@ -4,8 +4,26 @@ use super::actuator::{Action, on_joint};
 use super::joint::{Coordinate, JointSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("joint", Role::Name("joint"), "the joint that it acts on"),
+    Key::word("coordinate", &words_of(&Coordinate::WORDS), "the coordinate of the joint"),
+    Key::number(&[&COULOMB_TORQUE, &COULOMB_FORCE]),
+    Key::number(&[&VISCOUS_TORQUE, &VISCOUS_FORCE]),
+    Key::number(&[&FRICTION_ANGLE_RATE, &FRICTION_RATE]),
+];
+
+const COULOMB_TORQUE: Rule = Rule::new("coulomb", "torque of dry friction", "N.m").from(0.0).tunable();
+const COULOMB_FORCE: Rule = Rule::new("coulomb", "force of dry friction", "N").from(0.0).tunable();
+const VISCOUS_TORQUE: Rule = Rule::new("viscous", "friction torque per rate", "N.m.s/rad").from(0.0).tunable();
+const VISCOUS_FORCE: Rule = Rule::new("viscous", "friction force per rate", "N.s/m").from(0.0).tunable();
+const FRICTION_ANGLE_RATE: Rule =
+    Rule::new("speed", "rate at which dry friction has 71 % of its torque", "rad/s").above(0.0).tunable();
+const FRICTION_RATE: Rule =
+    Rule::new("speed", "rate at which dry friction has 71 % of its force", "m/s").above(0.0).tunable();
 
 /// A section `[friction.NAME]`.
 #[derive(Clone, Debug)]
@@ -37,8 +55,8 @@ impl FrictionSpec {
             return None;
         };
         let [coulomb, viscous, speed] = match coordinate {
-            Coordinate::Angle => [&schema::COULOMB_TORQUE, &schema::VISCOUS_TORQUE, &schema::FRICTION_ANGLE_RATE],
-            Coordinate::Distance => [&schema::COULOMB_FORCE, &schema::VISCOUS_FORCE, &schema::FRICTION_RATE],
+            Coordinate::Angle => [&COULOMB_TORQUE, &VISCOUS_TORQUE, &FRICTION_ANGLE_RATE],
+            Coordinate::Distance => [&COULOMB_FORCE, &VISCOUS_FORCE, &FRICTION_RATE],
         };
         let coulomb = reader.number(coulomb);
         let viscous = reader.number_or(viscous, 0.0);

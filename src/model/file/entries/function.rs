@@ -4,12 +4,24 @@ use crate::model::expression::program::{Body, Called};
 use crate::model::expression::table::{Interpolation, MOST_ROWS, Outside, Table};
 use crate::model::expression::{Callee, Program};
 use crate::model::file::reader::{Context, Reader};
+use crate::model::file::schema::{Key, Role, words_of};
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::{Kind, is_legal, is_reserved};
 use crate::model::text::tree::{Entry, Item, Node};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::word("value", &[], "the expression of the function, by its argument"),
+    Key::word("argument", &[], "the name of the argument in `value`"),
+    Key::name("table", Role::Number, "rows of argument and value, instead of `value`"),
+    Key::word("file", &[], "a file of rows of argument and value, instead of `value`"),
+    Key::word("column", &[], "the column of the file that has the values"),
+    Key::word("interpolation", &words_of(&INTERPOLATIONS), "how values between two rows are found"),
+    Key::word("outside", &words_of(&OUTSIDES), "the values before the first and behind the last row"),
+];
 
 /// The argument where the file does not name it.
 const ARGUMENT: &str = "x";
@@ -35,7 +47,7 @@ pub(in crate::model) fn read(context: &mut Context<'_>, sections: Vec<Entry>) {
     let mut pending = Vec::new();
     for Entry { key: name, key_place, item } in sections {
         let Node::Table(entries) = item.node else { continue };
-        let reader = Reader::new(context, format!("[function.{name}]"), format!("{name}."), key_place, entries);
+        let reader = Reader::new(context, KEYS, format!("[function.{name}]"), format!("{name}."), key_place, entries);
         match section(&name, reader) {
             Some(Read::Body(body)) => put(context, name, Some(body)),
             Some(Read::Text { argument, text, place }) => {

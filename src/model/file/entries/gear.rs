@@ -4,9 +4,27 @@ use super::drive::check_coordinate;
 use super::joint::{self, Coordinate, JointSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema::{self, Rule};
+use crate::model::file::schema::{Key, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::Kind;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("a", Role::Name("joint"), "the joint that follows"),
+    Key::word("a_coordinate", &words_of(&Coordinate::WORDS), "the coordinate of joint a"),
+    Key::name("b", Role::Name("joint"), "the joint that leads"),
+    Key::word("b_coordinate", &words_of(&Coordinate::WORDS), "the coordinate of joint b"),
+    Key::number(&[&RATIO, &RATIO_ANGLE_DISTANCE, &RATIO_DISTANCE_ANGLE]),
+    Key::number(&[&LAW_OF_ANGLE, &LAW_OF_DISTANCE]),
+];
+
+const RATIO: Rule = Rule::new("ratio", "coordinate of joint a over that of joint b", "");
+const RATIO_ANGLE_DISTANCE: Rule = Rule::new("ratio", "angle of joint a over the distance of joint b", "rad/m");
+const RATIO_DISTANCE_ANGLE: Rule = Rule::new("ratio", "distance of joint a over the angle of joint b", "m/rad");
+const LAW_OF_ANGLE: Rule =
+    Rule::new("law", "angle of joint a, by the coordinate x of joint b", "rad").over_coordinate();
+const LAW_OF_DISTANCE: Rule =
+    Rule::new("law", "distance of joint a, by the coordinate x of joint b", "m").over_coordinate();
 
 /// A section `[gear.NAME]`.
 #[derive(Clone, Debug)]
@@ -50,8 +68,8 @@ impl GearSpec {
         let relation = if reader.has("law") {
             reader.exclude("ratio", "law");
             Relation::Law(reader.number(match a.1 {
-                Coordinate::Angle => &schema::LAW_OF_ANGLE,
-                Coordinate::Distance => &schema::LAW_OF_DISTANCE,
+                Coordinate::Angle => &LAW_OF_ANGLE,
+                Coordinate::Distance => &LAW_OF_DISTANCE,
             }))
         } else {
             Relation::Ratio(reader.number(rule(a.1, b.1)))
@@ -97,8 +115,8 @@ fn side(
 /// The rule of the ratio of two coordinates.
 fn rule(a: Coordinate, b: Coordinate) -> &'static Rule {
     match (a, b) {
-        (Coordinate::Angle, Coordinate::Distance) => &schema::RATIO_ANGLE_DISTANCE,
-        (Coordinate::Distance, Coordinate::Angle) => &schema::RATIO_DISTANCE_ANGLE,
-        _ => &schema::RATIO,
+        (Coordinate::Angle, Coordinate::Distance) => &RATIO_ANGLE_DISTANCE,
+        (Coordinate::Distance, Coordinate::Angle) => &RATIO_DISTANCE_ANGLE,
+        _ => &RATIO,
     }
 }

@@ -1,11 +1,45 @@
 //! `[joint.NAME]`: holds two points together, all but some relative motions.
 
-use super::switch::SwitchSpec;
+use super::switch::{ACTIVE, SwitchSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, SIDES};
-use crate::model::file::schema::{self, Rule};
+use crate::model::file::schema::{Key, PLACES, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::word("type", &words_of(&KINDS), "the motions that it leaves free"),
+    Key::name("a", Role::Name(PLACES), "the first side: the axis is fixed in it"),
+    Key::name("b", Role::Name(PLACES), "the second side"),
+    Key::global(&[&AT], Role::Position),
+    Key::global(&[&AXIS], Role::Direction),
+    Key::global(&[&AXIS2], Role::Direction),
+    Key::on_axes(&[&DISTANCE_STIFFNESS, &ANGLE_STIFFNESS, &BUSHING_STIFFNESS]),
+    Key::on_axes(&[&DISTANCE_DAMPING, &ANGLE_DAMPING, &BUSHING_DAMPING]),
+    Key::on_axes(&[&ROTATIONAL_STIFFNESS]),
+    Key::on_axes(&[&ROTATIONAL_DAMPING]),
+    Key::number(&[&ACTIVE]),
+    Key::flag("input", "true: the host gives `active`"),
+];
+
+const AT: Rule = Rule::new("at", "place of the joint as drawn, global", "m");
+const AXIS: Rule = Rule::new("axis", "axis of the joint as drawn, global", "");
+const AXIS2: Rule = Rule::new("axis2", "second axis of the joint as drawn, global", "");
+pub(super) const ANGLE_STIFFNESS: Rule =
+    Rule::new("stiffness", "stiffness of the angle", "N.m/rad").from(0.0).tunable();
+pub(super) const ANGLE_DAMPING: Rule = Rule::new("damping", "damping of the angle", "N.m.s/rad").from(0.0).tunable();
+pub(super) const DISTANCE_STIFFNESS: Rule =
+    Rule::new("stiffness", "stiffness of the distance", "N/m").from(0.0).tunable();
+pub(super) const DISTANCE_DAMPING: Rule = Rule::new("damping", "damping of the distance", "N.s/m").from(0.0).tunable();
+const BUSHING_STIFFNESS: Rule =
+    Rule::new("stiffness", "stiffness along the global axis as drawn", "N/m").from(0.0).tunable();
+const BUSHING_DAMPING: Rule =
+    Rule::new("damping", "damping along the global axis as drawn", "N.s/m").from(0.0).tunable();
+const ROTATIONAL_STIFFNESS: Rule =
+    Rule::new("rotational_stiffness", "stiffness against turning", "N.m/rad").from(0.0).tunable();
+const ROTATIONAL_DAMPING: Rule =
+    Rule::new("rotational_damping", "damping of the turning", "N.m.s/rad").from(0.0).tunable();
 
 /// A section `[joint.NAME]`.
 #[derive(Clone, Debug)]
@@ -159,15 +193,15 @@ impl JointSpec {
         let kind = reader.word("type", &KINDS, None);
         let a = Anchor::read(&mut reader, "a", &SIDES);
         let b = Anchor::read(&mut reader, "b", &SIDES);
-        let at = reader.optional_vector(&schema::AT);
+        let at = reader.optional_vector(&AT);
         // Without the kind nobody knows which keys belong here.
         let Some(kind) = kind else {
             reader.abandon();
             return None;
         };
         Anchor::expect_motion(&mut reader, a, b);
-        let axis = kind.has_axis().then(|| reader.vector(&schema::AXIS));
-        let axis2 = kind.has_second_axis().then(|| reader.vector(&schema::AXIS2));
+        let axis = kind.has_axis().then(|| reader.vector(&AXIS));
+        let axis2 = kind.has_second_axis().then(|| reader.vector(&AXIS2));
         let [angle, distance] = free_coordinates(&mut reader, kind);
         let bushing = (kind == JointKind::Bushing).then(|| Bushing::read(&mut reader));
         let switch = if kind == JointKind::Bushing {
@@ -193,12 +227,12 @@ fn free_coordinates(reader: &mut Reader<'_, '_>, kind: JointKind) -> [Option<Spr
     };
     let mut distance = None;
     if kind.coordinates().contains(&Coordinate::Distance) {
-        distance = pair(&schema::DISTANCE_STIFFNESS, &schema::DISTANCE_DAMPING);
+        distance = pair(&DISTANCE_STIFFNESS, &DISTANCE_DAMPING);
     }
     let angle = match (kind.coordinates().contains(&Coordinate::Angle), distance) {
         (false, _) => None,
-        (true, None) => pair(&schema::ANGLE_STIFFNESS, &schema::ANGLE_DAMPING),
-        (true, Some(_)) => pair(&schema::ROTATIONAL_STIFFNESS, &schema::ROTATIONAL_DAMPING),
+        (true, None) => pair(&ANGLE_STIFFNESS, &ANGLE_DAMPING),
+        (true, Some(_)) => pair(&ROTATIONAL_STIFFNESS, &ROTATIONAL_DAMPING),
     };
     [angle, distance]
 }
@@ -206,10 +240,10 @@ fn free_coordinates(reader: &mut Reader<'_, '_>, kind: JointKind) -> [Option<Spr
 impl Bushing {
     fn read(reader: &mut Reader<'_, '_>) -> Self {
         Self {
-            stiffness: reader.vector_or(&schema::BUSHING_STIFFNESS, [0.0; 3]),
-            damping: reader.vector_or(&schema::BUSHING_DAMPING, [0.0; 3]),
-            rotational_stiffness: reader.vector_or(&schema::ROTATIONAL_STIFFNESS, [0.0; 3]),
-            rotational_damping: reader.vector_or(&schema::ROTATIONAL_DAMPING, [0.0; 3]),
+            stiffness: reader.vector_or(&BUSHING_STIFFNESS, [0.0; 3]),
+            damping: reader.vector_or(&BUSHING_DAMPING, [0.0; 3]),
+            rotational_stiffness: reader.vector_or(&ROTATIONAL_STIFFNESS, [0.0; 3]),
+            rotational_damping: reader.vector_or(&ROTATIONAL_DAMPING, [0.0; 3]),
         }
     }
 }

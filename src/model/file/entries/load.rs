@@ -4,9 +4,24 @@ use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, LOADED, Spot};
 use crate::model::file::reader::input::{HELD, make_input};
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, PLACES, Role, Rule};
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::Kind;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("at", Role::Name(PLACES), "the point of a beam or the body that it acts on"),
+    Key::name("on", Role::Name(PLACES), "the beam that it is spread over, instead of `at`"),
+    Key::global(&[&FORCE, &FORCE_PER_LENGTH], Role::Direction),
+    Key::global(&[&MOMENT, &MOMENT_PER_LENGTH], Role::Direction),
+    Key::flag("follower", "true: it turns with what it acts on"),
+    Key::flag("input", "true: the host gives force and moment"),
+];
+
+const FORCE: Rule = Rule::new("force", "force", "N").tunable().in_time();
+const MOMENT: Rule = Rule::new("moment", "moment", "N.m").tunable().in_time();
+const FORCE_PER_LENGTH: Rule = Rule::new("force", "force per length", "N/m").tunable().in_time();
+const MOMENT_PER_LENGTH: Rule = Rule::new("moment", "moment per length", "N").tunable().in_time();
 
 /// A section `[load.NAME]`.
 #[derive(Clone, Debug)]
@@ -56,8 +71,8 @@ impl LoadSpec {
             Anchor::read(&mut reader, "at", &LOADED).filter(|anchor| moves(&mut reader, anchor)).map(Target::At)
         };
         let (force, moment) = match along {
-            false => (&schema::FORCE, &schema::MOMENT),
-            true => (&schema::FORCE_PER_LENGTH, &schema::MOMENT_PER_LENGTH),
+            false => (&FORCE, &MOMENT),
+            true => (&FORCE_PER_LENGTH, &MOMENT_PER_LENGTH),
         };
         if !reader.has("force") && !reader.has("moment") {
             reader.missing("force", "or `moment`, or both: each a list of 3");

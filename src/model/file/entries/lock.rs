@@ -2,9 +2,18 @@
 
 use super::actuator::{Action, on_joint};
 use super::joint::{Coordinate, JointSpec};
-use super::switch::SwitchSpec;
+use super::switch::{ACTIVE, SwitchSpec};
 use crate::model::file::reader::Reader;
+use crate::model::file::schema::{Key, Role, words_of};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("joint", Role::Name("joint"), "the joint that it acts on"),
+    Key::word("coordinate", &words_of(&Coordinate::WORDS), "the coordinate of the joint"),
+    Key::number(&[&ACTIVE]),
+    Key::flag("input", "true: the host gives `active`"),
+];
 
 /// A section `[lock.NAME]`.
 #[derive(Clone, Debug)]

@@ -1,10 +1,29 @@
 //! `[material.NAME]`: a linear elastic, isotropic material.
 
-use super::damping::Damping;
+use super::damping::{DAMPING_FREQUENCIES, DAMPING_RATIOS, Damping, MASS_DAMPING, MATERIAL_DAMPING};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Rule};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::number(&[&YOUNG]),
+    Key::number(&[&POISSON]),
+    Key::number(&[&SHEAR]),
+    Key::number(&[&DENSITY]),
+    Key::number(&[&MATERIAL_DAMPING]),
+    Key::number(&[&MASS_DAMPING]),
+    Key::list(&[&DAMPING_RATIOS], "2"),
+    Key::list(&[&DAMPING_FREQUENCIES], "2"),
+    Key::number(&[&EXPANSION]),
+];
+
+const YOUNG: Rule = Rule::new("young", "Young's modulus", "Pa").above(0.0);
+const POISSON: Rule = Rule::new("poisson", "Poisson's ratio", "").above(-1.0).below(0.5);
+const SHEAR: Rule = Rule::new("shear", "shear modulus", "Pa").above(0.0);
+pub(super) const EXPANSION: Rule = Rule::new("expansion", "thermal expansion", "1/K");
+const DENSITY: Rule = Rule::new("density", "density", "kg/m3").above(0.0);
 
 /// A section `[material.NAME]`.
 #[derive(Clone, Debug)]
@@ -36,13 +55,13 @@ pub enum Lateral {
 
 impl MaterialSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
-        let young = reader.number(&schema::YOUNG);
-        let lateral = match reader.optional(&schema::POISSON) {
+        let young = reader.number(&YOUNG);
+        let lateral = match reader.optional(&POISSON) {
             Some(poisson) => {
                 reader.exclude("shear", "poisson");
                 Lateral::Poisson(poisson)
             }
-            None => match reader.optional(&schema::SHEAR) {
+            None => match reader.optional(&SHEAR) {
                 Some(shear) => Lateral::Shear(shear),
                 None => {
                     reader.missing("poisson", "or `shear`, the shear modulus in Pa");
@@ -50,8 +69,8 @@ impl MaterialSpec {
                 }
             },
         };
-        let expansion = reader.optional(&schema::EXPANSION);
-        let density = reader.number(&schema::DENSITY);
+        let expansion = reader.optional(&EXPANSION);
+        let density = reader.number(&DENSITY);
         let damping = Damping::read(&mut reader);
         let place = reader.place;
         reader.finish();

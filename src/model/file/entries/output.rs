@@ -14,10 +14,26 @@ use super::stop::StopSpec;
 use crate::model::file::quantity::{QUANTITIES, Quantity, Row, Site};
 use crate::model::file::reader::anchor::{Along, Anchor, OBSERVING, Spot, WATCHED};
 use crate::model::file::reader::{Reader, either, listing};
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, PLACES, Role, Rule};
 use crate::model::text::diagnostic::Place;
-use crate::model::text::names::{Kind, Names, suggestion};
+use crate::model::text::names::{Kind, Named, Names, suggestion};
 use crate::model::text::tree::{Item, Node};
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("at", Role::Part, "the point or the part where it measures"),
+    Key::name("on", Role::Name(PLACES), "the beam along which it measures, instead of `at`"),
+    Key::name("of", Role::Name(PLACES), "the beam or body that it measures as a whole, instead of `at`"),
+    Key::number(&[&STATIONS]),
+    Key::name("in", Role::Name(PLACES), "what the observer moves with"),
+    Key::word("quantities", &[], "what it measures: a list of words"),
+];
+
+/// More stations than this are a slip of the finger: each is a row of the table of variables.
+const MOST_STATIONS: f64 = 1e4;
+/// A count that is no parameter.
+const STATIONS: Rule =
+    Rule::new("stations", "number of equally spaced points of the beam", "").from(2.0).to(MOST_STATIONS).count();
 
 /// A section `[output.NAME]`.
 #[derive(Clone, Debug)]
@@ -78,21 +94,28 @@ pub enum Target {
 }
 
 impl Target {
+    /// What holds places together or acts on them; none: it is something else.
+    fn of_connection(named: &Named) -> Option<Self> {
+        let target = match named.kind {
+            Kind::Joint => Self::Joint,
+            Kind::Drive => Self::Drive,
+            Kind::Actuator => Self::Actuator,
+            Kind::Gear => Self::Gear,
+            Kind::Spring => Self::Spring,
+            Kind::Friction => Self::Friction,
+            Kind::Stop => Self::Stop,
+            Kind::Lock => Self::Lock,
+            _ => return None,
+        };
+        Some(target(named.index))
+    }
+
     /// The number of its sensors, which read what is not of a joint, a drive, an actuator, a gear, a spring, friction, a stop or a lock.
     pub fn sensors(&self) -> usize {
         match self {
             Self::At(_) => 1,
             Self::On { stations, .. } => *stations,
-            Self::Joint(_)
-            | Self::Drive(_)
-            | Self::Actuator(_)
-            | Self::Gear(_)
-            | Self::Spring(_)
-            | Self::Friction(_)
-            | Self::Stop(_)
-            | Self::Lock(_)
-            | Self::Beam(_)
-            | Self::Body(_) => 0,
+            _ => 0,
         }
     }
 }
@@ -123,7 +146,7 @@ pub struct Things<'a> {
 }
 
 /// Default of `stations`.
-const STATIONS: usize = 21;
+const USUAL_STATIONS: usize = 21;
 
 impl OutputSpec {
     pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, things: Things<'_>) -> Option<Self> {
@@ -211,7 +234,7 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
     }
     if reader.has("on") {
         reader.exclude("at", "on");
-        let stations = reader.count_or(&schema::STATIONS, STATIONS);
+        let stations = reader.count_or(&STATIONS, USUAL_STATIONS);
         return reader.reference("on", Kind::Beam).map(|beam| Target::On { beam, stations });
     }
     reader.refuse("stations", "`stations` belong to a whole beam", "they need on = \"BEAM\" instead of `at`");
@@ -223,40 +246,12 @@ fn target(reader: &mut Reader<'_, '_>) -> Option<Target> {
         (Some(connection), Some(place)) => Some(which(reader, connection, place)?),
         (connection, place) => connection.or(place),
     };
-    match meant.map(|named| (named.kind, named.index)) {
-        Some((Kind::Joint, index)) => {
-            reader.take("at");
-            Some(Target::Joint(index))
-        }
-        Some((Kind::Drive, index)) => {
-            reader.take("at");
-            Some(Target::Drive(index))
-        }
-        Some((Kind::Actuator, index)) => {
-            reader.take("at");
-            Some(Target::Actuator(index))
-        }
-        Some((Kind::Gear, index)) => {
-            reader.take("at");
-            Some(Target::Gear(index))
-        }
-        Some((Kind::Spring, index)) => {
-            reader.take("at");
-            Some(Target::Spring(index))
-        }
-        Some((Kind::Friction, index)) => {
-            reader.take("at");
-            Some(Target::Friction(index))
-        }
-        Some((Kind::Stop, index)) => {
-            reader.take("at");
-            Some(Target::Stop(index))
-        }
-        Some((Kind::Lock, index)) => {
-            reader.take("at");
-            Some(Target::Lock(index))
-        }
-        Some((kind, _)) if kind.is_place() => Anchor::read(reader, "at", &OBSERVING).map(Target::At),
+    if let Some(target) = meant.as_ref().and_then(Target::of_connection) {
+        reader.take("at");
+        return Some(target);
+    }
+    match meant.map(|named| named.kind) {
+        Some(kind) if kind.is_place() => Anchor::read(reader, "at", &OBSERVING).map(Target::At),
         _ => Anchor::read(reader, "at", &WATCHED).map(Target::At),
     }
 }

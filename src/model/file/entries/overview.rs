@@ -3,8 +3,22 @@
 use crate::fmi::Credits;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Rule};
 use crate::model::text::names::identifier;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::word("name", &[], "the name of the model"),
+    Key::word("description", &[], "one sentence about it"),
+    Key::word("author", &[], "who made it"),
+    Key::word("version", &[], "its version"),
+    Key::word("license", &[], "its license"),
+    Key::word("copyright", &[], "its copyright"),
+    Key::word("date", &[], "when it was made"),
+    Key::list(&[&GRAVITY], "3"),
+];
+
+const GRAVITY: Rule = Rule::new("gravity", "acceleration of gravity in global axes", "m/s2").tunable();
 
 /// The section `[model]`.
 #[derive(Clone, Debug)]
@@ -43,7 +57,7 @@ impl ModelSpec {
         let [author, version, license, copyright] = ["author", "version", "license", "copyright"].map(&mut text);
         let date = date(&mut reader);
         let credits = Credits { author, version, license, copyright, date };
-        let gravity = reader.vector_or(&schema::GRAVITY, [0.0; 3]);
+        let gravity = reader.vector_or(&GRAVITY, [0.0; 3]);
         reader.finish();
         Self { identifier: identifier(&name), name, description, credits, gravity }
     }

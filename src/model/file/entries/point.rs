@@ -3,8 +3,18 @@
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, CARRIERS, Spot};
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, PLACES, Role, Rule};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("on", Role::Name(PLACES), "what the point is rigidly tied to"),
+    Key::global(&[&OFFSET], Role::Offset),
+    Key::global(&[&POINT_AXES], Role::Axes),
+];
+
+const OFFSET: Rule = Rule::new("offset", "place of the point relative to what it is on, in the axes of that", "m");
+const POINT_AXES: Rule = Rule::new("axes", "axes of the point as drawn, global, one per row", "");
 
 /// A section `[point.NAME]`.
 #[derive(Clone, Debug)]
@@ -28,8 +38,8 @@ impl PointSpec {
         let place = reader.place;
         let ground = Anchor { place, spot: Spot::Ground, point: None };
         let on = if reader.has("on") { Anchor::read(&mut reader, "on", &CARRIERS) } else { Some(ground) };
-        let offset = reader.vector_or(&schema::OFFSET, [0.0; 3]);
-        let axes = reader.table(&schema::POINT_AXES);
+        let offset = reader.vector_or(&OFFSET, [0.0; 3]);
+        let axes = reader.table(&POINT_AXES);
         reader.context.carriers.push(on);
         reader.finish();
         Some(Self { name: name.to_owned(), place, on: on.unwrap_or(ground), offset, axes })

@@ -1,11 +1,79 @@
 //! `[section.NAME]`: a cross-section, as a shape, as integrals, as a shape with some integrals given, or as rigidities; any number may vary along the beam.
 
-use super::damping::Damping;
+use super::damping::{DAMPING_FREQUENCIES, DAMPING_RATIOS, Damping, MASS_DAMPING, MATERIAL_DAMPING};
+use super::material::EXPANSION;
 use crate::model::expression::function::Function;
 use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Rule, words_of};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::word("shape", &words_of(&SHAPES), "the outline; without one, integrals or rigidities"),
+    Key::number(&[&WIDTH]),
+    Key::number(&[&HEIGHT]),
+    Key::number(&[&RADIUS]),
+    Key::number(&[&INNER]),
+    Key::number(&[&OUTER]),
+    Key::number(&[&AREA]),
+    Key::number(&[&SECOND_MOMENT_Y]),
+    Key::number(&[&SECOND_MOMENT_Z]),
+    Key::number(&[&TORSION_CONSTANT]),
+    Key::number(&[&POLAR_MOMENT]),
+    Key::list(&[&FOURTH_MOMENTS], "3"),
+    Key::number(&[&PRODUCT_MOMENT]),
+    Key::number(&[&WALL]),
+    Key::number(&[&WEB]),
+    Key::number(&[&FLANGE]),
+    Key::number(&[&SECTION_TURN]),
+    Key::number(&[&AXIAL_RIGIDITY]),
+    Key::number(&[&BENDING_RIGIDITY_Y]),
+    Key::number(&[&BENDING_RIGIDITY_Z]),
+    Key::number(&[&BENDING_COUPLING]),
+    Key::list(&[&TENSION_CENTER], "2"),
+    Key::number(&[&TORSION_RIGIDITY]),
+    Key::number(&[&LINE_DENSITY]),
+    Key::number(&[&POLAR_INERTIA]),
+    Key::number(&[&EXPANSION]),
+    Key::number(&[&MATERIAL_DAMPING]),
+    Key::number(&[&MASS_DAMPING]),
+    Key::list(&[&DAMPING_RATIOS], "2"),
+    Key::list(&[&DAMPING_FREQUENCIES], "2"),
+];
+
+const WIDTH: Rule = Rule::new("width", "width of the section along its y", "m").above(0.0).along_beam();
+const HEIGHT: Rule = Rule::new("height", "height of the section along its z", "m").above(0.0).along_beam();
+const RADIUS: Rule = Rule::new("radius", "radius of the section", "m").above(0.0).along_beam();
+const INNER: Rule = Rule::new("inner", "inner radius of the section", "m").from(0.0).along_beam();
+const OUTER: Rule = Rule::new("outer", "outer radius of the section", "m").above(0.0).along_beam();
+const WALL: Rule = Rule::new("wall", "thickness of the walls of the section", "m").above(0.0).along_beam();
+const WEB: Rule = Rule::new("web", "thickness of the web of the section", "m").above(0.0).along_beam();
+const FLANGE: Rule = Rule::new("flange", "thickness of the flanges of the section", "m").above(0.0).along_beam();
+const AREA: Rule = Rule::new("area", "area of the section", "m2").above(0.0).along_beam();
+const SECOND_MOMENT_Y: Rule =
+    Rule::new("second_moment_y", "second moment of area, integral of z^2", "m4").above(0.0).along_beam();
+const SECOND_MOMENT_Z: Rule =
+    Rule::new("second_moment_z", "second moment of area, integral of y^2", "m4").above(0.0).along_beam();
+const TORSION_CONSTANT: Rule =
+    Rule::new("torsion_constant", "Saint-Venant torsion constant", "m4").above(0.0).along_beam();
+const PRODUCT_MOMENT: Rule = Rule::new("product_moment", "product of area, integral of y z", "m4").along_beam();
+const POLAR_MOMENT: Rule = Rule::new("polar_moment", "polar second moment of area", "m4").above(0.0).along_beam();
+const FOURTH_MOMENTS: Rule =
+    Rule::new("fourth_moments", "fourth moment of area (yyyy, yyzz, zzzz)", "m6").from(0.0).along_beam();
+const SECTION_TURN: Rule = Rule::new("turn", "turn of the section about the tangent", "rad").along_beam();
+const AXIAL_RIGIDITY: Rule = Rule::new("EA", "axial rigidity", "N").above(0.0).along_beam();
+const BENDING_RIGIDITY_Y: Rule = Rule::new("EI_y", "bending rigidity about y", "N.m2").above(0.0).along_beam();
+const BENDING_RIGIDITY_Z: Rule = Rule::new("EI_z", "bending rigidity about z", "N.m2").above(0.0).along_beam();
+const BENDING_COUPLING: Rule =
+    Rule::new("EI_yz", "bending rigidity between y and z, integral of E y z", "N.m2").along_beam();
+const TENSION_CENTER: Rule =
+    Rule::new("tension_center", "tension center of the section along its y and z, from the axis of the beam", "m")
+        .along_beam();
+const TORSION_RIGIDITY: Rule = Rule::new("GJ", "torsion rigidity", "N.m2").above(0.0).along_beam();
+const LINE_DENSITY: Rule = Rule::new("line_density", "mass per length", "kg/m").above(0.0).along_beam();
+const POLAR_INERTIA: Rule =
+    Rule::new("polar_inertia", "polar moment of inertia per length", "kg.m").above(0.0).along_beam();
 
 /// A section `[section.NAME]`.
 #[derive(Clone, Debug)]
@@ -177,19 +245,19 @@ impl SectionSpec {
             Word::Rigidities => None,
             _ => reader.optional(rule),
         };
-        let area = integral(&schema::AREA);
-        let second_moment_y = integral(&schema::SECOND_MOMENT_Y);
-        let second_moment_z = integral(&schema::SECOND_MOMENT_Z);
-        let torsion_constant = integral(&schema::TORSION_CONSTANT);
+        let area = integral(&AREA);
+        let second_moment_y = integral(&SECOND_MOMENT_Y);
+        let second_moment_z = integral(&SECOND_MOMENT_Z);
+        let torsion_constant = integral(&TORSION_CONSTANT);
         let (product_moment, polar_moment, fourth_moments) = match word {
             Word::Rigidities => (None, None, None),
             _ => (
-                reader.optional(&schema::PRODUCT_MOMENT),
-                reader.optional(&schema::POLAR_MOMENT),
-                reader.optional_vector(&schema::FOURTH_MOMENTS),
+                reader.optional(&PRODUCT_MOMENT),
+                reader.optional(&POLAR_MOMENT),
+                reader.optional_vector(&FOURTH_MOMENTS),
             ),
         };
-        let turn = reader.optional(&schema::SECTION_TURN);
+        let turn = reader.optional(&SECTION_TURN);
         reader.finish();
         let name = name.to_owned();
         Some(Self {
@@ -312,33 +380,28 @@ fn shape(word: Word, reader: &mut Reader<'_, '_>) -> Shape {
     }
     let mut number = |rule| reader.number(rule);
     match word {
-        Word::Rectangle => Shape::Rectangle { width: number(&schema::WIDTH), height: number(&schema::HEIGHT) },
-        Word::Circle => Shape::Circle { radius: number(&schema::RADIUS) },
-        Word::Tube => Shape::Tube { inner: number(&schema::INNER), outer: number(&schema::OUTER) },
-        Word::Ellipse => Shape::Ellipse { width: number(&schema::WIDTH), height: number(&schema::HEIGHT) },
-        Word::Walls(kind) => Shape::Walls {
-            kind,
-            width: number(&schema::WIDTH),
-            height: number(&schema::HEIGHT),
-            wall: number(&schema::WALL),
-        },
+        Word::Rectangle => Shape::Rectangle { width: number(&WIDTH), height: number(&HEIGHT) },
+        Word::Circle => Shape::Circle { radius: number(&RADIUS) },
+        Word::Tube => Shape::Tube { inner: number(&INNER), outer: number(&OUTER) },
+        Word::Ellipse => Shape::Ellipse { width: number(&WIDTH), height: number(&HEIGHT) },
+        Word::Walls(kind) => Shape::Walls { kind, width: number(&WIDTH), height: number(&HEIGHT), wall: number(&WALL) },
         Word::Flanged(kind) => Shape::Flanged {
             kind,
-            width: number(&schema::WIDTH),
-            height: number(&schema::HEIGHT),
-            web: number(&schema::WEB),
-            flange: number(&schema::FLANGE),
+            width: number(&WIDTH),
+            height: number(&HEIGHT),
+            web: number(&WEB),
+            flange: number(&FLANGE),
         },
         Word::General => Shape::General,
         Word::Rigidities => Shape::Rigidities(Rigidities {
-            axial: number(&schema::AXIAL_RIGIDITY),
-            bending: [number(&schema::BENDING_RIGIDITY_Y), number(&schema::BENDING_RIGIDITY_Z)],
-            torsion: number(&schema::TORSION_RIGIDITY),
-            line_density: number(&schema::LINE_DENSITY),
-            coupling: reader.optional(&schema::BENDING_COUPLING),
-            tension_center: reader.optional_pair(&schema::TENSION_CENTER),
-            polar_inertia: reader.optional(&schema::POLAR_INERTIA),
-            expansion: reader.optional(&schema::EXPANSION),
+            axial: number(&AXIAL_RIGIDITY),
+            bending: [number(&BENDING_RIGIDITY_Y), number(&BENDING_RIGIDITY_Z)],
+            torsion: number(&TORSION_RIGIDITY),
+            line_density: number(&LINE_DENSITY),
+            coupling: reader.optional(&BENDING_COUPLING),
+            tension_center: reader.optional_pair(&TENSION_CENTER),
+            polar_inertia: reader.optional(&POLAR_INERTIA),
+            expansion: reader.optional(&EXPANSION),
             damping: Damping::read(reader),
         }),
     }

@@ -2,8 +2,51 @@
 
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::word("analysis", &words_of(&ANALYSES), "a motion, or equilibria"),
+    Key::word("follow", &words_of(&FOLLOWS), "what equilibria are followed by"),
+    Key::name(
+        "branches",
+        Role::Number,
+        "the branch points at which a path goes over to the other one: a list of whole numbers",
+    ),
+    Key::word("initial", &words_of(&INITIALS), "the state at the start"),
+    Key::number(&[&PRELOAD]),
+    Key::word("from_state", &[], "a file with the state of another run, instead of `initial`"),
+    Key::number(&[&STOP]),
+    Key::number(&[&STEP]),
+    Key::number(&[&ACCURACY]),
+    Key::number(&[&OUTPUT_STEP]),
+    Key::word("integrator", &words_of(&INTEGRATORS), "the time integration"),
+    Key::number(&[&CONSERVED_RADIUS, &SPECTRAL_RADIUS]),
+    Key::number(&[&TOLERANCE]),
+    Key::flag("verify", "true: `ancf14 run` estimates the errors of its results"),
+    Key::flag("mesh_error", "true: FMUs and programs in C find the mesh error of a motion"),
+    Key::flag("correction", "true: results without their estimated time-step error"),
+    Key::word("totals", &words_of(&TOTALS), "the results of the whole mechanism: a list of words"),
+];
+
+const STOP: Rule = Rule::new("stop", "end of the simulation", "s").above(0.0);
+const PRELOAD: Rule =
+    Rule::new("preload", "duration of the static path that leads to the initial equilibrium", "s").from(0.0);
+const STEP: Rule = Rule::new("step", "largest internal step", "s").above(0.0);
+const ACCURACY: Rule = Rule::new("accuracy", "error of a motion because of its steps, as a share of its range", "")
+    .from(FINEST_ACCURACY)
+    .to(COARSEST_ACCURACY);
+/// What [`ACCURACY`] may be: below, round-off is more; above, the steps of a motion say nothing of it.
+pub const FINEST_ACCURACY: f64 = 1e-9;
+/// The other end of that range.
+pub const COARSEST_ACCURACY: f64 = 0.1;
+const OUTPUT_STEP: Rule = Rule::new("output_step", "time between two rows of results", "s").above(0.0);
+const TOLERANCE: Rule = Rule::new("tolerance", "bound of the last Newton increment", "").from(1e-14).to(1e-3);
+const CONSERVED_RADIUS: Rule =
+    Rule::new("spectral_radius", "share of the fastest oscillations that a step keeps", "").from(0.6).to(1.0);
+const SPECTRAL_RADIUS: Rule =
+    Rule::new("spectral_radius", "share of the fastest oscillations that a step keeps", "").from(0.0).to(1.0);
 
 /// The section `[simulation]`.
 #[derive(Clone, Debug)]
@@ -141,15 +184,15 @@ enum Word {
 }
 
 /// Default of `accuracy`.
-const ACCURACY: f64 = 1e-3;
+const USUAL_ACCURACY: f64 = 1e-3;
 /// Default of `tolerance`.
-const TOLERANCE: f64 = 1e-8;
+const USUAL_TOLERANCE: f64 = 1e-8;
 /// Default of `spectral_radius` for `conserving`: what is far too fast for the step is down to a tenth after 22 of them, and a strain with 60 steps a period, whose phase
 /// errs by 1e-3, has a damping ratio of 6e-6.
 const CONSERVED: f64 = 0.9;
 /// Default of `spectral_radius` for `generalized_alpha`: the fastest oscillations lose a fifth a step. With 0.9 a body that turns by 0.12 rad a step gains energy without
 /// bound; with 0.8 it loses 1 % in 1,500 steps.
-const SPECTRAL_RADIUS: f64 = 0.8;
+const USUAL_RADIUS: f64 = 0.8;
 
 impl SimulationSpec {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
@@ -160,23 +203,23 @@ impl SimulationSpec {
         if initial != Some(Initial::Equilibrium) || analysis == Analysis::Static {
             let message = "`preload` belongs to a motion that begins at an equilibrium";
             reader.refuse(
-                schema::PRELOAD.key,
+                PRELOAD.key,
                 message,
                 "remove it, or set initial = \"equilibrium\" and analysis = \"dynamic\"",
             );
         }
-        let preload = reader.optional(&schema::PRELOAD);
+        let preload = reader.optional(&PRELOAD);
         let from_state = reader.text("from_state");
         if from_state.is_some() && initial == Some(Initial::Equilibrium) {
             let message = "`initial` and `from_state` both say what the motion begins with";
             let label = "remove it: the motion begins with the state";
             reader.context.report.error(initial_place, message, label, "");
         }
-        let stop = reader.number(&schema::STOP);
-        let step = reader.optional(&schema::STEP);
-        let output_step = reader.optional(&schema::OUTPUT_STEP);
+        let stop = reader.number(&STOP);
+        let step = reader.optional(&STEP);
+        let output_step = reader.optional(&OUTPUT_STEP);
         let integrator = integrator(&mut reader);
-        let tolerance = reader.number_or(&schema::TOLERANCE, TOLERANCE);
+        let tolerance = reader.number_or(&TOLERANCE, USUAL_TOLERANCE);
         if follow != Follow::Time {
             let message = "`verify` cannot compare paths: the same equilibrium has another arc length with every mesh";
             reader.refuse("verify", message, "remove it, and compare with a run of a finer mesh");
@@ -214,9 +257,9 @@ impl SimulationSpec {
             None => {
                 let chooses = matches!(integrator, IntegratorSpec::Conserving { spectral_radius: Some(_) });
                 if analysis == Analysis::Dynamic && !chooses {
-                    reader.missing(schema::STEP.key, "only integrator = \"conserving\" chooses its steps by itself");
+                    reader.missing(STEP.key, "only integrator = \"conserving\" chooses its steps by itself");
                 }
-                Steps::ForAccuracy(reader.number_or(&schema::ACCURACY, ACCURACY))
+                Steps::ForAccuracy(reader.number_or(&ACCURACY, USUAL_ACCURACY))
             }
         };
         let place = reader.place;
@@ -273,17 +316,17 @@ fn integrator(reader: &mut Reader<'_, '_>) -> IntegratorSpec {
     let default = (!reader.has("integrator")).then_some(Word::Conserving);
     let integrator = match reader.word("integrator", &INTEGRATORS, default) {
         Some(Word::Conserving) => {
-            let spectral_radius = Some(reader.number_or(&schema::CONSERVED_RADIUS, CONSERVED));
+            let spectral_radius = Some(reader.number_or(&CONSERVED_RADIUS, CONSERVED));
             return IntegratorSpec::Conserving { spectral_radius };
         }
         Some(Word::Variational) => IntegratorSpec::Conserving { spectral_radius: None },
         Some(Word::GeneralizedAlpha) => {
-            let spectral_radius = reader.number_or(&schema::SPECTRAL_RADIUS, SPECTRAL_RADIUS);
+            let spectral_radius = reader.number_or(&SPECTRAL_RADIUS, USUAL_RADIUS);
             return IntegratorSpec::GeneralizedAlpha { spectral_radius };
         }
         None => {
             // Whether it belongs to the integrator that was meant is unknown.
-            reader.optional(&schema::SPECTRAL_RADIUS);
+            reader.optional(&SPECTRAL_RADIUS);
             return IntegratorSpec::Conserving { spectral_radius: None };
         }
     };

@@ -1,12 +1,38 @@
 //! `[spring.NAME]`: a spring and a damper along the line between two points, or on a free coordinate of a joint.
 
 use super::actuator::{Action, between, on_joint};
-use super::joint::{Coordinate, JointSpec};
+use super::joint::{ANGLE_DAMPING, ANGLE_STIFFNESS, Coordinate, DISTANCE_DAMPING, DISTANCE_STIFFNESS, JointSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::Anchor;
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, PLACES, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("a", Role::Name(PLACES), "the first end"),
+    Key::name("b", Role::Name(PLACES), "the second end"),
+    Key::name("joint", Role::Name("joint"), "the joint that it acts on, instead of two ends"),
+    Key::word("coordinate", &words_of(&Coordinate::WORDS), "the coordinate of the joint"),
+    Key::number(&[&SPRING_STIFFNESS, &DISTANCE_STIFFNESS, &ANGLE_STIFFNESS]),
+    Key::number(&[&SPRING_DAMPING, &DISTANCE_DAMPING, &ANGLE_DAMPING]),
+    Key::number(&[&SPRING_LENGTH]),
+    Key::number(&[&REST_DISTANCE, &REST_ANGLE]),
+    Key::word("only", &words_of(&ONLY), "the only side of the free length on which it acts"),
+    Key::number(&[&SPRING_FORCE, &SPRING_TORQUE]),
+];
+
+const SPRING_STIFFNESS: Rule = Rule::new("stiffness", "stiffness of the spring", "N/m").from(0.0).tunable();
+const SPRING_DAMPING: Rule = Rule::new("damping", "damping along the spring", "N.s/m").from(0.0).tunable();
+const SPRING_LENGTH: Rule = Rule::new("length", "unstretched length of the spring", "m").from(0.0).tunable();
+const REST_ANGLE: Rule = Rule::new("rest", "angle at which the spring is free of torque", "rad").tunable();
+const REST_DISTANCE: Rule = Rule::new("rest", "distance at which the spring is free of force", "m").tunable();
+const SPRING_FORCE: Rule =
+    Rule::new("force", "tension of the spring, by its elongation x and the rate v", "N").tunable().over_elongation();
+const SPRING_TORQUE: Rule =
+    Rule::new("force", "torque of the spring against the angle, by its elongation x and the rate v", "N.m")
+        .tunable()
+        .over_elongation();
 
 /// A section `[spring.NAME]`.
 #[derive(Clone, Debug)]
@@ -73,13 +99,13 @@ impl SpringSpec {
             let message = "`length` belongs to a spring between two points";
             reader.refuse("length", message, "on a joint, `rest` is the coordinate without force");
             reader.optional(match coordinate {
-                Coordinate::Angle => &schema::REST_ANGLE,
-                Coordinate::Distance => &schema::REST_DISTANCE,
+                Coordinate::Angle => &REST_ANGLE,
+                Coordinate::Distance => &REST_DISTANCE,
             })
         } else {
             let message = "`rest` belongs to a spring on a joint";
             reader.refuse("rest", message, "between two points, `length` is the length without force");
-            reader.optional(&schema::SPRING_LENGTH)
+            reader.optional(&SPRING_LENGTH)
         };
         let place = reader.place;
         reader.finish();
@@ -91,9 +117,9 @@ const ON: &str = "the joint that the spring acts on, or `a` and `b`, its two end
 
 fn law(reader: &mut Reader<'_, '_>, coordinate: Coordinate, is_on_joint: bool) -> SpringLaw {
     let [force, stiffness, damping] = match (coordinate, is_on_joint) {
-        (Coordinate::Angle, _) => [&schema::SPRING_TORQUE, &schema::ANGLE_STIFFNESS, &schema::ANGLE_DAMPING],
-        (_, true) => [&schema::SPRING_FORCE, &schema::DISTANCE_STIFFNESS, &schema::DISTANCE_DAMPING],
-        (_, false) => [&schema::SPRING_FORCE, &schema::SPRING_STIFFNESS, &schema::SPRING_DAMPING],
+        (Coordinate::Angle, _) => [&SPRING_TORQUE, &ANGLE_STIFFNESS, &ANGLE_DAMPING],
+        (_, true) => [&SPRING_FORCE, &DISTANCE_STIFFNESS, &DISTANCE_DAMPING],
+        (_, false) => [&SPRING_FORCE, &SPRING_STIFFNESS, &SPRING_DAMPING],
     };
     if is_on_joint {
         let message = "`only` belongs to a spring between two points";

@@ -4,8 +4,29 @@ use super::actuator::{Action, on_joint};
 use super::joint::{Coordinate, JointSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::schema;
+use crate::model::file::schema::{Key, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("joint", Role::Name("joint"), "the joint that it limits"),
+    Key::word("coordinate", &words_of(&Coordinate::WORDS), "the coordinate of the joint"),
+    Key::number(&[&LOWER_ANGLE, &LOWER_DISTANCE]),
+    Key::number(&[&UPPER_ANGLE, &UPPER_DISTANCE]),
+    Key::number(&[&ANGLE_STOP_STIFFNESS, &STOP_STIFFNESS]),
+    Key::number(&[&ANGLE_STOP_DAMPING, &STOP_DAMPING]),
+];
+
+const LOWER_ANGLE: Rule = Rule::new("lower", "least angle without contact", "rad").tunable();
+const UPPER_ANGLE: Rule = Rule::new("upper", "largest angle without contact", "rad").tunable();
+const LOWER_DISTANCE: Rule = Rule::new("lower", "least distance without contact", "m").tunable();
+const UPPER_DISTANCE: Rule = Rule::new("upper", "largest distance without contact", "m").tunable();
+const ANGLE_STOP_STIFFNESS: Rule = Rule::new("stiffness", "stiffness of the stop", "N.m/rad").above(0.0).tunable();
+const STOP_STIFFNESS: Rule = Rule::new("stiffness", "stiffness of the stop", "N/m").above(0.0).tunable();
+const ANGLE_STOP_DAMPING: Rule =
+    Rule::new("damping", "share of the elastic torque per rate of penetration", "s/rad").from(0.0).tunable();
+const STOP_DAMPING: Rule =
+    Rule::new("damping", "share of the elastic force per rate of penetration", "s/m").from(0.0).tunable();
 
 /// A section `[stop.NAME]`.
 #[derive(Clone, Debug)]
@@ -36,12 +57,8 @@ impl StopSpec {
             return None;
         };
         let [lower, upper, stiffness, damping] = match coordinate {
-            Coordinate::Angle => {
-                [&schema::LOWER_ANGLE, &schema::UPPER_ANGLE, &schema::ANGLE_STOP_STIFFNESS, &schema::ANGLE_STOP_DAMPING]
-            }
-            Coordinate::Distance => {
-                [&schema::LOWER_DISTANCE, &schema::UPPER_DISTANCE, &schema::STOP_STIFFNESS, &schema::STOP_DAMPING]
-            }
+            Coordinate::Angle => [&LOWER_ANGLE, &UPPER_ANGLE, &ANGLE_STOP_STIFFNESS, &ANGLE_STOP_DAMPING],
+            Coordinate::Distance => [&LOWER_DISTANCE, &UPPER_DISTANCE, &STOP_STIFFNESS, &STOP_DAMPING],
         };
         let (lower, upper) = (reader.optional(lower), reader.optional(upper));
         if lower.is_none() && upper.is_none() {

@@ -5,9 +5,21 @@ use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Allowed, Along, Anchor, Spot};
 use crate::model::file::reader::input::{REACHED, make_input};
-use crate::model::file::schema::{self, Rule};
+use crate::model::file::schema::{Key, PLACES, Role, Rule};
 use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::Kind;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("at", Role::Name(PLACES), "the end of the beam that it pays out"),
+    Key::number(&[&PAID_OUT]),
+    Key::number(&[&PAYOUT_RATE]),
+    Key::word("input", &["length", "rate"], "what the host gives"),
+];
+
+const PAID_OUT: Rule =
+    Rule::new("length", "length of the beam that the winch has paid out, beyond the one as drawn", "m").in_time();
+const PAYOUT_RATE: Rule = Rule::new("rate", "rate at which the winch pays out the beam", "m/s").in_time();
 
 /// A section `[winch.NAME]`.
 #[derive(Clone, Debug)]
@@ -32,8 +44,8 @@ const ENDS: Allowed = Allowed { kinds: &[Kind::Beam], ground: false, forms: "BEA
 /// What a winch prescribes: a word of `input`, and how its key becomes a motion.
 type Way = (&'static Rule, fn(Number) -> Motion);
 
-const LENGTH: Way = (&schema::PAID_OUT, Motion::Value);
-const RATE: Way = (&schema::PAYOUT_RATE, Motion::Rate);
+const LENGTH: Way = (&PAID_OUT, Motion::Value);
+const RATE: Way = (&PAYOUT_RATE, Motion::Rate);
 
 impl WinchSpec {
     /// Reads a section.

@@ -4,9 +4,12 @@ use super::{Context, Reader, either};
 use crate::model::expression::Variable;
 use crate::model::expression::function::Formula;
 use crate::model::file::number::{Meta, Number, Slot, Written};
-use crate::model::file::schema;
+use crate::model::file::schema::Rule;
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::{Kind, suggestion};
+
+/// The number behind the `@` of a point of a beam.
+const FRACTION: Rule = Rule::new("at", "fraction of the beam's length", "").from(0.0).to(1.0);
 
 /// A point to hold on to, and where the file says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -216,7 +219,7 @@ fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed)
         let at = context.report.source.inside(place, text, length + 1..text.len());
         let program = context.program(fraction, at, Variable::None);
         let written = program.map_or(Written::Broken, |program| Written::Formula(Formula::single(program)));
-        let meta = Meta::of(&schema::FRACTION, format!("{name}@"));
+        let meta = Meta::of(&FRACTION, format!("{name}@"));
         Along::Fraction(context.numbers.push(Slot { meta, place: at, listed: None, written }))
     } else {
         match rest {

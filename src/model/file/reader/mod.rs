@@ -8,7 +8,7 @@ mod references;
 
 use self::anchor::Anchor;
 use super::number::{Meta, Number, Numbers, Slot, Written};
-use super::schema::Rule;
+use super::schema::{Key, Rule};
 use crate::model::expression::function::{Formula, Piece};
 use crate::model::expression::program::{Body, Called, FUNCTIONS, MORE_FUNCTIONS};
 use crate::model::expression::{Callee, ExpressionError, Program, ReadingLookup, Scope, Variable, compile_in};
@@ -143,6 +143,8 @@ pub struct Reader<'c, 'a> {
     pub place: Place,
     prefix: String,
     entries: Vec<Entry>,
+    /// What it may have, to be sure that the reader asks for nothing else; empty: it has no table.
+    keys: &'static [Key],
     known: Vec<&'static str>,
     missing: Vec<(String, String)>,
     /// Whether its numbers are parameters: those of tables in a section are not.
@@ -150,9 +152,16 @@ pub struct Reader<'c, 'a> {
 }
 
 impl<'c, 'a> Reader<'c, 'a> {
-    /// Begins with a section; `prefix` comes before the names of its numbers: `steel.`.
-    pub fn new(context: &'c mut Context<'a>, title: String, prefix: String, place: Place, entries: Vec<Entry>) -> Self {
-        Self { context, title, place, prefix, entries, known: Vec::new(), missing: Vec::new(), lists: true }
+    /// Begins with a section of these keys; `prefix` comes before the names of its numbers: `steel.`.
+    pub fn new(
+        context: &'c mut Context<'a>,
+        keys: &'static [Key],
+        title: String,
+        prefix: String,
+        place: Place,
+        entries: Vec<Entry>,
+    ) -> Self {
+        Self { context, title, place, prefix, entries, keys, known: Vec::new(), missing: Vec::new(), lists: true }
     }
 
     /// A table that a key gives, read as a section of its own; its numbers are no parameters. None: the key is not there, or
@@ -163,7 +172,7 @@ impl<'c, 'a> Reader<'c, 'a> {
         match entry.item.node {
             Node::Table(entries) => {
                 let inner =
-                    Reader::new(self.context, format!("`{name}`"), format!("{name}."), entry.key_place, entries);
+                    Reader::new(self.context, &[], format!("`{name}`"), format!("{name}."), entry.key_place, entries);
                 Some(Reader { lists: false, ..inner })
             }
             _ => {
@@ -191,6 +200,8 @@ impl<'c, 'a> Reader<'c, 'a> {
     }
 
     fn know(&mut self, key: &'static str) {
+        let is_listed = self.keys.is_empty() || self.keys.iter().any(|own| own.word == key);
+        debug_assert!(is_listed, "{} reads `{key}`, which its table of keys does not have", self.title);
         if !self.known.contains(&key) {
             self.known.push(key);
         }

@@ -1,10 +1,10 @@
 //! `--set steel.young=2.1e11`: an override replaces or adds a value in the tree, before anything is read. So it is read, checked
 //! and reported as if it stood in the file, except that messages quote the override.
 
-use super::diagnostic::{OVERRIDE, Place, Report};
-use super::keys::keys_of;
-use super::names::{SECTIONS, is_legal, suggestion};
-use super::tree::{Entry, Item, Node, parse_override};
+use super::entries::keys_of;
+use crate::model::text::diagnostic::{OVERRIDE, Place, Report};
+use crate::model::text::names::{SECTIONS, is_legal, suggestion};
+use crate::model::text::tree::{Entry, Item, Node, parse_override};
 
 /// Components of a list that the file does not write: a vector. The one list that may be longer, an inertia, is always written.
 const VECTOR: usize = 3;
@@ -14,24 +14,6 @@ const COUNTS: [usize; 2] = [VECTOR, 6];
 const TABLE: &str = "axes";
 /// The key whose value is a section of its own, of which nothing is a parameter.
 const SECTION: &str = "curve";
-
-/// The keys of the section [simulation] that are often set, and as often without its name.
-const SIMULATION: [&str; 14] = [
-    "analysis",
-    "follow",
-    "initial",
-    "preload",
-    "from_state",
-    "stop",
-    "step",
-    "accuracy",
-    "output_step",
-    "integrator",
-    "tolerance",
-    "verify",
-    "mesh_error",
-    "correction",
-];
 
 /// What an override sets.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,8 +113,9 @@ impl Target {
     }
 
     fn is_possible(&self, tree: &mut [Entry]) -> bool {
-        let of_rigidities = self.section == "section" && keys_of("material").contains(&self.head());
-        keys_of(self.section).contains(&self.head()) && (!of_rigidities || self.has_rigidities(tree))
+        let has_it = |section: &str| keys_of(section).iter().any(|key| key.word == self.head());
+        let of_rigidities = self.section == "section" && has_it("material");
+        has_it(self.section) && (!of_rigidities || self.has_rigidities(tree))
     }
 
     /// Whether it is a section that has a material of its own.
@@ -177,7 +160,8 @@ fn find(tree: &mut [Entry], path: &str, place: Place, report: &mut Report<'_>) -
     let head = path.split_once('.').map_or(path, |(name, _)| name);
     let wanted = |kind: &str| path.contains('.') != (kind == "parameters");
     let known = names.iter().filter(|(kind, _)| wanted(kind)).map(|(_, name)| name.as_str());
-    let near = match SIMULATION.contains(&path) {
+    // The keys of [simulation] are often set without its name.
+    let near = match keys_of("simulation").iter().any(|key| key.word == path) {
         true => format!("did you mean `simulation.{path}`?"),
         false => suggestion(head, known.chain(if path.contains('.') { ["simulation"] } else { ["gravity"] })),
     };
@@ -221,7 +205,8 @@ fn choose(
         [one] => return Some(one.clone()),
         [] => {
             let key = candidates.first().map_or("", Target::head);
-            let known: Vec<&str> = candidates.iter().flat_map(|target| keys_of(target.section)).copied().collect();
+            let known = candidates.iter().flat_map(|target| keys_of(target.section));
+            let known: Vec<&str> = known.map(|key| key.word).collect();
             let message = format!("unknown key `{key}` in {}", titles(&candidates));
             let help = format!("known here: {}", known.join(", "));
             report.error(place, &message, &suggestion(key, known.iter().copied()), &help);
