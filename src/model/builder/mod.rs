@@ -18,6 +18,7 @@ use super::file::entries::simulation::Total;
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::text::diagnostic::{Diagnostic, Diagnostics};
+use super::text::names::Kind;
 use super::validate::{self, Lines};
 use crate::math::bounds::Bounds;
 use crate::math::jet::Jet;
@@ -213,20 +214,12 @@ impl Builder<'_> {
                     self.system.add_sensor(*beam, station as f64 / (stations - 1) as f64);
                 }
             }
-            output::Target::Joint(_) => {
+            output::Target::Connection(Kind::Joint, _) => {
                 observer.iter().for_each(|marker| {
                     self.system.watch(*marker, None);
                 });
             }
-            output::Target::Drive(_)
-            | output::Target::Actuator(_)
-            | output::Target::Gear(_)
-            | output::Target::Spring(_)
-            | output::Target::Friction(_)
-            | output::Target::Stop(_)
-            | output::Target::Lock(_)
-            | output::Target::Beam(_)
-            | output::Target::Body(_) => {}
+            output::Target::Connection(..) | output::Target::Whole(..) => {}
         }
         if let Some(marker) = observer {
             (first..self.system.sensors()).for_each(|sensor| self.system.observe(sensor, marker));

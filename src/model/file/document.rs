@@ -1,28 +1,13 @@
 //! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
 
 use super::collisions;
-use super::entries::actuator::{Action, ActuatorSpec};
-use super::entries::beam::BeamSpec;
-use super::entries::body::BodySpec;
 use super::entries::drive::DriveSpec;
-use super::entries::frame::FrameSpec;
-use super::entries::friction::FrictionSpec;
 use super::entries::function;
-use super::entries::gear::GearSpec;
-use super::entries::joint::JointSpec;
-use super::entries::keys_of;
-use super::entries::load::LoadSpec;
-use super::entries::lock::LockSpec;
-use super::entries::material::MaterialSpec;
-use super::entries::output::{OutputSpec, Things};
 use super::entries::overview::ModelSpec;
 use super::entries::parameters;
-use super::entries::point::PointSpec;
-use super::entries::section::SectionSpec;
 use super::entries::simulation::{Analysis, SimulationSpec, Steps};
-use super::entries::spring::SpringSpec;
-use super::entries::stop::StopSpec;
 use super::entries::winch::WinchSpec;
+use super::entries::{Parts, keys_of};
 use super::many_results;
 use super::number::{Number, Numbers};
 use super::objections;
@@ -37,6 +22,7 @@ use crate::model::text::names::{Kind, Named, Names, SECTIONS, free_name, is_lega
 use crate::model::text::tree::{self, Entry, Node};
 use crate::solve::step::pacing::Pacing;
 use std::collections::BTreeSet;
+use std::ops::Deref;
 
 /// A model file.
 #[derive(Clone, Debug)]
@@ -46,46 +32,22 @@ pub struct Document {
     pub(super) parameters: Vec<Parameter>,
     /// Name, description, gravity.
     pub model: ModelSpec,
-    /// Materials, in file order.
-    pub materials: Vec<MaterialSpec>,
-    /// Sections, in file order.
-    pub sections: Vec<SectionSpec>,
-    /// Beams, in file order.
-    pub beams: Vec<BeamSpec>,
-    /// Bodies, in file order.
-    pub bodies: Vec<BodySpec>,
-    /// Frames, in file order.
-    pub frames: Vec<FrameSpec>,
-    /// Points, in file order.
-    pub points: Vec<PointSpec>,
-    /// Joints, in file order.
-    pub joints: Vec<JointSpec>,
-    /// Drives, in file order.
-    pub drives: Vec<DriveSpec>,
-    /// Winches, in file order.
-    pub winches: Vec<WinchSpec>,
-    /// Actuators, in file order.
-    pub actuators: Vec<ActuatorSpec>,
-    /// Gears, in file order.
-    pub gears: Vec<GearSpec>,
-    /// Springs, in file order.
-    pub springs: Vec<SpringSpec>,
-    /// Friction, in file order.
-    pub frictions: Vec<FrictionSpec>,
-    /// Stops, in file order.
-    pub stops: Vec<StopSpec>,
-    /// Locks, in file order.
-    pub locks: Vec<LockSpec>,
-    /// Loads, in file order.
-    pub loads: Vec<LoadSpec>,
-    /// Outputs, in file order.
-    pub outputs: Vec<OutputSpec>,
+    /// All that has a name.
+    pub parts: Parts,
     /// What is computed.
     pub simulation: SimulationSpec,
 }
 
 /// The only version of the format.
 const FORMAT: i64 = 1;
+
+impl Deref for Document {
+    type Target = Parts;
+
+    fn deref(&self) -> &Parts {
+        &self.parts
+    }
+}
 
 impl Document {
     /// Reads a file with its overrides, key and value each, except for what only its geometry shows; the report has everything that is
@@ -113,49 +75,13 @@ impl Document {
         context.numbers.sort(&mut context.report);
 
         let model = tree.single(&mut context, "model").map(ModelSpec::read);
-        let materials = tree.named(&mut context, "material", MaterialSpec::read);
-        let sections = tree.named(&mut context, "section", SectionSpec::read);
-        let beams = tree.named(&mut context, "beam", |name, reader| BeamSpec::read(name, reader, &sections));
-        let bodies = tree.named(&mut context, "body", BodySpec::read);
-        let frames = tree.named(&mut context, "frame", FrameSpec::read);
-        let points = tree.named(&mut context, "point", PointSpec::read);
-        let joints = tree.named(&mut context, "joint", JointSpec::read);
-        let drives = tree.named(&mut context, "drive", |name, reader| DriveSpec::read(name, reader, &joints));
-        DriveSpec::report_doubles(&drives, &mut context.report);
-        let winches = tree.named(&mut context, "winch", WinchSpec::read);
-        WinchSpec::report_doubles(&winches, &mut context.report);
-        let actuators = tree.named(&mut context, "actuator", |name, reader| ActuatorSpec::read(name, reader, &joints));
-        let gears = tree.named(&mut context, "gear", |name, reader| GearSpec::read(name, reader, &joints));
-        let springs = tree.named(&mut context, "spring", |name, reader| SpringSpec::read(name, reader, &joints));
-        let frictions = tree.named(&mut context, "friction", |name, reader| FrictionSpec::read(name, reader, &joints));
-        let stops = tree.named(&mut context, "stop", |name, reader| StopSpec::read(name, reader, &joints));
-        let locks = tree.named(&mut context, "lock", |name, reader| LockSpec::read(name, reader, &joints));
-        let loads = tree.named(&mut context, "load", LoadSpec::read);
-        if joints.len() == context.names.of(Kind::Joint).count() {
-            let springs = springs.iter().map(|own| ("spring", own.name.as_str(), own.place, own.action));
-            let frictions = frictions.iter().map(|own| ("friction", own.name.as_str(), own.place, own.action));
-            let stops = stops.iter().map(|own| ("stop", own.name.as_str(), own.place, own.action));
-            let actuators = actuators.iter().map(|own| ("actuator", own.name.as_str(), own.place, own.action));
-            let on_joint = |(kind, name, place, action): (_, _, _, Action)| Some((kind, name, place, action.joint()?));
-            let gears =
-                gears.iter().flat_map(|own| own.sides.map(|(joint, _)| ("gear", own.name.as_str(), own.place, joint)));
-            let acting = springs.chain(frictions).chain(stops).chain(actuators).filter_map(on_joint).chain(gears);
-            released::report(&joints, acting, &context.numbers, &mut context.report);
+        let parts = Parts::read(&mut context, |word| tree.table(word).unwrap_or_default());
+        DriveSpec::report_doubles(&parts.drives, &mut context.report);
+        WinchSpec::report_doubles(&parts.winches, &mut context.report);
+        if parts.joints.len() == context.names.of(Kind::Joint).count() {
+            released::report(&parts, &context.numbers, &mut context.report);
         }
-        let things = Things {
-            beams: &beams,
-            sections: &sections,
-            joints: &joints,
-            drives: &drives,
-            actuators: &actuators,
-            gears: &gears,
-            springs: &springs,
-            frictions: &frictions,
-            stops: &stops,
-            locks: &locks,
-        };
-        let outputs = tree.named(&mut context, "output", |name, reader| OutputSpec::read(name, reader, things));
-        many_results::report(&outputs, &mut context.report);
+        many_results::report(&parts.outputs, &mut context.report);
         let simulation = tree.single(&mut context, "simulation").map(SimulationSpec::read);
         tree.finish(&mut context);
 
@@ -164,51 +90,12 @@ impl Document {
         numbers.spread_tunable();
         let stop = simulation.as_ref().map_or(0.0, |simulation| numbers.values[simulation.stop.0]);
         let undefined = objections::report_undefined(&numbers, stop, &mut report);
-        objections::report_objections(&numbers, &sections, &undefined, &mut report);
+        objections::report_objections(&numbers, &parts.sections, &undefined, &mut report);
         let parameters = Parameter::table(&numbers);
-        collisions::report(&parameters, &numbers, &outputs, &names, &mut report);
+        collisions::report(&parameters, &numbers, &parts.outputs, &names, &mut report);
         let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };
-        let document = Self {
-            source: source.clone(),
-            numbers,
-            parameters,
-            model,
-            materials,
-            sections,
-            beams,
-            bodies,
-            frames,
-            points,
-            joints,
-            drives,
-            winches,
-            actuators,
-            gears,
-            springs,
-            frictions,
-            stops,
-            locks,
-            loads,
-            outputs,
-            simulation,
-        };
+        let document = Self { source: source.clone(), numbers, parameters, model, parts, simulation };
         (Some(document), report)
-    }
-
-    /// The things that outputs ask about.
-    pub fn things(&self) -> Things<'_> {
-        Things {
-            beams: &self.beams,
-            sections: &self.sections,
-            joints: &self.joints,
-            drives: &self.drives,
-            actuators: &self.actuators,
-            gears: &self.gears,
-            springs: &self.springs,
-            frictions: &self.frictions,
-            stops: &self.stops,
-            locks: &self.locks,
-        }
     }
 
     /// The text of the model: that of the file, without copies and includes.
@@ -364,25 +251,6 @@ impl Top {
                 None
             }
         }
-    }
-
-    /// All sections of a kind, in file order.
-    fn named<T>(
-        &mut self,
-        context: &mut Context<'_>,
-        word: &str,
-        read: impl Fn(&str, Reader<'_, '_>) -> Option<T>,
-    ) -> Vec<T> {
-        let mut list = Vec::new();
-        for Entry { key: name, key_place, item } in self.table(word).unwrap_or_default() {
-            let Node::Table(entries) = item.node else { continue };
-            let title = format!("[{word}.{name}]");
-            list.extend(read(
-                &name,
-                Reader::new(context, keys_of(word), title, format!("{name}."), key_place, entries),
-            ));
-        }
-        list
     }
 
     /// What is left over, and whether there is anything to move.

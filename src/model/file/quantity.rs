@@ -1,5 +1,8 @@
 //! What an output can measure: one row a quantity, with where it can be measured, its components, unit and meaning.
 
+use self::Site::{At, Whole};
+use crate::model::text::names::Kind;
+
 /// A quantity of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
@@ -70,54 +73,21 @@ pub enum Quantity {
 /// What an output looks at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Site {
-    /// A point of a beam; a whole beam is many.
-    Beam,
-    /// A body.
-    Body,
-    /// A frame.
-    Frame,
-    /// A point of the file.
-    Point,
-    /// A joint.
-    Joint,
-    /// A drive.
-    Drive,
-    /// An actuator.
-    Actuator,
-    /// A gear.
-    Gear,
-    /// A spring.
-    Spring,
-    /// Friction.
-    Friction,
-    /// A stop.
-    Stop,
-    /// A lock.
-    Lock,
-    /// A whole beam, without its points.
-    WholeBeam,
-    /// A whole body, without its motion.
-    WholeBody,
+    /// Something of this kind; of a beam a point, of a whole beam many.
+    At(Kind),
+    /// All of a beam without its points, or of a body without its motion.
+    Whole(Kind),
 }
 
 impl Site {
     /// `a point of a beam`.
-    pub fn words(self) -> &'static str {
+    pub fn words(self) -> String {
         match self {
-            Self::Beam => "a point of a beam",
-            Self::Body => "a body",
-            Self::Frame => "a frame",
-            Self::Point => "a [point]",
-            Self::Joint => "a joint",
-            Self::Drive => "a drive",
-            Self::Actuator => "an actuator",
-            Self::Gear => "a gear",
-            Self::Spring => "a spring",
-            Self::Friction => "a [friction]",
-            Self::Stop => "a stop",
-            Self::Lock => "a lock",
-            Self::WholeBeam => "a whole beam (of = \"BEAM\")",
-            Self::WholeBody => "a whole body (of = \"BODY\")",
+            Self::At(Kind::Beam) => String::from("a point of a beam"),
+            Self::At(kind @ (Kind::Point | Kind::Friction)) => format!("a [{}]", kind.word()),
+            Self::At(Kind::Actuator) => String::from("an actuator"),
+            Self::At(kind) => format!("a {}", kind.word()),
+            Self::Whole(kind) => format!("a whole {} (of = \"{}\")", kind.word(), kind.word().to_uppercase()),
         }
     }
 }
@@ -140,9 +110,9 @@ pub struct Row {
 }
 
 /// Rows of the same sites.
-struct At(&'static [Site]);
+struct Rows(&'static [Site]);
 
-impl At {
+impl Rows {
     const fn row(
         &self,
         quantity: Quantity,
@@ -155,16 +125,33 @@ impl At {
     }
 }
 
-const POINT: At = At(&[Site::Beam, Site::Body, Site::Frame, Site::Point]);
-const BEAM: At = At(&[Site::Beam]);
-const HOLD: At = At(&[Site::Joint, Site::Frame]);
-const FREE: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Spring, Site::Friction, Site::Stop, Site::Lock]);
-const EFFORT: At = At(&[Site::Joint, Site::Drive, Site::Actuator, Site::Gear, Site::Friction, Site::Stop, Site::Lock]);
-const POWER: At = At(&[Site::Drive, Site::Actuator, Site::Gear, Site::Spring, Site::Friction, Site::Stop]);
-const SPRING: At = At(&[Site::Spring]);
-const STORE: At = At(&[Site::Spring, Site::Stop, Site::Joint]);
-const MASS: At = At(&[Site::WholeBeam, Site::WholeBody]);
-const WHOLE_BEAM: At = At(&[Site::WholeBeam]);
+const POINT: Rows = Rows(&[At(Kind::Beam), At(Kind::Body), At(Kind::Frame), At(Kind::Point)]);
+const BEAM: Rows = Rows(&[At(Kind::Beam)]);
+const HOLD: Rows = Rows(&[At(Kind::Joint), At(Kind::Frame)]);
+const FREE: Rows = Rows(&[
+    At(Kind::Joint),
+    At(Kind::Drive),
+    At(Kind::Actuator),
+    At(Kind::Spring),
+    At(Kind::Friction),
+    At(Kind::Stop),
+    At(Kind::Lock),
+]);
+const EFFORT: Rows = Rows(&[
+    At(Kind::Joint),
+    At(Kind::Drive),
+    At(Kind::Actuator),
+    At(Kind::Gear),
+    At(Kind::Friction),
+    At(Kind::Stop),
+    At(Kind::Lock),
+]);
+const POWER: Rows =
+    Rows(&[At(Kind::Drive), At(Kind::Actuator), At(Kind::Gear), At(Kind::Spring), At(Kind::Friction), At(Kind::Stop)]);
+const SPRING: Rows = Rows(&[At(Kind::Spring)]);
+const STORE: Rows = Rows(&[At(Kind::Spring), At(Kind::Stop), At(Kind::Joint)]);
+const MASS: Rows = Rows(&[Whole(Kind::Beam), Whole(Kind::Body)]);
+const WHOLE_BEAM: Rows = Rows(&[Whole(Kind::Beam)]);
 
 /// Everything that can be asked for.
 pub const QUANTITIES: [Row; 31] = [

@@ -1,26 +1,23 @@
 //! Mistakes of forces on a joint that may be released: nothing can act on its coordinate then.
 
-use super::entries::joint::JointSpec;
+use super::entries::Parts;
 use super::number::Numbers;
-use crate::model::text::diagnostic::{Place, Report};
+use crate::model::text::diagnostic::Report;
+use crate::model::text::names::Kind;
 
-/// Reports what would go on acting on a coordinate of a joint that may be released: the coordinate means nothing between parts that fly on. `acting` has it, each with its kind, its
-/// name, its place and the place of its joint in the list. Drives and locks are released with the joint.
-pub(super) fn report<'n>(
-    joints: &[JointSpec],
-    acting: impl Iterator<Item = (&'static str, &'n str, Place, usize)>,
-    numbers: &Numbers,
-    report: &mut Report<'_>,
-) {
+/// Reports what would go on acting on a coordinate of a joint that may be released: the coordinate means nothing between parts that fly on.
+/// Drives and locks are released with the joint.
+pub(super) fn report(parts: &Parts, numbers: &Numbers, report: &mut Report<'_>) {
     const HELP: &str = "drives and locks may act on it: they are released with the joint. Put a spring or an actuator between two points, \
                         or on another joint";
-    for (kind, name, place, joint) in acting {
-        let Some(joint) = joints.get(joint).filter(|joint| joint.switch.is_some()) else { continue };
-        let message = format!("{kind} {name} acts on joint {}, which may be released", joint.name);
+    for own in parts.acting().filter(|own| !matches!(own.kind, Kind::Drive | Kind::Lock)) {
+        let joint = own.action.joint().and_then(|joint| parts.joints.get(joint));
+        let Some(joint) = joint.filter(|joint| joint.switch.is_some()) else { continue };
+        let message = format!("{} {} acts on joint {}, which may be released", own.kind.word(), own.name, joint.name);
         let label = format!("the joint has `active` or `input`, line {}", report.source.line(joint.place));
-        report.error(place, &message, &label, HELP);
+        report.error(own.place, &message, &label, HELP);
     }
-    for joint in joints.iter().filter(|joint| joint.switch.is_some()) {
+    for joint in parts.joints.iter().filter(|joint| joint.switch.is_some()) {
         let own = joint.angle.iter().chain(&joint.distance).flat_map(|own| [own.stiffness, own.damping]);
         for number in own.filter(|number| numbers.slots[number.0].listed.is_some()) {
             let slot = &numbers.slots[number.0];

@@ -238,20 +238,10 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
         load::Target::At(anchor) => Some((at(document, "load", &load.name), anchor)),
         load::Target::On(_) => None,
     });
-    let outputs = document.outputs.iter().filter_map(|output| match output.target {
-        output::Target::At(anchor) => Some((at(document, "output", &output.name), anchor)),
-        output::Target::Joint(_)
-        | output::Target::Drive(_)
-        | output::Target::Actuator(_)
-        | output::Target::Gear(_)
-        | output::Target::Spring(_)
-        | output::Target::Friction(_)
-        | output::Target::Stop(_)
-        | output::Target::Lock(_)
-        | output::Target::Beam(_)
-        | output::Target::Body(_)
-        | output::Target::On { .. } => None,
-    });
+    let outputs = document
+        .outputs
+        .iter()
+        .filter_map(|output| Some((at(document, "output", &output.name), *output.target.anchor()?)));
     let observers = document.outputs.iter().filter_map(|output| {
         let observer = output.observer.as_ref()?;
         Some((format!("{}.in", output.name), observer.anchor))

@@ -64,6 +64,11 @@ impl Kind {
         matches!(self, Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock)
     }
 
+    /// Whether the solver knows it by its name.
+    pub fn is_in_system(self) -> bool {
+        self.is_place() || self.is_connection() || matches!(self, Self::Winch | Self::Load)
+    }
+
     /// Whether one name cannot stand for a thing of each of the two kinds: no reference would say which one it means.
     fn shares_names_with(self, other: Self) -> bool {
         self == other || self.is_place() && other.is_place() || self.is_connection() && other.is_connection()

@@ -21,9 +21,9 @@ use super::file::entries::body::{BodySpec, Inertia};
 use super::file::entries::curve::Line;
 use super::file::entries::gear::{GearSpec, Relation};
 use super::file::entries::joint::JointSpec;
+use super::file::entries::load;
 use super::file::entries::material::Lateral;
 use super::file::entries::stop::StopSpec;
-use super::file::entries::{load, output};
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::flat::{self, Files};
@@ -126,20 +126,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         load::Target::At(anchor) => Some(anchor),
         load::Target::On(_) => None,
     });
-    let watched = document.outputs.iter().filter_map(|output| match &output.target {
-        output::Target::At(anchor) => Some(anchor),
-        output::Target::Joint(_)
-        | output::Target::Drive(_)
-        | output::Target::Actuator(_)
-        | output::Target::Gear(_)
-        | output::Target::Spring(_)
-        | output::Target::Friction(_)
-        | output::Target::Stop(_)
-        | output::Target::Lock(_)
-        | output::Target::Beam(_)
-        | output::Target::Body(_)
-        | output::Target::On { .. } => None,
-    });
+    let watched = document.outputs.iter().filter_map(|output| output.target.anchor());
     let observers = document.outputs.iter().filter_map(|output| Some(&output.observer.as_ref()?.anchor));
     for anchor in loaded.chain(watched).chain(observers) {
         checker.fraction(anchor);

@@ -1,6 +1,8 @@
 //! What the results are made of, and how many each has.
 
+use crate::mechanics::system::energy::Part;
 use crate::model::file::quantity::Quantity;
+use crate::model::text::names::Kind;
 use std::ops::Range;
 
 /// What the results are made of, in their order.
@@ -10,22 +12,11 @@ pub enum Measure {
     Sensors(Range<usize>, Quantity),
     /// What a moving frame must supply, by its number.
     Frame(usize, Quantity),
-    /// A quantity of a joint, by its place in the file.
-    Joint(usize, Quantity),
-    /// A quantity of a drive, by its place in the file.
-    Drive(usize, Quantity),
-    /// A quantity of an actuator, by its place in the file.
-    Actuator(usize, Quantity),
-    /// A quantity of a gear, by its place in the file.
-    Gear(usize, Quantity),
-    /// A quantity of a lock, by its place in the file.
-    Lock(usize, Quantity),
-    /// A quantity of a spring, friction or a stop, by its place in the system: they are built in the order of the file, one kind after the other.
-    Spring(usize, Quantity),
-    /// A quantity of a whole beam, by its place in the file.
-    Beam(usize, Quantity),
-    /// A quantity of a whole body, by its place in the file.
-    Body(usize, Quantity),
+    /// A quantity of a connection, by its kind and its place among that kind. Friction and stops are springs, by their places in the system: they are built
+    /// in the order of the file, one kind after the other.
+    Connection(Kind, usize, Quantity),
+    /// A quantity of a whole beam or body.
+    Whole(Part, Quantity),
     /// Kinetic, elastic, gravity and total energy.
     Energy,
     /// Work of loads, actuators and drives, and energy that dampers and the integrator take.
@@ -60,15 +51,9 @@ impl Measure {
     pub fn results(&self) -> usize {
         match self {
             Self::Sensors(sensors, quantity) => sensors.len() * quantity.row().components,
-            Self::Frame(_, quantity)
-            | Self::Joint(_, quantity)
-            | Self::Drive(_, quantity)
-            | Self::Actuator(_, quantity)
-            | Self::Gear(_, quantity)
-            | Self::Lock(_, quantity)
-            | Self::Spring(_, quantity)
-            | Self::Beam(_, quantity)
-            | Self::Body(_, quantity) => quantity.row().components,
+            Self::Frame(_, quantity) | Self::Connection(.., quantity) | Self::Whole(_, quantity) => {
+                quantity.row().components
+            }
             Self::Energy => 4,
             Self::Account => ACCOUNT.len(),
             Self::Momentum => 6,

@@ -1,13 +1,17 @@
 //! Reads the quantities of outputs off a moment of a run.
 
+use super::measure::Measure;
 use crate::math::Vec3;
 use crate::mechanics::beam::resultants::Fiber;
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::output::joint_loads::JointLoads;
 use crate::mechanics::state::State;
+use crate::mechanics::state::energy_account::EnergyAccount;
 use crate::mechanics::system::System;
 use crate::mechanics::system::energy::Part;
 use crate::model::file::quantity::Quantity;
+use crate::model::text::names::Kind;
 use crate::solve::step::response::Response;
 
 /// A state with all that results are read from.
@@ -73,18 +77,91 @@ pub(super) fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configurati
     }
 }
 
-/// A quantity of a drive or an actuator with the effort `effort` on a coordinate.
-pub(super) fn of_effort(
-    effort: impl Fn() -> f64,
-    coordinate: usize,
+/// Appends a quantity of a joint; the springs of the system from `first_spring` on belong to joints.
+pub(super) fn push_joint(
+    values: &mut Vec<f64>,
+    number: usize,
     quantity: Quantity,
     moment: &Moment,
-    c: &Configuration,
-) -> f64 {
+    loads: &JointLoads,
+    first_spring: usize,
+) {
+    let Moment { system, .. } = *moment;
+    let parts = &system.joint_parts[number];
+    match quantity {
+        quantity if quantity.is_transmitted() => push_wrench(values, loads.reaction(parts), quantity),
+        Quantity::Energy => {
+            let own = parts.springs.iter().filter(|spring| **spring >= first_spring);
+            let energies = own.map(|spring| of_spring(&system.springs[*spring], quantity, moment, loads.c));
+            // From +0: of no spring 0, not -0.
+            values.push(energies.fold(0.0, |sum, energy| sum + energy));
+        }
+        Quantity::Effort => {
+            let drives = parts.drives.iter().map(|drive| loads.effort(*drive));
+            let actuators = parts.actuators.iter().map(|actuator| loads.actuator_effort(*actuator));
+            values.push(drives.chain(actuators).sum());
+        }
+        _ => {
+            use Quantity::{Angle, AngleAcceleration, AngleRate};
+            let is_angle = matches!(quantity, Angle | AngleRate | AngleAcceleration);
+            let coordinate = if is_angle { parts.angle } else { parts.distance };
+            let coordinate = coordinate.expect("the file is refused: the joint leaves no such coordinate free");
+            values.push(coordinate_of(coordinate, quantity, moment, loads.c));
+        }
+    }
+}
+
+/// A quantity of a drive, a lock, an actuator, a gear or a spring: its effort and power, or its coordinate.
+pub(super) fn of_connection(kind: Kind, number: usize, quantity: Quantity, moment: &Moment, loads: &JointLoads) -> f64 {
+    let Moment { system, state, .. } = *moment;
+    let coordinate = match kind {
+        Kind::Drive => system.drives[number].coordinate.expect("outputs look at drives of joints"),
+        Kind::Lock => system.locks[number].coordinate,
+        Kind::Actuator => system.actuators[number].coordinate,
+        Kind::Gear => system.gear_coordinate(number),
+        _ => return of_spring(&system.springs[number], quantity, moment, loads.c),
+    };
+    let effort = || match kind {
+        Kind::Drive => loads.effort(number),
+        Kind::Lock => loads.lock_effort(number),
+        Kind::Actuator => loads.actuator_effort(number),
+        _ => loads.gear_effort(number),
+    };
     match quantity {
         Quantity::Effort => effort(),
-        Quantity::Power => effort() * moment.system.relative_coordinates[coordinate].rate(c, &moment.state.velocity),
-        _ => coordinate_of(coordinate, quantity, moment, c),
+        Quantity::Power => effort() * system.relative_coordinates[coordinate].rate(loads.c, &state.velocity),
+        _ => coordinate_of(coordinate, quantity, moment, loads.c),
+    }
+}
+
+/// Appends the energies, momenta or counts of the whole mechanism.
+pub(super) fn push_total(values: &mut Vec<f64>, measure: &Measure, moment: &Moment, c: &Configuration) {
+    let Moment { system, state, .. } = *moment;
+    match measure {
+        Measure::Energy => {
+            let parts = [system.kinetic_energy(c, &state.velocity), system.elastic_energy(c), system.gravity_energy(c)];
+            values.extend(parts);
+            values.push(parts.iter().sum());
+        }
+        Measure::Account => {
+            let EnergyAccount { work, drift, .. } = state.balance.account.unwrap_or_default();
+            values.extend([work.loads, work.actuators, work.drives, work.dissipated, drift]);
+        }
+        Measure::Momentum => {
+            let (linear, angular) = system.momentum(&state.q, &state.momentum);
+            let [linear, angular] = system.with_transport([linear, angular], c, &state.velocity);
+            values.extend(linear.iter().chain(angular.iter()));
+        }
+        Measure::Path => {
+            let unstable = state.path.as_ref().map_or(0, |path| path.unstable);
+            values.extend([state.instant(), unstable as f64]);
+        }
+        Measure::Statistics => {
+            let counts = &state.statistics;
+            // Counts are far below 2^53: exact.
+            values.extend([counts.steps, counts.iterations, counts.rejected].map(|count| count as f64));
+        }
+        Measure::Sensors(..) | Measure::Frame(..) | Measure::Connection(..) | Measure::Whole(..) => {}
     }
 }
 

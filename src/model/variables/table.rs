@@ -5,14 +5,13 @@ use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
 use super::measure::{ACCOUNT, Measure};
 use super::nominal::Scales;
-use super::reading::{Moment, coordinate_of, of_effort, of_part, of_spring, push_point, push_wrench};
+use super::reading::{Moment, of_connection, of_part, push_joint, push_point, push_total, push_wrench};
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
 use crate::mechanics::beam::resultants::Fiber;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::output::joint_loads::JointLoads;
-use crate::mechanics::state::energy_account::EnergyAccount;
 use crate::mechanics::system::System;
 use crate::mechanics::system::energy::Part;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -22,6 +21,7 @@ use crate::model::file::entries::simulation::Total;
 use crate::model::file::quantity::Quantity;
 use crate::model::file::reader::anchor::{Anchor, Spot};
 use crate::model::file::unit;
+use crate::model::text::names::Kind;
 use std::ops::Range;
 
 /// What a row is read from.
@@ -148,7 +148,7 @@ impl Table {
     /// Rows of a quantity of an output whose sensors are `sensors`.
     fn push_quantity(&mut self, document: &Document, output: &OutputSpec, quantity: Quantity, sensors: Range<usize>) {
         let row = quantity.row();
-        let unit = output.unit(quantity, document.things());
+        let unit = output.unit(quantity, document);
         let name = format!("{}.{}", output.name, row.word);
         let meaning = format!("{}: {}", output.name, output.meaning(quantity));
         if output.observer.is_some() && quantity.is_transmitted() {
@@ -159,19 +159,17 @@ impl Table {
                 Measure::Frame(frame, quantity)
             }
             Target::At(_) => Measure::Sensors(sensors, quantity),
-            Target::Joint(joint) => Measure::Joint(joint, quantity),
-            Target::Drive(drive) => Measure::Drive(drive, quantity),
-            Target::Actuator(actuator) => Measure::Actuator(actuator, quantity),
-            Target::Gear(gear) => Measure::Gear(gear, quantity),
-            Target::Lock(lock) => Measure::Lock(lock, quantity),
             // In the order of their building.
-            Target::Spring(number) => Measure::Spring(number, quantity),
-            Target::Friction(number) => Measure::Spring(document.springs.len() + number, quantity),
-            Target::Stop(number) => {
-                Measure::Spring(document.springs.len() + document.frictions.len() + number, quantity)
+            Target::Connection(Kind::Friction, number) => {
+                Measure::Connection(Kind::Spring, document.springs.len() + number, quantity)
             }
-            Target::Beam(beam) => Measure::Beam(beam, quantity),
-            Target::Body(body) => Measure::Body(body, quantity),
+            Target::Connection(Kind::Stop, number) => {
+                let first = document.springs.len() + document.frictions.len();
+                Measure::Connection(Kind::Spring, first + number, quantity)
+            }
+            Target::Connection(kind, number) => Measure::Connection(kind, number, quantity),
+            Target::Whole(Kind::Beam, beam) => Measure::Whole(Part::Beam(beam), quantity),
+            Target::Whole(_, body) => Measure::Whole(Part::Body(body), quantity),
             Target::On { stations, .. } => {
                 for station in 1..=stations {
                     for component in 1..=row.components {
@@ -203,34 +201,29 @@ impl Table {
     pub fn needs_response(&self) -> bool {
         self.measures.iter().any(|measure| match measure {
             Measure::Sensors(_, quantity) => quantity.is_acceleration(),
-            Measure::Frame(..) | Measure::Gear(..) => true,
-            Measure::Joint(_, quantity) | Measure::Drive(_, quantity) | Measure::Lock(_, quantity) => {
+            Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => true,
+            // An effort is given, and a spring follows from positions and velocities.
+            Measure::Connection(Kind::Actuator | Kind::Spring, _, quantity) => quantity.is_acceleration(),
+            Measure::Connection(.., quantity) => {
                 quantity.is_transmitted()
                     || quantity.is_acceleration()
                     || matches!(quantity, Quantity::Effort | Quantity::Power)
             }
-            // An effort is given, and a spring follows from positions and velocities.
-            Measure::Actuator(_, quantity) | Measure::Spring(_, quantity) => quantity.is_acceleration(),
-            Measure::Beam(..) | Measure::Body(..) => false,
-            Measure::Energy | Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => false,
+            Measure::Whole(..) | Measure::Energy | Measure::Account => false,
+            Measure::Momentum | Measure::Path | Measure::Statistics => false,
         })
     }
 
     /// Whether a result follows from positions and velocities: not from accelerations, multipliers or momenta, nor is it a count.
     pub fn follows_from_motion(&self, result: usize) -> bool {
         self.measure_of(result).is_some_and(|measure| match measure {
-            Measure::Sensors(_, quantity) | Measure::Spring(_, quantity) => !quantity.is_acceleration(),
-            Measure::Joint(_, quantity)
-            | Measure::Drive(_, quantity)
-            | Measure::Actuator(_, quantity)
-            | Measure::Lock(_, quantity) => quantity.is_coordinate(),
-            Measure::Beam(..) | Measure::Body(..) | Measure::Energy => true,
-            Measure::Frame(..)
-            | Measure::Gear(..)
-            | Measure::Account
-            | Measure::Momentum
-            | Measure::Path
-            | Measure::Statistics => false,
+            Measure::Sensors(_, quantity) | Measure::Connection(Kind::Spring, _, quantity) => {
+                !quantity.is_acceleration()
+            }
+            Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => false,
+            Measure::Connection(.., quantity) => quantity.is_coordinate(),
+            Measure::Whole(..) | Measure::Energy => true,
+            Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => false,
         })
     }
 
@@ -238,15 +231,9 @@ impl Table {
     pub fn quantity_of(&self, result: usize) -> Option<Quantity> {
         match self.measure_of(result)? {
             Measure::Sensors(_, quantity)
-            | Measure::Joint(_, quantity)
-            | Measure::Drive(_, quantity)
-            | Measure::Actuator(_, quantity)
-            | Measure::Gear(_, quantity)
-            | Measure::Lock(_, quantity)
-            | Measure::Spring(_, quantity)
-            | Measure::Beam(_, quantity)
-            | Measure::Body(_, quantity)
-            | Measure::Frame(_, quantity) => Some(*quantity),
+            | Measure::Frame(_, quantity)
+            | Measure::Connection(.., quantity)
+            | Measure::Whole(_, quantity) => Some(*quantity),
             Measure::Energy | Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => None,
         }
     }
@@ -340,91 +327,14 @@ impl Table {
                     }
                 }
                 Measure::Frame(frame, quantity) => push_wrench(values, loads.frame_reaction(*frame), *quantity),
-                Measure::Joint(number, quantity) => {
-                    let parts = &system.joint_parts[*number];
-                    match quantity {
-                        quantity if quantity.is_transmitted() => {
-                            push_wrench(values, loads.reaction(parts), *quantity);
-                        }
-                        Quantity::Energy => {
-                            let own = parts.springs.iter().filter(|spring| **spring >= self.first_of_joints);
-                            let own = own.map(|spring| &system.springs[*spring]);
-                            let energies = own.map(|spring| of_spring(spring, *quantity, moment, &configuration));
-                            // From +0: of no spring 0, not -0.
-                            values.push(energies.fold(0.0, |sum, energy| sum + energy));
-                        }
-                        Quantity::Effort => {
-                            let drives = parts.drives.iter().map(|drive| loads.effort(*drive));
-                            let actuators = parts.actuators.iter().map(|actuator| loads.actuator_effort(*actuator));
-                            values.push(drives.chain(actuators).sum());
-                        }
-                        _ => {
-                            use Quantity::{Angle, AngleAcceleration, AngleRate};
-                            let is_angle = matches!(quantity, Angle | AngleRate | AngleAcceleration);
-                            let coordinate = if is_angle { parts.angle } else { parts.distance };
-                            let coordinate =
-                                coordinate.expect("the file is refused: the joint leaves no such coordinate free");
-                            values.push(coordinate_of(coordinate, *quantity, moment, &configuration));
-                        }
-                    }
+                Measure::Connection(Kind::Joint, number, quantity) => {
+                    push_joint(values, *number, *quantity, moment, &loads, self.first_of_joints);
                 }
-                Measure::Drive(number, quantity) => {
-                    let coordinate = system.drives[*number].coordinate;
-                    let coordinate = coordinate.expect("outputs look at drives of joints");
-                    let effort = || loads.effort(*number);
-                    values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
+                Measure::Connection(kind, number, quantity) => {
+                    values.push(of_connection(*kind, *number, *quantity, moment, &loads));
                 }
-                Measure::Lock(number, quantity) => {
-                    let coordinate = system.locks[*number].coordinate;
-                    let effort = || loads.lock_effort(*number);
-                    values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
-                }
-                Measure::Actuator(number, quantity) => {
-                    let coordinate = system.actuators[*number].coordinate;
-                    let effort = || loads.actuator_effort(*number);
-                    values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
-                }
-                Measure::Gear(number, quantity) => {
-                    let effort = || loads.gear_effort(*number);
-                    let coordinate = system.gear_coordinate(*number);
-                    values.push(of_effort(effort, coordinate, *quantity, moment, &configuration));
-                }
-                Measure::Spring(number, quantity) => {
-                    values.push(of_spring(&system.springs[*number], *quantity, moment, &configuration));
-                }
-                Measure::Beam(beam, quantity) => {
-                    values.push(of_part(Part::Beam(*beam), *quantity, moment, &configuration))
-                }
-                Measure::Body(body, quantity) => {
-                    values.push(of_part(Part::Body(*body), *quantity, moment, &configuration))
-                }
-                Measure::Energy => {
-                    let parts = [
-                        system.kinetic_energy(&configuration, &state.velocity),
-                        system.elastic_energy(&configuration),
-                        system.gravity_energy(&configuration),
-                    ];
-                    values.extend(parts);
-                    values.push(parts.iter().sum());
-                }
-                Measure::Account => {
-                    let EnergyAccount { work, drift, .. } = state.balance.account.unwrap_or_default();
-                    values.extend([work.loads, work.actuators, work.drives, work.dissipated, drift]);
-                }
-                Measure::Momentum => {
-                    let (linear, angular) = system.momentum(&state.q, &state.momentum);
-                    let [linear, angular] = system.with_transport([linear, angular], &configuration, &state.velocity);
-                    values.extend(linear.iter().chain(angular.iter()));
-                }
-                Measure::Path => {
-                    let unstable = state.path.as_ref().map_or(0, |path| path.unstable);
-                    values.extend([state.instant(), unstable as f64]);
-                }
-                Measure::Statistics => {
-                    let counts = &state.statistics;
-                    // Counts are far below 2^53: exact.
-                    values.extend([counts.steps, counts.iterations, counts.rejected].map(|count| count as f64));
-                }
+                Measure::Whole(part, quantity) => values.push(of_part(*part, *quantity, moment, &configuration)),
+                total => push_total(values, total, moment, &configuration),
             }
             if let Some((_, sensor)) = seen.next_if(|(measure, _)| *measure == place)
                 && let Some(observer) = &system.sensors[*sensor].observer

@@ -6,6 +6,7 @@ use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::{load, output};
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::{Anchor, Spot};
+use crate::model::text::names::Kind;
 use crate::model::validate::Lines;
 
 /// Everything that a picture of a mechanism shows. Global axes, m.
@@ -215,17 +216,16 @@ impl Drawing {
             };
             let at = match output.target {
                 output::Target::At(anchor) => point(anchor),
-                output::Target::Joint(number) => joint(number),
-                output::Target::Drive(number) => document.drives.get(number).and_then(|drive| joint(drive.joint)),
-                output::Target::Actuator(number) => document.actuators.get(number).and_then(|own| acting(own.action)),
-                output::Target::Gear(number) => document.gears.get(number).and_then(|gear| joint(gear.sides[0].0)),
-                output::Target::Spring(number) => document.springs.get(number).and_then(|own| acting(own.action)),
-                output::Target::Friction(number) => document.frictions.get(number).and_then(|own| acting(own.action)),
-                output::Target::Stop(number) => document.stops.get(number).and_then(|own| acting(own.action)),
-                output::Target::Lock(number) => document.locks.get(number).and_then(|own| joint(own.joint)),
-                output::Target::Body(number) => document.bodies.get(number).map(|body| document.vector(body.position)),
+                output::Target::Connection(Kind::Joint, number) => joint(number),
+                output::Target::Connection(kind, number) => {
+                    let mut all = document.acting();
+                    all.find(|own| (own.kind, own.index) == (kind, number)).and_then(|own| acting(own.action))
+                }
+                output::Target::Whole(Kind::Body, number) => {
+                    document.bodies.get(number).map(|body| document.vector(body.position))
+                }
                 // The whole beam: its name stands at the middle.
-                output::Target::On { beam, .. } | output::Target::Beam(beam) => {
+                output::Target::On { beam, .. } | output::Target::Whole(_, beam) => {
                     lines.line(beam).map(|line| line.place(0.5).into())
                 }
             };

@@ -15,6 +15,7 @@ use ancf14::model::entries::load;
 use ancf14::model::entries::output::Target;
 use ancf14::model::entries::simulation::{Initial, IntegratorSpec};
 use ancf14::model::entries::spring::{SpringLaw, SpringSpec};
+use ancf14::model::names::Kind;
 use ancf14::model::quantity::{QUANTITIES, Quantity, Site};
 
 pub const EVERYTHING: &str = include_str!("../../everything.toml");
@@ -206,24 +207,27 @@ fn outputs_look_at_everything() {
     assert_eq!(
         sites,
         [
-            Site::Beam,
-            Site::Beam,
-            Site::Beam,
-            Site::Body,
-            Site::Frame,
-            Site::Joint,
-            Site::Joint,
-            Site::Drive,
-            Site::Point,
-            Site::Actuator
+            Site::At(Kind::Beam),
+            Site::At(Kind::Beam),
+            Site::At(Kind::Beam),
+            Site::At(Kind::Body),
+            Site::At(Kind::Frame),
+            Site::At(Kind::Joint),
+            Site::At(Kind::Joint),
+            Site::At(Kind::Drive),
+            Site::At(Kind::Point),
+            Site::At(Kind::Actuator)
         ]
     );
     assert_eq!(document.outputs[1].target, Target::On { beam: 0, stations: 5 });
     assert_eq!(document.outputs[2].target, Target::On { beam: 0, stations: 21 });
-    assert_eq!((document.outputs[5].target, document.outputs[7].target), (Target::Joint(0), Target::Drive(1)));
-    let unit = |output: usize| document.outputs[output].unit(Quantity::Effort, document.things());
+    assert_eq!(
+        (document.outputs[5].target, document.outputs[7].target),
+        (Target::Connection(Kind::Joint, 0), Target::Connection(Kind::Drive, 1))
+    );
+    let unit = |output: usize| document.outputs[output].unit(Quantity::Effort, &document);
     assert_eq!((unit(5), unit(7), unit(9)), ("N.m", "N", "N"));
-    assert_eq!(document.outputs[9].target, Target::Actuator(2));
+    assert_eq!(document.outputs[9].target, Target::Connection(Kind::Actuator, 2));
     assert!(document.parameters().iter().all(|parameter| !parameter.variable.name.ends_with("stations")));
     assert_eq!(parse(&[("line.stations", "3")]).outputs[2].target, Target::On { beam: 0, stations: 3 });
     assert!(QUANTITIES.iter().all(|row| !row.sites.is_empty() && row.components > 0));

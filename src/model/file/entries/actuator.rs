@@ -1,5 +1,6 @@
 //! `[actuator.NAME]`: a torque or a force on a free coordinate of a joint, or a force along the line between two points.
 
+use super::Parts;
 use super::drive::check_coordinate;
 use super::joint::{Coordinate, JointSpec};
 use super::reading::Reading;
@@ -89,10 +90,12 @@ impl ActuatorSpec {
         self.action.joint()
     }
 
-    /// Reads a section; `joints` are those of the file that could be read.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
-        let (action, coordinate) =
-            if reader.has("a") || reader.has("b") { between(&mut reader) } else { on_joint(&mut reader, joints, ON) };
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
+        let (action, coordinate) = if reader.has("a") || reader.has("b") {
+            between(&mut reader)
+        } else {
+            on_joint(&mut reader, &parts.joints, ON)
+        };
         // Without the coordinate nobody knows what the effort is.
         let Some(coordinate) = coordinate else {
             reader.abandon();
@@ -118,7 +121,7 @@ impl ActuatorSpec {
             reader.finish();
             return None;
         };
-        report_readings(&mut reader, effort, joints);
+        report_readings(&mut reader, effort, &parts.joints);
         let place = reader.place;
         reader.finish();
         Some(Self { name: name.to_owned(), place, action: action?, effort, input })

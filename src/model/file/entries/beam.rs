@@ -1,5 +1,6 @@
 //! `[beam.NAME]`: a beam and how it is divided and formulated; its line is in curve.rs.
 
+use super::Parts;
 use super::body::ANGULAR_VELOCITY;
 use super::curve::{FROM, Line, SPACINGS, TO};
 use super::section::SectionSpec;
@@ -192,10 +193,10 @@ impl BeamSpec {
         self.temperature_gradient.map_or([None; 2], |numbers| numbers.map(Some))
     }
 
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, sections: &[SectionSpec]) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
         // The first ones stand in for what is reported: the beam must keep its place in the list.
         let section = reader.reference("section", Kind::Section).unwrap_or(0);
-        let has_material = sections.get(section).is_some_and(SectionSpec::has_material);
+        let has_material = parts.sections.get(section).is_some_and(SectionSpec::has_material);
         let material = if has_material {
             let label = "the section has rigidities, which a material is part of: remove it";
             reader.refuse("material", "`material` does not belong to a beam with rigidities", label);

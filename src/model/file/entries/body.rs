@@ -1,5 +1,6 @@
 //! `[body.NAME]`: a rigid body.
 
+use super::Parts;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::schema::{Key, Role, Rule};
@@ -57,7 +58,7 @@ pub enum Inertia {
 }
 
 impl BodySpec {
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let mass = reader.number(&MASS);
         let position = reader.vector(&CENTER);
         let inertia = Inertia::read(&mut reader);

@@ -1,5 +1,6 @@
 //! `[drive.NAME]`: prescribes a free coordinate of a joint.
 
+use super::Parts;
 use super::joint::{self, Coordinate, JointSpec};
 use super::switch::{ACTIVE, SwitchSpec};
 use crate::model::file::number::Number;
@@ -89,8 +90,7 @@ impl DriveSpec {
         self.coordinate == Coordinate::Angle
     }
 
-    /// Reads a section; `joints` are those of the file that could be read.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
         let joint = reader.reference("joint", Kind::Joint);
         let place = reader.place_of("coordinate");
         let coordinate = reader.word("coordinate", &Coordinate::WORDS, None);
@@ -100,7 +100,7 @@ impl DriveSpec {
             return None;
         };
         let driven = joint.and_then(|joint| reader.context.names.name(Kind::Joint, joint));
-        if let Some(driven) = joints.iter().find(|joint| Some(joint.name.as_str()) == driven) {
+        if let Some(driven) = parts.joints.iter().find(|joint| Some(joint.name.as_str()) == driven) {
             check_coordinate(&mut reader, coordinate, place, driven);
         }
         let has_input = reader.has("input");

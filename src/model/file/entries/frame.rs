@@ -1,5 +1,6 @@
 //! `[frame.NAME]`: a frame whose motion is prescribed, by expressions in t or by the host.
 
+use super::Parts;
 use crate::math::Vec3;
 use crate::math::rotation::quaternion_of;
 use crate::model::file::number::{Meta, Number, Slot, Written};
@@ -58,7 +59,7 @@ enum Word {
 const INPUTS: [(&str, Word); 2] = [("quaternion", Word::Quaternion), ("rotation", Word::Rotation)];
 
 impl FrameSpec {
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let position = reader.vector(&FRAME_POSITION);
         let rotation = reader.vector_or(&FRAME_ROTATION, [0.0; 3]);
         // The word true is the older one, and means the same as "quaternion".

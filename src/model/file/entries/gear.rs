@@ -1,5 +1,6 @@
 //! `[gear.NAME]`: the coordinates of two joints are proportional, or the first one follows the second one by a law.
 
+use super::Parts;
 use super::drive::check_coordinate;
 use super::joint::{self, Coordinate, JointSpec};
 use crate::model::file::number::Number;
@@ -52,9 +53,8 @@ pub enum Relation {
 const SIDES: [(&str, &str); 2] = [("a", "a_coordinate"), ("b", "b_coordinate")];
 
 impl GearSpec {
-    /// Reads a section; `joints` are those of the file that could be read.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
-        let [a, b] = SIDES.map(|keys| side(&mut reader, keys, joints));
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
+        let [a, b] = SIDES.map(|keys| side(&mut reader, keys, &parts.joints));
         let (Some(a), Some(b)) = (a, b) else {
             // Without the coordinates nobody knows what the ratio is.
             reader.abandon();

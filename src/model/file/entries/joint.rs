@@ -1,5 +1,6 @@
 //! `[joint.NAME]`: holds two points together, all but some relative motions.
 
+use super::Parts;
 use super::switch::{ACTIVE, SwitchSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
@@ -189,7 +190,7 @@ impl Coordinate {
 pub(super) const COORDINATES: &str = "angle: revolute, cylindrical; distance: cylindrical, prismatic, inline";
 
 impl JointSpec {
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let kind = reader.word("type", &KINDS, None);
         let a = Anchor::read(&mut reader, "a", &SIDES);
         let b = Anchor::read(&mut reader, "b", &SIDES);

@@ -1,5 +1,6 @@
 //! `[load.NAME]`: a force and a moment at a point of a beam or at a body, or along a beam.
 
+use super::Parts;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, LOADED, Spot};
@@ -62,7 +63,7 @@ fn moves(reader: &mut Reader<'_, '_>, anchor: &Anchor) -> bool {
 }
 
 impl LoadSpec {
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let along = reader.has("on");
         let target = if along {
             reader.exclude("at", "on");

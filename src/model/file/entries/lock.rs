@@ -1,7 +1,8 @@
 //! `[lock.NAME]`: keeps a free coordinate of a joint where it stands, while it is engaged.
 
+use super::Parts;
 use super::actuator::{Action, on_joint};
-use super::joint::{Coordinate, JointSpec};
+use super::joint::Coordinate;
 use super::switch::{ACTIVE, SwitchSpec};
 use crate::model::file::reader::Reader;
 use crate::model::file::schema::{Key, Role, words_of};
@@ -31,9 +32,8 @@ pub struct LockSpec {
 }
 
 impl LockSpec {
-    /// Reads a section; `joints` are those of the file that could be read.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
-        let (action, coordinate) = on_joint(&mut reader, joints, "the joint that the lock acts on");
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
+        let (action, coordinate) = on_joint(&mut reader, &parts.joints, "the joint that the lock acts on");
         let switch = SwitchSpec::read_or_engaged(&mut reader);
         // Without the joint its coordinate means nothing.
         if coordinate.is_none() {

@@ -1,5 +1,6 @@
 //! `[material.NAME]`: a linear elastic, isotropic material.
 
+use super::Parts;
 use super::damping::{DAMPING_FREQUENCIES, DAMPING_RATIOS, Damping, MASS_DAMPING, MATERIAL_DAMPING};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
@@ -54,7 +55,7 @@ pub enum Lateral {
 }
 
 impl MaterialSpec {
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let young = reader.number(&YOUNG);
         let lateral = match reader.optional(&POISSON) {
             Some(poisson) => {

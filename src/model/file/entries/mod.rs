@@ -1,5 +1,6 @@
-//! The sections of a file, one module each: the typed data, and how it is read.
+//! The sections of a file, one module each: the keys, the typed data, and how it is read. [`Parts`] is the list of those with names.
 
+pub mod acting;
 pub mod actuator;
 pub mod beam;
 pub mod body;
@@ -28,32 +29,73 @@ pub mod switch;
 pub mod winch;
 
 pub use super::reader::anchor;
+use super::reader::{Context, Reader};
+use super::schema::Key;
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::Kind;
+use crate::model::text::tree::{Entry, Node};
 
-use crate::model::file::schema::Key;
+/// Makes [`Parts`] and [`SECTIONS`] of a row for each section of things with names: its list, its kind, its module, named by its word, and its type.
+macro_rules! parts {
+    ($($list:ident: $kind:ident, $module:ident::$spec:ident, $what:literal;)*) => {
+        /// All things that have names and sections of their own.
+        #[derive(Clone, Debug, Default)]
+        pub struct Parts {
+            $(#[doc = $what] pub $list: Vec<$module::$spec>,)*
+        }
 
-/// The sections of the format with their keys, in the order of its reference.
-pub const SECTIONS: [(&str, &[Key]); 20] = [
-    ("model", overview::KEYS),
-    ("function", function::KEYS),
-    ("material", material::KEYS),
-    ("section", section::KEYS),
-    ("beam", beam::KEYS),
-    ("body", body::KEYS),
-    ("frame", frame::KEYS),
-    ("point", point::KEYS),
-    ("joint", joint::KEYS),
-    ("drive", drive::KEYS),
-    ("actuator", actuator::KEYS),
-    ("winch", winch::KEYS),
-    ("gear", gear::KEYS),
-    ("spring", spring::KEYS),
-    ("friction", friction::KEYS),
-    ("stop", stop::KEYS),
-    ("lock", lock::KEYS),
-    ("load", load::KEYS),
-    ("output", output::KEYS),
-    ("simulation", simulation::KEYS),
-];
+        impl Parts {
+            /// Reads the sections, of which `take` gives the things by the word of the section. Each may refer to what is above it.
+            pub(super) fn read(context: &mut Context<'_>, mut take: impl FnMut(&str) -> Vec<Entry>) -> Self {
+                let mut parts = Self::default();
+                $(for Entry { key: name, key_place, item } in take(stringify!($module)) {
+                    let Node::Table(entries) = item.node else { continue };
+                    let title = format!("[{}.{name}]", stringify!($module));
+                    let reader =
+                        Reader::new(context, $module::KEYS, title, format!("{name}."), key_place, entries);
+                    let part = $module::$spec::read(&name, reader, &parts);
+                    parts.$list.extend(part);
+                })*
+                parts
+            }
+
+            /// Kind, name and place of all parts, kind after kind, each in file order.
+            pub fn each(&self) -> impl Iterator<Item = (Kind, &str, Place)> {
+                let mut all = Vec::new();
+                $(all.extend(self.$list.iter().map(|part| (Kind::$kind, part.name.as_str(), part.place)));)*
+                all.into_iter()
+            }
+        }
+
+        /// The sections of the format with their keys.
+        pub const SECTIONS: &[(&str, &[Key])] = &[
+            ("model", overview::KEYS),
+            ("function", function::KEYS),
+            $((stringify!($module), $module::KEYS),)*
+            ("simulation", simulation::KEYS),
+        ];
+    };
+}
+
+parts! {
+    materials: Material, material::MaterialSpec, "Materials, in file order.";
+    sections: Section, section::SectionSpec, "Sections, in file order.";
+    beams: Beam, beam::BeamSpec, "Beams, in file order.";
+    bodies: Body, body::BodySpec, "Bodies, in file order.";
+    frames: Frame, frame::FrameSpec, "Frames, in file order.";
+    points: Point, point::PointSpec, "Points, in file order.";
+    joints: Joint, joint::JointSpec, "Joints, in file order.";
+    drives: Drive, drive::DriveSpec, "Drives, in file order.";
+    winches: Winch, winch::WinchSpec, "Winches, in file order.";
+    actuators: Actuator, actuator::ActuatorSpec, "Actuators, in file order.";
+    gears: Gear, gear::GearSpec, "Gears, in file order.";
+    springs: Spring, spring::SpringSpec, "Springs, in file order.";
+    frictions: Friction, friction::FrictionSpec, "Friction, in file order.";
+    stops: Stop, stop::StopSpec, "Stops, in file order.";
+    locks: Lock, lock::LockSpec, "Locks, in file order.";
+    loads: Load, load::LoadSpec, "Loads, in file order.";
+    outputs: Output, output::OutputSpec, "Outputs, in file order.";
+}
 
 /// The keys of a section.
 pub fn keys_of(section: &str) -> &'static [Key] {

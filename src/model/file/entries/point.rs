@@ -1,5 +1,6 @@
 //! `[point.NAME]`: a named place with axes, rigidly tied to the ground, a body, a frame or a section of a beam.
 
+use super::Parts;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, CARRIERS, Spot};
@@ -34,7 +35,7 @@ pub struct PointSpec {
 impl PointSpec {
     /// Also tells the context what the point is tied to, for all that refers to it. A mistake in `on` leaves a point of the ground, to which no reference is
     /// found.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let place = reader.place;
         let ground = Anchor { place, spot: Spot::Ground, point: None };
         let on = if reader.has("on") { Anchor::read(&mut reader, "on", &CARRIERS) } else { Some(ground) };

@@ -1,5 +1,6 @@
 //! `[section.NAME]`: a cross-section, as a shape, as integrals, as a shape with some integrals given, or as rigidities; any number may vary along the beam.
 
+use super::Parts;
 use super::damping::{DAMPING_FREQUENCIES, DAMPING_RATIOS, Damping, MASS_DAMPING, MATERIAL_DAMPING};
 use super::material::EXPANSION;
 use crate::model::expression::function::Function;
@@ -232,7 +233,7 @@ const SHAPES: [(&str, Word); 11] = [
 ];
 
 impl SectionSpec {
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let place = reader.place;
         // Without the shape nobody knows which keys belong here.
         let Some(word) = reader.word("shape", &SHAPES, None) else {

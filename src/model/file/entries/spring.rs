@@ -1,7 +1,8 @@
 //! `[spring.NAME]`: a spring and a damper along the line between two points, or on a free coordinate of a joint.
 
+use super::Parts;
 use super::actuator::{Action, between, on_joint};
-use super::joint::{ANGLE_DAMPING, ANGLE_STIFFNESS, Coordinate, DISTANCE_DAMPING, DISTANCE_STIFFNESS, JointSpec};
+use super::joint::{ANGLE_DAMPING, ANGLE_STIFFNESS, Coordinate, DISTANCE_DAMPING, DISTANCE_STIFFNESS};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::Anchor;
@@ -85,10 +86,10 @@ impl SpringSpec {
         }
     }
 
-    /// Reads a section; `joints` are those of the file that could be read.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
         let is_on_joint = (reader.has("joint") || reader.has("coordinate")) && !reader.has("a") && !reader.has("b");
-        let (action, coordinate) = if is_on_joint { on_joint(&mut reader, joints, ON) } else { between(&mut reader) };
+        let (action, coordinate) =
+            if is_on_joint { on_joint(&mut reader, &parts.joints, ON) } else { between(&mut reader) };
         // Without the coordinate nobody knows what the numbers are.
         let Some(coordinate) = coordinate else {
             reader.abandon();

@@ -1,7 +1,8 @@
 //! `[stop.NAME]`: elastic stops of a free coordinate of a joint.
 
+use super::Parts;
 use super::actuator::{Action, on_joint};
-use super::joint::{Coordinate, JointSpec};
+use super::joint::Coordinate;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::schema::{Key, Role, Rule, words_of};
@@ -48,9 +49,8 @@ pub struct StopSpec {
 }
 
 impl StopSpec {
-    /// Reads a section; `joints` are those of the file that could be read.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>, joints: &[JointSpec]) -> Option<Self> {
-        let (action, coordinate) = on_joint(&mut reader, joints, "the joint that the stop limits");
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
+        let (action, coordinate) = on_joint(&mut reader, &parts.joints, "the joint that the stop limits");
         // Without the coordinate nobody knows what the numbers are.
         let Some(coordinate) = coordinate else {
             reader.abandon();

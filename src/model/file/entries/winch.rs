@@ -1,5 +1,6 @@
 //! `[winch.NAME]`: pays out a beam at one of its ends.
 
+use super::Parts;
 use super::drive::Motion;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
@@ -49,7 +50,7 @@ const RATE: Way = (&PAYOUT_RATE, Motion::Rate);
 
 impl WinchSpec {
     /// Reads a section.
-    pub(in crate::model) fn read(name: &str, mut reader: Reader<'_, '_>) -> Option<Self> {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let at = Anchor::read(&mut reader, "at", &ENDS).and_then(|anchor| match anchor.spot {
             Spot::Beam { beam, along: Along::Start } => Some((beam, false)),
             Spot::Beam { beam, along: Along::End } => Some((beam, true)),

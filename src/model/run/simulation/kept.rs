@@ -20,6 +20,7 @@ use crate::model::builder::{self, Built};
 use crate::model::file::document::Document;
 use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::simulation::Analysis;
+use crate::model::text::names::Kind;
 use crate::solve::dynamics::start;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -322,21 +323,12 @@ fn parts(document: &Document, system: &System) -> Vec<String> {
         let (beam, end) = (&document.beams[own.beam].name, if own.at_end { "end" } else { "start" });
         format!("winch {} at {beam}.{end}", own.name)
     });
-    let named = |what: &'static str, names: Vec<&String>| {
-        names.into_iter().map(move |name| format!("{what} {name}")).collect::<Vec<_>>()
+    let named = |kind: Kind| {
+        document.each().filter(move |own| own.0 == kind).map(move |(_, name, _)| format!("{} {name}", kind.word()))
     };
-    beams
-        .chain(named("body", document.bodies.iter().map(|own| &own.name).collect()))
-        .chain(named("frame", document.frames.iter().map(|own| &own.name).collect()))
-        .chain(named("joint", document.joints.iter().map(|own| &own.name).collect()))
-        .chain(named("drive", document.drives.iter().map(|own| &own.name).collect()))
-        .chain(winches)
-        .chain(named("lock", document.locks.iter().map(|own| &own.name).collect()))
-        .chain(named("gear", document.gears.iter().map(|own| &own.name).collect()))
-        .chain(named("spring", document.springs.iter().map(|own| &own.name).collect()))
-        .chain(named("friction", document.frictions.iter().map(|own| &own.name).collect()))
-        .chain(named("stop", document.stops.iter().map(|own| &own.name).collect()))
-        .collect()
+    let before = [Kind::Body, Kind::Frame, Kind::Joint, Kind::Drive];
+    let behind = [Kind::Lock, Kind::Gear, Kind::Spring, Kind::Friction, Kind::Stop];
+    beams.chain(before.into_iter().flat_map(named)).chain(winches).chain(behind.into_iter().flat_map(named)).collect()
 }
 
 #[cfg(test)]
