@@ -8,6 +8,7 @@ pub mod expression;
 pub mod file;
 mod flat;
 pub mod run;
+pub mod shape;
 pub mod text;
 pub mod validate;
 pub mod variables;

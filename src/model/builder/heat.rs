@@ -8,8 +8,8 @@ use crate::mechanics::input::signal::Signal;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::number::Number;
-use crate::model::validate::heat::{self, Places};
-use crate::model::validate::sections;
+use crate::model::shape::heat::{self, Places};
+use crate::model::shape::sections;
 
 impl Builder<'_> {
     /// Lets the temperature of a beam act, number `number` of the system.

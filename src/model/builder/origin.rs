@@ -4,7 +4,7 @@
 
 use crate::math::Vec3;
 use crate::model::file::document::Document;
-use crate::model::validate::Lines;
+use crate::model::shape::Lines;
 
 /// How many times its extent a mechanism must be away from the origin: nearer, round-off is below 1e-13 of its size.
 const FAR: f64 = 1e3;

@@ -14,7 +14,7 @@ use crate::model::file::entries::body::{BodySpec, Inertia};
 use crate::model::file::entries::frame::{FrameSpec, Orientation};
 use crate::model::file::entries::load::{LoadSpec, Target};
 use crate::model::file::number::Number;
-use crate::model::validate::sections;
+use crate::model::shape::sections;
 
 impl Builder<'_> {
     pub(super) fn add_beam(&mut self, beam: &BeamSpec, line: &Centerline) {

@@ -21,7 +21,7 @@ use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::spring::{Only, SpringLaw};
 use crate::model::file::entries::switch::SwitchSpec;
 use crate::model::file::number::Number;
-use crate::model::validate::sections;
+use crate::model::shape::sections;
 use nalgebra::Quaternion;
 use std::sync::Arc;
 

@@ -12,7 +12,7 @@ use crate::model::file::entries::simulation::{COARSEST_ACCURACY, FINEST_ACCURACY
 use crate::model::file::entries::{load, output};
 use crate::model::file::parameter::Parameter;
 use crate::model::file::reader::anchor::{Along, Anchor, Spot};
-use crate::model::validate;
+use crate::model::shape;
 
 /// A key and a value, as `--set` takes them.
 pub type Override = (String, String);
@@ -173,7 +173,7 @@ impl OtherMesh {
         let count = |place: usize, own: usize| {
             let held = held_places(document, place, own);
             let fits = |count: &usize| {
-                held.iter().all(|fraction| validate::fits(document, &document.beams[place], *count, *fraction))
+                held.iter().all(|fraction| shape::fits(document, &document.beams[place], *count, *fraction))
             };
             (own.div_ceil(2)..=2 * own / 3).find(fits).unwrap_or(own)
         };
@@ -186,7 +186,7 @@ impl OtherMesh {
 
 /// Fractions of a beam of `elements` elements at which joints hold on to nodes between its ends.
 fn held_places(document: &Document, beam: usize, elements: usize) -> Vec<f64> {
-    let Some(division) = validate::division(document, &document.beams[beam], elements) else { return Vec::new() };
+    let Some(division) = shape::division(document, &document.beams[beam], elements) else { return Vec::new() };
     let joints = document.joints.iter().flat_map(|joint| [joint.a, joint.b]);
     let places = joints.chain(document.points.iter().map(|point| point.on)).filter_map(|anchor| match anchor.spot {
         Spot::Beam { beam: own, along: Along::Node(node) } if own == beam => division.fraction(node),
@@ -265,11 +265,11 @@ fn at(document: &Document, section: &str, name: &str) -> String {
 
 /// The place of node `node` of a beam, as it is written for another number of elements: a node, or where there is none, a fraction.
 fn same_place(document: &Document, beam: &BeamSpec, node: usize, [from, to]: [usize; 2]) -> Option<String> {
-    let fraction = validate::division(document, beam, from)?.fraction(node)?;
+    let fraction = shape::division(document, beam, from)?.fraction(node)?;
     let other = match &beam.line {
         // The pieces between the points share the elements by length: not every one gets the same multiple.
         Some(Line::Curved(CurveSpec { polyline: true, shape: Shape::Points(_), .. })) => {
-            validate::division(document, beam, to).and_then(|division| division.end_at(fraction))
+            shape::division(document, beam, to).and_then(|division| division.end_at(fraction))
         }
         _ => (node * to).is_multiple_of(from).then(|| node * to / from),
     };

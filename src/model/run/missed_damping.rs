@@ -4,7 +4,7 @@
 use crate::model::file::entries::damping::Damping;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::run::simulation::Simulation;
-use crate::model::validate::sections;
+use crate::model::shape::sections;
 use crate::solve::modes::damping::{damping_ratios, material_rates};
 use crate::solve::modes::{Kind, Mode, modes};
 use std::f64::consts::TAU;

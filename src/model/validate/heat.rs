@@ -1,34 +1,13 @@
-//! Temperatures along beams: where they are asked for, and what is wrong with them there.
+//! The mistakes of temperatures along beams.
 
-use super::{sections, shown};
-use crate::math::quadrature::{GAUSS_POINTS, LOBATTO_POINTS};
 use crate::mechanics::beam::centerline::Centerline;
-use crate::mechanics::beam::profile::inside;
-use crate::mechanics::input::heat::POINTS;
 use crate::model::expression::function::Function;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::number::Number;
+use crate::model::shape::heat::{Places, places};
+use crate::model::shape::{sections, shown};
 use crate::model::text::diagnostic::Diagnostic;
-
-/// Arc lengths at which an element knows its temperature, m; at its ends just inside it.
-#[derive(Clone, Copy, Debug)]
-pub struct Places {
-    /// Of the temperature on the axis.
-    pub axial: [f64; POINTS],
-    /// Of its gradient.
-    pub bending: [f64; POINTS],
-}
-
-/// Where the elements of a beam know their temperatures.
-pub fn places(line: &Centerline) -> impl Iterator<Item = Places> + '_ {
-    let length: f64 = line.spans.iter().map(|span| span.length).sum();
-    line.spans.iter().map(move |span| {
-        let ends = [span.node, span.node + 1].map(|node| line.nodes[node].fraction);
-        let at = |xi: f64| inside(ends, xi) * length;
-        Places { axial: LOBATTO_POINTS.map(at), bending: GAUSS_POINTS.map(at) }
-    })
-}
 
 /// The first mistake of the temperature of `beam`.
 pub fn mistake(document: &Document, beam: &BeamSpec, line: &Centerline) -> Option<Diagnostic> {

@@ -1,17 +1,14 @@
 //! The mistakes that only the geometry shows: beams without length, axes without direction, joints beside nodes. A document without them
 //! is what [`Document::parse`] gives.
 //!
-//! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here. The lines of beams are in lines.rs.
+//! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here.
 
-pub mod heat;
-mod lines;
+mod heat;
 pub mod notes;
 mod paths;
-mod places;
-pub mod sections;
+mod sections;
+mod twist;
 mod winches;
-
-pub use lines::{Lines, division, fits};
 
 use super::file::Folder;
 use super::file::document::Document;
@@ -27,6 +24,7 @@ use super::file::entries::stop::StopSpec;
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::flat::{self, Files};
+use super::shape::{Lines, fits, lines, shown, vector};
 use super::text::diagnostic::{Diagnostic, Diagnostics, Place, Source};
 use super::text::folder::Refusal;
 use crate::math::{Mat3, Vec3};
@@ -137,12 +135,6 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     (lines, mistakes)
 }
 
-/// Three numbers; none if one of them is wrong.
-fn vector(document: &Document, numbers: [Number; 3]) -> Option<Vec3> {
-    let vector = Vec3::from(document.vector(numbers));
-    vector.iter().all(|value| value.is_finite()).then_some(vector)
-}
-
 struct Checker<'a> {
     document: &'a Document,
     lines: Lines,
@@ -185,7 +177,7 @@ impl Checker<'_> {
         }
         self.check_law(beam);
         elements?;
-        self.mistakes.extend(lines::overtwisted(document, beam, &line));
+        self.mistakes.extend(twist::by_pretwist(document, beam, &line));
         self.mistakes.extend(sections::mistake(document, beam, &line).or_else(|| heat::mistake(document, beam, &line)));
         Some(line)
     }
@@ -421,13 +413,4 @@ impl Checker<'_> {
             self.mistake(ends[1].place, &message, label, help);
         }
     }
-}
-
-/// A number with as many digits as tell it from its neighbors in a message.
-fn shown(value: f64) -> String {
-    // Through the text of six digits: 2.0325, not 2.0325000000000002.
-    let text = format!("{value:.5e}");
-    let Ok(value) = text.parse::<f64>() else { return text };
-    let is_plain = value == 0.0 || !value.is_finite() || (1e-5..1e9).contains(&value.abs());
-    if is_plain { (value + 0.0).to_string() } else { format!("{value:e}") }
 }

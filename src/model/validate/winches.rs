@@ -1,6 +1,6 @@
 //! What is wrong with the beams that winches pay out: the material passes through the mesh, so that it must be the same everywhere and free between the ends.
 
-use super::{Checker, sections};
+use super::Checker;
 use crate::mechanics::beam::design::Elements;
 use crate::model::file::entries::actuator::Action;
 use crate::model::file::entries::curve::Line;
@@ -8,6 +8,7 @@ use crate::model::file::entries::load::Target;
 use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::entries::winch::WinchSpec;
 use crate::model::file::reader::anchor::{Anchor, Spot};
+use crate::model::shape::sections;
 
 impl Checker<'_> {
     /// Reports what a winch and its beam cannot have.

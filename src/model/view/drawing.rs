@@ -6,8 +6,8 @@ use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::{load, output};
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::{Anchor, Spot};
+use crate::model::shape::Lines;
 use crate::model::text::names::Kind;
-use crate::model::validate::Lines;
 
 /// Everything that a picture of a mechanism shows. Global axes, m.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -8,8 +8,8 @@ use ancf14::fmi::{Model, Value};
 use ancf14::math::Vec3;
 use ancf14::model::document::Document;
 use ancf14::model::drawing::Drawing;
+use ancf14::model::shape::Lines;
 use ancf14::model::simulation::Simulation;
-use ancf14::model::validate::Lines;
 
 /// A model with a beam `arm` along `line`, clamped at its start, with `more` sections.
 fn model(line: &str, more: &str, simulation: &str) -> String {

@@ -6,7 +6,7 @@ use crate::model::file::document::Document;
 use crate::model::file::entries::body::{BodySpec, Inertia};
 use crate::model::file::entries::joint::{JointKind, JointSpec};
 use crate::model::file::reader::anchor::{Along, Anchor, Spot};
-use crate::model::validate::{Lines, shown};
+use crate::model::shape::{Lines, shown};
 
 /// Distance over the size of the mechanism from which places do not meet: positions that are written with six digits do.
 const APART: f64 = 1e-6;

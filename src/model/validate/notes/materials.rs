@@ -4,7 +4,7 @@ use super::Note;
 use crate::model::file::document::Document;
 use crate::model::file::entries::material::{Lateral, MaterialSpec};
 use crate::model::file::entries::simulation::Analysis;
-use crate::model::validate::shown;
+use crate::model::shape::shown;
 
 /// Young's modulus below which a number is in MPa or GPa, Pa: of all that beams are made of, only rubber and foam are softer.
 const SOFTEST: f64 = 1e7;

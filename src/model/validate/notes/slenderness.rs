@@ -8,7 +8,7 @@ use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::joint::JointKind;
 use crate::model::file::reader::anchor::Spot;
-use crate::model::validate::{Lines, sections, shown};
+use crate::model::shape::{Lines, sections, shown};
 
 /// Length over section size below which shear matters: of a cantilever with a square section it is 3 % of the deflection.
 const STUBBY: f64 = 5.0;

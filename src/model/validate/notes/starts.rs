@@ -7,7 +7,7 @@ use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::file::entries::winch::WinchSpec;
 use crate::model::file::number::Number;
-use crate::model::validate::{Lines, sections, shown};
+use crate::model::shape::{Lines, sections, shown};
 
 /// Strain of the wave that a jump of velocity sends through a beam, its velocity over that of sound, from which it matters: 60 MPa in steel.
 const NOTABLE: f64 = 3e-4;

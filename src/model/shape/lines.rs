@@ -1,9 +1,10 @@
 //! The lines of beams as drawn, from what is written; and what is wrong with them, in words.
 
+use super::{shown, vector};
 use crate::math::curve::Curve;
 use crate::math::curve_defect::{CurveDefect, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
 use crate::math::{Vec3, spline};
-use crate::mechanics::beam::centerline::{Centerline, Spacing, Span, shares};
+use crate::mechanics::beam::centerline::{Centerline, Spacing, shares};
 use crate::mechanics::beam::division::Division;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
@@ -19,10 +20,8 @@ const SHARPEST_COSINE: f64 = -0.999_847_7;
 const SAME_PLACE: f64 = 1e-12;
 /// A difference of places on a curve that is none in a message, of its whole range.
 const NOTHING: f64 = 1e-6;
-/// The most pretwist of an element, rad: a right angle with the round-off of the fractions of nodes.
-pub const LARGEST_TWIST: f64 = LARGEST_BEND * (1.0 + 1e-9);
 /// More elements than this are not proposed.
-const MOST_PROPOSED: usize = 10_000;
+pub const MOST_PROPOSED: usize = 10_000;
 
 /// A line; none where a number in it is wrong, which is reported elsewhere.
 type Drawn = Result<Option<Centerline>, Box<Diagnostic>>;
@@ -129,7 +128,7 @@ fn mistake<T>(document: &Document, place: Place, message: &str, label: &str, hel
 }
 
 fn straight(document: &Document, beam: &BeamSpec, ends: [[Number; 3]; 2], elements: usize) -> Drawn {
-    let [Some(from), Some(to)] = ends.map(|end| super::vector(document, end)) else { return Ok(None) };
+    let [Some(from), Some(to)] = ends.map(|end| vector(document, end)) else { return Ok(None) };
     let length = (to - from).norm();
     let place = document.place(ends[1][0]);
     if length == 0.0 {
@@ -170,7 +169,7 @@ fn expressions(
 
 /// Through points: straight pieces or a spline.
 fn through(document: &Document, beam: &BeamSpec, curve: &CurveSpec, points: &[[Number; 3]], elements: usize) -> Drawn {
-    let places: Option<Vec<Vec3>> = points.iter().map(|point| super::vector(document, *point)).collect();
+    let places: Option<Vec<Vec3>> = points.iter().map(|point| vector(document, *point)).collect();
     let Some(places) = places else { return Ok(None) };
     let place_of = |k: usize| document.place(points[k][0]).to(document.place(points[k][2]));
     let lengths: Vec<f64> = places.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
@@ -254,7 +253,6 @@ fn defective(
     elements: usize,
 ) -> Drawn {
     let name = &beam.name;
-    let shown = super::shown;
     let is_spline = matches!(written.shape, Shape::Points(_));
     let at = |s: f64| match &written.shape {
         Shape::Points(points) => point_near(document, points, s),
@@ -323,7 +321,7 @@ fn defective(
 
 /// A parameter as a message shows it: what is nothing beside the range is 0.
 fn shown_in([begin, end]: [f64; 2], s: f64) -> String {
-    super::shown(if s.abs() < NOTHING * (end - begin) { 0.0 } else { s })
+    shown(if s.abs() < NOTHING * (end - begin) { 0.0 } else { s })
 }
 
 /// The point, or the points between which a spline has the parameter `s`, its chord length, m.
@@ -342,49 +340,6 @@ fn point_near(document: &Document, points: &[[Number; 3]], s: f64) -> String {
             format!("a place between points {k} and {}", k + 1)
         }
     }
-}
-
-/// The mistake of a beam that has an element with too much pretwist.
-pub fn overtwisted(document: &Document, beam: &BeamSpec, line: &Centerline) -> Option<Diagnostic> {
-    let pretwist = document.value(beam.pretwist);
-    let angle = most_twisted(pretwist, line);
-    if !pretwist.is_finite() || angle <= LARGEST_TWIST {
-        return None;
-    }
-    let elements = line.spans.len();
-    let message = format!("an element of beam {} is pretwisted by {:.1} degrees", beam.name, angle.to_degrees());
-    let label = format!("{} rad over {elements} elements", super::shown(pretwist));
-    let most = format!("the limit is {} degrees an element", LARGEST_BEND.to_degrees().round());
-    let help = match enough_for_twist(document, beam, pretwist, elements, angle) {
-        Some(count) => format!("{most}: take elements = {count}; pretwist is in rad, from start to end"),
-        None => format!("{most}; pretwist is in rad, from start to end"),
-    };
-    Some(document.diagnostic(document.place(beam.pretwist), &message, &label, &help))
-}
-
-/// The largest share of a pretwist, which grows with the arc length, that an element has, rad.
-fn most_twisted(pretwist: f64, line: &Centerline) -> f64 {
-    let share = |span: &Span| line.nodes[span.node + 1].fraction - line.nodes[span.node].fraction;
-    line.spans.iter().map(|span| (pretwist * share(span)).abs()).fold(0.0, f64::max)
-}
-
-/// A number of elements, more than `elements`, none of which has too much pretwist; with so many one has `angle`, rad.
-fn enough_for_twist(
-    document: &Document,
-    beam: &BeamSpec,
-    pretwist: f64,
-    elements: usize,
-    mut angle: f64,
-) -> Option<usize> {
-    let mut count = elements;
-    while angle > LARGEST_TWIST {
-        count = usize::max(count + 1, (count as f64 * angle / LARGEST_TWIST).ceil() as usize);
-        if count > MOST_PROPOSED {
-            return None;
-        }
-        angle = most_twisted(pretwist, &line(document, beam, count).ok()??);
-    }
-    Some(count)
 }
 
 /// Attempts at a number of elements that is hardly more than is needed.
