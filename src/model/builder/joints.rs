@@ -1,6 +1,6 @@
 //! Joints, drives, actuators, gears and springs of the file as conditions, relative coordinates, actuators and springs of the system.
 
-use super::tune::{self, Strength, Tuned};
+use super::tune;
 use super::{Builder, signal, vector};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::constraint::cylindrical;
@@ -30,7 +30,7 @@ use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::gear::{GearSpec, Relation};
 use crate::model::file::entries::joint::{Coordinate, JointKind, JointSpec};
 use crate::model::file::entries::reading::Reading;
-use crate::model::file::entries::spring::SpringLaw;
+use crate::model::file::entries::spring::{SpringLaw, Strength};
 use crate::model::file::entries::winch::WinchSpec;
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::Anchor;
@@ -57,7 +57,7 @@ impl Builder<'_> {
         let angle = coordinate(written.angle.is_some(), Measure::Angle(0));
         let distance = coordinate(written.distance.is_some(), Measure::Distance(0));
         let mut parts = JointParts { joint, angle, distance, ..JointParts::default() };
-        for (measure, tuned) in tune::springs_of(written) {
+        for (measure, numbers) in written.springs() {
             let [a, b] = sides;
             let coordinate = match measure {
                 Measure::Angle(_) => angle,
@@ -66,7 +66,9 @@ impl Builder<'_> {
             };
             let coordinate = coordinate.unwrap_or_else(|| self.system.add_relative_coordinate(a, b, measure));
             // As drawn, joints are at rest.
-            parts.springs.push(self.spring(&written.name, coordinate, &tuned, 0.0));
+            let [stiffness, damping] = numbers.map(|number| self.document.value(number));
+            let strength = Strength::linear(stiffness, damping);
+            parts.springs.push(self.spring(&written.name, coordinate, strength, 0.0));
         }
         self.system.add_joint_parts(parts);
     }
@@ -213,7 +215,7 @@ impl Builder<'_> {
     }
 
     /// Adds a spring, friction or a stop.
-    pub(super) fn add_spring(&mut self, name: &str, action: Action, tuned: &Tuned) {
+    pub(super) fn add_spring(&mut self, name: &str, action: Action, strength: Strength) {
         let (coordinate, drawn) = match &action {
             Action::Between { a, b } => self.between([a, b], &format!("spring {name}")),
             // A coordinate of its own: springs of the file come before joints. As drawn, joints are at 0.
@@ -226,32 +228,39 @@ impl Builder<'_> {
                 (self.system.add_relative_coordinate(a, b, measure), 0.0)
             }
         };
-        self.spring(name, coordinate, tuned, drawn);
+        self.spring(name, coordinate, strength, drawn);
     }
 
     /// Adds the springs, friction and stops of the file that act on joints to what the joints transmit.
     pub(super) fn join_springs(&mut self) {
-        for (number, (_, action, _)) in tune::springs_of_file(self.document).enumerate() {
+        let document = self.document;
+        for (number, (_, action, _)) in document.springs_in_system(&document.numbers).enumerate() {
             if let Action::Joint { joint, .. } = action {
                 self.system.add_spring_of(joint, number);
             }
         }
     }
 
-    fn spring(&mut self, name: &str, coordinate: usize, tuned: &Tuned, drawn: f64) -> usize {
-        let value = |number| self.document.value(number);
-        let (stiffness, damping, law) = tuned.numbers(self.document);
-        let rest = tuned.rest.map_or(drawn, value);
-        if let Strength::Spring(SpringLaw::Function(force)) = tuned.strength
-            && !law.as_ref().is_some_and(|law| law.at(0.0, 0.0).elastic.is_finite())
+    fn spring(&mut self, name: &str, coordinate: usize, strength: Strength, drawn: f64) -> usize {
+        let Strength { stiffness, damping, law, rest } = strength;
+        if let Some(own) = &law
+            && !own.at(0.0, 0.0).elastic.is_finite()
         {
-            let message = format!("the force of spring {name} is not a finite number at x = 0");
-            let label = "its energy is counted from there";
-            let help = "x is the elongation: choose `length` or `rest` such that the law has a value at x = 0";
-            self.mistakes.push(self.document.diagnostic(self.document.place(force), &message, label, help));
+            self.refuse_law(name);
         }
+        let rest = rest.unwrap_or(drawn);
         let spring = spring::Spring { name: name.to_owned(), coordinate, stiffness, damping, rest, mobility: 0.0, law };
         self.system.add_spring(spring)
+    }
+
+    /// A law of a spring without a value as drawn.
+    fn refuse_law(&mut self, name: &str) {
+        let spring = self.document.springs.iter().find(|spring| spring.name == name);
+        let Some(SpringLaw::Function(force)) = spring.map(|spring| spring.law) else { return };
+        let message = format!("the force of spring {name} is not a finite number at x = 0");
+        let label = "its energy is counted from there";
+        let help = "x is the elongation: choose `length` or `rest` such that the law has a value at x = 0";
+        self.mistakes.push(self.document.diagnostic(self.document.place(force), &message, label, help));
     }
 }
 

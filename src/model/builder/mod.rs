@@ -72,7 +72,8 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     }
     document.bodies.iter().for_each(|body| builder.add_body(body));
     document.frames.iter().for_each(|frame| builder.add_frame(frame));
-    tune::springs_of_file(document).for_each(|(name, action, tuned)| builder.add_spring(name, action, &tuned));
+    let springs = document.springs_in_system(&document.numbers);
+    springs.for_each(|(name, action, strength)| builder.add_spring(name, action, strength));
     document.joints.iter().for_each(|joint| builder.add_joint(joint));
     builder.join_springs();
     document.drives.iter().for_each(|drive| builder.add_drive(drive));

@@ -6,120 +6,19 @@ use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::force::actuator::EffortGuide;
 use crate::mechanics::force::effort_law::EffortFunction;
-use crate::mechanics::force::law::Law;
 use crate::mechanics::force::load::LoadGuide;
 use crate::mechanics::geometry::pose::{Pose, angular_velocity};
 use crate::mechanics::input::excitation::{HostEffort, HostWrench, Wrench};
 use crate::mechanics::input::host_motion::Targets;
-use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::system::System;
 use crate::model::file::document::Document;
-use crate::model::file::entries::actuator::Action;
 use crate::model::file::entries::drive::{DriveSpec, Motion};
 use crate::model::file::entries::frame::{FrameSpec, Orientation};
-use crate::model::file::entries::joint::JointSpec;
-use crate::model::file::entries::spring::{Only, SpringLaw};
 use crate::model::file::entries::switch::SwitchSpec;
 use crate::model::file::number::Number;
 use crate::model::shape::sections;
 use nalgebra::Quaternion;
 use std::sync::Arc;
-
-/// The numbers of a spring.
-pub(super) struct Tuned {
-    pub strength: Strength,
-    /// The value of the coordinate at which it is free of force; none: the one as drawn.
-    pub rest: Option<Number>,
-}
-
-/// What a spring of the system has its force from.
-pub(super) enum Strength {
-    Spring(SpringLaw),
-    /// Dry, viscous, and the speed up to which dry friction grows.
-    Friction([Number; 3]),
-    Stop {
-        limits: [Option<Number>; 2],
-        stiffness: Number,
-        damping: Number,
-    },
-}
-
-/// What the file has of springs of the system, in the order of their building: springs, friction, stops; each with its name and what it acts on.
-pub(super) fn springs_of_file(document: &Document) -> impl Iterator<Item = (&str, Action, Tuned)> {
-    let springs = document
-        .springs
-        .iter()
-        .map(|own| (own.name.as_str(), own.action, Tuned { strength: Strength::Spring(own.law), rest: own.rest }));
-    let frictions = document.frictions.iter().map(|own| {
-        let strength = Strength::Friction([own.coulomb, own.viscous, own.speed]);
-        (own.name.as_str(), own.action, Tuned { strength, rest: None })
-    });
-    let stops = document.stops.iter().map(|own| {
-        let (limits, stiffness, damping) = ([own.lower, own.upper], own.stiffness, own.damping);
-        (own.name.as_str(), own.action, Tuned { strength: Strength::Stop { limits, stiffness, damping }, rest: None })
-    });
-    springs.chain(frictions).chain(stops)
-}
-
-impl Tuned {
-    fn linear(stiffness: Number, damping: Number) -> Self {
-        Self { strength: Strength::Spring(SpringLaw::Linear { stiffness, damping, only: None }), rest: None }
-    }
-
-    /// Stiffness, damping, and the law that takes their place where it is not linear.
-    pub(super) fn numbers(&self, document: &Document) -> (f64, f64, Option<Law>) {
-        let law = match self.strength {
-            Strength::Spring(law) => law,
-            Strength::Friction(numbers) => {
-                let [coulomb, viscous, speed] = numbers.map(|number| document.value(number));
-                return (0.0, 0.0, Some(Law::Friction { coulomb, viscous, speed }));
-            }
-            Strength::Stop { limits: [lower, upper], stiffness, damping } => {
-                let limit = |number: Option<Number>, none: f64| number.map_or(none, |number| document.value(number));
-                let limits = [limit(lower, f64::NEG_INFINITY), limit(upper, f64::INFINITY)];
-                let [stiffness, damping] = [stiffness, damping].map(|number| document.value(number));
-                return (0.0, 0.0, Some(Law::Stop { limits, stiffness, damping }));
-            }
-        };
-        match law {
-            SpringLaw::Linear { stiffness, damping, only } => {
-                let [stiffness, damping] = [stiffness, damping].map(|number| document.value(number));
-                let sign = match only {
-                    None => return (stiffness, damping, None),
-                    Some(Only::Tension) => 1.0,
-                    Some(Only::Compression) => -1.0,
-                };
-                (0.0, 0.0, Some(Law::OneSided { sign, stiffness, damping }))
-            }
-            SpringLaw::Function(force) => {
-                let function = document.function(force);
-                let has_rate = function.has_rate();
-                let function = Arc::new(move |x, v| function.with_rate(x, v));
-                (0.0, 0.0, Some(Law::Function { function, has_rate }))
-            }
-        }
-    }
-}
-
-/// The springs of a joint with what they measure, in the order of their building.
-pub(super) fn springs_of(joint: &JointSpec) -> Vec<(Measure, Tuned)> {
-    let coordinates = [(Measure::Angle(0), joint.angle), (Measure::Distance(0), joint.distance)];
-    let on_coordinates = coordinates
-        .into_iter()
-        .filter_map(|(measure, own)| own.map(|own| (measure, Tuned::linear(own.stiffness, own.damping))));
-    let mut springs: Vec<_> = on_coordinates.collect();
-    if let Some(bushing) = joint.bushing {
-        for axis in 0..3 {
-            let (stiffness, damping) = (bushing.stiffness[axis], bushing.damping[axis]);
-            springs.push((Measure::Distance(axis), Tuned::linear(stiffness, damping)));
-        }
-        for axis in 0..3 {
-            let (stiffness, damping) = (bushing.rotational_stiffness[axis], bushing.rotational_damping[axis]);
-            springs.push((Measure::Rotation(axis), Tuned::linear(stiffness, damping)));
-        }
-    }
-    springs
-}
 
 /// An effort as a function of time and of what it reads, with its derivative with respect to one of these.
 pub(super) fn effort(document: &Document, number: Number) -> Arc<EffortFunction> {
@@ -163,17 +62,17 @@ pub fn retune(document: &Document, system: &mut System) {
         }
     }
     let System { springs, joint_parts, .. } = system;
-    let mut set = |number: usize, tuned: Tuned| {
-        let spring = &mut springs[number];
-        (spring.stiffness, spring.damping, spring.law) = tuned.numbers(document);
-        if let Some(rest) = tuned.rest {
-            spring.rest = document.value(rest);
-        }
-    };
     // The springs of the file are built before those of joints.
-    springs_of_file(document).enumerate().for_each(|(number, (.., tuned))| set(number, tuned));
+    for (spring, (.., own)) in springs.iter_mut().zip(document.springs_in_system(&document.numbers)) {
+        (spring.stiffness, spring.damping, spring.law) = (own.stiffness, own.damping, own.law);
+        spring.rest = own.rest.unwrap_or(spring.rest);
+    }
     for (parts, joint) in joint_parts.iter().zip(&document.joints) {
-        parts.springs.iter().zip(springs_of(joint)).for_each(|(number, (_, tuned))| set(*number, tuned));
+        for (number, (_, values)) in parts.springs.iter().zip(joint.springs()) {
+            let spring = &mut springs[*number];
+            [spring.stiffness, spring.damping] = values.map(|number| document.value(number));
+            spring.law = None;
+        }
     }
 }
 

@@ -131,6 +131,11 @@ impl Numbers {
         self.slots[..self.named].iter().position(|slot| slot.meta.name == name)
     }
 
+    /// The value of a number, parameters resolved; of one that changes in time the value at 0.
+    pub fn value(&self, number: Number) -> f64 {
+        self.values[number.0]
+    }
+
     /// A number of the list, ready for evaluation at any time.
     pub fn function(&self, number: Number) -> Function {
         match &self.slots[number.0].written {

@@ -2,7 +2,6 @@
 
 use crate::model::file::document::Document;
 use crate::model::file::entries::actuator::Action;
-use crate::model::file::entries::joint::JointSpec;
 use crate::model::file::entries::{load, output};
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::{Anchor, Spot};
@@ -111,127 +110,178 @@ impl Drawing {
         drawing
     }
 
-    /// The mechanism of a file. A load that begins at zero is drawn as it first acts.
+    /// The mechanism of a file.
     fn complete(document: &Document) -> Self {
-        let mut drawing = Self::default();
-        let lines = Lines::of(document);
-        let point = |anchor: Anchor| lines.place(document, anchor).map(<[f64; 3]>::from);
-        for (number, beam) in document.beams.iter().enumerate() {
-            let Some(line) = lines.line(number) else { continue };
+        let mut artist = Artist { document, lines: Lines::of(document), drawing: Self::default() };
+        artist.draw_beams();
+        artist.draw_points();
+        artist.draw_springs();
+        artist.draw_bodies_and_frames();
+        artist.draw_joints();
+        artist.draw_drives();
+        artist.draw_actuators();
+        artist.draw_loads();
+        artist.draw_outputs();
+        artist.drawing
+    }
+}
+
+/// Draws the mechanism of a file, kind after kind.
+struct Artist<'a> {
+    document: &'a Document,
+    lines: Lines,
+    drawing: Drawing,
+}
+
+impl Artist<'_> {
+    fn point(&self, anchor: Anchor) -> Option<[f64; 3]> {
+        self.lines.place(self.document, anchor).map(<[f64; 3]>::from)
+    }
+
+    /// The position of a joint, by its index.
+    fn joint(&self, index: usize) -> Option<[f64; 3]> {
+        let joint = self.document.joints.get(index)?;
+        let at = joint.at.map(|at| self.document.vector(at));
+        at.or_else(|| [joint.b, joint.a].into_iter().find_map(|side| self.point(side)))
+    }
+
+    fn mark(&mut self, name: &str, kind: MarkKind, at: Option<[f64; 3]>) {
+        self.drawing.marks.extend(at.map(|at| Mark { name: name.to_owned(), kind, at }));
+    }
+
+    fn arrow(&mut self, name: &str, kind: ArrowKind, at: [f64; 3], direction: [f64; 3]) {
+        self.drawing.arrows.push(Arrow { name: name.to_owned(), kind, at, direction });
+    }
+
+    fn line(&mut self, name: &str, kind: LineKind, points: Vec<[f64; 3]>, nodes: Vec<[f64; 3]>) {
+        self.drawing.lines.push(Line { name: name.to_owned(), kind, points, nodes });
+    }
+
+    fn draw_beams(&mut self) {
+        for (number, beam) in self.document.beams.iter().enumerate() {
+            let Some(line) = self.lines.line(number) else { continue };
             let points = line.outline(BETWEEN_NODES).into_iter().map(<[f64; 3]>::from).collect();
             let nodes = line.nodes.iter().map(|node| node.place.into()).collect();
-            drawing.lines.push(Line { name: beam.name.clone(), kind: LineKind::Beam, points, nodes });
+            self.line(&beam.name, LineKind::Beam, points, nodes);
         }
-        for (number, written) in document.points.iter().enumerate() {
-            let Anchor { place, spot, .. } = written.on;
-            let Some(at) = point(Anchor { place, spot, point: Some(number) }) else { continue };
-            drawing.marks.push(Mark { name: written.name.clone(), kind: MarkKind::Point, at });
+    }
+
+    fn draw_points(&mut self) {
+        for (number, written) in self.document.points.iter().enumerate() {
+            let Some(at) = self.point(Anchor { point: Some(number), ..written.on }) else { continue };
+            self.mark(&written.name, MarkKind::Point, Some(at));
             // The ground is everywhere.
-            if let Some(from) = point(written.on).filter(|from| *from != at) {
-                let line = Line { name: String::new(), kind: LineKind::Arm, points: vec![from, at], nodes: Vec::new() };
-                drawing.lines.push(line);
+            if let Some(from) = self.point(written.on).filter(|from| *from != at) {
+                self.line("", LineKind::Arm, vec![from, at], Vec::new());
             }
         }
-        for (spring, ends) in document.springs.iter().filter_map(|spring| Some((spring, spring.ends()?))) {
+    }
+
+    fn draw_springs(&mut self) {
+        for (spring, ends) in self.document.springs.iter().filter_map(|spring| Some((spring, spring.ends()?))) {
             // A spring's ground is the origin.
-            let points = ends.map(|end| point(end).unwrap_or([0.0; 3])).to_vec();
-            drawing.lines.push(Line { name: spring.name.clone(), kind: LineKind::Spring, points, nodes: Vec::new() });
+            let points = ends.map(|end| self.point(end).unwrap_or([0.0; 3])).to_vec();
+            self.line(&spring.name, LineKind::Spring, points, Vec::new());
         }
+    }
+
+    fn draw_bodies_and_frames(&mut self) {
+        let document = self.document;
         for body in &document.bodies {
-            let at = document.vector(body.position);
-            drawing.marks.push(Mark { name: body.name.clone(), kind: MarkKind::Body, at });
+            self.mark(&body.name, MarkKind::Body, Some(document.vector(body.position)));
         }
         for frame in &document.frames {
-            let at = document.vector(frame.position);
-            drawing.marks.push(Mark { name: frame.name.clone(), kind: MarkKind::Frame, at });
+            self.mark(&frame.name, MarkKind::Frame, Some(document.vector(frame.position)));
         }
-        for joint in &document.joints {
-            let Some(at) = place(document, &lines, joint) else { continue };
+    }
+
+    fn draw_joints(&mut self) {
+        for (index, joint) in self.document.joints.iter().enumerate() {
+            let Some(at) = self.joint(index) else { continue };
             let grounded = joint.a.spot == Spot::Ground || joint.b.spot == Spot::Ground;
             let kind = if grounded { MarkKind::Support } else { MarkKind::Joint };
-            drawing.marks.push(Mark { name: joint.name.clone(), kind, at });
-            for end in [joint.a, joint.b].into_iter().filter_map(point).filter(|end| *end != at) {
-                let line = Line { name: String::new(), kind: LineKind::Arm, points: vec![at, end], nodes: Vec::new() };
-                drawing.lines.push(line);
+            self.mark(&joint.name, kind, Some(at));
+            for end in [joint.a, joint.b].map(|side| self.point(side)).into_iter().flatten().filter(|end| *end != at) {
+                self.line("", LineKind::Arm, vec![at, end], Vec::new());
             }
             for axis in [joint.axis, joint.axis2].into_iter().flatten() {
-                let direction = document.vector(axis);
-                drawing.arrows.push(Arrow { name: joint.name.clone(), kind: ArrowKind::Axis, at, direction });
+                self.arrow(&joint.name, ArrowKind::Axis, at, self.document.vector(axis));
             }
         }
-        for drive in &document.drives {
-            let Some(joint) = document.joints.get(drive.joint) else { continue };
-            let Some(at) = place(document, &lines, joint) else { continue };
-            let name = drive.name.clone();
-            match joint.axis.filter(|_| !drive.is_angle()) {
-                Some(axis) => {
-                    let direction = document.vector(axis);
-                    drawing.arrows.push(Arrow { name, kind: ArrowKind::Drive, at, direction });
-                }
-                None => drawing.marks.push(Mark { name, kind: MarkKind::Drive, at }),
+    }
+
+    /// Drives, and the locks of joints.
+    fn draw_drives(&mut self) {
+        for drive in &self.document.drives {
+            let Some(at) = self.joint(drive.joint) else { continue };
+            match self.document.joints[drive.joint].axis.filter(|_| !drive.is_angle()) {
+                Some(axis) => self.arrow(&drive.name, ArrowKind::Drive, at, self.document.vector(axis)),
+                None => self.mark(&drive.name, MarkKind::Drive, Some(at)),
             }
         }
-        for lock in &document.locks {
-            let at = document.joints.get(lock.joint).and_then(|joint| place(document, &lines, joint));
-            drawing.marks.extend(at.map(|at| Mark { name: lock.name.clone(), kind: MarkKind::Joint, at }));
+        for lock in &self.document.locks {
+            self.mark(&lock.name, MarkKind::Joint, self.joint(lock.joint));
         }
-        for actuator in &document.actuators {
-            let name = actuator.name.clone();
-            match &actuator.action {
-                Action::Joint { joint, .. } => {
-                    let at = document.joints.get(*joint).and_then(|joint| place(document, &lines, joint));
-                    drawing.marks.extend(at.map(|at| Mark { name, kind: MarkKind::Drive, at }));
-                }
+    }
+
+    fn draw_actuators(&mut self) {
+        for actuator in &self.document.actuators {
+            match actuator.action {
+                Action::Joint { joint, .. } => self.mark(&actuator.name, MarkKind::Drive, self.joint(joint)),
                 Action::Between { a, b } => {
-                    let Some((from, at)) = point(*a).zip(point(*b)) else { continue };
+                    let Some((from, at)) = self.point(a).zip(self.point(b)) else { continue };
                     let direction = [0, 1, 2].map(|axis| at[axis] - from[axis]);
-                    drawing.arrows.push(Arrow { name, kind: ArrowKind::Drive, at, direction });
+                    self.arrow(&actuator.name, ArrowKind::Drive, at, direction);
                 }
             }
         }
-        for load in &document.loads {
+    }
+
+    /// Loads; one that begins at zero as it first acts.
+    fn draw_loads(&mut self) {
+        for load in &self.document.loads {
             let places = match load.target {
-                load::Target::At(anchor) => point(anchor).into_iter().collect(),
+                load::Target::At(anchor) => self.point(anchor).into_iter().collect(),
                 load::Target::On(beam) => {
-                    let line = lines.line(beam);
+                    let line = self.lines.line(beam);
                     line.map_or(Vec::new(), |line| LINE_LOAD.map(|fraction| line.place(fraction).into()).to_vec())
                 }
             };
             for (kind, numbers) in [(ArrowKind::Force, load.force), (ArrowKind::Moment, load.moment)] {
-                let direction = direction(document, numbers);
+                let direction = direction(self.document, numbers);
                 if direction == [0.0; 3] {
                     continue;
                 }
                 for (k, at) in places.iter().enumerate() {
-                    let name = if k == 0 { load.name.clone() } else { String::new() };
-                    drawing.arrows.push(Arrow { name, kind, at: *at, direction });
+                    self.arrow(if k == 0 { &load.name } else { "" }, kind, *at, direction);
                 }
             }
         }
+    }
+
+    fn draw_outputs(&mut self) {
+        let document = self.document;
         for output in &document.outputs {
-            let joint = |joint: usize| document.joints.get(joint).and_then(|joint| place(document, &lines, joint));
-            let acting = |action: Action| match action {
-                Action::Joint { joint: number, .. } => joint(number),
-                Action::Between { b, .. } => point(b),
-            };
             let at = match output.target {
-                output::Target::At(anchor) => point(anchor),
-                output::Target::Connection(Kind::Joint, number) => joint(number),
+                output::Target::At(anchor) => self.point(anchor),
+                output::Target::Connection(Kind::Joint, number) => self.joint(number),
                 output::Target::Connection(kind, number) => {
-                    let mut all = document.acting();
-                    all.find(|own| (own.kind, own.index) == (kind, number)).and_then(|own| acting(own.action))
+                    let found = document.acting().find(|own| (own.kind, own.index) == (kind, number));
+                    found.and_then(|own| match own.action {
+                        Action::Joint { joint, .. } => self.joint(joint),
+                        Action::Between { b, .. } => self.point(b),
+                    })
                 }
                 output::Target::Whole(Kind::Body, number) => {
                     document.bodies.get(number).map(|body| document.vector(body.position))
                 }
                 // The whole beam: its name stands at the middle.
                 output::Target::On { beam, .. } | output::Target::Whole(_, beam) => {
-                    lines.line(beam).map(|line| line.place(0.5).into())
+                    self.lines.line(beam).map(|line| line.place(0.5).into())
                 }
             };
-            drawing.marks.extend(at.map(|at| Mark { name: output.name.clone(), kind: MarkKind::Output, at }));
+            self.mark(&output.name, MarkKind::Output, at);
         }
-        drawing
     }
 }
 
@@ -259,10 +309,4 @@ fn direction(document: &Document, numbers: [Number; 3]) -> [f64; 3] {
     let size = |value: &[f64; 3]| value.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
     let largest = values().map(|value| size(&value)).fold(0.0, f64::max);
     values().find(|value| size(value) > ROUND_OFF * largest).unwrap_or_default()
-}
-
-/// Where a joint is as drawn.
-fn place(document: &Document, lines: &Lines, joint: &JointSpec) -> Option<[f64; 3]> {
-    let at = joint.at.map(|at| document.vector(at));
-    at.or_else(|| [joint.b, joint.a].into_iter().find_map(|side| lines.place(document, side)).map(<[f64; 3]>::from))
 }

@@ -3,7 +3,9 @@
 use super::Parts;
 use super::actuator::{Action, on_joint};
 use super::joint::Coordinate;
-use crate::model::file::number::Number;
+use super::spring::Strength;
+use crate::mechanics::force::law::Law;
+use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
 use crate::model::file::schema::{Key, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
@@ -47,6 +49,12 @@ pub struct FrictionSpec {
 const SPEED: f64 = 1e-3;
 
 impl FrictionSpec {
+    /// Its force.
+    pub(super) fn strength(&self, numbers: &Numbers) -> Strength {
+        let [coulomb, viscous, speed] = [self.coulomb, self.viscous, self.speed].map(|number| numbers.value(number));
+        Strength::by(Law::Friction { coulomb, viscous, speed })
+    }
+
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
         let (action, coordinate) = on_joint(&mut reader, &parts.joints, "the joint that the friction acts on");
         // Without the coordinate nobody knows what the numbers are.

@@ -2,6 +2,7 @@
 
 use super::Parts;
 use super::switch::{ACTIVE, SwitchSpec};
+use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, SIDES};
@@ -190,6 +191,21 @@ impl Coordinate {
 pub(super) const COORDINATES: &str = "angle: revolute, cylindrical; distance: cylindrical, prismatic, inline";
 
 impl JointSpec {
+    /// Its springs, with what they measure, their stiffness and their damping, in the order in which they are built.
+    pub fn springs(&self) -> Vec<(Measure, [Number; 2])> {
+        let coordinates = [(Measure::Angle(0), self.angle), (Measure::Distance(0), self.distance)];
+        let on_coordinates = coordinates.into_iter();
+        let mut springs: Vec<_> = on_coordinates
+            .filter_map(|(measure, own)| own.map(|own| (measure, [own.stiffness, own.damping])))
+            .collect();
+        if let Some(own) = self.bushing {
+            springs.extend([0, 1, 2].map(|axis| (Measure::Distance(axis), [own.stiffness[axis], own.damping[axis]])));
+            let turns = [own.rotational_stiffness, own.rotational_damping];
+            springs.extend([0, 1, 2].map(|axis| (Measure::Rotation(axis), turns.map(|numbers| numbers[axis]))));
+        }
+        springs
+    }
+
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let kind = reader.word("type", &KINDS, None);
         let a = Anchor::read(&mut reader, "a", &SIDES);

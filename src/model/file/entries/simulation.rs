@@ -220,48 +220,11 @@ impl SimulationSpec {
         let output_step = reader.optional(&OUTPUT_STEP);
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&TOLERANCE, USUAL_TOLERANCE);
-        if follow != Follow::Time {
-            let message = "`verify` cannot compare paths: the same equilibrium has another arc length with every mesh";
-            reader.refuse("verify", message, "remove it, and compare with a run of a finer mesh");
-        }
-        if from_state.is_some() {
-            let message = "`verify` needs a run that begins as drawn or at an equilibrium: a state fits one mesh";
-            reader.refuse("verify", message, "remove it, or remove `from_state`");
-        }
-        let verify = reader.boolean("verify", false);
-        if analysis == Analysis::Static {
-            let message = "`mesh_error` belongs to a motion: equilibria always tell their mesh error";
-            reader.refuse("mesh_error", message, "remove it, or set analysis = \"dynamic\"");
-        }
-        if from_state.is_some() {
-            let message = "`mesh_error` needs a run that begins as drawn or at an equilibrium: a state fits one mesh";
-            reader.refuse("mesh_error", message, "remove it, or remove `from_state`");
-        }
-        let mesh_error = reader.boolean("mesh_error", false);
         let is_estimated = matches!(integrator, IntegratorSpec::Conserving { spectral_radius: Some(_) });
-        if analysis == Analysis::Static || !is_estimated {
-            let message = "`correction` belongs to a motion with integrator = \"conserving\", which estimates its time-step error";
-            reader.refuse(
-                "correction",
-                message,
-                "remove it, or set analysis = \"dynamic\" and integrator = \"conserving\"",
-            );
-        }
-        let correction = reader.boolean("correction", false);
+        let has_state = from_state.is_some();
+        let [verify, mesh_error, correction] = errors(&mut reader, analysis, &follow, has_state, is_estimated);
         let totals = totals(&mut reader, analysis);
-        let steps = match step {
-            Some(step) => {
-                reader.refuse("accuracy", "accuracy and step exclude each other", "leave out one of the two");
-                Steps::Fixed(step)
-            }
-            None => {
-                let chooses = matches!(integrator, IntegratorSpec::Conserving { spectral_radius: Some(_) });
-                if analysis == Analysis::Dynamic && !chooses {
-                    reader.missing(STEP.key, "only integrator = \"conserving\" chooses its steps by itself");
-                }
-                Steps::ForAccuracy(reader.number_or(&ACCURACY, USUAL_ACCURACY))
-            }
-        };
+        let steps = steps(&mut reader, step, analysis == Analysis::Dynamic && !is_estimated);
         let place = reader.place;
         // The two that a host may always change are parameters also where the file does not write them; the two that only
         // fill the default experiment are none.
@@ -294,6 +257,60 @@ impl SimulationSpec {
             mesh_error,
             correction,
             totals,
+        }
+    }
+}
+
+/// Reads `verify`, `mesh_error` and `correction`, which not every analysis has.
+fn errors(
+    reader: &mut Reader<'_, '_>,
+    analysis: Analysis,
+    follow: &Follow,
+    has_state: bool,
+    is_estimated: bool,
+) -> [bool; 3] {
+    if *follow != Follow::Time {
+        let message = "`verify` cannot compare paths: the same equilibrium has another arc length with every mesh";
+        reader.refuse("verify", message, "remove it, and compare with a run of a finer mesh");
+    }
+    if has_state {
+        let message = "`verify` needs a run that begins as drawn or at an equilibrium: a state fits one mesh";
+        reader.refuse("verify", message, "remove it, or remove `from_state`");
+    }
+    let verify = reader.boolean("verify", false);
+    if analysis == Analysis::Static {
+        let message = "`mesh_error` belongs to a motion: equilibria always tell their mesh error";
+        reader.refuse("mesh_error", message, "remove it, or set analysis = \"dynamic\"");
+    }
+    if has_state {
+        let message = "`mesh_error` needs a run that begins as drawn or at an equilibrium: a state fits one mesh";
+        reader.refuse("mesh_error", message, "remove it, or remove `from_state`");
+    }
+    let mesh_error = reader.boolean("mesh_error", false);
+    if analysis == Analysis::Static || !is_estimated {
+        let message =
+            "`correction` belongs to a motion with integrator = \"conserving\", which estimates its time-step error";
+        reader.refuse(
+            "correction",
+            message,
+            "remove it, or set analysis = \"dynamic\" and integrator = \"conserving\"",
+        );
+    }
+    [verify, mesh_error, reader.boolean("correction", false)]
+}
+
+/// What the lengths of steps follow from: `step`, which some integrators need, or `accuracy`.
+fn steps(reader: &mut Reader<'_, '_>, step: Option<Number>, must_be_given: bool) -> Steps {
+    match step {
+        Some(step) => {
+            reader.refuse("accuracy", "accuracy and step exclude each other", "leave out one of the two");
+            Steps::Fixed(step)
+        }
+        None => {
+            if must_be_given {
+                reader.missing(STEP.key, "only integrator = \"conserving\" chooses its steps by itself");
+            }
+            Steps::ForAccuracy(reader.number_or(&ACCURACY, USUAL_ACCURACY))
         }
     }
 }

@@ -3,11 +3,13 @@
 use super::Parts;
 use super::actuator::{Action, between, on_joint};
 use super::joint::{ANGLE_DAMPING, ANGLE_STIFFNESS, Coordinate, DISTANCE_DAMPING, DISTANCE_STIFFNESS};
-use crate::model::file::number::Number;
+use crate::mechanics::force::law::Law;
+use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::Anchor;
 use crate::model::file::schema::{Key, PLACES, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
+use std::sync::Arc;
 
 /// The keys of the section.
 pub(super) const KEYS: &[Key] = &[
@@ -77,7 +79,64 @@ pub enum Only {
 
 const ONLY: [(&str, Only); 2] = [("tension", Only::Tension), ("compression", Only::Compression)];
 
+/// The force of a spring of the system: linear, or by a law.
+#[derive(Debug)]
+pub struct Strength {
+    /// N/m or N m/rad.
+    pub stiffness: f64,
+    /// N s/m or N m s/rad.
+    pub damping: f64,
+    /// The law that takes the place of both.
+    pub law: Option<Law>,
+    /// The value of the coordinate without force, m or rad; none: as drawn.
+    pub rest: Option<f64>,
+}
+
+impl Strength {
+    /// Linear, free of force as drawn.
+    pub fn linear(stiffness: f64, damping: f64) -> Self {
+        Self { stiffness, damping, law: None, rest: None }
+    }
+
+    /// By a law.
+    pub(super) fn by(law: Law) -> Self {
+        Self { law: Some(law), ..Self::linear(0.0, 0.0) }
+    }
+}
+
+impl Parts {
+    /// The springs of the system that the file has, in the order in which they are built: springs, friction, stops.
+    pub fn springs_in_system<'a>(&'a self, numbers: &'a Numbers) -> impl Iterator<Item = (&'a str, Action, Strength)> {
+        let springs = self.springs.iter().map(|own| (own.name.as_str(), own.action, own.strength(numbers)));
+        let frictions = self.frictions.iter().map(|own| (own.name.as_str(), own.action, own.strength(numbers)));
+        let stops = self.stops.iter().map(|own| (own.name.as_str(), own.action, own.strength(numbers)));
+        springs.chain(frictions).chain(stops)
+    }
+}
+
 impl SpringSpec {
+    /// Its force.
+    pub fn strength(&self, numbers: &Numbers) -> Strength {
+        let strength = match self.law {
+            SpringLaw::Linear { stiffness, damping, only } => {
+                let [stiffness, damping] = [stiffness, damping].map(|number| numbers.value(number));
+                let sided = |sign| Strength::by(Law::OneSided { sign, stiffness, damping });
+                match only {
+                    None => Strength::linear(stiffness, damping),
+                    Some(Only::Tension) => sided(1.0),
+                    Some(Only::Compression) => sided(-1.0),
+                }
+            }
+            SpringLaw::Function(force) => {
+                let function = numbers.function(force);
+                let has_rate = function.has_rate();
+                let function = Arc::new(move |x, v| function.with_rate(x, v));
+                Strength::by(Law::Function { function, has_rate })
+            }
+        };
+        Strength { rest: self.rest.map(|rest| numbers.value(rest)), ..strength }
+    }
+
     /// Its two ends; none: it acts on a joint.
     pub fn ends(&self) -> Option<[Anchor; 2]> {
         match self.action {

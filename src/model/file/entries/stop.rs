@@ -3,7 +3,9 @@
 use super::Parts;
 use super::actuator::{Action, on_joint};
 use super::joint::Coordinate;
-use crate::model::file::number::Number;
+use super::spring::Strength;
+use crate::mechanics::force::law::Law;
+use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
 use crate::model::file::schema::{Key, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
@@ -49,6 +51,14 @@ pub struct StopSpec {
 }
 
 impl StopSpec {
+    /// Its force.
+    pub(super) fn strength(&self, numbers: &Numbers) -> Strength {
+        let limit = |number: Option<Number>, none: f64| number.map_or(none, |number| numbers.value(number));
+        let limits = [limit(self.lower, f64::NEG_INFINITY), limit(self.upper, f64::INFINITY)];
+        let [stiffness, damping] = [self.stiffness, self.damping].map(|number| numbers.value(number));
+        Strength::by(Law::Stop { limits, stiffness, damping })
+    }
+
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
         let (action, coordinate) = on_joint(&mut reader, &parts.joints, "the joint that the stop limits");
         // Without the coordinate nobody knows what the numbers are.
