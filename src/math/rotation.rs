@@ -144,6 +144,19 @@ pub fn quaternion_of_triad(triad: &Mat3) -> Quaternion<f64> {
     *UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*triad)).quaternion()
 }
 
+/// A triad whose first axis is along `axis`; the others are as near to the global axes as can be.
+pub fn triad_along(axis: &Vec3) -> Mat3 {
+    let first = axis.normalize();
+    triad_of(&first, &Vec3::ith(first.iamin(), 1.0))
+}
+
+/// A triad whose first axis is along `axis` and whose second is as near to `second` as can be.
+pub fn triad_of(axis: &Vec3, second: &Vec3) -> Mat3 {
+    let first = axis.normalize();
+    let second = (second - first * first.dot(second)).normalize();
+    Mat3::from_columns(&[first, second, first.cross(&second)])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,7 +2,8 @@
 
 use super::tune;
 use super::{Builder, signal, vector};
-use crate::math::{Mat3, Vec3};
+use crate::math::Mat3;
+use crate::math::rotation::{triad_along, triad_of};
 use crate::mechanics::constraint::cylindrical;
 use crate::mechanics::constraint::driven::Driven;
 use crate::mechanics::constraint::gear::CamLaw;
@@ -277,17 +278,4 @@ fn conditions(kind: JointKind) -> Option<&'static [Primitive]> {
         JointKind::Inplane => Some(inplane::PRIMITIVES),
         JointKind::Bushing => None,
     }
-}
-
-/// A triad whose first axis is along `axis`; the others are as near to the global axes as can be.
-fn triad_along(axis: &Vec3) -> Mat3 {
-    let first = axis.normalize();
-    triad_of(&first, &Vec3::ith(first.iamin(), 1.0))
-}
-
-/// A triad whose first axis is along `axis` and whose second is as near to `second` as can be.
-fn triad_of(axis: &Vec3, second: &Vec3) -> Mat3 {
-    let first = axis.normalize();
-    let second = (second - first * first.dot(second)).normalize();
-    Mat3::from_columns(&[first, second, first.cross(&second)])
 }

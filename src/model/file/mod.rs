@@ -13,7 +13,7 @@ pub mod quantity;
 pub mod range;
 pub(super) mod reader;
 mod released;
-pub(super) mod schema;
+pub mod schema;
 mod settings;
 mod timing;
 pub mod unit;

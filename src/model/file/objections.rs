@@ -1,6 +1,6 @@
 //! Reports the numbers that are not what they must be: out of range, or without a value in a table.
 
-use super::entries::section::SectionSpec;
+use super::entries::Parts;
 use super::number::{Number, Numbers, Written};
 use crate::model::text::diagnostic::Report;
 
@@ -20,10 +20,10 @@ pub(super) fn report_undefined(numbers: &Numbers, stop: f64, report: &mut Report
 }
 
 /// Reports every number that is out of its range, but for those that are reported already.
-pub(super) fn report_objections(numbers: &Numbers, sections: &[SectionSpec], told: &[Number], report: &mut Report<'_>) {
-    let tubes = sections.iter().filter_map(|section| section.objection(|number| numbers.values[number.0]));
+pub(super) fn report_objections(numbers: &Numbers, parts: &Parts, told: &[Number], report: &mut Report<'_>) {
+    let together = parts.objections(numbers);
     let objections = numbers.objections().into_iter().filter(|(number, _)| !told.contains(number));
-    for (number, objection) in objections.chain(tubes) {
+    for (number, objection) in objections.chain(together) {
         let slot = &numbers.slots[number.0];
         let value = numbers.values[number.0];
         let unit = if slot.meta.unit.is_empty() || !value.is_finite() { "" } else { &format!(" {}", slot.meta.unit) };

@@ -30,7 +30,7 @@ impl Range {
     }
 
     /// `greater than -1 and less than 0.5`.
-    pub(super) fn words(self) -> String {
+    pub fn words(self) -> String {
         let lower = self.lower.map(|limit| (if limit.included { "at least" } else { "greater than" }, limit.value));
         let upper = self.upper.map(|limit| (if limit.included { "at most" } else { "less than" }, limit.value));
         let words: Vec<_> = lower.iter().chain(&upper).map(|(word, value)| format!("{word} {value}")).collect();

@@ -101,8 +101,7 @@ impl Document {
     /// # Errors
     /// The first number that is not.
     pub fn check(&self) -> Result<(), String> {
-        let tubes = self.sections.iter().filter_map(|section| section.objection(|number| self.value(number)));
-        match self.numbers.objections().into_iter().chain(tubes).next() {
+        match self.numbers.objections().into_iter().chain(self.parts.objections(&self.numbers)).next() {
             Some((number, objection)) => {
                 Err(format!("`{}` {objection}, this is {}", self.name(number), self.value(number)))
             }

@@ -7,6 +7,7 @@ use super::scalar::Scalar;
 use super::scope::{Found, Meaning, Scope, entries_of};
 use super::tables::{COPY, FUNCTION, INCLUDE, PARAMETERS, Role, role};
 use crate::model::expression::{Variable, compile};
+use crate::model::file::entries::keys_of;
 use crate::model::text::diagnostic::{Place, Report, Source};
 use crate::model::text::names::{SECTIONS, suggestion};
 use crate::model::text::source::Span;
@@ -247,10 +248,12 @@ impl<'a> Flattener<'a> {
             };
             entries.push(Entry { item, ..entry.clone() });
         }
-        let on_frame = section.key == "point" && Self::is_tied_to_frame(scope, keys.clone());
+        let has_offset = keys_of(&section.key).iter().any(|key| key.role == Role::Offset);
+        let on_frame = has_offset && Self::is_tied_to_frame(scope, keys.clone());
         self.fill_grounds(scope, (&section.key, &thing.key), keys.clone(), &mut entries);
-        if section.key == "point" && scope.motion.moves() && Self::is_tied_outside(scope, keys) {
-            let message = format!("the point `{}` moves with its copy, and what it is on does not", thing.key);
+        if has_offset && scope.motion.moves() && Self::is_tied_outside(scope, keys) {
+            let message =
+                format!("the {} `{}` moves with its copy, and what it is on does not", section.key, thing.key);
             let label = "put that part into the copy, or give the offset of each copy by expressions, without `turn` and `move`";
             self.error(scope, thing.key_place, &message, label, "");
         }

@@ -13,8 +13,12 @@ impl Lines {
     /// Place of an anchor as drawn, global, m; the ground itself has none.
     pub fn place(&self, document: &Document, anchor: Anchor) -> Option<Vec3> {
         let Some(point) = anchor.point else { return self.place_of(document, anchor.spot) };
-        let offset = vector(document, document.points.get(point)?.offset)?;
-        let axes = match anchor.spot {
+        self.carried(document, anchor.spot, vector(document, document.points.get(point)?.offset)?)
+    }
+
+    /// Place as drawn, global, m, of what is `offset` away from a spot, in the axes of that.
+    pub fn carried(&self, document: &Document, spot: Spot, offset: Vec3) -> Option<Vec3> {
+        let axes = match spot {
             Spot::Ground => return Some(offset),
             Spot::Beam { beam, along } => self.section_axes(document, beam, along)?,
             Spot::Body(body) => document.bodies.get(body)?.axes.map_or(Some(Mat3::identity()), |rows| {
@@ -23,7 +27,7 @@ impl Lines {
             })?,
             Spot::Frame(frame) => frame_axes(document, document.frames.get(frame)?.orientation)?,
         };
-        Some(self.place_of(document, anchor.spot)? + axes * offset)
+        Some(self.place_of(document, spot)? + axes * offset)
     }
 
     fn place_of(&self, document: &Document, spot: Spot) -> Option<Vec3> {

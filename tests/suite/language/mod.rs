@@ -13,6 +13,7 @@ pub mod model_parts;
 pub mod names;
 pub mod notes;
 pub mod odd_machines;
+mod reference;
 pub mod step_notes;
 pub mod totals;
 pub mod turned_copies;

@@ -28,6 +28,7 @@ pub mod stop;
 pub mod switch;
 pub mod winch;
 
+use super::number::{Number, Numbers};
 pub use super::reader::anchor;
 use super::reader::{Context, Reader};
 use super::schema::Key;
@@ -95,6 +96,13 @@ parts! {
     locks: Lock, lock::LockSpec, "Locks, in file order.";
     loads: Load, load::LoadSpec, "Loads, in file order.";
     outputs: Output, output::OutputSpec, "Outputs, in file order.";
+}
+
+impl Parts {
+    /// What no single number is wrong about: numbers that do not go together, each with the reason.
+    pub(super) fn objections(&self, numbers: &Numbers) -> impl Iterator<Item = (Number, String)> {
+        self.sections.iter().filter_map(|own| own.objection(|number| numbers.value(number)))
+    }
 }
 
 /// The keys of a section.
