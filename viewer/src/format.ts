@@ -52,6 +52,8 @@ export interface SceneInfo {
   springs: string[];
   loads: { name: string; line: boolean; arrows: [number, number] }[];
   points: string[];
+  /** In their own axes, m; without where there are none. */
+  surfaces?: { name: string; corners: [number, number, number][]; faces: number[][] }[];
   results: Result[];
 }
 

@@ -6,7 +6,7 @@ import type { Moment } from "./moment";
 import type { Solid } from "./format";
 
 const X = new THREE.Vector3(1, 0, 0);
-const COLORS = { body: 0xd8892b, joint: 0x5b6473, ground: 0x8c6d46, spring: 0x2f9e63, force: 0xd63a3a, moment: 0x9a4fd0, reaction: 0x1f9e9e, point: 0x101418 };
+const COLORS = { body: 0xd8892b, joint: 0x5b6473, ground: 0x8c6d46, spring: 0x2f9e63, force: 0xd63a3a, moment: 0x9a4fd0, reaction: 0x1f9e9e, point: 0x101418, surface: 0x7a8699 };
 
 /** Lets a thing be at place number `at` of `places`, turned as `turns` says. */
 function put(thing: THREE.Object3D, at: number, places: Float32Array, turns?: Float32Array): void {
@@ -28,6 +28,7 @@ export class Signs {
   readonly springs = new THREE.Group();
   private readonly arms: THREE.LineSegments;
   private readonly frames: THREE.Object3D[];
+  private readonly surfaces: THREE.Object3D[];
   private readonly forces: Arrow[][];
   private readonly largest: Record<"force" | "line" | "moment" | "lineMoment" | "reaction" | "reactionMoment", number>;
 
@@ -41,6 +42,8 @@ export class Signs {
     this.joints.add(this.springs);
     this.frames = scene.frames.map(() => new THREE.AxesHelper(0.09 * size));
     for (const frame of this.frames) this.joints.add(frame);
+    this.surfaces = (scene.surfaces ?? []).map(({ corners, faces }) => surfaceSign(corners, faces));
+    for (const surface of this.surfaces) this.joints.add(surface);
     const arms = new THREE.BufferGeometry();
     arms.setAttribute("position", new THREE.BufferAttribute(new Float32Array(12 * scene.joints.length), 3));
     this.arms = new THREE.LineSegments(arms, new THREE.LineBasicMaterial({ color: 0x8a94a6 }));
@@ -79,6 +82,7 @@ export class Signs {
     this.data.scene.joints.forEach((_, k) => put(this.joints.children[k], k, parts["joint.place"], parts["joint.turn"]));
     this.data.scene.joints.forEach((_, k) => upright(this.joints.children[k]));
     this.frames.forEach((frame, k) => put(frame, k, parts["frame.place"], parts["frame.turn"]));
+    this.surfaces.forEach((surface, k) => put(surface, k, parts["surface.place"], parts["surface.turn"]));
     this.points.children.forEach((point, k) => put(point, k, parts["point.place"]));
     this.springs.children.forEach((spring, k) => stretch(spring, parts["spring.a"], parts["spring.b"], k));
     const ends = this.arms.geometry.attributes.position as THREE.BufferAttribute;
@@ -127,6 +131,20 @@ function solid(shape: Solid, size: number): THREE.Mesh {
   }
   const mesh = new THREE.Mesh(geometry, matt(COLORS.body, 0.82));
   mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 30), new THREE.LineBasicMaterial({ color: 0x6b4310 })));
+  return mesh;
+}
+
+/** A surface, seen from both sides and through. */
+function surfaceSign(corners: number[][], faces: number[][]): THREE.Mesh {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(corners.flat(), 3));
+  geometry.setIndex(faces.flatMap((face) => face.slice(2).flatMap((corner, k) => [face[0], face[k + 1], corner])));
+  geometry.computeVertexNormals();
+  const material = matt(COLORS.surface, 0.35);
+  material.side = THREE.DoubleSide;
+  material.depthWrite = false;
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 30), new THREE.LineBasicMaterial({ color: COLORS.surface })));
   return mesh;
 }
 

@@ -52,7 +52,7 @@ pub fn scene(scene: &Scene) -> Value {
         .iter()
         .map(|load| json!({ "name": load.name, "line": load.is_line, "arrows": [load.arrows.start, load.arrows.end] }));
     let results = RESULTS.map(|result| json!({ "word": result.word, "unit": result.unit, "meaning": result.meaning }));
-    json!({
+    let mut all = json!({
         "name": scene.name,
         "description": scene.description,
         "dynamic": scene.is_dynamic,
@@ -67,7 +67,14 @@ pub fn scene(scene: &Scene) -> Value {
         "loads": loads.collect::<Vec<_>>(),
         "points": scene.points,
         "results": results,
-    })
+    });
+    if !scene.surfaces.is_empty() {
+        let surfaces = scene.surfaces.iter();
+        let surfaces =
+            surfaces.map(|(name, mesh)| json!({ "name": name, "corners": mesh.corners, "faces": mesh.faces }));
+        all["surfaces"] = surfaces.collect();
+    }
+    all
 }
 
 fn beam(beam: &BeamLook) -> Value {

@@ -11,8 +11,11 @@ pub struct Instant<'a>(pub &'a Recording);
 /// A kind of part: the name of its files, whether a mechanism has it, and what it is at an instant.
 type Kind = (&'static str, fn(&Scene) -> bool, fn(Instant<'_>) -> PolyData);
 
+/// Corners of a shape in its own axes, m, and its faces.
+type Shape = (Vec<[f64; 3]>, Vec<Vec<usize>>);
+
 /// All kinds.
-pub const KINDS: [Kind; 8] = [
+pub const KINDS: [Kind; 9] = [
     ("beams", |scene| !scene.beams.is_empty(), beams),
     ("bodies", |scene| !scene.bodies.is_empty(), bodies),
     ("joints", |scene| !scene.joints.is_empty(), joints),
@@ -21,6 +24,7 @@ pub const KINDS: [Kind; 8] = [
     ("springs", |scene| !scene.springs.is_empty(), springs),
     ("frames", |scene| !scene.frames.is_empty(), frames),
     ("outputs", |scene| !scene.points.is_empty(), outputs),
+    ("surfaces", |scene| !scene.surfaces.is_empty(), surfaces),
 ];
 
 /// Names of the axes of sections, bodies, joints and frames.
@@ -141,11 +145,27 @@ fn pieces(beam: &BeamLook) -> impl Iterator<Item = Vec<usize>> {
 
 /// Bodies as boxes and cylinders of their inertia.
 fn bodies(at: Instant<'_>) -> PolyData {
-    let scene = at.scene();
+    let bodies = &at.scene().bodies;
+    let shapes = bodies.iter().map(|body| surface(body.solid)).collect();
+    let names = bodies.iter().map(|body| &body.name).collect();
+    let (mut all, owners) = polygons(at, "body", shapes, names);
+    let masses = owners.iter().map(|number| bodies[*number].mass).collect();
+    all.on_cells.push(Array::reals("mass", "kg", 1, masses));
+    all
+}
+
+/// Surfaces as their polygons.
+fn surfaces(at: Instant<'_>) -> PolyData {
+    let all = &at.scene().surfaces;
+    let shapes = all.iter().map(|(_, mesh)| (mesh.corners.clone(), mesh.faces.clone())).collect();
+    polygons(at, "surface", shapes, all.iter().map(|(name, _)| name).collect()).0
+}
+
+/// The corners and the faces of shapes where the tracks of `word` have them, and which shape each face is of.
+fn polygons(at: Instant<'_>, word: &'static str, shapes: Vec<Shape>, names: Vec<&String>) -> (PolyData, Vec<usize>) {
     let (mut points, mut polygons, mut owners) = (Vec::new(), Vec::new(), Vec::new());
-    let poses = at.places("body.place").into_iter().zip(at.axes("body.turn"));
-    for (number, (body, (place, axes))) in scene.bodies.iter().zip(poses).enumerate() {
-        let (corners, faces) = surface(body.solid);
+    let poses = at.places(&format!("{word}.place")).into_iter().zip(at.axes(&format!("{word}.turn")));
+    for (number, ((corners, faces), (place, axes))) in shapes.into_iter().zip(poses).enumerate() {
         let first = points.len();
         polygons
             .extend(faces.into_iter().map(|face| face.into_iter().map(|corner| first + corner).collect::<Vec<_>>()));
@@ -155,10 +175,9 @@ fn bodies(at: Instant<'_>) -> PolyData {
         };
         points.extend(corners.into_iter().map(turned));
     }
-    let names = owners.iter().map(|number| scene.bodies[*number].name.clone()).collect();
-    let masses = owners.iter().map(|number| scene.bodies[*number].mass).collect();
-    let on_cells = vec![Array::counts("body", owners), Array::names(names), Array::reals("mass", "kg", 1, masses)];
-    PolyData { points, cells: Cells::Polygons(polygons), on_points: Vec::new(), on_cells }
+    let names = owners.iter().map(|number| names[*number].clone()).collect();
+    let on_cells = vec![Array::counts(word, owners.clone()), Array::names(names)];
+    (PolyData { points, cells: Cells::Polygons(polygons), on_points: Vec::new(), on_cells }, owners)
 }
 
 /// Named points.

@@ -26,12 +26,13 @@ pub enum Kind {
     Friction,
     Stop,
     Lock,
+    Surface,
     Load,
     Output,
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 18] = [
+pub const SECTIONS: [(&str, Kind); 19] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -48,6 +49,7 @@ pub const SECTIONS: [(&str, Kind); 18] = [
     ("friction", Kind::Friction),
     ("stop", Kind::Stop),
     ("lock", Kind::Lock),
+    ("surface", Kind::Surface),
     ("load", Kind::Load),
     ("output", Kind::Output),
 ];

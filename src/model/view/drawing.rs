@@ -1,5 +1,6 @@
 //! A mechanism as drawn: lines, points and arrows with names, for pictures.
 
+use crate::math::Vec3;
 use crate::model::file::document::Document;
 use crate::model::file::entries::actuator::Action;
 use crate::model::file::entries::{load, output};
@@ -39,6 +40,8 @@ pub enum LineKind {
     Beam,
     /// A spring.
     Spring,
+    /// A face of a surface; the first one of it has its name.
+    Face,
     /// What is rigid between the place of a joint, or a point of the file, and the body, the frame or the place on a beam that it is tied to.
     Arm,
 }
@@ -122,6 +125,7 @@ impl Drawing {
         artist.draw_actuators();
         artist.draw_loads();
         artist.draw_outputs();
+        artist.draw_surfaces();
         artist.drawing
     }
 }
@@ -255,6 +259,24 @@ impl Artist<'_> {
                 for (k, at) in places.iter().enumerate() {
                     self.arrow(if k == 0 { &load.name } else { "" }, kind, *at, direction);
                 }
+            }
+        }
+    }
+
+    fn draw_surfaces(&mut self) {
+        let document = self.document;
+        let points = self.drawing.lines.iter().flat_map(|line| &line.points);
+        let all = points.chain(self.drawing.marks.iter().map(|mark| &mark.at));
+        let size = 2.0 * all.flatten().fold(0.0, |size: f64, value| size.max(value.abs()));
+        for surface in &document.surfaces {
+            let offset = Vec3::from(document.vector(surface.offset));
+            let Some(center) = self.lines.carried(document, surface.on, offset) else { continue };
+            let axes = surface.axes(&document.numbers);
+            let mesh = surface.mesh(&document.numbers, size);
+            let corner = |corner: &usize| (center + axes * Vec3::from(mesh.corners[*corner])).into();
+            for (number, face) in mesh.faces.iter().enumerate() {
+                let name = if number == 0 { &surface.name } else { "" };
+                self.line(name, LineKind::Face, face.iter().chain(face.first()).map(corner).collect(), Vec::new());
             }
         }
     }

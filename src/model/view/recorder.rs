@@ -39,7 +39,7 @@ pub struct Recording {
 }
 
 /// Kinds of numbers that every recording has, with their components, before those of [`RESULTS`].
-const KINDS: [(&str, usize); 16] = [
+const KINDS: [(&str, usize); 18] = [
     ("station.place", 3),
     ("station.turn", 4),
     ("body.place", 3),
@@ -56,6 +56,8 @@ const KINDS: [(&str, usize); 16] = [
     ("load.force", 3),
     ("load.moment", 3),
     ("point.place", 3),
+    ("surface.place", 3),
+    ("surface.turn", 4),
 ];
 /// What joints transmit; only where the simulation computes it.
 const REACTIONS: [(&str, usize); 2] = [("joint.force", 3), ("joint.moment", 3)];
@@ -68,7 +70,7 @@ impl Recording {
         let c = frames.of(system, simulation.state());
         let steps = steps(system);
         let beams = (0..system.beams.len()).map(|beam| Stations::new(system, &c, beam, steps)).collect();
-        let watched = Watched::new(document, system, beams);
+        let watched = Watched::new(document, system, &c, beams);
         let scene = Scene::new(document, system, &watched);
         let reactions = if simulation.multipliers().is_some() { &REACTIONS[..] } else { &[] };
         let results = RESULTS.iter().map(|result| (result.word, 1));
@@ -81,6 +83,7 @@ impl Recording {
                 Some(("spring", _)) => scene.springs.len(),
                 Some(("load", _)) => watched.arrows.len(),
                 Some(("point", _)) => scene.points.len(),
+                Some(("surface", _)) => scene.surfaces.len(),
                 _ => scene.beams.last().map_or(0, |beam| beam.stations.end),
             };
             Track { name, components, things, values: Vec::new() }
@@ -155,7 +158,10 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
             places.extend(place(&tied(side)).iter());
         }
     }
-    let [spring_a, spring_b, arrow_places, forces, moments, points, results @ ..] = rest else { return };
+    let [spring_a, spring_b, arrow_places, forces, moments, points, surface_places, surface_turns, results @ ..] = rest
+    else {
+        return;
+    };
     for [a, b] in &watched.springs {
         spring_a.extend(place(a).iter());
         spring_b.extend(place(b).iter());
@@ -174,6 +180,11 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
     }
     for sensor in &watched.points {
         points.extend(place(&system.sensors[*sensor].marker).iter());
+    }
+    for marker in &watched.surfaces {
+        let pose = marker.pose(c);
+        surface_places.extend(pose.place.iter());
+        surface_turns.extend(quaternion(&pose.axes));
     }
     for stations in &watched.beams {
         for told in stations.results(system, c, &state.velocity) {

@@ -2,15 +2,18 @@
 
 use super::profile::{Profile, Solid};
 use super::stations::{Stations, ranges};
-use crate::math::Vec3;
+use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::Beam;
+use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
 use crate::model::file::document::Document;
 use crate::model::file::entries::joint::JointKind;
 use crate::model::file::entries::load;
 use crate::model::file::entries::output::Target;
 use crate::model::file::entries::simulation::Analysis;
+use crate::model::file::entries::surface::{Mesh, SurfaceSpec};
 use crate::model::file::reader::anchor::Spot;
 use std::ops::Range;
 
@@ -43,6 +46,8 @@ pub struct Scene {
     pub loads: Vec<LoadLook>,
     /// Names of the outputs that look at a point.
     pub points: Vec<String>,
+    /// Surfaces in file order, with their names.
+    pub surfaces: Vec<(String, Mesh)>,
 }
 
 /// A beam.
@@ -119,10 +124,12 @@ pub(super) struct Watched {
     pub arrows: Vec<(usize, Marker)>,
     /// The sensors of outputs at points.
     pub points: Vec<usize>,
+    /// The surfaces, x along their normal or axis.
+    pub surfaces: Vec<Marker>,
 }
 
 impl Watched {
-    pub(super) fn new(document: &Document, system: &System, beams: Vec<Stations>) -> Self {
+    pub(super) fn new(document: &Document, system: &System, c: &Configuration, beams: Vec<Stations>) -> Self {
         let joints = system.joint_parts.iter().enumerate().filter_map(|(number, parts)| {
             let sides_of = |coordinate: usize| {
                 [system.relative_coordinates[coordinate].a, system.relative_coordinates[coordinate].b]
@@ -147,8 +154,22 @@ impl Watched {
             }
             sensor += output.sensors();
         }
-        Self { joints: joints.collect(), springs: springs.collect(), arrows: arrows.collect(), points, beams }
+        let surfaces = document.surfaces.iter().map(|surface| on(surface, document, system, c)).collect();
+        Self { joints: joints.collect(), springs: springs.collect(), arrows: arrows.collect(), points, surfaces, beams }
     }
+}
+
+/// Where a surface is, fixed to its part as drawn: in the configuration `c`.
+fn on(surface: &SurfaceSpec, document: &Document, system: &System, c: &Configuration) -> Marker {
+    let part = match surface.on {
+        Spot::Body(body) => system.bodies[body].marker(),
+        Spot::Frame(frame) => Marker::Frame { frame, offset: Vec3::zeros(), axes: Mat3::identity() },
+        Spot::Ground | Spot::Beam { .. } => {
+            Marker::Ground(Pose { place: Vec3::zeros() - system.origin, ..Pose::default() })
+        }
+    };
+    let axes = part.pose(c).axes.tr_mul(&surface.axes(&document.numbers));
+    part.carried(&Vec3::from(document.vector(surface.offset)), &axes)
 }
 
 /// Sizes of the sections at `fractions` of a beam, over those at its start; none where all are alike.
@@ -203,6 +224,8 @@ impl Scene {
         });
         let points = document.outputs.iter().filter(|output| matches!(output.target, Target::At(_)));
         let springs = document.springs.iter().filter(|spring| spring.ends().is_some());
+        let mesh = |surface: &SurfaceSpec| (surface.name.clone(), surface.mesh(&document.numbers, system.size));
+        let surfaces = document.surfaces.iter().map(mesh);
         Self {
             name: document.model.name.clone(),
             description: document.model.description.clone(),
@@ -217,6 +240,7 @@ impl Scene {
             springs: springs.map(|spring| spring.name.clone()).collect(),
             loads: loads.collect(),
             points: points.map(|output| output.name.clone()).collect(),
+            surfaces: surfaces.collect(),
         }
     }
 }

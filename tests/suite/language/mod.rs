@@ -15,6 +15,7 @@ pub mod notes;
 pub mod odd_machines;
 mod reference;
 pub mod step_notes;
+mod surfaces;
 pub mod totals;
 pub mod turned_copies;
 pub mod view;

@@ -78,6 +78,7 @@ pub fn legend(drawing: &Drawing) -> String {
     let parts = [
         (line(LineKind::Beam), "beams with their nodes (blue lines)"),
         (line(LineKind::Spring), "springs (dashed pink lines)"),
+        (line(LineKind::Face), "surfaces (thin grey lines)"),
         (line(LineKind::Arm) && !mark(MarkKind::Point), "rigid arms of joints (grey lines)"),
         (line(LineKind::Arm) && mark(MarkKind::Point), "rigid arms of joints and points (grey lines)"),
         (mark(MarkKind::Body), "bodies at their centers of mass (blue disks)"),

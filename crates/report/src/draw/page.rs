@@ -61,6 +61,7 @@ impl<'a> Page<'a> {
                     self.beam(&line.name, &points, &nodes);
                 }
                 LineKind::Spring => self.spring(&line.name, &points),
+                LineKind::Face => self.face(&line.name, &points),
                 LineKind::Arm => self.arm(&points),
             }
         }
@@ -88,6 +89,15 @@ impl<'a> Page<'a> {
         // The middle one, or the middle of the two in the middle.
         let [a, b] = [(points.len() - 1) / 2, points.len() / 2].map(|k| points[k]);
         self.names.add(name, [0, 1].map(|i| 0.5 * (a[i] + b[i])), "#0072b2");
+    }
+
+    fn face(&mut self, name: &str, points: &[[f64; 2]]) {
+        let path: Vec<_> = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        let path = path.join(" ");
+        self.push(format_args!("<polyline points=\"{path}\" fill=\"none\" stroke=\"#999999\" stroke-width=\"0.7\"/>"));
+        if let (false, Some(at)) = (name.is_empty(), points.first()) {
+            self.names.add(name, *at, "#777777");
+        }
     }
 
     fn spring(&mut self, name: &str, points: &[[f64; 2]]) {

@@ -25,6 +25,7 @@ pub mod section;
 pub mod simulation;
 pub mod spring;
 pub mod stop;
+pub mod surface;
 pub mod switch;
 pub mod winch;
 
@@ -94,6 +95,7 @@ parts! {
     frictions: Friction, friction::FrictionSpec, "Friction, in file order.";
     stops: Stop, stop::StopSpec, "Stops, in file order.";
     locks: Lock, lock::LockSpec, "Locks, in file order.";
+    surfaces: Surface, surface::SurfaceSpec, "Surfaces, in file order.";
     loads: Load, load::LoadSpec, "Loads, in file order.";
     outputs: Output, output::OutputSpec, "Outputs, in file order.";
 }
@@ -101,7 +103,8 @@ parts! {
 impl Parts {
     /// What no single number is wrong about: numbers that do not go together, each with the reason.
     pub(super) fn objections(&self, numbers: &Numbers) -> impl Iterator<Item = (Number, String)> {
-        self.sections.iter().filter_map(|own| own.objection(|number| numbers.value(number)))
+        let sections = self.sections.iter().filter_map(|own| own.objection(|number| numbers.value(number)));
+        sections.chain(self.surfaces.iter().filter_map(|own| own.objection(|number| numbers.value(number))))
     }
 }
 

@@ -1,0 +1,179 @@
+//! `[surface.NAME]`: a rigid surface that is fixed to the ground, a body or a frame. It is drawn; nothing touches it yet.
+
+use super::Parts;
+use crate::math::rotation::triad_along;
+use crate::math::{Mat3, Vec3};
+use crate::model::file::number::{Number, Numbers};
+use crate::model::file::reader::Reader;
+use crate::model::file::reader::anchor::{Allowed, Anchor, Spot};
+use crate::model::file::schema::{Key, PLACES, Role, Rule, words_of};
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::Kind;
+use std::f64::consts::{PI, TAU};
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("on", Role::Name(PLACES), "the body or frame that it is fixed to, or the ground, by default"),
+    Key::word("shape", &words_of(&SHAPES), "the shape"),
+    Key::global(&[&OFFSET], Role::Offset),
+    Key::global(&[&NORMAL], Role::Direction),
+    Key::global(&[&AXIS], Role::Direction),
+    Key::number(&[&RADIUS]),
+    Key::number(&[&LENGTH]),
+];
+
+const OFFSET: Rule = Rule::new(
+    "offset",
+    "point of the plane, middle of the cylinder, center of the sphere, in the axes of what it is on",
+    "m",
+);
+const NORMAL: Rule = Rule::new("normal", "normal of the plane as drawn, global, towards what may touch it", "");
+const AXIS: Rule = Rule::new("axis", "axis of the cylinder as drawn, global", "");
+const RADIUS: Rule = Rule::new("radius", "radius of the surface", "m").above(0.0);
+const LENGTH: Rule =
+    Rule::new("length", "length of the cylinder; without it, the cylinder has no ends", "m").above(0.0);
+
+/// A section `[surface.NAME]`.
+#[derive(Clone, Debug)]
+pub struct SurfaceSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// The ground, a body or a frame.
+    pub on: Spot,
+    /// A point of the plane, the middle of the cylinder, the center of the sphere: relative to `on`, in the axes of that, m.
+    pub offset: [Number; 3],
+    /// The shape.
+    pub shape: Shape,
+}
+
+/// A shape of a surface; directions are global, as drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// A plane with this normal.
+    Plane([Number; 3]),
+    /// The outside of a cylinder.
+    Cylinder {
+        /// Its direction.
+        axis: [Number; 3],
+        /// m.
+        radius: Number,
+        /// Half to each side of the middle, m; none: it has no ends.
+        length: Option<Number>,
+    },
+    /// The outside of a sphere with this radius, m.
+    Sphere(Number),
+}
+
+#[derive(Clone, Copy)]
+enum Word {
+    Plane,
+    Cylinder,
+    Sphere,
+}
+
+const SHAPES: [(&str, Word); 3] = [("plane", Word::Plane), ("cylinder", Word::Cylinder), ("sphere", Word::Sphere)];
+
+/// What a surface can be fixed to.
+const CARRIERS: Allowed = Allowed { kinds: &[Kind::Body, Kind::Frame], ground: true, forms: "ground, BODY or FRAME" };
+
+impl SurfaceSpec {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
+        let place = reader.place;
+        let on = match reader.has("on") {
+            true => Anchor::read(&mut reader, "on", &CARRIERS).map(|anchor| anchor.spot),
+            false => Some(Spot::Ground),
+        };
+        let word = reader.word("shape", &SHAPES, None);
+        let offset = reader.vector_or(&OFFSET, [0.0; 3]);
+        // Without the shape nobody knows which keys belong here.
+        let Some(word) = word else {
+            reader.abandon();
+            return None;
+        };
+        let shape = match word {
+            Word::Plane => Shape::Plane(reader.vector(&NORMAL)),
+            Word::Cylinder => {
+                let (axis, radius) = (reader.vector(&AXIS), reader.number(&RADIUS));
+                Shape::Cylinder { axis, radius, length: reader.optional(&LENGTH) }
+            }
+            Word::Sphere => Shape::Sphere(reader.number(&RADIUS)),
+        };
+        reader.finish();
+        Some(Self { name: name.to_owned(), place, on: on?, offset, shape })
+    }
+
+    /// Its axes as drawn, global: the first one is along its normal or axis.
+    pub fn axes(&self, numbers: &Numbers) -> Mat3 {
+        let vector = |direction: [Number; 3]| Vec3::from(direction.map(|number| numbers.value(number)));
+        self.direction().map_or_else(Mat3::identity, |direction| triad_along(&vector(direction)))
+    }
+
+    /// The direction of its normal or axis, global, as drawn; of a sphere none.
+    fn direction(&self) -> Option<[Number; 3]> {
+        match self.shape {
+            Shape::Plane(direction) | Shape::Cylinder { axis: direction, .. } => Some(direction),
+            Shape::Sphere(_) => None,
+        }
+    }
+
+    /// A normal or an axis without a direction.
+    pub(super) fn objection(&self, value: impl Fn(Number) -> f64) -> Option<(Number, String)> {
+        let direction = self.direction()?;
+        let is_zero = direction.iter().all(|number| value(*number) == 0.0);
+        is_zero.then(|| (direction[0], String::from("must have a direction: one of its components must not be 0")))
+    }
+}
+
+/// A surface as flat polygons in its own axes, m: x is along its normal or its axis, and the corners of a face run anticlockwise as seen from outside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Corners.
+    pub corners: Vec<[f64; 3]>,
+    /// The corners of each face.
+    pub faces: Vec<Vec<usize>>,
+}
+
+/// Sides of what is round: enough for the eye.
+const SIDES: usize = 24;
+/// Rings of a sphere from pole to pole.
+const RINGS: usize = 13;
+
+impl SurfaceSpec {
+    /// The surface for pictures; what has no ends is as large as `size`, m.
+    pub fn mesh(&self, numbers: &Numbers, size: f64) -> Mesh {
+        match self.shape {
+            Shape::Plane(_) => {
+                let half = 0.5 * size;
+                let corners = vec![[0.0, -half, -half], [0.0, half, -half], [0.0, half, half], [0.0, -half, half]];
+                Mesh { corners, faces: vec![vec![0, 1, 2, 3]] }
+            }
+            Shape::Cylinder { radius, length, .. } => {
+                let half = 0.5 * length.map_or(size, |length| numbers.value(length));
+                rings([-half, half].map(|x| [x, numbers.value(radius)]))
+            }
+            Shape::Sphere(radius) => rings((0..RINGS).map(|ring| {
+                let (sine, cosine) = (PI * ring as f64 / (RINGS - 1) as f64).sin_cos();
+                [-cosine, sine].map(|part| part * numbers.value(radius))
+            })),
+        }
+    }
+}
+
+/// The surface through rings about x, of which each has its place along x and its radius.
+fn rings(rings: impl IntoIterator<Item = [f64; 2]>) -> Mesh {
+    let mut mesh = Mesh::default();
+    for [x, radius] in rings {
+        let first = mesh.corners.len();
+        for side in 0..SIDES {
+            let (sine, cosine) = (TAU * side as f64 / SIDES as f64).sin_cos();
+            mesh.corners.push([x, radius * cosine, radius * sine]);
+            if let Some(before) = first.checked_sub(SIDES) {
+                let next = (side + 1) % SIDES;
+                mesh.faces.push(vec![before + side, before + next, first + next, first + side]);
+            }
+        }
+    }
+    mesh
+}
