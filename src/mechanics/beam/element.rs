@@ -2,6 +2,7 @@
 
 use super::ancf14::over_step::EndStrains;
 use super::configuration::{BeamConfiguration, Passage, Purpose, TimeStep};
+use super::line_load::{ElementForces, LOAD_POINTS, LineLoad};
 use super::resultants::{SectionForces, SectionShape, SectionStrains};
 use super::{ancf14, ancf24};
 use crate::math::Vec3;
@@ -142,7 +143,13 @@ pub trait BeamElement {
     fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2];
 
     /// Places (0 to 1) with shares of the length (m) at which a load per length acts.
-    fn load_points(&self) -> Vec<(f64, f64)>;
+    fn load_points(&self) -> [(f64, f64); LOAD_POINTS];
+
+    /// Generalized force of a load along the whole element, in its own coordinates.
+    fn line_force(&self, c: &BeamConfiguration, load: &LineLoad) -> ElementForces;
+
+    /// Adds `factor` times the derivative of [`Self::line_force`] with respect to its coordinates to `block`.
+    fn add_line_stiffness(&self, c: &BeamConfiguration, load: &LineLoad, factor: f64, block: &mut [f64]);
 
     /// Place and axes of the section at `xi`, as loads and springs hold on to it.
     fn section_pose(&self, c: &BeamConfiguration, xi: f64) -> Pose;

@@ -7,6 +7,7 @@ pub mod configuration;
 pub mod design;
 pub mod division;
 pub mod element;
+pub mod line_load;
 pub mod material;
 pub mod mesh;
 pub mod node;

@@ -1,12 +1,15 @@
 //! Forces and moments on markers: at one point, or spread over a beam; in global directions or turning with the section.
 
 use crate::math::Vec3;
+use crate::mechanics::beam::line_load::LineLoad;
+use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::axis_vector;
 use crate::mechanics::input::excitation::{HostWrench, Wrench};
 use crate::mechanics::input::signal::Signal;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
+use std::ops::Range;
 
 /// What a load's components refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,13 +34,22 @@ pub enum LoadGuide {
     Host,
 }
 
-/// A load on one or more markers.
+/// Where a load acts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Site {
+    /// On a marker.
+    Point(Marker),
+    /// Along elements, by their numbers.
+    Line(Range<usize>),
+}
+
+/// A load.
 #[derive(Clone, Debug)]
 pub struct Load {
     /// Name in the model file.
     pub name: String,
-    /// Where it acts, each marker with its share: 1 at a point, quadrature weights (m) along a beam.
-    pub points: Vec<(Marker, f64)>,
+    /// Where it acts.
+    pub site: Site,
     /// Where its components come from.
     pub guide: LoadGuide,
     /// Axes of the components.
@@ -65,23 +77,56 @@ impl Load {
         components.into_iter().flatten()
     }
 
-    /// The share of point `number` in the components `wrench`, in space: N, N m.
-    fn in_space(&self, c: &Configuration, number: usize, wrench: &Wrench) -> (Vec3, Vec3) {
-        let (marker, share) = &self.points[number];
-        let (force, moment) = (wrench.force * *share, wrench.moment * *share);
-        match self.direction {
-            Direction::Global => (force, moment),
-            Direction::Follower => {
-                let axes = marker.pose(c).axes;
-                (axes * force, axes * moment)
+    /// The markers that it acts on: along elements their load points.
+    pub fn markers(&self, mesh: &Mesh) -> Vec<Marker> {
+        match &self.site {
+            Site::Point(marker) => vec![*marker],
+            Site::Line(elements) => {
+                let points = |number: usize| mesh.elements[number].load_points().map(|(xi, _)| (number, xi));
+                elements.clone().flat_map(points).map(|(number, xi)| Marker::section(number, xi)).collect()
             }
         }
     }
 
-    /// Generalized force of point `number` under the components `wrench`, 24×1, in the marker's coordinates.
-    pub fn force(&self, c: &Configuration, number: usize, wrench: &Wrench) -> MarkerVector {
-        let (force, moment) = self.in_space(c, number, wrench);
-        let jacobian = self.points[number].0.jacobian(c);
+    /// Calls `take` with the coordinates of each part that it acts on and with the generalized force there under the components `wrench`.
+    pub fn each_force(&self, c: &Configuration, wrench: &Wrench, mut take: impl FnMut(Range<usize>, &[f64])) {
+        match &self.site {
+            Site::Point(marker) => {
+                let range = marker.coordinates(c.mesh);
+                let force = self.point_force(marker, c, wrench);
+                take(range.clone(), &force.as_slice()[..range.len()]);
+            }
+            Site::Line(elements) => {
+                let load = self.along(wrench);
+                for element in &c.mesh.elements[elements.clone()] {
+                    let range = element.coordinates();
+                    take(range.clone(), &element.line_force(&c.beams, &load)[..range.len()]);
+                }
+            }
+        }
+    }
+
+    /// The components `wrench` as an element sees them.
+    pub fn along(&self, wrench: &Wrench) -> LineLoad {
+        let Wrench { force, moment } = *wrench;
+        LineLoad { force, moment, follows: self.direction == Direction::Follower }
+    }
+
+    /// The components `wrench` at a marker, in space: N, N m.
+    fn in_space(&self, marker: &Marker, c: &Configuration, wrench: &Wrench) -> [Vec3; 2] {
+        match self.direction {
+            Direction::Global => [wrench.force, wrench.moment],
+            Direction::Follower => {
+                let axes = marker.pose(c).axes;
+                [axes * wrench.force, axes * wrench.moment]
+            }
+        }
+    }
+
+    /// Generalized force at a marker under the components `wrench`, 24×1, in the marker's coordinates.
+    pub fn point_force(&self, marker: &Marker, c: &Configuration, wrench: &Wrench) -> MarkerVector {
+        let [force, moment] = self.in_space(marker, c, wrench);
+        let jacobian = marker.jacobian(c);
         jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)
     }
 
@@ -91,22 +136,21 @@ impl Load {
             LoadGuide::Signals { moment, .. } => moment.iter().any(|own| !matches!(own, Signal::Constant(0.0))),
             LoadGuide::Host => true,
         };
-        self.direction == Direction::Follower
-            || has_moment
-            || self.points.iter().any(|(marker, _)| marker.arm() != Vec3::zeros())
+        self.direction == Direction::Follower || has_moment || self.has_arm()
     }
 
-    /// Whether [`Self::force_q`] of point `number` under the components `wrench` is zero: that of a dead force without an arm.
-    pub fn is_constant(&self, number: usize, wrench: &Wrench) -> bool {
-        self.direction == Direction::Global
-            && wrench.moment == Vec3::zeros()
-            && self.points[number].0.arm() == Vec3::zeros()
+    /// Whether its force under the components `wrench` depends on no coordinate: that of a dead force without an arm.
+    pub fn is_constant(&self, wrench: &Wrench) -> bool {
+        self.direction == Direction::Global && wrench.moment == Vec3::zeros() && !self.has_arm()
     }
 
-    /// `∂(generalized force)/∂q` of point `number` under the components `wrench`, 24×24.
-    pub fn force_q(&self, c: &Configuration, number: usize, wrench: &Wrench) -> MarkerMatrix {
-        let marker = &self.points[number].0;
-        let (force, moment) = self.in_space(c, number, wrench);
+    fn has_arm(&self) -> bool {
+        matches!(&self.site, Site::Point(marker) if marker.arm() != Vec3::zeros())
+    }
+
+    /// Derivative of [`Self::point_force`] with respect to the marker's coordinates, 24×24.
+    pub fn point_force_q(&self, marker: &Marker, c: &Configuration, wrench: &Wrench) -> MarkerMatrix {
+        let [force, moment] = self.in_space(marker, c, wrench);
         let sum = marker.wrench_stiffness(c, &force, &moment);
         match self.direction {
             Direction::Global => sum,
@@ -119,9 +163,8 @@ impl Load {
                     }
                     sum
                 };
-                let share = self.points[number].1;
-                sum + jacobian.place_q.tr_mul(&turned(&(wrench.force * share)))
-                    + jacobian.turn_q.tr_mul(&turned(&(wrench.moment * share)))
+                sum + jacobian.place_q.tr_mul(&turned(&wrench.force))
+                    + jacobian.turn_q.tr_mul(&turned(&wrench.moment))
             }
         }
     }

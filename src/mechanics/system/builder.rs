@@ -22,7 +22,7 @@ use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::rigidity;
 use crate::mechanics::constraint::weld;
 use crate::mechanics::force::actuator::Actuator;
-use crate::mechanics::force::load::Load;
+use crate::mechanics::force::load::{Load, Site};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
@@ -258,14 +258,9 @@ impl SystemBuilder {
         Marker::section(beam.first_element + element, xi)
     }
 
-    /// The points of a whole beam with their shares of its length, m: where a load per length acts.
-    pub fn sections_of(&self, beam: usize) -> Vec<(Marker, f64)> {
-        let beam = &self.system.beams[beam];
-        let points = |number: usize| {
-            let points = self.system.mesh.elements[number].load_points().into_iter();
-            points.map(move |(xi, share)| (Marker::section(number, xi), share))
-        };
-        beam.element_range().flat_map(points).collect()
+    /// Along a whole beam: where a load per length acts.
+    pub fn along(&self, beam: usize) -> Site {
+        Site::Line(self.system.beams[beam].element_range())
     }
 
     /// Adds a rigid body and returns its number. The design is sound: positive mass, a possible inertia, orthonormal axes.

@@ -5,6 +5,7 @@ use crate::math::jet::Jet;
 use crate::mechanics::beam::configuration::Purpose;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
+use crate::mechanics::force::load::Site;
 use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
@@ -26,9 +27,11 @@ impl System {
             let range = body.start..body.start + BODY;
             push(range.clone(), range);
         }
-        for (marker, _) in self.loads.iter().flat_map(|load| &load.points) {
-            let range = marker.coordinates(&self.mesh);
-            push(range.clone(), range);
+        for load in &self.loads {
+            if let Site::Point(marker) = &load.site {
+                let range = marker.coordinates(&self.mesh);
+                push(range.clone(), range);
+            }
         }
         let springs = self.springs.iter().map(|spring| spring.coordinate);
         for coordinate in springs.chain(self.actuators.iter().map(|actuator| actuator.coordinate)) {
@@ -116,16 +119,28 @@ impl System {
 
     #[inline(never)]
     fn set_load_tangent(&self, c: &Configuration, excitation: &Excitation, scale: f64, tangent: &mut Blocks) {
-        let mut load_points = TangentLayout::of(self).load_points();
+        let layout = TangentLayout::of(self);
+        let mut points = layout.load_points();
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
-            for ((number, (marker, _)), block) in load.points.iter().enumerate().zip(&mut load_points) {
-                if load.is_constant(number, wrench) {
-                    tangent.block_mut(block).fill(0.0);
-                    continue;
+            let is_constant = load.is_constant(wrench);
+            match &load.site {
+                Site::Point(marker) => {
+                    let block = tangent.block_mut(points.next().expect("a load on a marker has a block"));
+                    if is_constant {
+                        block.fill(0.0);
+                    } else {
+                        let count = marker.coordinates(&self.mesh).len();
+                        copy_corner(block, count, &load.point_force_q(marker, c, wrench), -scale);
+                    }
                 }
-                let count = marker.coordinates(&self.mesh).len();
-                let force_q = load.force_q(c, number, wrench);
-                copy_corner(tangent.block_mut(block), count, &force_q, -scale);
+                Site::Line(elements) if !is_constant => {
+                    let line = load.along(wrench);
+                    for number in elements.clone() {
+                        let block = tangent.block_mut(layout.element(number));
+                        self.mesh.elements[number].add_line_stiffness(&c.beams, &line, -scale, block);
+                    }
+                }
+                Site::Line(_) => {}
             }
         }
     }
@@ -176,11 +191,9 @@ impl System {
             add(forces, body.start, (excitation.gravity * -body.mass).as_slice());
         }
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
-            for (number, (marker, _)) in load.points.iter().enumerate() {
-                let range = marker.coordinates(&self.mesh);
-                let force = -load.force(c, number, wrench);
-                add(forces, range.start, &force.as_slice()[..range.len()]);
-            }
+            load.each_force(c, wrench, |range, own| {
+                forces[range].iter_mut().zip(own).for_each(|(sum, own)| *sum -= own);
+            });
         }
         self.subtract_efforts(c, passage, excitation, forces);
     }

@@ -58,10 +58,10 @@ impl System {
     /// The frames of nodes that these forces depend on, by their numbers.
     pub fn frames_of_lagging_forces(&self) -> Vec<usize> {
         let loads = self.loads.iter().filter(|load| load.may_turn());
-        let points = loads.flat_map(|load| load.points.iter().map(|(marker, _)| marker));
+        let points = loads.flat_map(|load| load.markers(&self.mesh));
         let springs = self.springs.iter().map(|spring| spring.coordinate);
         let sides = springs.chain(self.actuators.iter().map(|own| own.coordinate)).flat_map(|own| self.sides(own));
-        self.frames_of(points.chain(sides))
+        self.frames_of(points.chain(sides.copied()))
     }
 
     /// Adds `factor` times the forces, internal minus external, that differ between the means of a step and the middle of its time, at `c`.
@@ -73,17 +73,17 @@ impl System {
         factor: f64,
         forces: &mut [f64],
     ) {
+        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches).filter(|(load, _)| load.may_turn()) {
+            if !load.is_constant(wrench) {
+                load.each_force(c, wrench, |range, own| {
+                    forces[range].iter_mut().zip(own).for_each(|(sum, own)| *sum -= factor * own);
+                });
+            }
+        }
         let mut take = |marker: &Marker, part: &MarkerVector, factor: f64| {
             let range = marker.coordinates(&self.mesh);
             add(forces, range.start, &(part * factor).as_slice()[..range.len()]);
         };
-        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches).filter(|(load, _)| load.may_turn()) {
-            for (number, (marker, _)) in load.points.iter().enumerate() {
-                if !load.is_constant(number, wrench) {
-                    take(marker, &load.force(c, number, wrench), -factor);
-                }
-            }
-        }
         for (own, given) in self.actuators.iter().zip(&excitation.efforts) {
             let effort = match (&own.guide, sight) {
                 (EffortGuide::Law(law), Sight::Middle(middles)) => {

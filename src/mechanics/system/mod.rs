@@ -41,7 +41,7 @@ use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::law::Law;
-use crate::mechanics::force::load::{Direction, Load};
+use crate::mechanics::force::load::{Direction, Load, Site};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::guide::{Drive, MovingFrame};
@@ -398,12 +398,12 @@ impl System {
 
     /// The frames of nodes that joints depend on, by their numbers.
     pub fn joint_frames(&self) -> Vec<usize> {
-        self.frames_of(self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]))
+        self.frames_of(self.joints.iter().flat_map(|joint| [joint.a, joint.b]))
     }
 
     /// The frames of nodes that `markers` depend on, by their numbers.
-    fn frames_of<'a>(&self, markers: impl Iterator<Item = &'a Marker>) -> Vec<usize> {
-        let frames = markers.flat_map(|marker| match *marker {
+    fn frames_of(&self, markers: impl Iterator<Item = Marker>) -> Vec<usize> {
+        let frames = markers.flat_map(|marker| match marker {
             Marker::Node { node, .. } => match self.mesh.nodes[node] {
                 Node::Ancf14 { frame, .. } => frame..frame + 1,
                 Node::Ancf24 { .. } => 0..0,
@@ -427,7 +427,10 @@ impl System {
 
     /// Finds the nodes on which something acts.
     pub fn find_held_nodes(&mut self) {
-        let loads = self.loads.iter().flat_map(|load| load.points.iter().map(|(marker, _)| marker));
+        let loads = self.loads.iter().filter_map(|load| match &load.site {
+            Site::Point(marker) => Some(marker),
+            Site::Line(_) => None,
+        });
         let joints = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
         let springs = self.springs.iter().flat_map(|spring| self.sides(spring.coordinate));
         let actuators = self.actuators.iter().flat_map(|actuator| self.sides(actuator.coordinate));

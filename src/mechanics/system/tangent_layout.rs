@@ -1,6 +1,7 @@
 //! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs, actuators and what these read.
 
 use super::System;
+use crate::mechanics::force::load::Site;
 use std::ops::Range;
 
 /// Blocks of a spring or an actuator: one for each pair of its sides.
@@ -20,7 +21,7 @@ impl TangentLayout {
     pub fn of(system: &System) -> Self {
         let first_body = system.mesh.elements.len();
         let first_load_point = first_body + system.bodies.len();
-        let load_points: usize = system.loads.iter().map(|load| load.points.len()).sum();
+        let load_points = system.loads.iter().filter(|load| matches!(load.site, Site::Point(_))).count();
         let first_spring = first_load_point + load_points;
         let first_actuator = first_spring + OF_PAIR * system.springs.len();
         let first_reading = first_actuator + OF_PAIR * system.actuators.len();
@@ -43,7 +44,7 @@ impl TangentLayout {
         self.first_body + number
     }
 
-    /// The blocks of the points of all loads, load after load.
+    /// The blocks of loads on markers, in the order of the loads.
     pub fn load_points(self) -> Range<usize> {
         self.first_load_point..self.first_spring
     }

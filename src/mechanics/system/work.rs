@@ -107,9 +107,7 @@ impl System {
     ) -> [f64; 2] {
         let (mut of_loads, mut of_actuators) = (0.0, 0.0);
         for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
-            for (number, (marker, _)) in load.points.iter().enumerate() {
-                of_loads += dot(load.force(c, number, wrench).as_slice(), &change[marker.coordinates(&self.mesh)]);
-            }
+            load.each_force(c, wrench, |range, own| of_loads += dot(own, &change[range]));
         }
         for (actuator, effort) in self.efforts(c, passage, excitation) {
             let parts = actuator::force(&self.relative_coordinates[actuator.coordinate], c, effort);

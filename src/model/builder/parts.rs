@@ -6,7 +6,7 @@ use crate::mechanics::beam::ancf14::natural::Prestress;
 use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::design::BeamDesign;
 use crate::mechanics::body::rigid_body::BodyDesign;
-use crate::mechanics::force::load::{self, Direction, LoadGuide};
+use crate::mechanics::force::load::{self, Direction, LoadGuide, Site};
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::guide::FrameGuide;
 use crate::model::file::entries::beam::BeamSpec;
@@ -91,7 +91,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn add_load(&mut self, written: &LoadSpec) {
-        let points = match &written.target {
+        let site = match &written.target {
             Target::At(anchor) => {
                 let marker = self.anchored(anchor);
                 self.stiffen_below(&marker);
@@ -103,14 +103,14 @@ impl Builder<'_> {
                 if written.input || !written.moment.iter().all(is_zero) {
                     self.system.stiffen(&marker);
                 }
-                vec![(marker, 1.0)]
+                Site::Point(marker)
             }
-            Target::On(beam) => self.system.sections_of(*beam),
+            Target::On(beam) => self.system.along(*beam),
         };
         let signals = |numbers: [Number; 3]| numbers.map(|number| signal(self.document, number));
         self.system.add_load(load::Load {
             name: written.name.clone(),
-            points,
+            site,
             guide: if written.input {
                 LoadGuide::Host
             } else {

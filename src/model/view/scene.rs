@@ -143,8 +143,9 @@ impl Watched {
             [system.relative_coordinates[spring.coordinate].a, system.relative_coordinates[spring.coordinate].b]
         });
         let arrows = system.loads.iter().enumerate().flat_map(|(number, load)| {
-            let every = load.points.len().div_ceil(LINE_ARROWS).max(1);
-            load.points.iter().skip(every / 2).step_by(every).map(move |(marker, _)| (number, *marker))
+            let markers = load.markers(&system.mesh);
+            let every = markers.len().div_ceil(LINE_ARROWS).max(1);
+            markers.into_iter().skip(every / 2).step_by(every).map(move |marker| (number, marker))
         });
         let mut sensor = 0;
         let mut points = Vec::new();

@@ -15,7 +15,7 @@ use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::constraint::joint::Joint;
 use ancf14::mechanics::constraint::weld;
-use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide, Site};
 use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
@@ -114,11 +114,11 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
         v.map(|size| Signal::Function(Arc::new(move |time| Jet { value: size * time, first: size, second: 0.0 })))
     };
     let point = builder.section_at(number, fraction);
-    for (points, [force, moment]) in [(vec![(point, 1.0)], loads.point), (builder.sections_of(number), loads.line)] {
+    for (site, [force, moment]) in [(Site::Point(point), loads.point), (builder.along(number), loads.line)] {
         let (force, moment) = (growing(force), growing(moment));
         builder.add_load(Load {
             name: "load".into(),
-            points,
+            site,
             guide: LoadGuide::Signals { force, moment },
             direction: Direction::Global,
         });

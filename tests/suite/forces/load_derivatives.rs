@@ -3,7 +3,7 @@
 use crate::random::Random;
 use crate::support::marker_oracle::{ALL, All, BODY, Dual, Machine, ROUNDING, deep};
 use ancf14::math::{Mat3, Vec3};
-use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide, Site};
 use ancf14::mechanics::input::excitation::{HostWrench, Wrench};
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
@@ -64,7 +64,7 @@ fn check_load_derivatives() {
         let signals = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
         let load = Load {
             name: "load".into(),
-            points: vec![(marker, 1.0)],
+            site: Site::Point(marker),
             guide: LoadGuide::Signals { force: signals(force), moment: signals(moment) },
             direction,
         };
@@ -84,8 +84,8 @@ fn check_load_derivatives() {
         let c = machine.configuration();
         let range = marker.coordinates(&machine.mesh);
         let (own, own_q) = (
-            load.force(&c, 0, &load.at(0.0, &HostWrench::default())),
-            load.force_q(&c, 0, &load.at(0.0, &HostWrench::default())),
+            load.point_force(&marker, &c, &load.at(0.0, &HostWrench::default())),
+            load.point_force_q(&marker, &c, &load.at(0.0, &HostWrench::default())),
         );
         for (i, j) in range.clone().enumerate() {
             assert!(
@@ -101,12 +101,69 @@ fn check_load_derivatives() {
         // Equations leave out what is said to be zero.
         for moment in [moment, Vec3::zeros()] {
             let wrench = Wrench { force, moment };
-            if load.is_constant(0, &wrench) {
+            if load.is_constant(&wrench) {
                 constant += 1;
-                assert_eq!(load.force_q(&c, 0, &wrench).amax(), 0.0, "stiffness of case {case} under {wrench:?}");
+                let force_q = load.point_force_q(&marker, &c, &wrench);
+                assert_eq!(force_q.amax(), 0.0, "stiffness of case {case} under {wrench:?}");
             }
         }
     }
     // Dead forces at two nodes and in two sections, in two cases each.
     assert_eq!(constant, 8);
+}
+
+/// A load along elements of both formulations is the sum of loads on their load points, in proportion to the lengths that they stand for.
+#[test]
+fn loads_along_elements() {
+    deep(check_loads_along_elements);
+}
+
+fn check_loads_along_elements() {
+    let mut random = Random(21);
+    for case in 0..16 {
+        let machine = Machine::new(&mut random);
+        let c = machine.configuration();
+        let (force, moment) = (random.vector(), if case % 2 == 0 { random.vector() } else { Vec3::zeros() });
+        let wrench = Wrench { force, moment };
+        let direction = if case % 4 < 2 { Direction::Global } else { Direction::Follower };
+        let load = |site: Site| Load { name: "load".into(), site, guide: LoadGuide::Host, direction };
+        let elements = 0..machine.mesh.elements.len();
+        let line = load(Site::Line(elements.clone()));
+        let mut told = Vec::new();
+        line.each_force(&c, &wrench, |range, own| told.push((range, own.to_vec())));
+        assert_eq!(told.len(), elements.len());
+        let whole = line.markers(&machine.mesh);
+        for number in elements {
+            let element = &machine.mesh.elements[number];
+            let (range, own) = &told[number];
+            assert_eq!(*range, element.coordinates());
+            let count = range.len();
+            let mut stiffness = vec![0.0; count * count];
+            element.add_line_stiffness(&c.beams, &line.along(&wrench), 2.0, &mut stiffness);
+            let (mut sum, mut sum_q) = (vec![0.0; count], vec![0.0; count * count]);
+            for (xi, share) in element.load_points() {
+                let marker = Marker::section(number, xi);
+                assert!(whole.contains(&marker));
+                let part = Wrench { force: force * share, moment: moment * share };
+                let point = load(Site::Point(marker));
+                let (by_point, by_point_q) =
+                    (point.point_force(&marker, &c, &part), point.point_force_q(&marker, &c, &part));
+                for i in 0..count {
+                    sum[i] += by_point[i];
+                    (0..count).for_each(|j| sum_q[j * count + i] += 2.0 * by_point_q[(i, j)]);
+                }
+            }
+            let is_near = |a: &[f64], b: &[f64]| {
+                let size = b.iter().fold(1.0_f64, |size, value| size.max(value.abs()));
+                a.iter().zip(b).all(|(a, b)| (a - b).abs() < ROUNDING * size)
+            };
+            assert!(is_near(own, &sum), "force of element {number}, case {case}");
+            assert!(is_near(&stiffness, &sum_q), "stiffness of element {number}, case {case}");
+            assert_eq!(
+                line.is_constant(&wrench),
+                stiffness.iter().all(|value| *value == 0.0),
+                "constant element {number}, case {case}"
+            );
+        }
+    }
 }

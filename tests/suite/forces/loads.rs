@@ -9,9 +9,8 @@ use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::design::{BeamDesign, Elements, Torsion};
 use ancf14::mechanics::beam::section::Section;
-use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide, Site};
 use ancf14::mechanics::input::signal::Signal;
-use ancf14::mechanics::marker::Marker;
 use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
@@ -21,7 +20,7 @@ const DEAD: Direction = Direction::Global;
 /// Tip displacement and twist angle at the tip of a cantilever of 1 m along x under one load.
 fn tip(
     beam: &BeamDesign,
-    points: impl Fn(&SystemBuilder, usize) -> Vec<(Marker, f64)>,
+    site: impl Fn(&SystemBuilder, usize) -> Site,
     force: Vec3,
     moment: Vec3,
     direction: Direction,
@@ -30,10 +29,10 @@ fn tip(
     let number = builder.add_beam(beam);
     clamp(&mut builder, number);
     let constant = |v: Vec3| [0, 1, 2].map(|i| Signal::Constant(v[i]));
-    let points = points(&builder, number);
+    let site = site(&builder, number);
     builder.add_load(Load {
         name: "load".into(),
-        points,
+        site,
         guide: LoadGuide::Signals { force: constant(force), moment: constant(moment) },
         direction,
     });
@@ -45,12 +44,12 @@ fn tip(
     (vec3(&state.q, state.q.len() - 7) - Vec3::x(), twist)
 }
 
-fn at(fraction: f64) -> impl Fn(&SystemBuilder, usize) -> Vec<(Marker, f64)> {
-    move |builder, beam| vec![(builder.section_at(beam, fraction), 1.0)]
+fn at(fraction: f64) -> impl Fn(&SystemBuilder, usize) -> Site {
+    move |builder, beam| Site::Point(builder.section_at(beam, fraction))
 }
 
-fn everywhere(builder: &SystemBuilder, beam: usize) -> Vec<(Marker, f64)> {
-    builder.sections_of(beam)
+fn everywhere(builder: &SystemBuilder, beam: usize) -> Site {
+    builder.along(beam)
 }
 
 #[test]

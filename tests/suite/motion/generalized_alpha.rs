@@ -20,7 +20,7 @@ use ancf14::mechanics::constraint::primitive::Primitive;
 use ancf14::mechanics::constraint::revolute;
 use ancf14::mechanics::constraint::spherical;
 use ancf14::mechanics::constraint::weld;
-use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide, Site};
 use ancf14::mechanics::force::spring::Spring;
 use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::input::guide::Guide;
@@ -76,7 +76,7 @@ fn spun_up() -> (System, State) {
     });
     builder.add_load(Load {
         name: "motor".into(),
-        points: vec![(builder.section_at(beam, 0.5), 1.0)],
+        site: Site::Point(builder.section_at(beam, 0.5)),
         guide: LoadGuide::Signals { force: [0.0; 3].map(Signal::Constant), moment },
         direction: Direction::Follower,
     });

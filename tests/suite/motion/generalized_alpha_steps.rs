@@ -16,7 +16,7 @@ use ancf14::mechanics::body::rigid_body::BodyDesign;
 use ancf14::mechanics::constraint::driven::Driven;
 use ancf14::mechanics::constraint::revolute;
 use ancf14::mechanics::constraint::spherical;
-use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide, Site};
 use ancf14::mechanics::force::spring::Spring;
 use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::input::guide::{FrameGuide, Guide};
@@ -76,7 +76,7 @@ fn everything(damping: f64) -> (System, State) {
     });
     builder.add_load(Load {
         name: "thrust".into(),
-        points: vec![(builder.section_at(beam, 0.7), 1.0)],
+        site: Site::Point(builder.section_at(beam, 0.7)),
         guide: LoadGuide::Signals {
             force: [3.0, 20.0, -10.0].map(Signal::Constant),
             moment: [5.0, 2.0, -3.0].map(Signal::Constant),

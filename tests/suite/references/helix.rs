@@ -13,7 +13,7 @@ use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
 use ancf14::mechanics::beam::design::BeamDesign;
 use ancf14::mechanics::beam::section::Section;
-use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide, Site};
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::solve::statics::Statics;
@@ -91,7 +91,7 @@ fn error(elements: usize, twist: Twist) -> f64 {
     };
     let load = Load {
         name: "wrench".into(),
-        points: vec![(builder.section_at(beam, 1.0), 1.0)],
+        site: Site::Point(builder.section_at(beam, 1.0)),
         guide: LoadGuide::Signals {
             force: signal(|helix, w| helix.force(w).0),
             moment: signal(|helix, w| if w == 0.0 { Vec3::zeros() } else { helix.moment(w) }),

@@ -16,7 +16,7 @@ use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::constraint::joint::Joint;
 use ancf14::mechanics::constraint::primitive::Primitive;
 use ancf14::mechanics::constraint::weld;
-use ancf14::mechanics::force::load::{Direction, Load, LoadGuide};
+use ancf14::mechanics::force::load::{Direction, Load, LoadGuide, Site};
 use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
@@ -107,7 +107,7 @@ pub fn load(builder: &mut SystemBuilder, beam: usize, fraction: f64, force: Vec3
     };
     builder.add_load(Load {
         name: "load".into(),
-        points: vec![(marker, 1.0)],
+        site: Site::Point(marker),
         guide: LoadGuide::Signals { force: growing(force), moment: growing(moment) },
         direction: Direction::Global,
     });

@@ -11,6 +11,7 @@ use crate::math::jet::Jet;
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
+use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, LineLoad, MOST_COORDINATES};
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
@@ -213,26 +214,38 @@ impl BeamElement for Element {
         [here.energy(), power]
     }
 
-    fn load_points(&self) -> Vec<(f64, f64)> {
+    fn load_points(&self) -> [(f64, f64); LOAD_POINTS] {
         // Of the arc length, as mass and weight are: not `w l J0`, the length of the interpolated curve, which strains have.
-        self.bending.iter().map(|point| (point.xi, point.weight / point.reference_stretch)).collect()
+        [0, 1, 2].map(|g| (self.bending[g].xi, self.bending[g].weight / self.bending[g].reference_stretch))
+    }
+
+    fn line_force(&self, c: &BeamConfiguration, load: &LineLoad) -> ElementForces {
+        let mut forces = [0.0; MOST_COORDINATES];
+        forces[..ELEMENT].copy_from_slice(self.line_force(c, load).as_slice());
+        forces
+    }
+
+    fn add_line_stiffness(&self, c: &BeamConfiguration, load: &LineLoad, factor: f64, block: &mut [f64]) {
+        let stiffness = self.line_stiffness(c, load);
+        block.iter_mut().zip(stiffness.as_slice()).for_each(|(target, value)| *target += factor * value);
     }
 
     fn section_pose(&self, c: &BeamConfiguration, xi: f64) -> Pose {
-        SectionPoint::new(c, self, xi).pose(c)
+        SectionPoint::new(c, self, &self.kinematics(c), xi).pose(c)
     }
 
     fn section_jacobian(&self, c: &BeamConfiguration, xi: f64) -> MarkerJacobian {
-        let (own_place, own_turn) = SectionPoint::new(c, self, xi).jacobian(c);
+        let kinematics = self.kinematics(c);
+        let point = SectionPoint::new(c, self, &kinematics, xi);
         let (mut place_q, mut turn_q) = (ByCoordinates::zeros(), ByCoordinates::zeros());
-        place_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&own_place);
-        turn_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&own_turn);
+        place_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&point.place_q());
+        turn_q.fixed_columns_mut::<ELEMENT>(0).copy_from(&point.turn_q(c));
         MarkerJacobian { place_q, turn_q }
     }
 
     fn add_section_moment_stiffness(&self, c: &BeamConfiguration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
         let mut own = sum.fixed_view_mut::<ELEMENT, ELEMENT>(0, 0);
-        own += SectionPoint::new(c, self, xi).moment_stiffness(c, moment);
+        own += SectionPoint::new(c, self, &self.kinematics(c), xi).moment_stiffness(c, moment);
     }
 
     fn relaxed_turn(&self, c: &BeamConfiguration, xi: f64) -> f64 {

@@ -13,6 +13,7 @@ pub mod energy;
 pub mod frame;
 pub mod inertia;
 pub mod kinematics;
+mod line_load;
 pub mod natural;
 pub mod over_step;
 pub mod paid_out;

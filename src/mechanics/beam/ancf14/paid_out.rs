@@ -15,6 +15,7 @@ use crate::math::jet::Jet;
 use crate::math::vectors::vec3;
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
+use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, LineLoad};
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 use crate::mechanics::geometry::marker_jacobian::{MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
@@ -400,8 +401,17 @@ impl BeamElement for PaidOut {
         self.at(c).energy_and_viscous_power(c, velocity)
     }
 
-    fn load_points(&self) -> Vec<(f64, f64)> {
+    fn load_points(&self) -> [(f64, f64); LOAD_POINTS] {
         self.drawn.load_points()
+    }
+
+    /// Per length as drawn, as [`Self::load_points`] are.
+    fn line_force(&self, c: &BeamConfiguration, load: &LineLoad) -> ElementForces {
+        BeamElement::line_force(&self.drawn, c, load)
+    }
+
+    fn add_line_stiffness(&self, c: &BeamConfiguration, load: &LineLoad, factor: f64, block: &mut [f64]) {
+        self.drawn.add_line_stiffness(c, load, factor, block);
     }
 
     fn section_pose(&self, c: &BeamConfiguration, xi: f64) -> Pose {

@@ -11,8 +11,9 @@ use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
+use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, LineLoad};
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
-use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
@@ -178,9 +179,33 @@ impl BeamElement for Element {
         [self.energy(q), viscous.iter().zip(velocity).map(|(force, velocity)| force * velocity).sum()]
     }
 
-    fn load_points(&self) -> Vec<(f64, f64)> {
+    fn load_points(&self) -> [(f64, f64); LOAD_POINTS] {
         // Three points, as of ANCF14: a constant load then acts as the weight does.
-        GAUSS_POINTS.into_iter().zip(GAUSS_WEIGHTS.map(|weight| weight * self.length)).collect()
+        [0, 1, 2].map(|g| (GAUSS_POINTS[g], GAUSS_WEIGHTS[g] * self.length))
+    }
+
+    fn line_force(&self, c: &BeamConfiguration, load: &LineLoad) -> ElementForces {
+        let mut sum = MarkerVector::zeros();
+        for (xi, share) in self.load_points() {
+            let jacobian = self.section_jacobian(c, xi);
+            let [force, moment] = load.on(share, &self.section_pose(c, xi).axes);
+            sum += jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment);
+        }
+        sum.into()
+    }
+
+    fn add_line_stiffness(&self, c: &BeamConfiguration, load: &LineLoad, factor: f64, block: &mut [f64]) {
+        let mut sum = MarkerMatrix::zeros();
+        for (xi, share) in self.load_points() {
+            let [force, moment] = load.on(share, &self.section_pose(c, xi).axes);
+            self.add_section_moment_stiffness(c, xi, &moment, &mut sum);
+            if load.follows {
+                let MarkerJacobian { place_q, turn_q } = self.section_jacobian(c, xi);
+                let turned = |own: &Vec3| -own.cross_matrix() * turn_q;
+                sum += place_q.tr_mul(&turned(&force)) + turn_q.tr_mul(&turned(&moment));
+            }
+        }
+        block.iter_mut().zip(sum.as_slice()).for_each(|(target, value)| *target += factor * value);
     }
 
     fn section_pose(&self, c: &BeamConfiguration, xi: f64) -> Pose {

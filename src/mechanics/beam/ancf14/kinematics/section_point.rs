@@ -14,14 +14,15 @@ use crate::mechanics::geometry::pose::Pose;
 use nalgebra::SMatrix;
 
 /// A vector by the element's coordinates, 3×14.
-type ByElement = SMatrix<f64, 3, ELEMENT>;
+pub type ByElement = SMatrix<f64, 3, ELEMENT>;
 
 /// A section inside an element.
 pub struct SectionPoint<'a> {
     element: &'a Element,
     xi: f64,
-    kinematics: Kinematics<'a>,
-    shape: [f64; 4],
+    kinematics: &'a Kinematics<'a>,
+    /// Weights of `X_a` in the place of the section.
+    pub shape: [f64; 4],
     shape_x: [f64; 4],
     /// `l A_h(ξ)`, m.
     collocation: [f64; 3],
@@ -32,8 +33,8 @@ pub struct SectionPoint<'a> {
 }
 
 impl<'a> SectionPoint<'a> {
-    /// At the place `xi` (0 to 1) of `element`.
-    pub fn new(c: &BeamConfiguration<'a>, element: &'a Element, xi: f64) -> Self {
+    /// At the place `xi` (0 to 1) of `element`, whose `kinematics` are those at `c`.
+    pub fn new(c: &BeamConfiguration<'a>, element: &'a Element, kinematics: &'a Kinematics<'a>, xi: f64) -> Self {
         let shape_x = hermite::shape_x(xi, element.length);
         let p = interpolate(&shape_x, element.own(c.q));
         let stretch = p.norm();
@@ -41,7 +42,7 @@ impl<'a> SectionPoint<'a> {
         Self {
             element,
             xi,
-            kinematics: element.kinematics(c),
+            kinematics,
             shape: hermite::shape(xi, element.length),
             shape_x,
             collocation: quadrature::collocation(xi).map(|a| a * element.length),
@@ -71,7 +72,7 @@ impl<'a> SectionPoint<'a> {
     /// Spin about the tangent by the coordinates, 1×14 as a column: `dα + s_0·dt_0 − kb(t_0, t)·(dt_0 + dt)` (2.17).
     fn spin_q(&self, c: &BeamConfiguration) -> ElementVector {
         let [first, _] = self.element.frames(c);
-        let mut spin = self.kinematics.shape.gradient(&self.angle(1.0).gradient(self.element, &self.kinematics));
+        let mut spin = self.kinematics.shape.gradient(&self.angle(1.0).gradient(self.element, self.kinematics));
         let mut slope = spin.fixed_rows_mut::<3>(P);
         slope -= (first.k + self.k) / first.stretch;
         for (weight, place) in self.shape_x.iter().zip(SHAPE_PLACES) {
@@ -81,22 +82,29 @@ impl<'a> SectionPoint<'a> {
         spin
     }
 
-    /// Derivatives of place and turn by the coordinates of the element.
-    pub fn jacobian(&self, c: &BeamConfiguration) -> (ByElement, ByElement) {
+    /// Derivative of the place by the coordinates of the element.
+    pub fn place_q(&self) -> ByElement {
         let mut place_q = ByElement::zeros();
+        for (weight, place) in self.shape.iter().zip(SHAPE_PLACES) {
+            place_q.fixed_columns_mut::<3>(place).copy_from(&(Mat3::identity() * *weight));
+        }
+        place_q
+    }
+
+    /// Derivative of the turn, in space, by the coordinates of the element.
+    pub fn turn_q(&self, c: &BeamConfiguration) -> ByElement {
         let mut turn_q = self.t * self.spin_q(c).transpose();
         let tilt = self.t.cross_matrix() / self.stretch;
-        for (a, place) in SHAPE_PLACES.into_iter().enumerate() {
-            place_q.fixed_columns_mut::<3>(place).copy_from(&(Mat3::identity() * self.shape[a]));
+        for (weight, place) in self.shape_x.iter().zip(SHAPE_PLACES) {
             let mut columns = turn_q.fixed_columns_mut::<3>(place);
-            columns += tilt * self.shape_x[a];
+            columns += tilt * *weight;
         }
-        (place_q, turn_q)
+        turn_q
     }
 
     /// `∂(turn_qᵀ m)/∂q`, 14×14, of a moment frozen in space; a force at an interior point has none: places are linear in q.
     pub fn moment_stiffness(&self, c: &BeamConfiguration, moment: &Vec3) -> ElementMatrix {
-        let (element, kinematics) = (self.element, &self.kinematics);
+        let (element, kinematics) = (self.element, self.kinematics);
         let [first, _] = element.frames(c);
         let along = moment.dot(&self.t);
         let t_p = normal_projector(&self.t) / self.stretch;
