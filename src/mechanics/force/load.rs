@@ -163,8 +163,7 @@ impl Load {
                     }
                     sum
                 };
-                sum + jacobian.place_q.tr_mul(&turned(&wrench.force))
-                    + jacobian.turn_q.tr_mul(&turned(&wrench.moment))
+                sum + jacobian.place_q.tr_mul(&turned(&wrench.force)) + jacobian.turn_q.tr_mul(&turned(&wrench.moment))
             }
         }
     }

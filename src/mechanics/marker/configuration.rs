@@ -27,7 +27,7 @@ pub type TimeStep<'a> = beams::TimeStep<'a, Configuration<'a>>;
 impl<'a> Passage<'a> {
     /// Through a state in motion.
     pub fn of(state: &'a State) -> Self {
-        let (velocity, strain_rates) = (&state.velocity, state.viscous.known());
+        let (velocity, strain_rates) = (&state.velocity, state.known_viscous_rates());
         Self::Instant { velocity, velocity_by_q: 0.0, purpose: Purpose::Derivatives, strain_rates }
     }
 

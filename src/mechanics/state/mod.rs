@@ -2,6 +2,7 @@
 
 pub mod energy_account;
 pub mod energy_balance;
+pub mod lists;
 pub mod pace;
 pub mod path_point;
 pub mod place;
@@ -10,48 +11,33 @@ pub mod time_error;
 pub mod viscous_rates;
 
 use self::energy_balance::EnergyBalance;
+use self::lists::Lists;
 use self::pace::Pace;
 use self::path_point::PathPoint;
-use self::rate_leads::RateLeads;
 use self::time_error::TimeError;
-use self::viscous_rates::ViscousRates;
 use crate::math::Vec3;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::input::prescribed::Prescribed;
 use serde::{Deserialize, Serialize};
+use std::ops::{Deref, DerefMut};
 
 /// Everything that persists from one step to the next.
 #[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Time, s.
     pub time: f64,
-    /// Coordinates: m, 1, rad.
-    pub q: Vec<f64>,
-    /// Velocities of the coordinates, 1/s each.
-    pub velocity: Vec<f64>,
-    /// Momenta of the coordinates, in charts centered at the nodes' own tangents.
-    pub momentum: Vec<f64>,
-    /// Multipliers of the joints' conditions at the start of the last midpoint step, or at `time` by generalized-alpha, N or N m.
-    pub multipliers: Vec<f64>,
+    /// Lists of numbers, which small changes add to.
+    pub lists: Lists,
     /// What a midpoint step starts its iteration from.
     pub prediction: Prediction,
     /// What the lengths of the steps have done to it.
     pub time_error: TimeError,
     /// How long its next step is, where the solver chooses it.
     pub pace: Pace,
-    /// What generalized-alpha goes on from.
-    pub accelerations: Accelerations,
-    /// The part of the momentum that the constraints do not allow, by their conditions: `s` of `P = M v + Gᵀ s` (MECHANICS 7.1, where it is `nu`), N s or N m s.
-    pub constraint_momenta: Vec<f64>,
-    /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then `g1`, `g2`, `tau` of each bending
-    /// point (1/m/s, rad/m/s); then of the rates of all relative coordinates that have a spring (m/s, rad/s).
-    pub strain_rates: Vec<f64>,
-    /// By how much the rates that velocities make have led those over steps.
-    pub rate_leads: RateLeads,
-    /// Rates of the strains at `time`, as midpoint steps show them.
-    pub viscous: ViscousRates,
+    /// Length of the last step that [`Lists::viscous_rates`] were continued over, s; 0 before the first one and behind a jump.
+    pub viscous_step: f64,
     /// Reference triads of the nodes.
     pub triads: Vec<Triad>,
     /// Holonomy angles of the elements, rad: the branch that the next one continues.
@@ -89,22 +75,8 @@ impl State {
     /// Whether all its lists are as long as those of another state of the same system.
     pub fn has_the_shape_of(&self, other: &Self) -> bool {
         let lengths = |state: &Self| {
-            let Self {
-                q,
-                velocity,
-                momentum,
-                multipliers,
-                constraint_momenta,
-                triads,
-                holonomy,
-                relative_values,
-                rotations,
-                ..
-            } = state;
-            let State { strain_rates, prescribed, targets, .. } = state;
-            let lists =
-                [q, velocity, momentum, multipliers, constraint_momenta, strain_rates, holonomy, relative_values]
-                    .map(Vec::len);
+            let Self { triads, holonomy, relative_values, rotations, prescribed, targets, .. } = state;
+            let lists = [holonomy, relative_values].map(Vec::len);
             let motions =
                 [prescribed.drives.len(), prescribed.frames.len(), targets.drives.len(), targets.frames.len()];
             let switches = [prescribed.holds.len(), targets.switches.len()];
@@ -115,12 +87,11 @@ impl State {
         };
         // Nothing yet, or all of them.
         let optional = |list: usize, whole: usize| list == 0 || list == whole;
-        let Accelerations { of_coordinates, algorithmic } = &self.accelerations;
         lengths(self) == lengths(other)
-            && [of_coordinates, algorithmic].iter().all(|list| optional(list.len(), other.q.len()))
+            && self.lists.has_the_shape_of(&other.lists)
+            && self.viscous_step.is_finite()
+            && self.viscous_step >= 0.0
             && self.balance.account.is_some() == other.balance.account.is_some()
-            && self.rate_leads.is_possible(other.strain_rates.len())
-            && self.viscous.is_possible(other.strain_rates.len())
             && self.prediction.is_possible(other.q.len())
             && self.time_error.is_possible(other.q.len(), other.multipliers.len(), other.relative_values.len())
             && self.pace.is_possible(other.q.len())
@@ -131,21 +102,27 @@ impl State {
     }
 }
 
+impl Deref for State {
+    type Target = Lists;
+
+    fn deref(&self) -> &Lists {
+        &self.lists
+    }
+}
+
+impl DerefMut for State {
+    fn deref_mut(&mut self) -> &mut Lists {
+        &mut self.lists
+    }
+}
+
 impl Clone for State {
     fn clone(&self) -> Self {
         Self {
-            q: self.q.clone(),
-            velocity: self.velocity.clone(),
-            momentum: self.momentum.clone(),
-            multipliers: self.multipliers.clone(),
+            lists: self.lists.clone(),
             prediction: self.prediction.clone(),
             time_error: self.time_error.clone(),
             pace: self.pace.clone(),
-            accelerations: self.accelerations.clone(),
-            constraint_momenta: self.constraint_momenta.clone(),
-            strain_rates: self.strain_rates.clone(),
-            rate_leads: self.rate_leads.clone(),
-            viscous: self.viscous.clone(),
             triads: self.triads.clone(),
             holonomy: self.holonomy.clone(),
             relative_values: self.relative_values.clone(),
@@ -171,22 +148,15 @@ impl State {
     /// Takes the motion of `source`, keeping its own memory: all but the prediction of the next step and the error of those before, which a state beside the
     /// computed motion does without.
     pub fn copy_motion_from(&mut self, source: &Self) {
-        let Self { time, q, velocity, momentum, multipliers, triads, holonomy, relative_values, rotations, .. } = self;
-        *time = source.time;
-        q.clone_from(&source.q);
-        velocity.clone_from(&source.velocity);
-        momentum.clone_from(&source.momentum);
-        multipliers.clone_from(&source.multipliers);
+        let Self { triads, holonomy, relative_values, rotations, .. } = self;
+        self.time = source.time;
+        self.viscous_step = source.viscous_step;
+        self.lists.clone_from(&source.lists);
         triads.clone_from(&source.triads);
         holonomy.clone_from(&source.holonomy);
-        self.constraint_momenta.clone_from(&source.constraint_momenta);
-        self.strain_rates.clone_from(&source.strain_rates);
-        self.rate_leads.copy_from(&source.rate_leads);
-        self.viscous.copy_from(&source.viscous);
         relative_values.clone_from(&source.relative_values);
         rotations.clone_from(&source.rotations);
         self.pace.copy_from(&source.pace);
-        self.accelerations.copy_from(&source.accelerations);
         self.prescribed.copy_from(&source.prescribed);
         self.targets.copy_from(&source.targets);
         self.excitation.copy_from(&source.excitation);
@@ -206,23 +176,6 @@ pub struct HeldCoordinate {
     pub index: usize,
     /// What the tangent has more on its diagonal, J per square of the coordinate's unit; the residual has no term of it.
     pub stiffness: f64,
-}
-
-/// Accelerations as generalized-alpha carries them on, 1/s² each; empty for other integrators.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Accelerations {
-    /// Second derivatives of the coordinates at the state's time, which the equations hold for.
-    pub of_coordinates: Vec<f64>,
-    /// The algorithmic ones, which velocities and coordinates follow from.
-    pub algorithmic: Vec<f64>,
-}
-
-impl Accelerations {
-    /// Takes the values of another one, keeping its own memory.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.of_coordinates.clone_from(&other.of_coordinates);
-        self.algorithmic.clone_from(&other.algorithmic);
-    }
 }
 
 /// What a midpoint step starts its iteration from, and how its corrections are expected to shrink.

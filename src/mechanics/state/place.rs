@@ -34,9 +34,9 @@ impl State {
     /// the same parts may have different numbers, have `lengths`.
     pub fn has_the_place_of(&self, other: &Self, lengths: [usize; 3]) -> bool {
         let of_parts = |state: &Self| {
-            let Self { q, velocity, triads, holonomy, prescribed, .. } = state;
+            let Self { lists, triads, holonomy, prescribed, .. } = state;
             let motions = [prescribed.drives.len(), prescribed.frames.len()];
-            ([q.len(), velocity.len(), triads.len(), holonomy.len()], motions)
+            ([lists.q.len(), lists.velocity.len(), triads.len(), holonomy.len()], motions)
         };
         let own = [self.relative_values.len(), self.rotations.len(), self.prescribed.holds.len()];
         of_parts(self) == of_parts(other) && own == lengths

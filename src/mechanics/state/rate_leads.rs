@@ -5,77 +5,63 @@
 //! seems to strain the beam. The part that no step resolves alternates from step to step. Differences of third order of `d` have all of that part, and of a motion of
 //! the frequency `ω` the share `(h ω/2)³`.
 
-use serde::{Deserialize, Serialize};
+use super::lists::Lists;
 
-/// Order of the differences. With the second order the share of a smooth motion is 50 times as large where a step takes a 150th of a period.
-const ORDER: usize = 3;
-/// Weights of the differences, which are 1 for a lead that alternates: of the newest lead, and of those before.
-const WEIGHTS: [f64; ORDER + 1] = [0.125, -0.375, 0.375, -0.125];
+/// Weights of the differences of third order, which are 1 for a lead that alternates: of the newest lead, and of those before. With the second order the share of a
+/// smooth motion is 50 times as large where a step takes a 150th of a period.
+const WEIGHTS: [f64; 4] = [0.125, -0.375, 0.375, -0.125];
 
-/// By how much the rates of strains that velocities make have led those over the step before, at the starts of the last steps.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct RateLeads {
-    /// The newest first, each in the order of [`super::State::strain_rates`]; empty before the first step of a motion and behind a switch.
-    pub leads: [Vec<f64>; ORDER],
+/// Forgets all leads: the motion begins, or its velocities have jumped.
+pub fn clear(lists: &mut Lists) {
+    lists.leads_mut().into_iter().for_each(Vec::clear);
 }
 
-impl RateLeads {
-    /// Forgets all leads: the motion begins, or its velocities have jumped.
-    pub fn clear(&mut self) {
-        self.leads.iter_mut().for_each(Vec::clear);
+/// Sets `predicted` to the rates over the last step with the alternating part of those that the velocities make now, `start`.
+pub fn predict(lists: &Lists, start: &[f64], predicted: &mut Vec<f64>) {
+    let last = &lists.strain_rates;
+    predicted.clear();
+    let [first, second, third] = lists.leads();
+    if first.is_empty() {
+        predicted.extend_from_slice(last);
+        return;
     }
+    let known = first.iter().zip(second).zip(third);
+    predicted.extend(last.iter().zip(start).zip(known).map(|((last, start), ((first, second), third))| {
+        let [now, one, two, three] = WEIGHTS;
+        last + now * (start - last) + one * first + two * second + three * third
+    }));
+}
 
-    /// Sets `predicted` to the rates over the last step, `last`, with the alternating part of those that the velocities make now, `start`.
-    pub fn predict(&self, last: &[f64], start: &[f64], predicted: &mut Vec<f64>) {
-        predicted.clear();
-        let [first, second, third] = &self.leads;
-        if first.is_empty() {
-            predicted.extend_from_slice(last);
-            return;
-        }
-        let known = first.iter().zip(second).zip(third);
-        predicted.extend(last.iter().zip(start).zip(known).map(|((last, start), ((first, second), third))| {
-            let [now, one, two, three] = WEIGHTS;
-            last + now * (start - last) + one * first + two * second + three * third
-        }));
+/// Takes the lead of the rates `start` over those of the step before, `last`, as the newest one.
+pub fn advance(lists: &mut Lists, last: &[f64], start: &[f64]) {
+    let lead = || start.iter().zip(last).map(|(start, last)| start - last);
+    let [newest, older, oldest] = lists.leads_mut();
+    if newest.is_empty() {
+        // As if it had always been so: nothing alternates.
+        [newest, older, oldest].into_iter().for_each(|list| list.extend(lead()));
+        return;
     }
-
-    /// Takes the lead of the rates `start` over those of the step before, `last`, as the newest one.
-    pub fn advance(&mut self, last: &[f64], start: &[f64]) {
-        let lead = || start.iter().zip(last).map(|(start, last)| start - last);
-        if self.leads[0].is_empty() {
-            // As if it had always been so: nothing alternates.
-            self.leads.iter_mut().for_each(|list| list.extend(lead()));
-            return;
-        }
-        self.leads.rotate_right(1);
-        self.leads[0].clear();
-        self.leads[0].extend(lead());
-    }
-
-    /// Whether it may belong to a system with `rates` rates.
-    pub fn is_possible(&self, rates: usize) -> bool {
-        let lengths = self.leads.each_ref().map(Vec::len);
-        lengths == [0; ORDER] || lengths == [rates; ORDER]
-    }
-
-    /// Takes the values of another one, keeping its own memory.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.leads.iter_mut().zip(&other.leads).for_each(|(own, other)| own.clone_from(other));
-    }
+    std::mem::swap(older, oldest);
+    std::mem::swap(newest, older);
+    newest.clear();
+    newest.extend(lead());
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn still() -> Lists {
+        Lists { strain_rates: vec![0.0], ..Lists::default() }
+    }
+
     /// What is predicted beyond the rates over the last step, 0, where the velocities lead by `lead` at the start of step `number`, after eight steps.
     fn alternating(lead: impl Fn(usize) -> f64) -> f64 {
-        let (mut leads, mut predicted) = (RateLeads::default(), Vec::new());
+        let (mut lists, mut predicted) = (still(), Vec::new());
         for number in 0..8 {
-            leads.advance(&[0.0], &[lead(number)]);
+            advance(&mut lists, &[0.0], &[lead(number)]);
         }
-        leads.predict(&[0.0], &[lead(8)], &mut predicted);
+        predict(&lists, &[lead(8)], &mut predicted);
         predicted[0]
     }
 
@@ -95,11 +81,11 @@ mod tests {
     /// Nothing is known before the first step, and at the first one a lead is taken for one that has always been there.
     #[test]
     fn first_leads_are_not_predicted() {
-        let (mut leads, mut predicted) = (RateLeads::default(), Vec::new());
-        leads.predict(&[2.0], &[5.0], &mut predicted);
+        let (mut lists, mut predicted) = (Lists { strain_rates: vec![2.0], ..Lists::default() }, Vec::new());
+        predict(&lists, &[5.0], &mut predicted);
         assert_eq!(predicted, [2.0]);
-        leads.advance(&[2.0], &[5.0]);
-        leads.predict(&[2.0], &[5.0], &mut predicted);
+        advance(&mut lists, &[2.0], &[5.0]);
+        predict(&lists, &[5.0], &mut predicted);
         assert_eq!(predicted, [2.0]);
     }
 }

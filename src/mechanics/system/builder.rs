@@ -26,7 +26,7 @@ use crate::mechanics::force::load::{Load, Site};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
-use crate::mechanics::input::excitation::{Excitation, HostEffort, HostWrench};
+use crate::mechanics::input::excitation::{HostEffort, HostWrench};
 use crate::mechanics::input::guide::{FrameGuide, MovingFrame};
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
@@ -36,12 +36,8 @@ use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::observer::Observer;
 use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate};
 use crate::mechanics::marker::sensor::Sensor;
-use crate::mechanics::state::energy_balance::EnergyBalance;
-use crate::mechanics::state::pace::Pace;
-use crate::mechanics::state::rate_leads::RateLeads;
-use crate::mechanics::state::time_error::TimeError;
-use crate::mechanics::state::viscous_rates::ViscousRates;
-use crate::mechanics::state::{Accelerations, Prediction, State, Statistics};
+use crate::mechanics::state::State;
+use crate::mechanics::state::lists::Lists;
 
 /// A system in the making.
 ///
@@ -461,33 +457,25 @@ impl SystemBuilder {
         prescribed.drives = vec![Jet::constant(0.0); system.drives.len()];
         prescribed.holds = system.holds_at(start, &targets).map(Hold::drawn).collect();
         targets.depart(start, &prescribed);
-        let mut state = State {
-            time: start,
-            momentum: vec![0.0; q.len()],
-            multipliers: vec![0.0; system.constraints()],
-            constraint_momenta: vec![0.0; system.constraints()],
-            strain_rates: vec![0.0; system.mesh.strains() + system.relative_coordinates.len()],
-            rate_leads: RateLeads::default(),
-            viscous: ViscousRates::default(),
-            prediction: Prediction::default(),
-            time_error: TimeError::default(),
-            pace: Pace::default(),
-            accelerations: Accelerations::default(),
-            holonomy: vec![0.0; system.mesh.branches],
-            relative_values: Vec::new(),
-            rotations: vec![Vec3::zeros(); system.sensors.len()],
+        let (coordinates, conditions) = (q.len(), system.constraints());
+        let lists = Lists {
             q,
             velocity,
+            momentum: vec![0.0; coordinates],
+            multipliers: vec![0.0; conditions],
+            constraint_momenta: vec![0.0; conditions],
+            strain_rates: vec![0.0; system.mesh.strains() + system.relative_coordinates.len()],
+            ..Lists::default()
+        };
+        let mut state = State {
+            time: start,
+            lists,
             triads,
+            holonomy: vec![0.0; system.mesh.branches],
+            rotations: vec![Vec3::zeros(); system.sensors.len()],
             prescribed,
             targets,
-            excitation: Excitation::default(),
-            path: None,
-            held: Vec::new(),
-            halving: 0,
-            good_steps: 0,
-            balance: EnergyBalance::default(),
-            statistics: Statistics::default(),
+            ..State::default()
         };
         state.relative_values = system.drawn_values(&state);
         (system, state)

@@ -10,6 +10,8 @@ use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::state::State;
+use crate::mechanics::state::lists::Lists;
 use crate::mechanics::system::System;
 use crate::mechanics::system::tangent_layout::TangentLayout;
 use nalgebra::SMatrix;
@@ -223,6 +225,12 @@ impl System {
                 product[body.start + local] = body.inertia(local) * vector[body.start + local];
             }
         }
+    }
+
+    /// Sets the momentum of `state` to that of its velocities, `M v`.
+    pub fn set_momentum(&self, state: &mut State) {
+        let Lists { velocity, momentum, .. } = &mut state.lists;
+        self.mass_times(&state.prescribed.drives, velocity, momentum);
     }
 
     /// Constraint conditions `g(q)`, zero when the joints hold; m or 1.

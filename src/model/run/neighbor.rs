@@ -62,7 +62,7 @@ impl Neighbor {
             self.rates.clear();
             self.rates.resize(state.strain_rates.len(), 0.0);
             system.set_strain_rates(&frames.of(system, state), rates, &mut self.rates);
-            add(multiple, &self.rates, &mut moved.viscous.rates);
+            add(multiple, &self.rates, &mut moved.lists.viscous_rates);
         }
         variation::follow(system, moved, frames);
         Some(multiple)

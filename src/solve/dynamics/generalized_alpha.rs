@@ -145,8 +145,8 @@ impl GeneralizedAlpha {
 fn set_accelerations(responder: &mut Responder, system: &System, state: &mut State) -> Result<(), Error> {
     let mut response = Response::default();
     responder.respond(system, state, &mut response)?;
-    state.accelerations.algorithmic.clone_from(&response.acceleration);
-    state.accelerations.of_coordinates = response.acceleration;
+    state.lists.algorithmic_acceleration.clone_from(&response.acceleration);
+    state.lists.acceleration = response.acceleration;
     state.multipliers = response.multipliers;
     Ok(())
 }
@@ -177,7 +177,7 @@ impl Dynamics for GeneralizedAlpha {
 
 impl Integrator for GeneralizedAlpha {
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
-        assert_eq!(state.accelerations.algorithmic.len(), state.q.len(), "the state has not begun to move");
+        assert_eq!(state.lists.algorithmic_acceleration.len(), state.q.len(), "the state has not begun to move");
         self.scratch.prepare(system, state, step, end);
         self.scratch.predict(state, self.weights, step);
         limits::check_frames(system, state, &self.scratch.prescribed, step, end)?;
@@ -250,10 +250,9 @@ impl Scratch {
     /// Position, velocity, accelerations, frames and momentum for the current increment.
     fn place(&mut self, system: &System, state: &State, weights: Weights, step: f64) {
         let Weights { alpha_m, alpha_f, beta, gamma } = weights;
-        let before = &state.accelerations;
         for index in 0..state.q.len() {
             let (increment, velocity) = (self.increment[index], state.velocity[index]);
-            let (a, q_tt) = (before.algorithmic[index], before.of_coordinates[index]);
+            let (a, q_tt) = (state.algorithmic_acceleration[index], state.acceleration[index]);
             let a_end = ((increment / step - velocity) / step - (0.5 - beta) * a) / beta;
             self.q[index] = state.q[index] + increment;
             self.velocity[index] = velocity + step * ((1.0 - gamma) * a + gamma * a_end);
@@ -346,8 +345,8 @@ impl Scratch {
         state.q.copy_from_slice(&self.q);
         state.velocity.copy_from_slice(&self.velocity);
         state.momentum.copy_from_slice(&self.momentum);
-        state.accelerations.of_coordinates.copy_from_slice(&self.acceleration);
-        state.accelerations.algorithmic.copy_from_slice(&self.algorithmic);
+        state.lists.acceleration.copy_from_slice(&self.acceleration);
+        state.lists.algorithmic_acceleration.copy_from_slice(&self.algorithmic);
         state.prescribed.copy_from(&self.prescribed);
         system.carry_references(state, &self.frames);
         state.time = end;

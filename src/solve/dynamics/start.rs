@@ -261,10 +261,10 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
         return Err(Error::NotFinite { time: state.time, what });
     }
     let given = state.velocity.clone();
-    system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
+    system.set_momentum(state);
     Projection::once(system).set_velocity(system, integrator.kkt(), &mut FrameCache::default(), state)?;
     integrator.kkt().check_unique(system, state.time)?;
-    system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
+    system.set_momentum(state);
     state.constraint_momenta.fill(0.0);
     integrator.begin(system, state)?;
     let change: Vec<f64> = state.velocity.iter().zip(&given).map(|(now, given)| now - given).collect();

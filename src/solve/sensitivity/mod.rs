@@ -199,8 +199,8 @@ impl Sensitivity {
                 own.acceleration = acceleration.to_vec();
                 own.multipliers = multipliers.to_vec();
             } else {
-                own.multipliers.clone_from(&variation.multipliers);
-                own.acceleration.clone_from(&variation.accelerations[0]);
+                own.multipliers.clone_from(&variation.lists.multipliers);
+                own.acceleration.clone_from(&variation.lists.acceleration);
                 own.acceleration.resize(system.coordinates(), 0.0);
             }
         }
@@ -212,8 +212,8 @@ impl Sensitivity {
 pub fn along_motion(system: &System, state: &State, acceleration: &[f64], mut read: impl FnMut(&State, f64)) {
     let mut variation = Variation::default();
     variation.set_zero(state);
-    variation.q.copy_from_slice(&state.velocity);
-    variation.velocity.copy_from_slice(acceleration);
+    variation.lists.q.copy_from_slice(&state.velocity);
+    variation.lists.velocity.copy_from_slice(acceleration);
     let speed = f64::max(system.correction_size(&state.velocity).0, state.prescribed.fastest(system.size));
     let unit = if speed > 0.0 { REACH / speed.max(f64::MIN_POSITIVE) } else { 1.0 };
     let (mut moved, mut frames) = (State::default(), FrameCache::default());

@@ -39,9 +39,13 @@ impl<N: Inputs> Step<'_, N> {
         step: f64,
     ) -> f64 {
         let size = |list: &[f64]| if list.is_empty() { 0.0 } else { system.correction_size(list).0 };
-        let [_, algorithmic] = &variation.accelerations;
-        let motion =
-            [size(&variation.q), size(change), step * size(&variation.velocity), step * step * size(algorithmic)];
+        let algorithmic = &variation.lists.algorithmic_acceleration;
+        let motion = [
+            size(&variation.lists.q),
+            size(change),
+            step * size(&variation.lists.velocity),
+            step * step * size(algorithmic),
+        ];
         let motion = motion.into_iter().fold(0.0, f64::max);
         // Compilers divide first and choose afterwards: not by 0, which hosts may trap.
         let by_motion = if motion > 0.0 { REACH / motion.max(f64::MIN_POSITIVE) } else { f64::INFINITY };

@@ -168,16 +168,21 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         let Self { system, after, span, flow, .. } = self;
         let Scratch { sum, constraint_forces, gradients_after, variation, .. } = &mut *self.scratch;
         let coordinates = system.coordinates();
-        add_scaled(sum, &variation.momentum, 1.0);
+        add_scaled(sum, &variation.lists.momentum, 1.0);
         flow.solve_again(sum).map_err(inaccurate(*span))?;
         let (velocity, own_now) = sum.split_at(coordinates);
-        variation.velocity.copy_from_slice(velocity);
-        for (own, own_now) in variation.constraint_momenta.iter_mut().zip(own_now) {
+        variation.lists.velocity.copy_from_slice(velocity);
+        for (own, own_now) in variation.lists.constraint_momenta.iter_mut().zip(own_now) {
             *own = 0.5 * (*own + own_now);
         }
-        system.mass_times(&after.prescribed.drives, velocity, &mut variation.momentum);
-        system.add_constraint_forces(gradients_after, &variation.constraint_momenta, 1.0, &mut variation.momentum);
-        add_scaled(&mut variation.momentum, &constraint_forces[..coordinates], 1.0);
+        system.mass_times(&after.prescribed.drives, velocity, &mut variation.lists.momentum);
+        system.add_constraint_forces(
+            gradients_after,
+            &variation.lists.constraint_momenta,
+            1.0,
+            &mut variation.lists.momentum,
+        );
+        add_scaled(&mut variation.lists.momentum, &constraint_forces[..coordinates], 1.0);
         Ok(())
     }
 }

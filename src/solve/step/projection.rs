@@ -79,7 +79,9 @@ impl Projection {
             kkt.set_constraints(system, gradients, gradients, 1.0);
             kkt.solve(system, right, state.time)?;
         }
-        state.velocity.copy_from_slice(&self.right[..state.q.len()]);
+        let velocity = &mut state.lists.velocity;
+        let coordinates = velocity.len();
+        velocity.copy_from_slice(&self.right[..coordinates]);
         Ok(())
     }
 

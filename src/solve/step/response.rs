@@ -24,7 +24,7 @@ pub struct Response {
 impl Response {
     /// Of a state whose integrator keeps both.
     pub fn set_from(&mut self, state: &State) {
-        self.acceleration.clone_from(&state.accelerations.of_coordinates);
+        self.acceleration.clone_from(&state.acceleration);
         self.multipliers.clone_from(&state.multipliers);
     }
 

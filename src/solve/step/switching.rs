@@ -6,9 +6,10 @@
 
 use super::projection::Projection;
 use crate::error::Error;
-use crate::mechanics::state::State;
 use crate::mechanics::state::energy_account::Work;
+use crate::mechanics::state::lists::Lists;
 use crate::mechanics::state::time_error::TimeError;
+use crate::mechanics::state::{State, rate_leads, viscous_rates};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
@@ -30,14 +31,14 @@ pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> R
         return Ok(false);
     }
     // The momentum that only the earlier constraints knew is no part of the motion.
-    system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
+    system.set_momentum(state);
     state.constraint_momenta.fill(0.0);
     if system.switch(state, time) {
         collide(system, kkt, state)?;
     }
     state.balance.skip_jump();
-    state.viscous.jump();
-    state.rate_leads.clear();
+    viscous_rates::jump(state);
+    rate_leads::clear(&mut state.lists);
     state.time_error.known = 0;
     Ok(true)
 }
@@ -55,10 +56,11 @@ fn neighbor(system: &System, state: &State) -> Option<(State, f64)> {
     }
     let multiple = (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE);
     let mut neighbor = state.clone();
-    for (list, change) in [(&mut neighbor.q, position), (&mut neighbor.velocity, velocity)] {
+    let Lists { q, velocity: moving, .. } = &mut neighbor.lists;
+    for (list, change) in [(q, position), (moving, velocity)] {
         list.iter_mut().zip(change).for_each(|(value, change)| *value += multiple * change);
     }
-    system.mass_times(&state.prescribed.drives, &neighbor.velocity, &mut neighbor.momentum);
+    system.set_momentum(&mut neighbor);
     Some((neighbor, multiple))
 }
 
@@ -72,14 +74,14 @@ fn collide(system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Erro
     kkt.check_unique(system, state.time)?;
     if let Some((mut neighbor, multiple)) = neighbor {
         projection.set_velocity(system, kkt, &mut frames, &mut neighbor)?;
-        let velocities = neighbor.velocity.iter().zip(&state.velocity);
+        let velocities = neighbor.velocity.iter().zip(&state.lists.velocity);
         for (error, (moved, own)) in state.time_error.velocity.iter_mut().zip(velocities) {
             *error = (moved - own) / multiple;
         }
     } else {
         state.time_error.velocity.fill(0.0);
     }
-    system.mass_times(&state.prescribed.drives, &state.velocity, &mut state.momentum);
+    system.set_momentum(state);
     let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
     let dissipated = system.kinetic_energy_of_mesh(&state.prescribed.drives, &change);
     let gained = system.kinetic_energy(&frames.of(system, state), &state.velocity) - kinetic_before;

@@ -187,7 +187,8 @@ fn angular_velocity_inside_the_elements() {
     let velocity: Vec<f64> = drawn.iter().map(|_| random.signed()).collect();
     let turn = |time: f64| {
         let q: Vec<f64> = drawn.iter().zip(&velocity).map(|(q, v)| q + time * v).collect();
-        let moved = ancf14::mechanics::state::State { q, ..state.clone() };
+        let mut moved = state.clone();
+        moved.q = q;
         let mut snapshot = FrameCache::default();
         rotation::rotation_matrix(&system.sensors[0].rotation(&snapshot.of(&system, &moved), &Vec3::zeros()))
     };

@@ -165,7 +165,7 @@ fn order_two_in_the_step() {
         let end = |step: f64| {
             let (system, mut state) = spinning();
             integrate(&system, &mut state, radius, (step, (0.2 / step).round() as u32), |_| {}).unwrap();
-            state.q
+            state.lists.q
         };
         let reference = end(6.25e-5);
         let error = |step| {

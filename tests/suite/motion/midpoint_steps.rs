@@ -13,6 +13,7 @@ use ancf14::mechanics::geometry::pose::Pose;
 use ancf14::mechanics::input::guide::Guide;
 use ancf14::mechanics::input::signal::Signal;
 use ancf14::mechanics::marker::Marker;
+use ancf14::mechanics::state::lists::Lists;
 use ancf14::mechanics::state::{State, Statistics};
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
@@ -93,7 +94,8 @@ fn memory_lent_between_steps_changes_no_step() {
         let moved: Vec<f64> = state.q.iter().map(|value| value + 0.1).collect();
         lent.frames.set(&system, &moved, &state.triads);
         lent.state.clone_from(&state);
-        let State { q, velocity, momentum, constraint_momenta, strain_rates, holonomy, .. } = lent.state;
+        let State { lists, holonomy, .. } = lent.state;
+        let Lists { q, velocity, momentum, constraint_momenta, strain_rates, .. } = lists;
         for list in [q, velocity, momentum, constraint_momenta, strain_rates, holonomy] {
             list.fill(f64::NAN);
         }

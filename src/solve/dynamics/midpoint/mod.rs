@@ -19,9 +19,10 @@ use crate::error::Error;
 use crate::mechanics::beam::configuration::Dissipation;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::energy_balance::{Energies, Losses};
+use crate::mechanics::state::lists::Lists;
 use crate::mechanics::state::pace::Pace;
 use crate::mechanics::state::time_error::TimeError;
-use crate::mechanics::state::{Prediction, State};
+use crate::mechanics::state::{Prediction, State, rate_leads, viscous_rates};
 use crate::mechanics::system::System;
 use crate::mechanics::system::gyroscopic;
 use crate::solve::linear::Singular;
@@ -109,8 +110,8 @@ impl Dynamics for Midpoint {
     /// The first step knows no step before it: the dissipation counts all of its change as unpredicted.
     fn begin(&mut self, _system: &System, state: &mut State) -> Result<(), Error> {
         state.strain_rates.fill(0.0);
-        state.rate_leads.clear();
-        state.viscous.clear();
+        rate_leads::clear(&mut state.lists);
+        viscous_rates::clear(state);
         state.prediction = Prediction::default();
         state.time_error = TimeError::default();
         state.pace = Pace::default();
@@ -158,7 +159,7 @@ impl Integrator for Midpoint {
             next.prediction = std::mem::take(&mut state.prediction);
             self.set_error(system, &mut next);
             let Scratch { increment, forces: room, .. } = &mut self.scratch;
-            let (velocities, prediction) = ([&*state.velocity, &*next.velocity], &mut next.prediction);
+            let (velocities, prediction) = ([&*state.velocity, &*next.lists.velocity], &mut next.prediction);
             prediction::learn(system, velocities, increment, step, &convergence, (prediction, room));
             next.balance.last = Some(energy_before);
             if system.is_sudden(end, step) {
@@ -167,7 +168,7 @@ impl Integrator for Midpoint {
                     next.balance.strike();
                 }
                 next.time_error.known = 0;
-                next.viscous.jump();
+                viscous_rates::jump(&mut next);
                 if let Some(pacing) = self.pacing {
                     pacing.jump(&mut next);
                 }
@@ -217,8 +218,8 @@ impl Midpoint {
         next: &mut State,
     ) -> Result<(), Error> {
         let (Some(pacing), Some(estimator)) = (self.pacing, &mut self.estimator) else { return Ok(()) };
-        let State { strain_rates, pace, .. } = next;
-        let taken = Taken { state, dissipation, span, solution: &self.scratch, strain_rates };
+        let State { lists, pace, .. } = next;
+        let taken = Taken { state, dissipation, span, solution: &self.scratch, strain_rates: &lists.strain_rates };
         let error = estimator.own_error(system, &mut self.kkt, &taken, &mut self.right);
         pacing.judge(pace, error, span.step, state.time)?;
         pacing.include(system, &self.scratch.increment, pace);
@@ -237,7 +238,7 @@ impl Midpoint {
     ) {
         let Self { estimator: Some(estimator), kkt, scratch, right, .. } = self else { return };
         state.time_error.resize(system.coordinates(), system.constraints(), system.relative_coordinates.len());
-        let State { strain_rates, velocity, .. } = next;
+        let Lists { strain_rates, velocity, .. } = &mut next.lists;
         estimator.borrow_from(scratch, |estimator, solution| {
             let taken = Taken { state, dissipation, span, solution, strain_rates };
             estimator.carry(system, kkt, &taken, [velocity, right]);
@@ -259,13 +260,14 @@ impl Midpoint {
     /// `ν` away would cost some of it at every step). Linear and angular momentum do not change. Returns the kinetic energy, J.
     fn steady(&self, system: &System, state: &mut State) -> f64 {
         let (gradients, constraint_momenta) = self.projection.constraint_momenta(system);
-        for (own, own_now) in state.constraint_momenta.iter_mut().zip(constraint_momenta) {
+        let Lists { momentum, velocity, constraint_momenta: own_momenta, .. } = &mut state.lists;
+        for (own, own_now) in own_momenta.iter_mut().zip(constraint_momenta) {
             *own = 0.5 * (*own + own_now);
         }
         // `M v` as what is left of the momentum: round-off of `M⁻¹` would add up over the steps.
-        system.add_constraint_forces(gradients, constraint_momenta, -1.0, &mut state.momentum);
-        let kinetic = 0.5 * state.velocity.iter().zip(&state.momentum).map(|(v, p)| v * p).sum::<f64>();
-        system.add_constraint_forces(gradients, &state.constraint_momenta, 1.0, &mut state.momentum);
+        system.add_constraint_forces(gradients, constraint_momenta, -1.0, momentum);
+        let kinetic = 0.5 * velocity.iter().zip(&*momentum).map(|(v, p)| v * p).sum::<f64>();
+        system.add_constraint_forces(gradients, own_momenta, 1.0, momentum);
         kinetic
     }
 }

@@ -6,9 +6,10 @@ use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
-use crate::mechanics::state::State;
 use crate::mechanics::state::energy_account::Work;
 use crate::mechanics::state::energy_balance::Energies;
+use crate::mechanics::state::lists::Lists;
+use crate::mechanics::state::{State, rate_leads, viscous_rates};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
@@ -30,7 +31,7 @@ pub struct Start<'a> {
 
 impl<'a> From<&'a State> for Start<'a> {
     fn from(state: &'a State) -> Self {
-        let State { q, velocity, strain_rates, .. } = state;
+        let Lists { q, velocity, strain_rates, .. } = &state.lists;
         Self { q, velocity, strain_rates, state }
     }
 }
@@ -109,7 +110,7 @@ impl Scratch {
         let start = self.frames_start.of(system, state);
         let middle = &self.prescribed_middle.drives;
         system.begin_step(&start, middle, &state.velocity, &mut self.starts, Some(&mut self.start_rates));
-        state.rate_leads.predict(&state.strain_rates, &self.start_rates, &mut self.predicted_rates);
+        rate_leads::predict(&state.lists, &self.start_rates, &mut self.predicted_rates);
     }
 
     /// Start of the iteration: the predicted increment, and the impulses of the last step.
@@ -161,9 +162,9 @@ impl Scratch {
 
     /// Continues the rates of strains to the end of the step from `state` that `next` has those over.
     pub fn continue_rates(&self, state: &State, step: f64, next: &mut State) {
-        next.rate_leads.advance(&state.strain_rates, &self.start_rates);
+        rate_leads::advance(&mut next.lists, &state.strain_rates, &self.start_rates);
         if self.is_viscous {
-            next.viscous.advance(step, &next.strain_rates, &state.strain_rates, &self.start_rates);
+            viscous_rates::advance(next, step, &state.strain_rates, &self.start_rates);
         }
     }
 
