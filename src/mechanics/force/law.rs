@@ -4,6 +4,7 @@
 //! at its start to that at its end: the elastic part works exactly as much as the energy changes, and where the law has a kink or a jump, the force of the step is still a
 //! continuous function of the end.
 
+use super::dry_friction::DryFriction;
 use crate::math::integral::{integral_to_ends, integral_within};
 use std::fmt;
 use std::sync::Arc;
@@ -30,8 +31,15 @@ pub enum Law {
         /// Whether it depends on the rate.
         has_rate: bool,
     },
-    /// Friction: `coulomb v/√(v² + speed²) + viscous v`.
+    /// Dry friction that holds, and `viscous v`. The dry part depends on what the spring remembers: it is no function of elongation and rate.
     Friction {
+        /// The dry part.
+        dry: DryFriction,
+        /// N s/m or N m s/rad.
+        viscous: f64,
+    },
+    /// Friction without memory: `coulomb v/√(v² + speed²) + viscous v`.
+    SmoothFriction {
         /// N or N m.
         coulomb: f64,
         /// N s/m or N m s/rad.
@@ -55,7 +63,10 @@ impl fmt::Debug for Law {
         match self {
             Self::OneSided { sign, stiffness, damping } => write!(f, "OneSided({sign}, {stiffness}, {damping})"),
             Self::Function { has_rate, .. } => write!(f, "Function(has_rate: {has_rate})"),
-            Self::Friction { coulomb, viscous, speed } => write!(f, "Friction({coulomb}, {viscous}, {speed})"),
+            Self::Friction { dry, viscous } => write!(f, "Friction({dry:?}, {viscous})"),
+            Self::SmoothFriction { coulomb, viscous, speed } => {
+                write!(f, "SmoothFriction({coulomb}, {viscous}, {speed})")
+            }
             Self::Stop { limits, stiffness, damping } => write!(f, "Stop({limits:?}, {stiffness}, {damping})"),
         }
     }
@@ -88,7 +99,7 @@ impl Law {
         match self {
             Self::OneSided { sign, stiffness, .. } => 0.5 * stiffness * (sign * x).max(0.0).powi(2),
             Self::Function { function, .. } => integral_to_ends(&|x| function(x, 0.0)[0], 0.0, x, INTERVALS_OF_ENERGY),
-            Self::Friction { .. } => 0.0,
+            Self::Friction { .. } | Self::SmoothFriction { .. } => 0.0,
             Self::Stop { limits: [lower, upper], stiffness, .. } => {
                 0.5 * stiffness * ((lower - x).max(0.0).powi(2) + (x - upper).max(0.0).powi(2))
             }
@@ -134,7 +145,8 @@ impl Law {
                 let by_v = integral_within(&by_v, 0.0, 1.0, SLOPE_ERROR * by_v(0.5).abs());
                 LawForce { elastic, viscous: force - elastic, by_x, by_v }
             }
-            Self::Friction { coulomb, viscous, speed } => {
+            Self::Friction { viscous, .. } => LawForce { viscous: viscous * v, by_v: *viscous, ..LawForce::default() },
+            Self::SmoothFriction { coulomb, viscous, speed } => {
                 let whole = v.hypot(*speed);
                 let by_v = coulomb * (speed / whole).powi(2) / whole + viscous;
                 LawForce { viscous: coulomb * v / whole + viscous * v, by_v, ..LawForce::default() }
@@ -160,14 +172,41 @@ impl Law {
 
     /// Its viscous friction, N s/m or N m s/rad: of friction alone.
     pub fn viscosity(&self) -> f64 {
-        if let Self::Friction { viscous, .. } = self { *viscous } else { 0.0 }
+        match self {
+            Self::Friction { viscous, .. } | Self::SmoothFriction { viscous, .. } => *viscous,
+            _ => 0.0,
+        }
+    }
+
+    /// The part of friction that remembers.
+    pub fn dry(&self) -> Option<&DryFriction> {
+        if let Self::Friction { dry, .. } = self { Some(dry) } else { None }
+    }
+
+    /// Leaves of friction the viscous part.
+    pub fn take_dry_friction_off(&mut self) {
+        match self {
+            Self::Friction { dry, .. } => dry.limit = 0.0,
+            Self::SmoothFriction { coulomb, .. } => *coulomb = 0.0,
+            _ => {}
+        }
+    }
+
+    /// Dry friction at its largest, N or N m.
+    pub fn coulomb(&self) -> f64 {
+        match self {
+            Self::Friction { dry, .. } => dry.limit,
+            Self::SmoothFriction { coulomb, .. } => *coulomb,
+            _ => 0.0,
+        }
     }
 
     /// [`Self::over`] without [`Self::viscosity`].
     pub fn over_without_viscosity(&self, start: f64, end: f64, v: f64) -> LawForce {
         match self {
-            Self::Friction { coulomb, speed, .. } => {
-                Self::Friction { coulomb: *coulomb, viscous: 0.0, speed: *speed }.over(start, end, v)
+            Self::Friction { .. } => LawForce::default(),
+            Self::SmoothFriction { coulomb, speed, .. } => {
+                Self::SmoothFriction { coulomb: *coulomb, viscous: 0.0, speed: *speed }.over(start, end, v)
             }
             _ => self.over(start, end, v),
         }
@@ -178,7 +217,7 @@ impl Law {
         match self {
             Self::OneSided { damping, .. } | Self::Stop { damping, .. } => *damping != 0.0,
             Self::Function { has_rate, .. } => *has_rate,
-            Self::Friction { coulomb, viscous, .. } => *coulomb != 0.0 || *viscous != 0.0,
+            Self::Friction { .. } | Self::SmoothFriction { .. } => self.coulomb() != 0.0 || self.viscosity() != 0.0,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Forces between markers and on them: springs, dampers, friction, stops, actuators and loads.
 
 pub mod actuator;
+pub mod dry_friction;
 pub mod effort_law;
 pub mod law;
 pub mod load;

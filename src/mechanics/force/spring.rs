@@ -3,6 +3,7 @@
 //! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind. A law takes the place of both terms: a rope, a function, friction
 //! or a stop.
 
+use crate::mechanics::force::dry_friction::DryFriction;
 use crate::mechanics::force::law::{Law, LawForce};
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose_pair::PairVector;
@@ -29,6 +30,8 @@ pub struct Spring {
     pub mobility: f64,
     /// Its law, if it is not linear: stiffness and damping are 0 then.
     pub law: Option<Law>,
+    /// Where the elastic displacement of its dry friction is in the memory of a state; none: it remembers nothing.
+    pub memory: Option<usize>,
 }
 
 impl Spring {
@@ -39,6 +42,7 @@ impl Spring {
         }
         let stretch = self.value(coordinate, c) - self.rest;
         match &self.law {
+            Some(Law::Friction { dry, .. }) => dry.energy(dry.displaced(self.remembered(c), self.way(coordinate, c))),
             Some(law) => law.energy(stretch),
             None => 0.5 * self.stiffness * stretch * stretch,
         }
@@ -67,8 +71,61 @@ impl Spring {
         self.stiffness * elastic + self.damping * self.rate(coordinate, c, passage)
     }
 
+    /// The elastic displacement of its dry friction at the last accepted state, m or rad.
+    fn remembered(&self, c: &Configuration) -> f64 {
+        self.memory.map_or(0.0, |place| c.memory[place])
+    }
+
+    /// The way of its coordinate since the last accepted state, m or rad.
+    pub fn way(&self, coordinate: &RelativeCoordinate, c: &Configuration) -> f64 {
+        self.value(coordinate, c) - c.relative_values[self.coordinate]
+    }
+
+    /// The way of its coordinate over a step, m or rad.
+    fn way_over(&self, coordinate: &RelativeCoordinate, step: &TimeStep) -> f64 {
+        self.value(coordinate, step.end) - self.value(coordinate, step.start)
+    }
+
+    /// The force of its dry friction, N or N m, and its derivative with respect to the coordinate; over a step that at its end.
+    fn dry_force(
+        &self,
+        dry: &DryFriction,
+        coordinate: &RelativeCoordinate,
+        c: &Configuration,
+        passage: &Passage,
+    ) -> [f64; 2] {
+        match passage {
+            Passage::Step(step) => {
+                // From the start of this step: the neighbor of a motion starts elsewhere.
+                let (way, rate) = (self.way_over(coordinate, step), coordinate.rate(step.start, step.velocity));
+                dry.force_over(self.remembered(c), way, rate, step.duration)
+            }
+            Passage::Rest | Passage::Corrected(_) | Passage::Instant { .. } => {
+                let (before, way) = (self.remembered(c), self.way(coordinate, c));
+                [dry.force(before, way), dry.slope(before, way)]
+            }
+        }
+    }
+
     /// The force of its law; over a step its derivative with respect to the rate is that with respect to the mean rate of the step.
     fn law_force(&self, law: &Law, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> LawForce {
+        let mut force = self.force_without_memory(law, coordinate, c, passage);
+        if let Some(dry) = law.dry() {
+            let [own, by_x] = self.dry_force(dry, coordinate, c, passage);
+            force.elastic += own;
+            force.by_x += by_x;
+        }
+        force
+    }
+
+    /// [`Self::law_force`] without dry friction that holds.
+    fn force_without_memory(
+        &self,
+        law: &Law,
+        coordinate: &RelativeCoordinate,
+        c: &Configuration,
+        passage: &Passage,
+    ) -> LawForce {
         match passage {
             Passage::Rest | Passage::Corrected(_) => law.at(self.value(coordinate, c) - self.rest, 0.0),
             Passage::Instant { velocity, .. } => {
@@ -125,7 +182,11 @@ impl Spring {
             let force = law.over(ends[0], ends[1], 2.0 * (ends[1] - ends[0]) / step.duration);
             force.elastic + force.viscous
         };
-        let force = self.law_force(law, coordinate, c, &passage);
+        let force = self.force_without_memory(law, coordinate, c, &passage);
+        if let Some(dry) = law.dry() {
+            let [own, _] = self.dry_force(dry, coordinate, c, &passage);
+            return own - dry.force(self.remembered(c), between - start) + force.viscous - law.viscosity() * rate;
+        }
         let halves = 0.5 * (mean([start, between]) + mean([between, end]));
         RICHARDSON * (force.elastic + force.viscous - halves)
     }
@@ -175,7 +236,7 @@ impl Spring {
         if self.is_idle() {
             return 0.0;
         }
-        (self.value(coordinate, step.end) - self.value(coordinate, step.start)) / step.duration
+        self.way_over(coordinate, step) / step.duration
     }
 
     /// How far from the middle of a step of `duration` s towards its end the damper's rate is taken, 0 to 1.
@@ -261,7 +322,7 @@ impl Spring {
     /// [`Self::damping_matrix`] at rest. Of friction the viscous part alone: what dry friction takes is not in proportion to a velocity.
     pub fn damping_at_rest(&self, coordinate: &RelativeCoordinate, c: &Configuration) -> [MarkerMatrix; 4] {
         let damping = match &self.law {
-            Some(law @ Law::Friction { .. }) => law.viscosity(),
+            Some(law @ (Law::Friction { .. } | Law::SmoothFriction { .. })) => law.viscosity(),
             Some(law) => self.law_force(law, coordinate, c, &Passage::Rest).by_v,
             None => self.damping,
         };
@@ -273,20 +334,20 @@ impl Spring {
         if self.is_idle() {
             return 0.0;
         }
-        self.viscous(coordinate, c, &Passage::with_velocity(velocity)) * coordinate.rate(c, velocity)
+        let rate = coordinate.rate(c, velocity);
+        (self.viscous(coordinate, c, &Passage::with_velocity(velocity)) + self.sliding(coordinate, c, rate)) * rate
     }
 
-    /// What moving frames put into the system through the spring, and what the damper takes out, while the coordinate changes by `whole`, of which
-    /// `sides_moved` is by the coordinates alone.
-    fn outside_work(
-        &self,
-        coordinate: &RelativeCoordinate,
-        tension: f64,
-        viscous: f64,
-        [sides_moved, whole]: [f64; 2],
-    ) -> [f64; 2] {
-        let is_framed = [coordinate.a, coordinate.b].iter().any(|side| matches!(side, Marker::Frame { .. }));
-        if is_framed { [tension * (whole - sides_moved), viscous * whole] } else { [0.0, viscous * sides_moved] }
+    /// The force of dry friction that slides at the rate `rate`, N or N m; while it sticks, it takes nothing.
+    fn sliding(&self, coordinate: &RelativeCoordinate, c: &Configuration, rate: f64) -> f64 {
+        let Some(dry) = self.law.as_ref().and_then(Law::dry) else { return 0.0 };
+        let (before, way) = (self.remembered(c), self.way(coordinate, c));
+        if dry.slides(dry.displaced(before, way), rate) { dry.force(before, way) } else { 0.0 }
+    }
+
+    /// Whether a side of its coordinate is a moving frame, which puts work in.
+    fn is_framed(coordinate: &RelativeCoordinate) -> bool {
+        [coordinate.a, coordinate.b].iter().any(|side| matches!(side, Marker::Frame { .. }))
     }
 
     /// Work over `step`, whose middle is `c`, J, as the step takes its forces: what moving frames put in, and what the damper takes out.
@@ -295,10 +356,15 @@ impl Spring {
             return [0.0; 2];
         }
         let passage = Passage::Step(*step);
-        let (tension, viscous) = (self.tension(coordinate, c, &passage), self.viscous(coordinate, c, &passage));
-        let whole = self.value(coordinate, step.end) - self.value(coordinate, step.start);
+        let whole = self.way_over(coordinate, step);
         let sides_moved = coordinate.change(c, step.increment) * self.shortening(coordinate, c, &passage);
-        self.outside_work(coordinate, tension, viscous, [sides_moved, whole])
+        let is_framed = Self::is_framed(coordinate);
+        let given = if is_framed { self.tension(coordinate, c, &passage) * (whole - sides_moved) } else { 0.0 };
+        let moved = if is_framed { whole } else { sides_moved };
+        let taken = self.viscous(coordinate, c, &passage) * moved;
+        let Some(dry) = self.law.as_ref().and_then(Law::dry) else { return [given, taken] };
+        let [force, _] = self.dry_force(dry, coordinate, c, &passage);
+        [given, taken + force * moved - dry.stored(self.remembered(c), whole)]
     }
 
     /// Power at an instant with the velocities `velocity`, W: what moving frames put in, and what the damper takes out.
@@ -307,8 +373,11 @@ impl Spring {
             return [0.0; 2];
         }
         let passage = Passage::with_velocity(velocity);
-        let (tension, viscous) = (self.tension(coordinate, c, &passage), self.viscous(coordinate, c, &passage));
-        self.outside_work(coordinate, tension, viscous, [coordinate.change(c, velocity), coordinate.rate(c, velocity)])
+        let [sides_moved, whole] = [coordinate.change(c, velocity), coordinate.rate(c, velocity)];
+        let is_framed = Self::is_framed(coordinate);
+        let given = if is_framed { self.tension(coordinate, c, &passage) * (whole - sides_moved) } else { 0.0 };
+        let moved = if is_framed { whole } else { sides_moved };
+        [given, (self.viscous(coordinate, c, &passage) + self.sliding(coordinate, c, moved)) * moved]
     }
 
     /// Minus its forces on the vectors of both poses.

@@ -12,6 +12,8 @@ pub struct Configuration<'a> {
     pub beams: BeamConfiguration<'a>,
     /// Values of all relative coordinates at the last accepted state: angles go on from there.
     pub relative_values: &'a [f64],
+    /// What forces remember since the last accepted state.
+    pub memory: &'a [f64],
     /// What drives and moving frames prescribe.
     pub prescribed: &'a Prescribed,
     /// All nodes and elements.

@@ -62,6 +62,8 @@ pub struct SystemBuilder {
     gear_joints: Vec<Joint>,
     prescribed: Prescribed,
     targets: Targets,
+    /// How many numbers forces remember.
+    memory: usize,
 }
 
 impl SystemBuilder {
@@ -327,7 +329,10 @@ impl SystemBuilder {
 
     /// Adds a spring and returns its number.
     pub fn add_spring(&mut self, spring: Spring) -> usize {
-        self.system.springs.push(spring);
+        let remembers = spring.law.as_ref().is_some_and(|law| law.dry().is_some());
+        let memory = remembers.then_some(self.memory);
+        self.memory += usize::from(remembers);
+        self.system.springs.push(Spring { memory, ..spring });
         self.system.springs.len() - 1
     }
 
@@ -417,6 +422,7 @@ impl SystemBuilder {
         Configuration {
             beams: BeamConfiguration { q: &self.q, frames, holonomy, heats: &self.prescribed.heats, drives: &[] },
             relative_values: &[],
+            memory: &[],
             prescribed: &self.prescribed,
             mesh: &self.system.mesh,
         }
@@ -437,6 +443,7 @@ impl SystemBuilder {
             gear_joints,
             mut prescribed,
             mut targets,
+            memory,
             ..
         } = self;
         system.size = size;
@@ -464,6 +471,7 @@ impl SystemBuilder {
             momentum: vec![0.0; coordinates],
             multipliers: vec![0.0; conditions],
             constraint_momenta: vec![0.0; conditions],
+            memory: vec![0.0; memory],
             strain_rates: vec![0.0; system.mesh.strains() + system.relative_coordinates.len()],
             ..Lists::default()
         };

@@ -235,7 +235,7 @@ impl Builder<'_> {
     /// Adds the springs, friction and stops of the file that act on joints to what the joints transmit.
     pub(super) fn join_springs(&mut self) {
         let document = self.document;
-        for (number, (_, action, _)) in document.springs_in_system(&document.numbers).enumerate() {
+        for (number, (_, action, _)) in document.springs_in_system(&document.numbers, 1.0).enumerate() {
             if let Action::Joint { joint, .. } = action {
                 self.system.add_spring_of(joint, number);
             }
@@ -250,7 +250,16 @@ impl Builder<'_> {
             self.refuse_law(name);
         }
         let rest = rest.unwrap_or(drawn);
-        let spring = spring::Spring { name: name.to_owned(), coordinate, stiffness, damping, rest, mobility: 0.0, law };
+        let spring = spring::Spring {
+            name: name.to_owned(),
+            coordinate,
+            stiffness,
+            damping,
+            rest,
+            mobility: 0.0,
+            law,
+            memory: None,
+        };
         self.system.add_spring(spring)
     }
 

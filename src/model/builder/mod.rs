@@ -72,7 +72,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     }
     document.bodies.iter().for_each(|body| builder.add_body(body));
     document.frames.iter().for_each(|frame| builder.add_frame(frame));
-    let springs = document.springs_in_system(&document.numbers);
+    let springs = document.springs_in_system(&document.numbers, 1.0);
     springs.for_each(|(name, action, strength)| builder.add_spring(name, action, strength));
     document.joints.iter().for_each(|joint| builder.add_joint(joint));
     builder.join_springs();
@@ -89,6 +89,8 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     let (mut system, mut state) = builder.system.finish(vector(document, document.model.gravity));
     system.origin = origin;
     state.balance.account = document.simulation.totals.contains(&Total::Work).then(EnergyAccount::default);
+    // The size of the machine is known now.
+    tune::set_springs(document, &mut system);
     set_mobilities(&mut system, &state, document.largest_step());
     Ok(Built { system, state })
 }

@@ -61,9 +61,14 @@ pub fn retune(document: &Document, system: &mut System) {
             element.set_damping(damping, tension_damping);
         }
     }
-    let System { springs, joint_parts, .. } = system;
+    set_springs(document, system);
+}
+
+/// Sets the numbers of springs, friction and stops.
+pub(super) fn set_springs(document: &Document, system: &mut System) {
+    let System { springs, joint_parts, size, .. } = system;
     // The springs of the file are built before those of joints.
-    for (spring, (.., own)) in springs.iter_mut().zip(document.springs_in_system(&document.numbers)) {
+    for (spring, (.., own)) in springs.iter_mut().zip(document.springs_in_system(&document.numbers, *size)) {
         (spring.stiffness, spring.damping, spring.law) = (own.stiffness, own.damping, own.law);
         spring.rest = own.rest.unwrap_or(spring.rest);
     }

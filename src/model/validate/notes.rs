@@ -55,7 +55,6 @@ pub fn notes(document: &Document) -> Vec<String> {
         poles::poles(document),
         hidden_jumps::hidden_jumps(document),
         forces::turned_laws(document),
-        forces::resting_friction(document),
         forces::violated_stops(document),
         forces::stacked_copies(document),
         long_step(document).into_iter().collect(),

@@ -178,7 +178,7 @@ fn warnings(system: &System, found: &modes::Modes, ratios: &[f64], moving: bool)
     }
     if system.has_dry_friction() {
         warnings.push(String::from(
-            "dry friction is left out of the damping ratios: what it takes depends on the amplitude",
+            "dry friction is left out of the modes: what it takes depends on the amplitude, and what it holds would not vibrate",
         ));
     }
     warnings

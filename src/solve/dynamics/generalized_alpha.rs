@@ -348,7 +348,7 @@ impl Scratch {
         state.lists.acceleration.copy_from_slice(&self.acceleration);
         state.lists.algorithmic_acceleration.copy_from_slice(&self.algorithmic);
         state.prescribed.copy_from(&self.prescribed);
-        system.carry_references(state, &self.frames);
+        system.arrive(state, &self.frames);
         state.time = end;
         state.statistics.steps += 1;
     }

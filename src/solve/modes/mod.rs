@@ -86,11 +86,14 @@ pub struct Modes {
     pub skewness: f64,
 }
 
-/// The `count` lowest modes about `state`, at rest.
+/// The `count` lowest modes about `state`, at rest, without dry friction: it would hold a joint by the stiffness of sticking.
 ///
 /// # Errors
 /// The constraints are redundant, a number is not finite, or the sweeps do not converge.
 pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Error> {
+    if system.has_dry_friction() {
+        return modes(&system.without_dry_friction(), state, count);
+    }
     let time = state.time;
     let mut rest = state.clone();
     rest.velocity.fill(0.0);

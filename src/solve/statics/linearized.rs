@@ -64,6 +64,6 @@ impl Linearized for Statics {
         next.q.copy_from_slice(q);
         next.multipliers.copy_from_slice(multipliers);
         self.scratch.frames.set(system, &next.q, &next.triads);
-        system.carry_references(next, &self.scratch.frames);
+        system.arrive(next, &self.scratch.frames);
     }
 }

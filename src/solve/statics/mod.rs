@@ -429,7 +429,7 @@ impl Statics {
         state.q.copy_from_slice(&scratch.q);
         state.multipliers.copy_from_slice(&scratch.multipliers);
         state.prescribed.copy_from(&self.current_motion);
-        system.carry_references(state, &scratch.frames);
+        system.arrive(state, &scratch.frames);
         Ok(())
     }
 }

@@ -59,7 +59,7 @@ fn check_tangents() {
         Law::Function { function: Arc::new(smooth), has_rate: true },
         Law::OneSided { sign: 1.0, stiffness: 4.0, damping: 0.7 },
         Law::OneSided { sign: -1.0, stiffness: 4.0, damping: 0.7 },
-        Law::Friction { coulomb: 0.5, viscous: 0.2, speed: 0.4 },
+        Law::SmoothFriction { coulomb: 0.5, viscous: 0.2, speed: 0.4 },
         Law::Stop { limits: [-0.3, 0.2], stiffness: 3.0, damping: 0.4 },
     ];
     for law in laws {
@@ -86,6 +86,7 @@ fn check(random: &mut Random, law: &Law, kind: Measure, sides: [usize; 2]) {
         rest: here + 0.4 * random.signed(),
         mobility: 30.0,
         law: Some(law.clone()),
+        memory: None,
     };
     let along = All::from_fn(|_, _| random.signed());
     let apart = |blocks: &[MarkerMatrix; 4]| spread(&machine, [&a, &b], blocks) * along;

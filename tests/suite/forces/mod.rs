@@ -12,4 +12,5 @@ pub mod loads;
 pub mod observers;
 pub mod points;
 pub mod spring_derivatives;
+mod sticking;
 mod units_without_parts;

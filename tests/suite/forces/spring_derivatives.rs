@@ -51,6 +51,7 @@ fn check_spring_derivatives() {
                 rest: random.signed(),
                 mobility: 0.0,
                 law: None,
+                memory: None,
             };
             let c = machine.configuration();
             let energy = |q: All<Dual>| {

@@ -1,4 +1,4 @@
-//! Is a force that does not do what its author meant told? Each of these models is legal, runs, and gives numbers: the sign of a spring, friction in an equilibrium, a stop that pushes from the
+//! Is a force that does not do what its author meant told? Each of these models is legal, runs, and gives numbers: the sign of a spring, a stop that pushes from the
 //! start or gives way, copies in one place, an equilibrium far from the drawing.
 
 use crate::running::start;
@@ -52,15 +52,6 @@ fn the_sign_of_a_law_is_told() {
     // Two places of rest; a force without rest.
     check(&spring("-10*x + 1000*x^3"), None);
     check(&spring("5"), None);
-}
-
-#[test]
-fn friction_in_an_equilibrium_is_told() {
-    let rub = "[friction.rub]\njoint = \"hinge\"\ncoordinate = \"angle\"\ncoulomb = 10\n";
-    check(&arm(rub, ""), None);
-    check(&arm(rub, "analysis = \"static\""), Some("friction rub holds nothing in a static analysis"));
-    check(&arm(rub, "initial = \"equilibrium\""), Some("friction rub holds nothing in the equilibrium"));
-    check(&arm(&rub.replace("= 10", "= 0"), "analysis = \"static\""), None);
 }
 
 #[test]

@@ -284,6 +284,7 @@ fn double_pendulum() -> (System, State) {
         rest: 0.2,
         mobility: 0.0,
         law: None,
+        memory: None,
     });
     builder.finish(Vec3::new(0.5, -9.0, 2.0))
 }

@@ -73,6 +73,7 @@ fn everything(damping: f64) -> (System, State) {
         rest: 0.8,
         mobility: 0.0,
         law: None,
+        memory: None,
     });
     builder.add_load(Load {
         name: "thrust".into(),

@@ -96,6 +96,7 @@ impl Machine {
                 drives: &[],
             },
             relative_values: &[0.0],
+            memory: &[],
             prescribed: &self.prescribed,
             mesh: &self.mesh,
         }

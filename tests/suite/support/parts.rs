@@ -220,7 +220,16 @@ pub fn cushion(
         let coordinate = builder.add_relative_coordinate(a, b, measure);
         let damping = stiffness * damping_time;
         let name = String::from("cushion");
-        builder.add_spring(Spring { name, coordinate, stiffness, damping, rest: 0.0, mobility: 0.0, law: None });
+        builder.add_spring(Spring {
+            name,
+            coordinate,
+            stiffness,
+            damping,
+            rest: 0.0,
+            mobility: 0.0,
+            law: None,
+            memory: None,
+        });
     }
 }
 

@@ -4,6 +4,7 @@ use super::Parts;
 use super::actuator::{Action, on_joint};
 use super::joint::Coordinate;
 use super::spring::Strength;
+use crate::mechanics::force::dry_friction::DryFriction;
 use crate::mechanics::force::law::Law;
 use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
@@ -16,6 +17,7 @@ pub(super) const KEYS: &[Key] = &[
     Key::word("coordinate", &words_of(&Coordinate::WORDS), "the coordinate of the joint"),
     Key::number(&[&COULOMB_TORQUE, &COULOMB_FORCE]),
     Key::number(&[&VISCOUS_TORQUE, &VISCOUS_FORCE]),
+    Key::number(&[&FRICTION_TORSION, &FRICTION_STIFFNESS]),
     Key::number(&[&FRICTION_ANGLE_RATE, &FRICTION_RATE]),
 ];
 
@@ -27,6 +29,14 @@ const FRICTION_ANGLE_RATE: Rule =
     Rule::new("speed", "rate at which dry friction has 71 % of its torque", "rad/s").above(0.0).tunable();
 const FRICTION_RATE: Rule =
     Rule::new("speed", "rate at which dry friction has 71 % of its force", "m/s").above(0.0).tunable();
+const FRICTION_TORSION: Rule =
+    Rule::new("friction_stiffness", "stiffness of dry friction while it holds", "N.m/rad").above(0.0).tunable();
+const FRICTION_STIFFNESS: Rule =
+    Rule::new("friction_stiffness", "stiffness of dry friction while it holds", "N/m").above(0.0).tunable();
+
+/// The elastic way of dry friction before it slides where its stiffness is not given: an angle, rad, and a share of the size of the machine.
+const STICKING_ANGLE: f64 = 1e-4;
+const STICKING_SHARE: f64 = 1e-5;
 
 /// A section `[friction.NAME]`.
 #[derive(Clone, Debug)]
@@ -41,18 +51,34 @@ pub struct FrictionSpec {
     pub coulomb: Number,
     /// What grows with the rate, N s/m or N m s/rad.
     pub viscous: Number,
-    /// The rate at which it has 71 % of `coulomb`, m/s or rad/s.
-    pub speed: Number,
+    /// How dry friction grows to `coulomb`.
+    pub growth: Growth,
 }
 
-/// Default of `speed`, m/s or rad/s.
-const SPEED: f64 = 1e-3;
+/// How dry friction grows from rest.
+#[derive(Clone, Copy, Debug)]
+pub enum Growth {
+    /// With the elastic way of sides that stick: stiffness, N/m or N m/rad; none: as the size of the machine asks for.
+    Sticking(Option<Number>),
+    /// With the rate: that at which it has 71 % of `coulomb`, m/s or rad/s. It creeps instead of holding.
+    Rate(Number),
+}
 
 impl FrictionSpec {
-    /// Its force.
-    pub(super) fn strength(&self, numbers: &Numbers) -> Strength {
-        let [coulomb, viscous, speed] = [self.coulomb, self.viscous, self.speed].map(|number| numbers.value(number));
-        Strength::by(Law::Friction { coulomb, viscous, speed })
+    /// Its force in a machine of the size `size`, m.
+    pub(super) fn strength(&self, numbers: &Numbers, size: f64) -> Strength {
+        let [limit, viscous] = [self.coulomb, self.viscous].map(|number| numbers.value(number));
+        let dry = match self.growth {
+            Growth::Rate(speed) => {
+                return Strength::by(Law::SmoothFriction { coulomb: limit, viscous, speed: numbers.value(speed) });
+            }
+            Growth::Sticking(Some(stiffness)) => DryFriction::with_stiffness(limit, numbers.value(stiffness)),
+            Growth::Sticking(None) => {
+                let is_angle = matches!(self.action, Action::Joint { coordinate: Coordinate::Angle, .. });
+                DryFriction { limit, largest: if is_angle { STICKING_ANGLE } else { STICKING_SHARE * size } }
+            }
+        };
+        Strength::by(Law::Friction { dry, viscous })
     }
 
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
@@ -62,15 +88,21 @@ impl FrictionSpec {
             reader.abandon();
             return None;
         };
-        let [coulomb, viscous, speed] = match coordinate {
-            Coordinate::Angle => [&COULOMB_TORQUE, &VISCOUS_TORQUE, &FRICTION_ANGLE_RATE],
-            Coordinate::Distance => [&COULOMB_FORCE, &VISCOUS_FORCE, &FRICTION_RATE],
+        let [coulomb, viscous, speed, stiffness] = match coordinate {
+            Coordinate::Angle => [&COULOMB_TORQUE, &VISCOUS_TORQUE, &FRICTION_ANGLE_RATE, &FRICTION_TORSION],
+            Coordinate::Distance => [&COULOMB_FORCE, &VISCOUS_FORCE, &FRICTION_RATE, &FRICTION_STIFFNESS],
         };
         let coulomb = reader.number(coulomb);
         let viscous = reader.number_or(viscous, 0.0);
-        let speed = reader.number_or(speed, SPEED);
+        let growth = match reader.optional(speed) {
+            Some(speed) => {
+                reader.exclude("friction_stiffness", "speed");
+                Growth::Rate(speed)
+            }
+            None => Growth::Sticking(reader.optional(stiffness)),
+        };
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, action: action?, coulomb, viscous, speed })
+        Some(Self { name: name.to_owned(), place, action: action?, coulomb, viscous, growth })
     }
 }

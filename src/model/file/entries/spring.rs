@@ -105,10 +105,15 @@ impl Strength {
 }
 
 impl Parts {
-    /// The springs of the system that the file has, in the order in which they are built: springs, friction, stops.
-    pub fn springs_in_system<'a>(&'a self, numbers: &'a Numbers) -> impl Iterator<Item = (&'a str, Action, Strength)> {
+    /// The springs of the system that the file has, in the order in which they are built: springs, friction, stops. `size` is the size of the machine, m.
+    pub fn springs_in_system<'a>(
+        &'a self,
+        numbers: &'a Numbers,
+        size: f64,
+    ) -> impl Iterator<Item = (&'a str, Action, Strength)> {
         let springs = self.springs.iter().map(|own| (own.name.as_str(), own.action, own.strength(numbers)));
-        let frictions = self.frictions.iter().map(|own| (own.name.as_str(), own.action, own.strength(numbers)));
+        let frictions =
+            self.frictions.iter().map(move |own| (own.name.as_str(), own.action, own.strength(numbers, size)));
         let stops = self.stops.iter().map(|own| (own.name.as_str(), own.action, own.strength(numbers)));
         springs.chain(frictions).chain(stops)
     }

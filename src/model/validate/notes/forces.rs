@@ -1,9 +1,8 @@
-//! Forces that do not do what their author meant: laws of springs that push away from rest, friction in an equilibrium, stops that push from the start.
+//! Forces that do not do what their author meant: laws of springs that push away from rest, stops that push from the start.
 
 use super::Note;
 use crate::model::file::document::Document;
 use crate::model::file::entries::body::BodySpec;
-use crate::model::file::entries::friction::FrictionSpec;
 use crate::model::file::entries::simulation::{Analysis, Initial};
 use crate::model::file::entries::spring::SpringLaw;
 use crate::model::file::number::Number;
@@ -30,25 +29,6 @@ pub fn turned_laws(document: &Document) -> Vec<Note> {
         SpringLaw::Linear { .. } => None,
     });
     laws.filter_map(note).collect()
-}
-
-/// Names dry friction where an equilibrium is sought: it holds nothing there.
-pub fn resting_friction(document: &Document) -> Vec<Note> {
-    let simulation = &document.simulation;
-    let what = match (simulation.analysis, simulation.initial) {
-        (Analysis::Static, _) => "in a static analysis",
-        (Analysis::Dynamic, Initial::Equilibrium) => "in the equilibrium that the motion begins with",
-        (Analysis::Dynamic, Initial::AsDrawn) => return Vec::new(),
-    };
-    let dry = document.frictions.iter().filter(|friction| document.value(friction.coulomb) > 0.0);
-    let note = |friction: &FrictionSpec| {
-        let text = format!(
-            "friction {} holds nothing {what}, which is sought without friction. What it should hold there needs a [lock.NAME] or a spring",
-            friction.name
-        );
-        Note { place: friction.place, text }
-    };
-    dry.map(note).collect()
 }
 
 /// Names stops that push as drawn, where every coordinate is 0.

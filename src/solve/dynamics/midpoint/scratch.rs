@@ -277,7 +277,7 @@ impl Scratch {
         }
         state.q.copy_from_slice(&self.q_end);
         state.prescribed.copy_from(&self.prescribed_end);
-        system.carry_references(state, &self.frames_end);
+        system.arrive(state, &self.frames_end);
         state.time = end;
         state.statistics.steps += 1;
         system.driven_work(&self.gradients_middle, &state.multipliers, &self.increment)

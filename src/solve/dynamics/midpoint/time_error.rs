@@ -266,7 +266,7 @@ impl Estimator {
     fn multiple(&self, system: &System, error: [&[f64]; 2], h: f64) -> Option<f64> {
         let [position, velocity] = error.map(|list| system.motion_size(list));
         let size = position.max(h * velocity).max(self.source_size);
-        (size < LARGEST_ERROR).then(|| (REACH / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE))
+        (size < LARGEST_ERROR).then(|| (system.smooth_reach(REACH) / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE))
     }
 
     /// Sets the start of the neighboring motion, its increment as predicted, and the momentum over the step that its momentum at the start and the source have beyond the motion's,
