@@ -7,7 +7,7 @@ use super::resultants::{SectionForces, SectionShape, SectionStrains};
 use super::{ancf14, ancf24};
 use crate::math::Vec3;
 use crate::math::jet::Jet;
-use crate::mechanics::geometry::marker_jacobian::{MarkerJacobian, MarkerMatrix};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::{Deref, DerefMut, Range};
 
@@ -47,6 +47,9 @@ pub trait BeamElement {
 
     /// The place `xi` (0 to 1) of the axis, of what `q` interpolates: places, or displacements, m.
     fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3;
+
+    /// Derivative of [`Self::axis_point`] with respect to its own coordinates.
+    fn axis_q(&self, xi: f64) -> ByCoordinates;
 
     /// Free length with the values `drives` of the drives, over that as drawn: what mass and weight are multiplied with.
     fn extent(&self, _drives: &[Jet]) -> f64 {

@@ -16,7 +16,7 @@ use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::body::kinematics::{self, BODY};
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix, MarkerVector};
-use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::geometry::pose::{Pose, PoseVector};
 use crate::mechanics::marker::configuration::Configuration;
 use std::ops::Range;
 
@@ -161,6 +161,39 @@ impl Marker {
                 if is_own { own } else { own.carried(offset, axes) }
             }
         }
+    }
+
+    /// The element and the place in it where its place is on the axis, which does not turn with the section.
+    fn on_axis(&self) -> Option<(usize, f64)> {
+        match self {
+            Self::Section { element, xi, offset, .. } if *offset == Vec3::zeros() => Some((*element, *xi)),
+            _ => None,
+        }
+    }
+
+    /// The pose, of which the place alone counts: the axes of a section inside an element are not computed.
+    pub fn placed(&self, c: &Configuration) -> Pose {
+        match self.on_axis() {
+            Some((element, xi)) => {
+                Pose { place: c.mesh.elements[element].axis_point(xi, c.beams.q), axes: Mat3::identity() }
+            }
+            None => self.pose(c),
+        }
+    }
+
+    /// How [`Self::placed`] moves with the marker's coordinates.
+    pub fn placed_q(&self, c: &Configuration) -> PoseGradient {
+        let Some((element, xi)) = self.on_axis() else { return self.pose_q(c) };
+        let element = &c.mesh.elements[element];
+        let count = element.coordinates().len();
+        PoseGradient::Beam(Turning {
+            arms: PoseVector::zeros(),
+            place_q: element.axis_q(xi),
+            turn_q: ByCoordinates::zeros(),
+            count,
+            placing: count,
+            turning: count,
+        })
     }
 
     /// First and second derivative of the pose by time at fixed coordinates: of a moving frame.

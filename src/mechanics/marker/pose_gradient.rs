@@ -185,6 +185,9 @@ impl PoseGradient {
     /// Adds `∂(pose_qᵀ f)/∂q` of frozen forces on the vectors of the pose, the pose of `marker`: where it turns, it bends.
     pub fn add_bend(&self, marker: &Marker, c: &Configuration, force: &PoseVector, block: &mut MarkerMatrix) {
         let Self::Beam(beam) = self else { return };
+        if beam.turns().is_empty() {
+            return;
+        }
         // The arms turn: d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ.
         let turning: Mat3 = beam.arms * force.transpose() - Mat3::identity() * beam.arms.dot(force);
         for column in beam.turns() {

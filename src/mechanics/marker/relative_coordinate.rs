@@ -2,7 +2,7 @@
 //!
 //! Angles are read near their last accepted value, so that they go on over any number of turns.
 
-use super::pose_gradient::{of_side, pull_back};
+use super::pose_gradient::{PoseGradient, of_side, pull_back};
 use super::{Marker, own_velocity};
 use crate::math::Vec3;
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
@@ -36,19 +36,32 @@ pub struct RelativeCoordinate {
 }
 
 impl RelativeCoordinate {
+    /// The poses of both sides, as far as the measure sees them: a length sees no axes.
+    fn poses(&self, c: &Configuration) -> [Pose; 2] {
+        let pose = |marker: &Marker| if self.measure == Measure::Length { marker.placed(c) } else { marker.pose(c) };
+        [pose(&self.a), pose(&self.b)]
+    }
+
+    /// How [`Self::poses`] move.
+    fn pose_q(&self, marker: &Marker, c: &Configuration) -> PoseGradient {
+        if self.measure == Measure::Length { marker.placed_q(c) } else { marker.pose_q(c) }
+    }
+
     /// Its value: an angle near `previous`, rad or m.
     pub fn value(&self, c: &Configuration, previous: f64) -> f64 {
-        self.measure.value(&self.a.pose(c), &self.b.pose(c), previous)
+        let [a, b] = self.poses(c);
+        self.measure.value(&a, &b, previous)
     }
 
     /// Its rate, m/s or rad/s.
     pub fn rate(&self, c: &Configuration, velocity: &[f64]) -> f64 {
-        self.measure.gradient(&self.a.pose(c), &self.b.pose(c)).dot(&self.pose_rates(c, velocity))
+        let [a, b] = self.poses(c);
+        self.measure.gradient(&a, &b).dot(&self.pose_rates(c, velocity))
     }
 
     /// Its second derivative by time, m/s² or rad/s², at the velocities of all coordinates and their derivatives `acceleration`.
     pub fn acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64]) -> f64 {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let [a, b] = self.poses(c);
         let rates = self.pose_rates(c, velocity);
         let mut hessian = PairHessian::default();
         self.measure.add_hessian(&a, &b, 1.0, &mut hessian);
@@ -68,8 +81,10 @@ impl RelativeCoordinate {
 
     /// Its derivative with respect to the coordinates of both its sides, 24×1 each.
     pub fn gradient(&self, c: &Configuration) -> [MarkerVector; 2] {
-        let by_poses = self.measure.gradient(&self.a.pose(c), &self.b.pose(c));
-        [(0, &self.a), (1, &self.b)].map(|(number, marker)| marker.pose_q(c).generalized(&of_side(&by_poses, number)))
+        let [a, b] = self.poses(c);
+        let by_poses = self.measure.gradient(&a, &b);
+        [(0, &self.a), (1, &self.b)]
+            .map(|(number, marker)| self.pose_q(marker, c).generalized(&of_side(&by_poses, number)))
     }
 
     /// `factor` times its second derivative with respect to the coordinates of both its sides, blocks `aa, ab, ba, bb`.
@@ -81,23 +96,23 @@ impl RelativeCoordinate {
 
     /// Sets `blocks`, which are 0, to [`Self::hessian`]: these 18 KB are once on the stack then.
     pub fn set_hessian(&self, c: &Configuration, factor: f64, blocks: &mut [MarkerMatrix; 4]) {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let [a, b] = self.poses(c);
         let by_poses = self.measure.gradient(&a, &b);
         let mut hessian = PairHessian::default();
         self.measure.add_hessian(&a, &b, factor, &mut hessian);
-        let sides = [self.a.pose_q(c), self.b.pose_q(c)];
+        let sides = [&self.a, &self.b].map(|marker| self.pose_q(marker, c));
         pull_back(c, [&self.a, &self.b], &sides, &(by_poses * factor), &hessian, blocks);
     }
 
     /// Derivative of its rate with respect to the coordinates of both sides at fixed velocities, 24×1 each.
     pub fn rate_gradient(&self, c: &Configuration, velocity: &[f64]) -> [MarkerVector; 2] {
-        let (a, b) = (self.a.pose(c), self.b.pose(c));
+        let [a, b] = self.poses(c);
         let by_poses = self.measure.gradient(&a, &b);
         let mut hessian = PairHessian::default();
         self.measure.add_hessian(&a, &b, 1.0, &mut hessian);
         let turned = hessian.times(&self.pose_rates(c, velocity));
         [(0, &self.a), (1, &self.b)].map(|(number, marker)| {
-            let (own, pose_q) = (own_velocity(c, marker, velocity), marker.pose_q(c));
+            let (own, pose_q) = (own_velocity(c, marker, velocity), self.pose_q(marker, c));
             let mut bend = MarkerMatrix::zeros();
             pose_q.add_bend(marker, c, &of_side(&by_poses, number), &mut bend);
             pose_q.generalized(&of_side(&turned, number)) + bend.tr_mul(&own)
@@ -106,9 +121,12 @@ impl RelativeCoordinate {
 
     /// How fast the poses of both sides change, 24×1.
     fn pose_rates(&self, c: &Configuration, velocity: &[f64]) -> PairVector {
+        let rate = |marker: &Marker| {
+            self.pose_q(marker, c).times(&own_velocity(c, marker, velocity)) + marker.pose_t(c)[0].vectors()
+        };
         let mut rates = PairVector::zeros();
         for (side, marker) in [&self.a, &self.b].into_iter().enumerate() {
-            rates.fixed_columns_mut::<VECTORS>(VECTORS * side).copy_from(&marker.pose_rate(c, velocity));
+            rates.fixed_columns_mut::<VECTORS>(VECTORS * side).copy_from(&rate(marker));
         }
         rates
     }

@@ -1,6 +1,6 @@
 //! What ANCF14 answers to the system.
 
-use super::coordinates::{ELEMENT, ElementVector, interpolate};
+use super::coordinates::{ELEMENT, ElementVector, SHAPE_PLACES, interpolate};
 use super::element::{Element, Evaluation};
 use super::energy::quadratic_twist::{self, Twist};
 use super::kinematics::Holonomy;
@@ -84,6 +84,14 @@ impl BeamElement for Element {
 
     fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3 {
         interpolate(&hermite::shape(xi, self.length), self.own(q))
+    }
+
+    fn axis_q(&self, xi: f64) -> ByCoordinates {
+        let mut axis_q = ByCoordinates::zeros();
+        for (weight, place) in hermite::shape(xi, self.length).into_iter().zip(SHAPE_PLACES) {
+            (0..3).for_each(|axis| axis_q[(axis, place + axis)] = weight);
+        }
+        axis_q
     }
 
     fn add_weight(&self, gravity: &Vec3, factor: f64, forces: &mut [f64]) {

@@ -17,7 +17,7 @@ use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep
 use crate::mechanics::beam::element::BeamElement;
 use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, LineLoad};
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
-use crate::mechanics::geometry::marker_jacobian::{MarkerJacobian, MarkerMatrix};
+use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
@@ -286,6 +286,10 @@ impl BeamElement for PaidOut {
 
     fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3 {
         self.drawn.axis_point(xi, q)
+    }
+
+    fn axis_q(&self, xi: f64) -> ByCoordinates {
+        self.drawn.axis_q(xi)
     }
 
     fn extent(&self, drives: &[Jet]) -> f64 {

@@ -79,6 +79,14 @@ impl BeamElement for Element {
         AXIS_PLACES.into_iter().zip(shape).map(|(place, weight)| vec3(own, place) * weight).sum()
     }
 
+    fn axis_q(&self, xi: f64) -> ByCoordinates {
+        let mut axis_q = ByCoordinates::zeros();
+        for (place, weight) in AXIS_PLACES.into_iter().zip(hermite::shape(xi, self.length)) {
+            axis_q.fixed_columns_mut::<3>(place).copy_from(&Mat3::from_diagonal_element(weight));
+        }
+        axis_q
+    }
+
     fn add_weight(&self, gravity: &Vec3, factor: f64, forces: &mut [f64]) {
         for (place, weight) in AXIS_PLACES.into_iter().zip(self.weight(gravity)) {
             add_vec3(forces, self.start + place, &(weight * factor));
@@ -213,12 +221,8 @@ impl BeamElement for Element {
     }
 
     fn section_jacobian(&self, c: &BeamConfiguration, xi: f64) -> MarkerJacobian {
-        let mut place_q = ByCoordinates::zeros();
-        for (place, weight) in AXIS_PLACES.into_iter().zip(hermite::shape(xi, self.length)) {
-            place_q.fixed_columns_mut::<3>(place).copy_from(&Mat3::from_diagonal_element(weight));
-        }
         let [y, z] = sources(xi);
-        MarkerJacobian { place_q, turn_q: self.frame(c, xi).turn_q([&y, &z]) }
+        MarkerJacobian { place_q: self.axis_q(xi), turn_q: self.frame(c, xi).turn_q([&y, &z]) }
     }
 
     fn add_section_moment_stiffness(&self, c: &BeamConfiguration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix) {
