@@ -1,39 +1,55 @@
 //! Axial forces that jump at an inner node, where a load, a joint or a spring holds the beam. The stretch `|r'|` is one unknown at a node: the jump is spread over
 //! both elements, with an overshoot of 6 % of it, however fine the mesh is.
 
+use super::strain_fit::StrainFit;
+use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::resultants::SectionShape;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::System;
 
-/// A jump below this share of the larger axial force beside it does not matter: its overshoot is below 1 %.
-const NOTABLE: f64 = 0.15;
-
 /// Gauss' two places in an element: the mean of the axial force over it is right, jump or not.
 const PLACES: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
 
+/// A jump of the axial force at a node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialJump {
+    /// The node.
+    pub node: usize,
+    /// From the element before it to the one after it, N.
+    pub jump: f64,
+    /// The larger axial force of both, in size, N.
+    pub axial: f64,
+    /// The larger force of both in any direction, N.
+    pub carried: f64,
+}
+
 impl System {
-    /// The inner node with a jump of the axial force that `sensor` is within an element of, in words, and the jump, N.
-    pub fn axial_jump_near(&self, c: &Configuration, sensor: &Sensor) -> Option<(String, f64)> {
+    /// The largest jump of the axial force at an inner node that `sensor` is within an element of; none where nothing acts there.
+    pub fn axial_jump_near(&self, c: &Configuration, sensor: &Sensor) -> Option<AxialJump> {
         let (number, _) = sensor.on_beam?;
         let beam = &self.beams[number];
-        let elements = beam.element_range();
-        for element in sensor.elements() {
-            let local = element - elements.start;
-            for end in [local, local + 1].into_iter().filter(|end| 0 < *end && *end < beam.elements()) {
-                let node = beam.node(end);
-                if beam.corners.contains(&end) || !self.is_held(node) {
-                    continue;
-                }
-                let [before, after] =
-                    [elements.start + end - 1, elements.start + end].map(|own| self.mean_axial_force(c, own));
-                let jump = after - before;
-                if jump.abs() > NOTABLE * before.abs().max(after.abs()) {
-                    return Some((self.describe_node(node), jump));
-                }
+        let first = beam.first_element;
+        let ends = sensor.elements().flat_map(|element| [element - first, element - first + 1]);
+        let jumps = ends.filter_map(|end| {
+            if end == 0 || end >= beam.elements() || self.is_open(beam, end) || beam.corners.contains(&end) {
+                return None;
             }
-        }
-        None
+            let [before, after] = [end - 1, end].map(|number| {
+                let axial = self.mean_axial_force(c, first + number);
+                (axial, axial.hypot(self.shear_force(c, beam, number)))
+            });
+            let (axial, carried) = (before.0.abs().max(after.0.abs()), before.1.max(after.1));
+            Some(AxialJump { node: beam.node(end), jump: after.0 - before.0, axial, carried })
+        });
+        jumps.max_by(|a, b| a.jump.abs().total_cmp(&b.jump.abs()))
+    }
+
+    /// Mean shear force of element `number` of `beam`, N: the slope of its moments; of ANCF24 it is not known.
+    fn shear_force(&self, c: &Configuration, beam: &Beam, number: usize) -> f64 {
+        let Some(fit) = StrainFit::of(self, beam, number, c) else { return 0.0 };
+        let [about_z, about_y] = [0, 1].map(|k| fit.rigidities[k] * fit.strains[k].slope);
+        about_z.hypot(about_y)
     }
 
     /// Mean axial force of an element, N.

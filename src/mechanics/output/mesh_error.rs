@@ -6,8 +6,9 @@
 //! displacements are off, of their own size.
 //!
 //! Only nodes at which nothing acts are compared: elsewhere strains may jump. An element without such a node bends at least as the load across it does, its
-//! weight and the axial force times the curvature: `EI κ'' = q + N κ` inside it, while the element has 0.
+//! weight and the axial force times the curvature: `EI κ'' = q + N κ` inside it, while the element has 0. A taut one takes the load as a string, `κ = q/N`.
 
+use super::beam_scale::BeamScale;
 use super::fiber_strain::FiberStrain;
 use super::strain_fit::{Line, Neighborhood, StrainFit, bend, mean, rise};
 use crate::math::Vec3;
@@ -15,12 +16,13 @@ use crate::math::quadrature::{LOBATTO_POINTS, LOBATTO_WEIGHTS};
 use crate::mechanics::beam::Beam;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
+use serde::{Deserialize, Serialize};
 
 /// Strains below this are round-off, or what Newton may leave.
 const NO_STRAIN: f64 = 1e-8;
 
 /// What beams do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Deformation {
     /// They bend.
     Bending,
@@ -56,6 +58,10 @@ pub struct MeshError {
     pub largest_moment: f64,
     /// Largest axial force of all beams, N.
     pub largest_force: f64,
+    /// What a strain of 1 amounts to.
+    pub of_unit_strain: BeamScale,
+    /// What the beams have relieved of their strains without stress.
+    pub relieved: BeamScale,
     /// Of the element whose fibers strain most under a law of large strain.
     pub fibers: FiberStrain,
 }
@@ -65,6 +71,7 @@ impl System {
     pub fn mesh_error(&self, c: &Configuration) -> MeshError {
         let mut error = MeshError::default();
         for beam in &self.beams {
+            let length: f64 = beam.element_range().map(|element| self.mesh.elements[element].length()).sum();
             let (mut before, mut next) = (None, StrainFit::of(self, beam, 0, c));
             for number in 0..beam.elements() {
                 let Some(own) = next else {
@@ -76,17 +83,17 @@ impl System {
                 next = if goes_on { StrainFit::of(self, beam, number + 1, c) } else { None };
                 let is_open = self.is_open(beam, number + 1);
                 let neighborhood = Neighborhood { before, own, after: next.filter(|_| is_open) };
-                self.account(beam, number, &neighborhood, c, &mut error);
+                self.account((beam, length), number, &neighborhood, c, &mut error);
                 before = is_open.then_some(own);
             }
         }
         error
     }
 
-    /// Adds what `neighborhood` tells of element `number` of `beam`.
+    /// Adds what `neighborhood` tells of element `number` of `beam`, which has this length, m.
     fn account(
         &self,
-        beam: &Beam,
+        (beam, length_of_beam): (&Beam, f64),
         number: usize,
         neighborhood: &Neighborhood,
         c: &Configuration,
@@ -100,6 +107,10 @@ impl System {
         }
         let length = own.length();
         error.energy += own.energy;
+        error.of_unit_strain.add(&BeamScale::of_unit_strain(own, beam.young, self.size));
+        if let Some(relieved) = BeamScale::relieved(own, beam.young, length_of_beam) {
+            error.relieved.add(&relieved);
+        }
         error.round_off += 0.5 * own.element.stiffness.axial * length * NO_STRAIN * NO_STRAIN;
         let ends = |k: usize| own.strains[k].at(-0.5 * length).abs().max(own.strains[k].at(0.5 * length).abs());
         let [about_z, about_y, torque] = [0, 1, 2].map(|k| own.rigidities[k] * ends(k));
@@ -137,8 +148,10 @@ impl System {
         let square = |line: &Line| line.mean * line.mean + (line.slope * length).powi(2) / 12.0;
         let curvature = (square(&own.strains[0]) + square(&own.strains[1])).sqrt();
         let rigidity = own.rigidities[0].min(own.rigidities[1]);
-        let second = (across + own.force().mean.abs() * curvature) / rigidity;
-        let beyond = second * length * length / 12.0;
+        let force = own.force().mean;
+        // A taut element bends within its bending length at its ends only, and hangs as a string between: its curvature is the load over the tension there.
+        let stiffness = 12.0 * rigidity / (length * length) + force.max(0.0);
+        let beyond = (across + force.abs() * curvature) / stiffness;
         0.5 * rigidity * length * beyond * beyond / 5.0
     }
 

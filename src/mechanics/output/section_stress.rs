@@ -20,6 +20,12 @@ impl Sensor {
         self.on_section(system, c, resultants::largest_stress)
     }
 
+    /// The axial force that alone would cause this stress, N.
+    pub fn stress_as_force(&self, system: &System, c: &Configuration) -> Option<f64> {
+        let (beam, fraction) = self.on_beam?;
+        Some(self.stress(system, c)? * system.beams[beam].section_at(fraction).area)
+    }
+
     /// The fiber of the section that bears this stress.
     pub fn worst_fiber(&self, system: &System, c: &Configuration) -> Option<Fiber> {
         self.on_section(system, c, Fiber::worst)

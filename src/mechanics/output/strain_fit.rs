@@ -9,6 +9,7 @@ use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBAT
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::ancf14;
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
+use crate::mechanics::beam::ancf14::relief::Relief;
 use crate::mechanics::beam::ancf14::strain::Strain;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::resultants::{SectionForces, SectionStrains};
@@ -46,6 +47,8 @@ pub struct StrainFit<'a> {
     pub forces: [f64; 3],
     /// Strain energy, J.
     pub energy: f64,
+    /// Strains without stress that it has followed; none: all its strains are stress.
+    pub relief: Option<Relief>,
 }
 
 impl<'a> StrainFit<'a> {
@@ -72,8 +75,15 @@ impl<'a> StrainFit<'a> {
         let [y, z] = element.eccentricities.as_ref().map_or([0.0; 2], |own| own[1].first);
         let relaxed = |bending: f64, moment: f64| bending - moment * moment / stiffness.axial;
         let rigidities = [relaxed(stiffness.bending_z, y), relaxed(stiffness.bending_y, z), stiffness.torsion];
-        let mut fit =
-            Self { element, strains, rigidities, elongations: [0.0; 3], forces: [0.0; 3], energy: evaluation.energy() };
+        let mut fit = Self {
+            element,
+            strains,
+            rigidities,
+            elongations: [0.0; 3],
+            forces: [0.0; 3],
+            energy: evaluation.energy(),
+            relief: evaluation.relief(),
+        };
         let strains = evaluation.axial_strains();
         fit.elongations = strains.map(|strain| match stiffness.strain {
             Strain::Small => strain,

@@ -257,21 +257,21 @@ impl Accuracy {
         energies.map(|(_, span)| span.range).fold(0.0, f64::max)
     }
 
-    /// All families of results with their errors because of the lengths of the steps, after `duration` s; none of quantities that are zero. `corrects`: those that are
+    /// All families of results with their errors because of the lengths of the steps; none of quantities that are zero. `corrects`: those that are
     /// not rough are told as corrected.
-    pub fn errors(&self, columns: &Columns, system: &System, duration: f64, corrects: bool) -> Vec<Inexact> {
+    pub fn errors(&self, columns: &Columns, measures: &Measures, corrects: bool) -> Vec<Inexact> {
         let error = |number: usize, family: &Family| {
             let error = self.errors.get(number)?.exceeded_by(family.left_out());
             Some(if corrects && !family.is_rough { self.remainder.of(number, error) } else { error })
         };
-        self.shares(columns, system, duration, error)
+        self.shares(columns, measures, error)
     }
 
     /// All families of results with the largest of the `errors` of their results; none of quantities that are zero.
-    pub fn errors_of_mesh(&self, columns: &Columns, system: &System, duration: f64, errors: &[f64]) -> Vec<Inexact> {
+    pub fn errors_of_mesh(&self, columns: &Columns, measures: &Measures, errors: &[f64]) -> Vec<Inexact> {
         let mut largest = Vec::new();
         columns.find_largest(|result| errors[result], &mut largest);
-        self.shares(columns, system, duration, |number, _| Some(largest[number]))
+        self.shares(columns, measures, |number, _| Some(largest[number]))
     }
 
     /// All families of results with their errors because of the mesh, from the differences of this run and one whose elements are `ratio` times as long; `limit`: no
@@ -279,8 +279,7 @@ impl Accuracy {
     pub fn errors_beside(
         &self,
         columns: &Columns,
-        system: &System,
-        duration: f64,
+        measures: &Measures,
         differences: &Differences,
         (ratio, limit): (f64, i32),
     ) -> Vec<Inexact> {
@@ -288,19 +287,17 @@ impl Accuracy {
             let difference = differences.families.get(number)?.exceeded_by(family.left_out());
             Some(difference / (ratio.powi(family.order.min(limit)) - 1.0).abs())
         };
-        self.shares(columns, system, duration, error)
+        self.shares(columns, measures, error)
     }
 
     /// All families of results with their errors, given in their units by number and family, as shares of their ranges; none of quantities that are zero.
     fn shares(
         &self,
         columns: &Columns,
-        system: &System,
-        duration: f64,
+        measures: &Measures,
         error: impl Fn(usize, &Family) -> Option<f64>,
     ) -> Vec<Inexact> {
-        let (spans, energy) = (self.spans(columns), self.energy(columns));
-        let measures = Measures { size: system.size, duration, energy, gravity: system.gravity.norm() };
+        let spans = self.spans(columns);
         let families = || columns.families.iter().zip(&spans);
         let largest_force = |unit: &str| {
             let alike = families().filter(|(family, _)| family.unit == unit && matches!(unit, "N" | "N.m"));
@@ -309,7 +306,7 @@ impl Accuracy {
         let shown = families().enumerate().filter(|(_, (family, _))| family.is_shown);
         let found = shown.filter_map(|(number, (family, span))| {
             let Family { name, unit, is_rough, .. } = family;
-            let scale = span.scale(measures.natural(unit));
+            let scale = measures.scale(unit, *span);
             let error = error(number, family)? / scale.max(SMALL_FORCE * largest_force(unit));
             (scale > 0.0).then(|| Inexact { name: name.clone(), error, is_rough: *is_rough })
         });

@@ -2,6 +2,12 @@
 //!
 //! A component that is zero by symmetry has the round-off of the others for its range, so that all components of a quantity have one
 //! scale, the largest range among them. A quantity that is zero as a whole is found by what its unit amounts to in this system.
+//!
+//! Beams that follow their heat or their prestress hold nothing, but for what a mesh makes of it: their forces and energies are compared with those that the same
+//! deformation would hold without heat or prestress.
+
+use crate::mechanics::output::beam_scale::BeamScale;
+use serde::{Deserialize, Serialize};
 
 /// A quantity that changes by less than this share of its size is a constant: it is compared with its size.
 const CONSTANT: f64 = 1e-6;
@@ -21,13 +27,34 @@ pub struct Measures {
     pub energy: f64,
     /// Gravity, m/s²: at rest it is what accelerations cancel against.
     pub gravity: f64,
+    /// What its beams do.
+    pub beams: Beams,
+}
+
+/// What quantities of beams amount to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Beams {
+    /// At a strain of 1.
+    pub of_unit_strain: BeamScale,
+    /// Where they have relieved most of their strains without stress.
+    pub relieved: BeamScale,
 }
 
 impl Measures {
+    /// The scale of a quantity with this unit that ranges as `span`; 0: it is zero.
+    pub fn scale(&self, unit: &str, span: Span) -> f64 {
+        let scale = span.scale(self.natural(unit));
+        if scale > 0.0 { scale.max(self.beams.relieved.of(unit)) } else { 0.0 }
+    }
+
     /// One of a unit, in the unit; 0: not known.
-    pub fn natural(&self, unit: &str) -> f64 {
-        let Self { size, duration, energy, gravity } = *self;
-        match unit {
+    fn natural(&self, unit: &str) -> f64 {
+        let Self { size, duration, gravity, beams, .. } = *self;
+        // Of a strain that is round-off: energies are squares.
+        let strain = if unit == "J" { PURE_NUMBER * PURE_NUMBER * ZERO } else { PURE_NUMBER };
+        let of_round_off = strain * beams.of_unit_strain.of(unit);
+        let energy = self.energy.max(beams.relieved.energy);
+        let natural = match unit {
             "m" => size,
             "m/s" => size / duration,
             "m/s2" => gravity.max(size / (duration * duration)),
@@ -40,7 +67,8 @@ impl Measures {
             "kg.m/s" => energy * duration / size,
             "kg.m2/s" => energy * duration,
             _ => 0.0,
-        }
+        };
+        natural.max(of_round_off)
     }
 }
 
@@ -68,7 +96,7 @@ impl Span {
     }
 
     /// The scale of a quantity whose unit amounts to `natural`; 0: it is zero.
-    pub fn scale(self, natural: f64) -> f64 {
+    fn scale(self, natural: f64) -> f64 {
         let scale = if self.range > CONSTANT * self.size { self.range } else { self.size };
         if scale > ZERO * natural { scale } else { 0.0 }
     }

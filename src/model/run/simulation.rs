@@ -28,6 +28,7 @@ use self::start::NoStart;
 use self::stepping::UnderWay;
 use super::accuracy::{Accuracy, Columns, Inexact, Looker};
 use super::levels::{OtherMesh, Override};
+use super::scale::Measures;
 use super::watch::Watch;
 use crate::error::Error;
 use crate::fmi::variable::{Variability, Variable};
@@ -160,9 +161,16 @@ impl Simulation {
         is_at_instant.then_some(&self.runner.response.multipliers)
     }
 
-    /// The largest range of an energy so far, J: also where the energies are not among the results.
-    pub fn largest_energy(&self) -> f64 {
-        self.accuracy.energy(&self.columns)
+    /// What units amount to in the run so far; energies count where they are not among the results, too.
+    pub fn measures(&self) -> Measures {
+        let Runner { system, state, start, .. } = &self.runner;
+        Measures {
+            size: system.size,
+            duration: state.time - start,
+            energy: self.accuracy.energy(&self.columns),
+            gravity: system.gravity.norm(),
+            beams: self.watch.beams(),
+        }
     }
 
     /// Sets parameter `index` of the file, and what follows from it; one that is tunable at once in a system that runs.

@@ -2,12 +2,14 @@
 
 mod alternation;
 mod ends;
+mod jumps;
 mod mesh;
 mod stops;
 mod switches;
 
 use self::alternation::AlternationWatch;
 use self::ends::EndWatch;
+use self::jumps::JumpWatch;
 use self::mesh::MeshWatch;
 use self::stops::StopWatch;
 use crate::error::decimal;
@@ -18,23 +20,20 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::IntegratorSpec;
-use crate::model::file::quantity::Quantity;
+use crate::model::run::scale::Beams;
 use crate::model::variables::Table;
 use serde::{Deserialize, Serialize};
-
-/// Quantities that an axial force is read from.
-const BY_AXIAL_FORCE: [Quantity; 3] = [Quantity::SectionForce, Quantity::Stress, Quantity::AxialStrain];
 
 /// What has been seen and warned of.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
     twist_warned: bool,
-    axial_warned: bool,
     energy_warned: bool,
     /// The integrator damps by itself: the energy may fall.
     damps: bool,
     mesh: MeshWatch,
     ends: EndWatch,
+    jumps: JumpWatch,
     alternation: AlternationWatch,
     stops: StopWatch,
 }
@@ -63,18 +62,28 @@ impl Watch {
         frames: &mut FrameCache,
     ) -> Vec<String> {
         let twist = self.twist(system, state, frames);
-        let axial = self.axial(system, state, table, frames);
+        let jumps = self.jumps.look(system, state, table, frames);
         let mesh = self.mesh.look(system, state, table, frames);
         let ends = self.ends.look(system, state, frames);
-        let alternation = self.alternation.look(system, state, table, results);
+        let alternation = self.alternation.look(system, state, (table, results), &self.mesh.beams);
         let stops = self.stops.look(system, state);
-        let all = twist.into_iter().chain(axial).chain(mesh).chain(ends).chain(alternation).chain(stops);
+        let all = twist.into_iter().chain(jumps).chain(mesh).chain(ends).chain(alternation).chain(stops);
         all.chain(self.energy(state.balance.alarm())).collect()
     }
 
-    /// What the user should know at the end, `state`, of a run over `span`, s.
-    pub fn conclude(&mut self, system: &System, state: &State, span: [f64; 2]) -> Vec<String> {
-        self.energy(state.balance.at_end()).into_iter().chain(switches::idle(system, span)).collect()
+    /// What the user should know at the end, `state`, of a run over `span`, s; `table` has what is read off the system.
+    pub fn conclude(&mut self, system: &System, state: &State, table: &Table, span: [f64; 2]) -> Vec<String> {
+        let judged = self.judge(system, table);
+        let energy = self.energy(state.balance.at_end());
+        judged.into_iter().chain(energy).chain(switches::idle(system, span)).collect()
+    }
+
+    /// Judges by now what otherwise waits for the end: of a run that fails it may be the cause.
+    pub fn judge(&mut self, system: &System, table: &Table) -> Vec<String> {
+        let jump = self.jumps.judge(system, table);
+        let mesh = self.mesh.judge(system, table);
+        let alternation = self.alternation.judge(system, table, &self.mesh.beams);
+        jump.into_iter().chain(mesh).chain(alternation).collect()
     }
 
     /// Strain energy of the last state that was looked at, J; 0: none was.
@@ -82,29 +91,14 @@ impl Watch {
         self.mesh.strain_energy
     }
 
+    /// What quantities of beams amount to in the run so far.
+    pub fn beams(&self) -> Beams {
+        self.mesh.beams
+    }
+
     /// Whether torsion is most of the energy that the mesh has left out where it left out most so far.
     pub fn is_torsion(&self) -> bool {
         self.mesh.most_left_out.1 == Some(Deformation::Torsion)
-    }
-
-    /// Warns of an axial force, or a stress, that is read within an element of a node where the axial force jumps.
-    fn axial(&mut self, system: &System, state: &State, table: &Table, frames: &mut FrameCache) -> Option<String> {
-        if self.axial_warned {
-            return None;
-        }
-        let mut points = table.points().filter(|(quantity, _)| BY_AXIAL_FORCE.contains(quantity)).peekable();
-        points.peek()?;
-        let configuration = frames.of(system, state);
-        let (word, (node, jump)) = points.find_map(|(quantity, mut sensors)| {
-            let jump = sensors.find_map(|sensor| system.axial_jump_near(&configuration, &system.sensors[sensor]))?;
-            Some((quantity.row().word, jump))
-        })?;
-        self.axial_warned = true;
-        Some(format!(
-            "an output of {word} is within one element of {node}, where the axial force jumps by about {jump:.1e} N at t = {} s: elements spread a jump over both \
-             sides, so that values there are off by up to half of it; read them an element further away",
-            decimal(state.instant())
-        ))
     }
 
     /// Warns of a beam that is twisted beyond half the rate above which its energy has no lower bound (MECHANICS 3.7).

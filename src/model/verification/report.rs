@@ -69,11 +69,11 @@ impl Verification {
         let document = simulation.document();
         let columns = self.columns.iter().map(|column| (column.name.as_str(), column.unit.as_str(), &column.tally));
         let columns: Vec<_> = columns.collect();
+        let own = simulation.measures();
         let measures = Measures {
-            size: simulation.system().size,
             duration: simulation.about().stop,
-            energy: scale::energy(&columns).unwrap_or_else(|| simulation.largest_energy()),
-            gravity: simulation.system().gravity.norm(),
+            energy: scale::energy(&columns).unwrap_or(own.energy),
+            ..own
         };
         let scales = scale::scales(&columns, &measures);
         let mut demands = Vec::new();

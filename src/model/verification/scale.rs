@@ -11,7 +11,7 @@ pub fn scales(columns: &[(&str, &str, &Tally)], measures: &Measures) -> Vec<f64>
         let span = spans.entry(family(name)).or_default();
         span.include(range(name, tally), tally.size());
     }
-    columns.iter().map(|(name, unit, _)| spans[family(name)].scale(measures.natural(unit))).collect()
+    columns.iter().map(|(name, unit, _)| measures.scale(unit, spans[family(name)])).collect()
 }
 
 /// The largest energy of a run, J; none: the energies are not among the columns.
@@ -29,8 +29,18 @@ fn range(name: &str, tally: &Tally) -> f64 {
 mod tests {
     use super::super::tally::Sample;
     use super::*;
+    use crate::mechanics::output::beam_scale::BeamScale;
+    use crate::model::run::scale::Beams;
 
-    const MACHINE: Measures = Measures { size: 2.0, duration: 10.0, energy: 100.0, gravity: 9.81 };
+    const NONE: BeamScale =
+        BeamScale { energy: 0.0, force: 0.0, moment: 0.0, stress: 0.0, strain: 0.0, curvature: 0.0 };
+    const MACHINE: Measures = Measures {
+        size: 2.0,
+        duration: 10.0,
+        energy: 100.0,
+        gravity: 9.81,
+        beams: Beams { of_unit_strain: NONE, relieved: NONE },
+    };
 
     fn tally(values: [f64; 2]) -> Tally {
         let mut tally = Tally::default();

@@ -147,9 +147,10 @@ fn an_equilibrium_before_the_end_counts() {
     assert!((gone / loaded - 1.0).abs() < 1e-6, "{gone} {loaded}");
 }
 
-/// A mesh so coarse that the run has warned of all that the energy and the readings tell, before the most energy is reached.
+/// A mesh so coarse that the run might warn of all that the energy and the readings tell at its start, under the weight alone. The energy of the load, later, is looked at all the same,
+/// and is what they are judged by.
 #[test]
-fn regression_an_equilibrium_after_the_warnings_counts() {
+fn regression_an_equilibrium_after_a_coarse_one_counts() {
     let text =
         PORTAL.replace("\"rotation\"]", "\"rotation\", \"section_moment\"]").replace("elements = 6", "elements = 2");
     let there_and_back = text.replace("*t\"", "*sin(pi*t)\"");
@@ -158,11 +159,7 @@ fn regression_an_equilibrium_after_the_warnings_counts() {
         let told = simulation.take_warnings();
         (simulation, told)
     });
-    for words in
-        ["the mesh is too coarse: at t = 0 s", "the mesh is too coarse for the section_moment at top@0: at t = 0 s"]
-    {
-        assert!(told.iter().any(|warning| warning.contains(words)), "{words}: {told:?}");
-    }
+    assert!(matches!(&told[..], [one] if one.starts_with("knee.rotation is off by about 13 %")), "{told:?}");
     let [gone, loaded] = [gone, loaded].map(|simulation| error(&simulation, "knee.rotation").error);
     assert!((gone / loaded - 1.0).abs() < 1e-6, "{gone} {loaded}");
 }

@@ -20,7 +20,7 @@ use super::kinematics::Kinematics;
 use super::kinematics::corotated::{COROTATED, CorotatedVector};
 use super::kinematics::points::{AxialPoint, AxialRule, BendingPoint, BendingRule};
 use super::kinematics::strain_derivatives::{Couplings, Forces, Gradients};
-use super::natural::{Heating, Natural, Prestress};
+use super::natural::{Heating, Natural, Prestressed};
 use super::over_step::{Added, Turn};
 use super::strain::{Eccentricity, Resultants, Rigidities, Stiffness, Strain, Strains};
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
@@ -63,7 +63,7 @@ pub struct Element {
     /// Odd moments of the section at the bending points; none where the tension center is on the axis.
     pub eccentricities: Option<Box<[Eccentricity; 3]>>,
     /// How it is under stress where it is drawn; none: not at all.
-    pub prestress: Option<Box<Prestress>>,
+    pub prestress: Option<Box<Prestressed>>,
     /// How it expands with heat.
     pub heating: Option<Heating>,
     /// Damping of the axial strain beyond that of the material, s.
@@ -216,7 +216,7 @@ pub struct Evaluation<'a> {
     /// Strains at the bending points, undeformed values taken off.
     pub strains: [Strains; 3],
     /// Strains by heat.
-    natural: Natural,
+    pub(super) natural: Natural,
     /// What a step adds to the resultants of these strains.
     pub(super) added: Added,
     /// From the end of a step to its middle, or where damping sees an element that turns at an instant; else none.

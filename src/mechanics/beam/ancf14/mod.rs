@@ -18,6 +18,7 @@ pub mod natural;
 pub mod over_step;
 pub mod paid_out;
 pub mod payout;
+pub mod relief;
 pub mod section;
 mod sections_along;
 mod shared;

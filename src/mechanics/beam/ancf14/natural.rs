@@ -16,6 +16,15 @@ pub struct Prestress {
     pub torsion: Option<f64>,
 }
 
+/// An element's prestress, with what it is beyond the drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prestressed {
+    /// As given.
+    pub given: Prestress,
+    /// Curvatures `gamma_1`, `gamma_2` (1/m) and torsion (rad/m) without stress minus those as drawn, at the bending points.
+    pub beyond: [[f64; 3]; POINTS],
+}
+
 /// How an element expands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heating {

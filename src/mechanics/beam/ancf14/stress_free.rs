@@ -1,7 +1,7 @@
 //! Elements that are under stress where they are drawn, or expand with heat.
 
 use super::element::Element;
-use super::natural::{Natural, Prestress, curvature_about};
+use super::natural::{Natural, Prestress, Prestressed, curvature_about};
 use super::section::turned;
 use crate::math::quadrature::{GAUSS_POINTS, lagrange};
 use crate::mechanics::beam::configuration::BeamConfiguration;
@@ -22,6 +22,7 @@ impl Element {
         for point in &mut self.axial {
             point.natural = -prestress.tension / point.stiffness.axial;
         }
+        let drawn = self.bending.each_ref().map(|point| point.reference);
         for point in &mut self.bending {
             if let Some([about_y, about_z]) = prestress.curvature {
                 let free = curvature_about([about_z, -about_y], point.principal - point.turn);
@@ -32,7 +33,9 @@ impl Element {
         if let Some(torsion) = prestress.torsion {
             self.axial.iter_mut().for_each(|point| point.reference_torsion = torsion);
         }
-        self.prestress = (*prestress != Prestress::default()).then(|| Box::new(*prestress));
+        let beyond = std::array::from_fn(|g| std::array::from_fn(|k| self.bending[g].reference[k] - drawn[g][k]));
+        self.prestress =
+            (*prestress != Prestress::default()).then(|| Box::new(Prestressed { given: *prestress, beyond }));
         self
     }
 
@@ -45,7 +48,7 @@ impl Element {
         turn: f64,
     ) -> ([f64; 2], f64) {
         let (mut curvature, mut torsion) = (self.curvature_of_heat(c, xi), 0.0);
-        if let Some(prestress) = &self.prestress {
+        if let Some(Prestressed { given: prestress, .. }) = self.prestress.as_deref() {
             if let Some(free) = prestress.curvature {
                 let as_drawn = turned(drawn.curvature.map(|curvature| curvature / drawn.stretch), turn);
                 (0..2).for_each(|i| curvature[i] += free[i] - as_drawn[i]);

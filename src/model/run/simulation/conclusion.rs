@@ -9,11 +9,10 @@ impl Simulation {
     /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion, and where they are corrected as is left of that; empty where
     /// that is not known.
     pub fn estimated_errors(&self) -> Vec<Inexact> {
-        let Runner { system, state, start, .. } = &self.runner;
-        if !state.time_error.is_known() {
+        if !self.runner.state.time_error.is_known() {
             return Vec::new();
         }
-        self.accuracy.errors(&self.columns, system, state.time - start, self.document.simulation.correction)
+        self.accuracy.errors(&self.columns, &self.measures(), self.document.simulation.correction)
     }
 
     /// The family of results with the largest estimated error.
@@ -56,7 +55,7 @@ impl Simulation {
         self.warnings.extend(of_steps.into_iter().chain(of_mesh));
         let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
         let Runner { system, state, .. } = &self.runner;
-        self.warnings.extend(self.watch.conclude(system, state, [begin, end]));
+        self.warnings.extend(self.watch.conclude(system, state, &self.table, [begin, end]));
     }
 
     /// Warns of results that are off by more than a reader expects because of the steps and the mesh together.

@@ -135,10 +135,9 @@ impl Simulation {
                 return;
             }
         };
-        let Runner { system, state, start, .. } = &self.runner;
         let limit = if self.watch.is_torsion() { ORDER_OF_TWIST } else { ORDER };
-        let duration = state.time - start;
-        self.mesh_errors = self.accuracy.errors_beside(&self.columns, system, duration, &differences, (ratio, limit));
+        let measures = self.measures();
+        self.mesh_errors = self.accuracy.errors_beside(&self.columns, &measures, &differences, (ratio, limit));
     }
 
     /// Finds how far the equilibrium of the most strain energy, and the last one, are off.
@@ -170,6 +169,6 @@ impl Simulation {
         if !is_known {
             return;
         }
-        self.mesh_errors = self.accuracy.errors_of_mesh(&self.columns, system, last.time - start, &errors);
+        self.mesh_errors = self.accuracy.errors_of_mesh(&self.columns, &self.measures(), &errors);
     }
 }

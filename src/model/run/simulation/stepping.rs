@@ -99,6 +99,7 @@ impl Simulation {
             self.runner.go_back();
             // They were those of this state before the step, so that they can be read.
             let _ = self.tell_results();
+            self.warnings.extend(self.watch.judge(&self.runner.system, &self.table));
         }
         if let Solver::Statics(statics) = &mut self.runner.solver {
             self.warnings.extend(statics.take_remarks());

@@ -6,10 +6,11 @@ use crate::error::decimal;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::model::file::entries::simulation::Analysis;
+use crate::model::run::scale::Beams;
 use crate::model::variables::Table;
 use serde::{Deserialize, Serialize};
 
-/// Share of the largest value so far by which a result must alternate: less does not matter, section forces and reactions are not known better.
+/// Share of the largest value by which a result must alternate: less does not matter, section forces and reactions are not known better.
 const SHARE: f64 = 0.05;
 /// So many steps in a row. Vibrations that a step just resolves, with three steps a period or more, turn the other way within some.
 const STEPS: u32 = 10;
@@ -17,6 +18,9 @@ const STEPS: u32 = 10;
 const SMALL: f64 = 0.1;
 /// The same of what other forces, the energy, the size and the mass of the system make of that unit: below it is their round-off.
 const ROUND_OFF: f64 = 1e-6;
+/// Communication points after which results that have alternated are judged, if the run does not end before: what alternates at a start, when all values are small, does
+/// not matter once they have grown.
+const LASTING: u32 = 200;
 
 /// What has been seen of forces and accelerations.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -32,7 +36,22 @@ pub struct AlternationWatch {
     energy: f64,
     /// Of each component, in the order of the table.
     tracks: Vec<Track>,
+    /// What has alternated most and is still to be judged.
+    suspect: Option<Suspect>,
     warned: bool,
+}
+
+/// A result that has alternated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+struct Suspect {
+    /// Its number.
+    number: usize,
+    amplitude: f64,
+    /// What it was compared with.
+    scale: f64,
+    time: f64,
+    /// Communication points since the first result that has alternated.
+    points: u32,
 }
 
 /// The last values of a component.
@@ -58,14 +77,26 @@ impl Track {
     }
 }
 
+impl Suspect {
+    fn share(&self) -> f64 {
+        if self.scale > 0.0 { self.amplitude / self.scale } else { 0.0 }
+    }
+}
+
 impl AlternationWatch {
     /// Of a run of this analysis.
     pub fn new(analysis: Analysis) -> Self {
         Self { is_static: analysis == Analysis::Static, ..Self::default() }
     }
 
-    /// Looks at the `results` of a new state.
-    pub fn look(&mut self, system: &System, state: &State, table: &Table, results: &[f64]) -> Option<String> {
+    /// Looks at the `results` of a new state; `beams` is what their quantities amount to.
+    pub fn look(
+        &mut self,
+        system: &System,
+        state: &State,
+        (table, results): (&Table, &[f64]),
+        beams: &Beams,
+    ) -> Option<String> {
         let is_next = state.statistics.steps == self.steps.wrapping_add(1);
         self.steps = state.statistics.steps;
         self.points = if is_next { self.points.saturating_add(1) } else { 0 };
@@ -79,8 +110,8 @@ impl AlternationWatch {
         }
         let energy = state.balance.last.map_or(0.0, |last| last.kinetic + last.elastic);
         self.energy = self.energy.max(energy);
-        let least = self.least(system);
-        let (mut first, mut found) = (0, None);
+        let least = self.least(system, beams);
+        let mut first = 0;
         for (kind, numbers) in forces(table) {
             let end = first + numbers.len();
             if self.tracks.len() < end {
@@ -93,30 +124,56 @@ impl AlternationWatch {
             let scale = tracks.iter().fold(least[kind], |largest, track| largest.max(track.largest));
             for (track, number) in tracks.iter_mut().zip(numbers) {
                 track.add(results[number], self.points, SHARE * scale);
-                if track.count >= STEPS && found.is_none() {
-                    found = Some((number, track.amplitude.abs() / scale));
+                let amplitude = track.amplitude.abs();
+                let suspect = self.suspect.unwrap_or_default();
+                if track.count >= STEPS && amplitude / scale > suspect.share() {
+                    let time = state.instant();
+                    self.suspect = Some(Suspect { number, amplitude, scale, time, points: suspect.points });
                 }
             }
             first = end;
         }
-        let (number, share) = found?;
+        let suspect = self.suspect.as_mut()?;
+        suspect.points += 1;
+        if suspect.points >= LASTING { self.judge(system, table, beams) } else { None }
+    }
+
+    /// Judges what has alternated by the largest values that the run has come to; arguments are those of [`Self::look`].
+    pub fn judge(&mut self, system: &System, table: &Table, beams: &Beams) -> Option<String> {
+        let Suspect { number, amplitude, time, .. } = self.suspect.take()?;
+        let least = self.least(system, beams);
+        let mut first = 0;
+        let mut scale = 0.0_f64;
+        for (kind, numbers) in forces(table) {
+            let end = first + numbers.len();
+            if numbers.contains(&number) {
+                scale = self.tracks[first..end].iter().fold(least[kind], |largest, track| largest.max(track.largest));
+            }
+            first = end;
+        }
+        let share = amplitude / scale;
+        if share.is_nan() || share <= SHARE {
+            return None;
+        }
         self.warned = true;
         Some(format!(
             "{} alternates from step to step, by {:.0} % of its largest value at t = {} s and more than {:.0} % for {STEPS} steps: the steps do not resolve a vibration that \
              is far too fast for them, and forces are not to be trusted; take smaller steps (simulation.step or simulation.accuracy), a smaller spectral_radius, or material damping",
             table.result_name(number),
             100.0 * share,
-            decimal(state.instant()),
+            decimal(time),
             100.0 * SHARE
         ))
     }
 
     /// The least that forces (N), moments (N m) and accelerations (m/s²) are compared with.
-    fn least(&self, system: &System) -> [f64; 3] {
+    fn least(&self, system: &System, beams: &Beams) -> [f64; 3] {
         let [force, moment, acceleration] = self.largest;
+        // What heat and prestress would cause is there, and cancels.
+        let (force, moment) = (force.max(beams.relieved.force), moment.max(beams.relieved.moment));
         let of_others = [
-            (moment.max(self.energy) / system.size).max(system.mass * acceleration),
-            (force * system.size).max(self.energy),
+            (moment.max(self.energy) / system.size).max(system.mass * acceleration).max(force),
+            (force * system.size).max(moment).max(self.energy),
             (force / system.mass).max(system.gravity.norm()),
         ];
         // Without mass or size there is nothing to be compared with.

@@ -11,14 +11,15 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::file::quantity::Quantity;
+use crate::model::run::scale::Beams;
 use crate::model::variables::Table;
 use serde::{Deserialize, Serialize};
 
-/// Energy that a mesh may leave out in dynamics, of the largest energy so far: under loads displacements are off by as much, and 1 % is called right.
+/// Energy that a mesh may leave out in dynamics, of the largest energy: under loads displacements are off by as much, and 1 % is called right.
 const LEFT_OUT: f64 = 0.01;
 /// The same in equilibrium, where no passing wave adds to it: energies are off by up to twice the share of displacements.
 const LEFT_OUT_AT_REST: f64 = 0.005;
-/// By how much section forces and moments may be off where they are read, of their largest value so far: they converge more slowly than displacements.
+/// By how much section forces and moments may be off where they are read, of their largest value: they converge more slowly than displacements.
 const OFF: f64 = 0.05;
 /// The same for axial forces in equilibrium: the estimate from means is of a higher order than the force that is read, and no wave adds to the difference.
 const AXIAL_OFF_AT_REST: f64 = 0.02;
@@ -36,6 +37,9 @@ const ROUND_OFF: f64 = 1e-6;
 const STRIDE: u64 = 4;
 /// and so many must show it: a sudden load bends the nearest element first, until the wave is as long as some.
 const SIGHTINGS: u32 = 3;
+/// Looks after which a mesh that may be too coarse is judged, if the run does not end before: what elements leave out of the little energy at a start does not matter once
+/// the mechanism has more.
+const LASTING: u32 = 200;
 
 /// What has been seen of the mesh.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -47,10 +51,16 @@ pub struct MeshWatch {
     largest_force: f64,
     energy: Sightings,
     energy_warned: bool,
+    /// The most that elements have left out beyond the bound; none, or judged already.
+    suspect: Option<Suspect>,
+    /// Looks since the first error that is still to be judged.
+    looks: u32,
     /// Of all quantities that are read at points, in the order of the table.
     readings: Vec<Reading>,
     reading_warned: bool,
     fibers_warned: bool,
+    /// What quantities of beams amount to.
+    pub beams: Beams,
     /// Strain energy of the last state that was looked at, J; not saved with the others.
     #[serde(skip)]
     pub strain_energy: f64,
@@ -67,11 +77,27 @@ struct Sightings {
     count: u32,
 }
 
+/// Energy that elements have left out, and is still to be judged.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct Suspect {
+    /// J.
+    energy: f64,
+    time: f64,
+    /// The element that leaves out most, and what of.
+    element: usize,
+    deformation: Deformation,
+}
+
 /// What was read of a quantity, at all of its points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct Reading {
     largest: f64,
     off: Sightings,
+    /// The largest error beyond the bound that is still to be judged, N or N m; 0: there is none.
+    worst: f64,
+    /// Where it was, and when.
+    sensor: usize,
+    time: f64,
 }
 
 /// A force or moment at a section, N or N m.
@@ -127,7 +153,7 @@ impl MeshWatch {
         Self { is_static: analysis == Analysis::Static, ..Self::default() }
     }
 
-    /// Looks at a new state and returns what the user should know of its mesh.
+    /// Looks at a new state and returns what the user should know of its mesh by now.
     pub fn look(&mut self, system: &System, state: &State, table: &Table, frames: &mut FrameCache) -> Vec<String> {
         let point = self.points;
         self.points = point.wrapping_add(1);
@@ -145,15 +171,28 @@ impl MeshWatch {
         if error.left_out > self.most_left_out.0 {
             self.most_left_out = (error.left_out, error.worst.as_ref().map(|worst| worst.deformation));
         }
+        self.beams.of_unit_strain = error.of_unit_strain;
+        self.beams.relieved.include(&error.relieved);
         self.largest_moment = self.largest_moment.max(error.largest_moment);
         self.largest_force = self.largest_force.max(error.largest_force);
         let fibers = self.fibers(system, state, &error.fibers);
         if has_warned || error.energy <= error.round_off {
             return fibers.into_iter().collect();
         }
-        let energy = self.left_out(system, state, &error);
-        let reading = self.readings(system, state, table, &c);
-        energy.into_iter().chain(reading).chain(fibers).collect()
+        self.see_energy(state, &error);
+        self.see_readings(system, state, table, &c);
+        if self.suspect.is_some() || self.readings.iter().any(|reading| reading.worst > 0.0) {
+            self.looks += 1;
+        }
+        let judged = if self.looks >= LASTING { self.judge(system, table) } else { Vec::new() };
+        judged.into_iter().chain(fibers).collect()
+    }
+
+    /// Judges what has been seen by what the run has come to, and returns what the user should know of its mesh.
+    pub fn judge(&mut self, system: &System, table: &Table) -> Vec<String> {
+        self.looks = 0;
+        let energy = self.judge_energy(system);
+        energy.into_iter().chain(self.judge_readings(system, table)).collect()
     }
 
     /// How often something must be seen.
@@ -178,84 +217,122 @@ impl MeshWatch {
         ))
     }
 
+    /// The share of [`Self::most_energy`] that the elements may leave out.
+    fn bound_of_energy(&self) -> f64 {
+        if self.is_static { LEFT_OUT_AT_REST } else { LEFT_OUT }
+    }
+
+    /// The largest energy so far, J, or what beams have relieved that have none.
+    fn most_energy(&self) -> f64 {
+        self.largest_energy.max(self.beams.relieved.of("J"))
+    }
+
+    /// Keeps energy that the elements leave out.
+    fn see_energy(&mut self, state: &State, error: &MeshError) {
+        let (enough, bound, most) = (self.enough(), self.bound_of_energy(), self.most_energy());
+        let Some(worst) = error.worst.as_ref().filter(|_| !self.energy_warned) else { return };
+        let is_beyond = self.energy.add(error.left_out, most, bound, enough);
+        if is_beyond && self.suspect.is_none_or(|suspect| suspect.energy < error.left_out) {
+            let (element, deformation) = (worst.element, worst.deformation);
+            self.suspect = Some(Suspect { energy: error.left_out, time: state.instant(), element, deformation });
+        }
+    }
+
     /// Warns of energy that the elements leave out.
-    fn left_out(&mut self, system: &System, state: &State, error: &MeshError) -> Option<String> {
-        let enough = self.enough();
-        let bound = if self.is_static { LEFT_OUT_AT_REST } else { LEFT_OUT };
-        if self.energy_warned || !self.energy.add(error.left_out, self.largest_energy, bound, enough) {
+    fn judge_energy(&mut self, system: &System) -> Option<String> {
+        let Suspect { energy, time, element, deformation } = self.suspect.take()?;
+        let share = energy / self.most_energy();
+        self.energy_warned = share > self.bound_of_energy();
+        if !self.energy_warned {
             return None;
         }
-        let worst = error.worst.as_ref()?;
-        self.energy_warned = true;
-        let share = error.left_out / self.largest_energy;
-        let (beam, number) = system.beam_of(worst.element);
+        let (beam, number) = system.beam_of(element);
         let [begin, end] = System::ends_of(beam, number);
-        let (word, order, remedy) = match worst.deformation {
+        let (word, order, remedy) = match deformation {
             Deformation::Bending => ("bending", 4, ""),
             Deformation::Torsion => ("torsion", 2, ", or twist = \"quadratic\""),
             Deformation::Stretching => ("stretching", 4, ""),
         };
         Some(format!(
-            "the mesh is too coarse: at t = {} s its elements miss about {:.1} % of the largest energy so far, most of it {word} of beam {} between {begin:.2} and \
+            "the mesh is too coarse: at t = {} s its elements miss about {:.1} % of the largest energy, most of it {word} of beam {} between {begin:.2} and \
              {end:.2} of its length; results are off by up to about as much, and by far more where the mechanism buckles; take elements = {} or more for this \
              beam{remedy}",
-            decimal(state.instant()),
+            decimal(time),
             100.0 * share,
             beam.name,
             refined(beam.elements(), share / WANTED[0], order)
         ))
     }
 
-    /// Warns of a quantity that is off where it is read.
-    fn readings(&mut self, system: &System, state: &State, table: &Table, c: &Configuration) -> Option<String> {
+    /// What a quantity is compared with at least, N or N m, and the share of it, or of its largest value, by which it may be off.
+    fn measure_of(&self, quantity: Quantity, system: &System) -> (f64, f64) {
+        let (moment, force, relieved) = (self.largest_moment, self.largest_force, &self.beams.relieved);
+        let is_force = matches!(quantity, Quantity::SectionForce | Quantity::AxialStrain);
+        let least = match is_force {
+            true => (SMALL * force.max(moment / system.size)).max(relieved.of("N")),
+            false => (SMALL * moment).max(ROUND_OFF * force * system.size).max(relieved.of("N.m")),
+        };
+        (least, if is_force && self.is_static { AXIAL_OFF_AT_REST } else { OFF })
+    }
+
+    /// Keeps errors of quantities where they are read.
+    fn see_readings(&mut self, system: &System, state: &State, table: &Table, c: &Configuration) {
         if self.reading_warned {
-            return None;
+            return;
         }
-        let (enough, moment, force) = (self.enough(), self.largest_moment, self.largest_force);
-        let mut found = None;
+        let enough = self.enough();
         for (place, (quantity, sensors)) in table.points().enumerate() {
             if place == self.readings.len() {
                 self.readings.push(Reading::default());
             }
-            let is_force = matches!(quantity, Quantity::SectionForce | Quantity::AxialStrain);
-            let least = match is_force {
-                true => SMALL * force.max(moment / system.size),
-                false => (SMALL * moment).max(ROUND_OFF * force * system.size),
-            };
-            let bound = if is_force && self.is_static { AXIAL_OFF_AT_REST } else { OFF };
-            let Reading { largest, off } = &mut self.readings[place];
+            let (least, bound) = self.measure_of(quantity, system);
+            let reading = &mut self.readings[place];
             let mut worst = (0.0, None);
-            for sensor in sensors.map(|sensor| &system.sensors[sensor]) {
-                let Some(section) = Section::new(quantity, system, c, sensor) else { continue };
-                *largest = largest.max(section.size);
+            for sensor in sensors {
+                let Some(section) = Section::new(quantity, system, c, &system.sensors[sensor]) else { continue };
+                reading.largest = reading.largest.max(section.size);
                 if section.off > worst.0 {
                     worst = (section.off, Some(sensor));
                 }
             }
-            let scale = largest.max(least);
+            let scale = reading.largest.max(least);
             if let (error, Some(sensor)) = worst
-                && off.add(error, scale, bound, enough)
-                && error > bound * scale
+                && reading.off.add(error, scale, bound, enough)
+                && error > (bound * scale).max(reading.worst)
             {
-                found = found.or_else(|| off_at(system, state, quantity, sensor, error / scale));
+                (reading.worst, reading.sensor, reading.time) = (error, sensor, state.instant());
             }
         }
-        self.reading_warned = found.is_some();
+    }
+
+    /// Warns of a quantity that is off where it is read.
+    fn judge_readings(&mut self, system: &System, table: &Table) -> Option<String> {
+        let mut found = None;
+        for (place, (quantity, _)) in table.points().enumerate().take(self.readings.len()) {
+            let (least, bound) = self.measure_of(quantity, system);
+            let Reading { largest, worst, sensor, time, .. } = self.readings[place];
+            self.readings[place].worst = 0.0;
+            let share = worst / largest.max(least);
+            if worst > 0.0 && share > bound {
+                found = found.or_else(|| off_at(quantity, system, &system.sensors[sensor], time, share));
+            }
+        }
+        self.reading_warned |= found.is_some();
         found
     }
 }
 
-/// Warns of `quantity`, which is off by `off` of its largest value at `sensor`.
-fn off_at(system: &System, state: &State, quantity: Quantity, sensor: &Sensor, off: f64) -> Option<String> {
+/// Warns of `quantity`, which was off by `off` of its largest value at `sensor` at `time`, s.
+fn off_at(quantity: Quantity, system: &System, sensor: &Sensor, time: f64, off: f64) -> Option<String> {
     let (beam, fraction) = sensor.on_beam?;
     let beam = &system.beams[beam];
     Some(format!(
-        "the mesh is too coarse for the {} at {}@{}: at t = {} s it is off by about {:.0} % of its largest value so far, judged by the elements around it; \
+        "the mesh is too coarse for the {} at {}@{}: at t = {} s it is off by about {:.0} % of its largest value, judged by the elements around it; \
          take elements = {} or more for this beam",
         quantity.row().word,
         beam.name,
         decimal(fraction),
-        decimal(state.instant()),
+        decimal(time),
         100.0 * off,
         refined(beam.elements(), off / WANTED[1], 2)
     ))
