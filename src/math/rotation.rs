@@ -117,6 +117,18 @@ pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
     axis * (angle + turns * full)
 }
 
+/// The difference of two rotation vectors, rad, as the turn that leads from the turn of `from` to that of `to`: near a whole turn a rotation vector has any direction and any number of
+/// turns, so that the vectors of two near turns may be far apart. Beyond a quarter of a turn it is that of the vectors, which counts the turns about one axis.
+pub fn rotation_between(from: &Vec3, to: &Vec3) -> Vec3 {
+    let between = quaternion_of(to) * quaternion_of(from).conjugate();
+    let (imaginary, cosine) = (between.imag(), between.w);
+    let half = imaginary.norm().atan2(cosine.abs());
+    if half > std::f64::consts::FRAC_PI_4 {
+        return to - from;
+    }
+    direction(&imaginary) * (2.0 * half * cosine.signum())
+}
+
 /// The derivative by time of the rotation vector `vector` (rad, shorter than a whole turn) of what turns with the angular velocity `spin`, rad/s.
 pub fn rotation_vector_rate(vector: &Vec3, spin: &Vec3) -> Vec3 {
     let angle = vector.norm();
@@ -207,6 +219,26 @@ mod tests {
         }
         let whole = rotation_vector_near(&Mat3::identity(), &(axis * 6.2));
         assert!((whole - axis * 2.0 * PI).norm() < 1e-9);
+    }
+
+    /// A disk that has spun 70 times and is tilted by a thousandth about one axis or another has rotation vectors that are radians apart; the turn between both is the tilt. Beyond a
+    /// quarter of a turn about one axis all of it counts.
+    #[test]
+    fn the_turn_between_near_turns_is_small() {
+        let spin = Vec3::x() * 140.0 * PI;
+        let tilted = |tilt: Vec3| rotation_vector_near(&rotation_matrix(&tilt), &spin);
+        let [one, other] = [Vec3::new(0.0, 1e-3, 0.0), Vec3::new(0.0, 0.0, 1e-3)].map(tilted);
+        // Two turns about different axes do not add up by half of the product of their angles.
+        let found = rotation_between(&one, &other);
+        assert!((found - Vec3::new(0.0, -1e-3, 1e-3)).norm() < 1e-6, "{found}");
+        let axis = Vec3::new(2.0, -1.0, 0.5).normalize();
+        for [from, to] in [[0.1, 0.2], [1.0, 30.0], [440.0, 439.0], [-2.0, 2.5], [1e-9, 2e-9]] {
+            let found = rotation_between(&(axis * from), &(axis * to));
+            // Angles of 440 rad have 13 digits.
+            assert!((found - axis * (to - from)).norm() < 1e-12, "{from} {to}: {found}");
+        }
+        // Lost turns are no difference.
+        assert!(rotation_between(&(axis * 3.0), &(axis * (3.0 + 20.0 * PI))).norm() < 1e-12);
     }
 
     /// The rate of a rotation vector gives back the angular velocity: by the derivative of its matrix.

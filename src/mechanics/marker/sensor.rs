@@ -122,6 +122,14 @@ impl Sensor {
         [turned.w, turned.i, turned.j, turned.k]
     }
 
+    /// Angle of its x axis from the direction as drawn, rad, as its observer sees both; `rotation` is the rotation vector.
+    pub fn tilt(&self, rotation: &Vec3) -> f64 {
+        let drawn = self.seen_drawn().axis(0);
+        let now = rotation_matrix(rotation) * drawn;
+        // Small angles have no digits in their cosine.
+        drawn.cross(&now).norm().atan2(drawn.dot(&now))
+    }
+
     /// The elements that it belongs to.
     pub fn elements(&self) -> impl Iterator<Item = usize> + '_ {
         self.sections.iter().map(|section| section.element)

@@ -20,6 +20,8 @@ pub enum Quantity {
     Quaternion,
     /// Angular velocity in global axes.
     AngularVelocity,
+    /// Angle of the x axis from its direction as drawn.
+    Tilt,
     /// Material twist from the beam's start to here.
     Twist,
     /// Axial strain of the section.
@@ -154,7 +156,7 @@ const MASS: Rows = Rows(&[Whole(Kind::Beam), Whole(Kind::Body)]);
 const WHOLE_BEAM: Rows = Rows(&[Whole(Kind::Beam)]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 31] = [
+pub const QUANTITIES: [Row; 32] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -174,6 +176,13 @@ pub const QUANTITIES: [Row; 31] = [
         "orientation of the section, body or frame as a quaternion w x y z",
     ),
     POINT.row(Quantity::AngularVelocity, "angular_velocity", 3, "rad/s", "angular velocity in global axes"),
+    POINT.row(
+        Quantity::Tilt,
+        "tilt",
+        1,
+        "rad",
+        "angle between the x axis of the section, body or frame and its direction as drawn, 0 to pi",
+    ),
     BEAM.row(Quantity::Twist, "twist", 1, "rad", "material twist between the start of the beam and here"),
     BEAM.row(Quantity::AxialStrain, "axial_strain", 1, "", "axial strain of the section, extension positive"),
     BEAM.row(
@@ -270,8 +279,10 @@ impl Quantity {
     /// Whether it is given along axes that can be chosen: it depends on who looks.
     pub fn has_axes(self) -> bool {
         use Quantity::*;
-        let is_motion =
-            matches!(self, Position | Displacement | Velocity | Acceleration | Rotation | Quaternion | AngularVelocity);
+        let is_motion = matches!(
+            self,
+            Position | Displacement | Velocity | Acceleration | Rotation | Quaternion | AngularVelocity | Tilt
+        );
         is_motion || self.is_transmitted()
     }
 
@@ -286,7 +297,8 @@ impl Quantity {
     /// Whether it tells where the mechanism is, or an energy: neither how fast it moves nor which strains and forces there are.
     pub fn is_configuration(self) -> bool {
         use Quantity::*;
-        let is_place = matches!(self, Position | Displacement | Rotation | Quaternion | Twist | Angle | Distance);
+        let is_place =
+            matches!(self, Position | Displacement | Rotation | Quaternion | Tilt | Twist | Angle | Distance);
         is_place || matches!(self, Energy | KineticEnergy | ElasticEnergy | GravityEnergy)
     }
 

@@ -42,6 +42,8 @@ pub struct Columns {
     columns: Vec<Column>,
     /// In the order of first mention.
     families: Vec<Family>,
+    /// The first results of all rotation vectors.
+    rotations: Vec<usize>,
 }
 
 /// A result that is followed.
@@ -75,6 +77,8 @@ pub struct Differences {
     /// Differences of each family: the largest one among its columns for each row.
     families: Vec<Histogram>,
     largest: Vec<f64>,
+    /// The row of the other run; scratch memory.
+    other: Vec<f64>,
 }
 
 /// Scratch memory of a look.
@@ -136,7 +140,14 @@ impl Columns {
             });
             columns.push(Column { result, family, from_zero: scale::counts_from_zero(own) });
         }
-        Self { columns, families }
+        let rotations = columns.iter().filter(|column| table.quantity_of(column.result) == Some(Quantity::Rotation));
+        let rotations = rotations.step_by(3).map(|column| column.result).collect();
+        Self { columns, families, rotations }
+    }
+
+    /// Replaces rotation vectors of `other` by those of `own` plus the turn from one to the other.
+    pub fn compare_turns(&self, own: &[f64], other: &mut [f64]) {
+        scale::compare_turns(&self.rotations, own, other);
     }
 
     /// Sets `largest` to the largest of the errors of each family's results.
@@ -158,8 +169,11 @@ impl Columns {
 impl Differences {
     /// Includes a row of both runs.
     pub fn include(&mut self, columns: &Columns, own: &[f64], other: &[f64]) {
-        let Self { families, largest } = self;
-        columns.find_largest(|result| (own[result] - other[result]).abs(), largest);
+        let Self { families, largest, other: row } = self;
+        row.clear();
+        row.extend_from_slice(other);
+        columns.compare_turns(own, row);
+        columns.find_largest(|result| (own[result] - row[result]).abs(), largest);
         families.resize(largest.len(), Histogram::default());
         families.iter_mut().zip(largest).for_each(|(differences, largest)| differences.add(*largest));
     }
@@ -198,6 +212,7 @@ impl Accuracy {
         let Looker { neighbor, largest, ranges } = looker;
         let Some((moved, multiple)) = neighbor.measure(table, (system, state), responder, spare) else { return };
         self.looked = state.statistics.steps;
+        columns.compare_turns(results, moved);
         columns.find_largest(|result| (moved[result] - results[result]).abs() / multiple, largest);
         self.errors.resize(columns.families.len(), Histogram::default());
         self.errors.iter_mut().zip(&*largest).for_each(|(errors, largest)| errors.add(*largest));

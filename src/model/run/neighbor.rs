@@ -31,7 +31,7 @@ impl Neighbor {
         (system, state): (&System, &State),
         responder: Option<&mut Responder>,
         mut spare: Spare,
-    ) -> Option<(&[f64], f64)> {
+    ) -> Option<(&mut [f64], f64)> {
         if !state.time_error.is_known() {
             return None;
         }

@@ -6,6 +6,8 @@
 //! Beams that follow their heat or their prestress hold nothing, but for what a mesh makes of it: their forces and energies are compared with those that the same
 //! deformation would hold without heat or prestress.
 
+use crate::math::Vec3;
+use crate::math::rotation::rotation_between;
 use crate::mechanics::output::beam_scale::BeamScale;
 use serde::{Deserialize, Serialize};
 
@@ -69,6 +71,15 @@ impl Measures {
             _ => 0.0,
         };
         natural.max(of_round_off)
+    }
+}
+
+/// Replaces the rotation vectors of `other`, which begin at the numbers `rotations`, by those of `own` plus the turn from one to the other. Components of rotation vectors that are
+/// near to each other as turns may be far apart.
+pub fn compare_turns(rotations: &[usize], own: &[f64], other: &mut [f64]) {
+    for first in rotations {
+        let [from, to] = [own, &*other].map(|row| Vec3::from_row_slice(&row[*first..first + 3]));
+        other[*first..first + 3].copy_from_slice((from + rotation_between(&from, &to)).as_slice());
     }
 }
 

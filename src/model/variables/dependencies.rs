@@ -82,9 +82,10 @@ impl Givens {
     pub fn of(&self, quantity: Quantity, target: &Target) -> Found {
         use Quantity::*;
         match (quantity, target) {
-            (Position | Displacement | Rotation | Quaternion, Target::At(Anchor { spot: Spot::Frame(frame), .. })) => {
-                Found::Frame(*frame)
-            }
+            (
+                Position | Displacement | Rotation | Quaternion | Tilt,
+                Target::At(Anchor { spot: Spot::Frame(frame), .. }),
+            ) => Found::Frame(*frame),
             _ if !self.as_drawn => Found::All,
             (quantity, _) if quantity.is_acceleration() => Found::All,
             (ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => Found::All,

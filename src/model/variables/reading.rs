@@ -44,6 +44,7 @@ pub(super) fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configurati
         Quantity::Rotation => push(*rotation),
         Quantity::Quaternion => values.extend(sensor.quaternion(rotation)),
         Quantity::AngularVelocity => push(sensor.seen_motion(c, &state.velocity).1),
+        Quantity::Tilt => values.push(sensor.tilt(rotation)),
         Quantity::Twist => values.push(sensor.twist(system, c)),
         Quantity::AxialStrain => values.push(sensor.strains(c).axial),
         Quantity::Curvature => values.extend(sensor.strains(c).curvature),

@@ -13,7 +13,9 @@ pub use report::{Report, Row};
 
 use self::tally::{Sample, Tally};
 use super::file::document::Document;
+use super::file::quantity::Quantity;
 use super::run::levels::{self, Level, Override};
+use super::run::scale::compare_turns;
 use super::run::simulation::Simulation;
 use crate::fmi::variable::{Causality, Variable};
 use crate::fmi::{Failure, Model};
@@ -23,6 +25,8 @@ use crate::fmi::{Failure, Model};
 pub struct Verification {
     runs: Vec<Run>,
     columns: Vec<Column>,
+    /// Places of the first components of rotation vectors.
+    rotations: Vec<usize>,
     /// Nothing has a finer twist: the mesh of the first run is the one with quadratic twist.
     is_quadratic: bool,
 }
@@ -78,9 +82,13 @@ impl Verification {
             let (name, unit) = (variable.name.clone(), variable.quantity.unit.clone());
             (!is_count).then_some(Column { name, unit, place, tally: Tally::default() })
         });
+        let columns: Vec<Column> = columns.collect();
+        let is_rotation =
+            |column: &&Column| column.name.split(['.', '[']).nth(1) == Some(Quantity::Rotation.row().word);
         Self {
+            rotations: columns.iter().filter(is_rotation).step_by(3).map(|column| column.place).collect(),
             runs: Level::ALL.into_iter().filter_map(run).collect(),
-            columns: columns.collect(),
+            columns,
             is_quadratic: is_quadratic(document),
         }
     }
@@ -92,7 +100,7 @@ impl Verification {
 
     /// Compares row `row` of the first run, with all its columns, at `time`, s. Rows come in their order; row 0 is the start.
     pub fn compare(&mut self, row: u64, time: f64, own: &[f64]) {
-        self.runs.iter_mut().for_each(|run| run.go_to(row, time));
+        self.runs.iter_mut().for_each(|run| run.go_to(row, time, own, &self.rotations));
         let values = Level::ALL.map(|level| {
             let run = self.runs.iter().find(|run| run.level == level);
             run.filter(|run| run.row == Some(row)).map(|run| run.values.as_slice())
@@ -108,8 +116,8 @@ impl Verification {
 }
 
 impl Run {
-    /// Advances to a row, unless it has none there or has failed.
-    fn go_to(&mut self, row: u64, time: f64) {
+    /// Advances to a row, unless it has none there or has failed; `own` is that of the first run.
+    fn go_to(&mut self, row: u64, time: f64, own: &[f64], rotations: &[usize]) {
         let State::Going { simulation, references } = &mut self.state else { return };
         if !row.is_multiple_of(self.stride) {
             return;
@@ -122,6 +130,7 @@ impl Run {
                 self.row = Some(row);
                 self.values.clear();
                 self.values.extend(references.iter().map(|reference| simulation.value(*reference).number()));
+                compare_turns(rotations, own, &mut self.values);
             }
             Err(failure) => self.state = State::Failed(reason(&failure)),
         }

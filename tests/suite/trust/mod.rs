@@ -18,4 +18,5 @@ pub mod shipped_models;
 pub mod time_error;
 mod time_error_of_forces;
 pub mod turned_models;
+pub mod turning_parts;
 pub mod verification;

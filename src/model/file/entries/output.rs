@@ -136,7 +136,7 @@ impl OutputSpec {
         };
         let Some(ObserverSpec { name, .. }) = &self.observer else { return String::from(meaning) };
         match quantity {
-            Quantity::Quaternion => format!("{meaning}, relative to {name}"),
+            Quantity::Quaternion | Quantity::Tilt => format!("{meaning}, relative to {name}"),
             _ if quantity.is_transmitted() => meaning.replace("global axes", &format!("the axes of {name}")),
             _ => meaning.replace("in global axes", &format!("relative to {name}, in its axes")),
         }

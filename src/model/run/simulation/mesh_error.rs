@@ -149,7 +149,7 @@ impl Simulation {
         let mut is_known = false;
         let is_last = state.time == last.time;
         for (state, results) in [(state, results), (last, &self.results)].into_iter().skip(usize::from(is_last)) {
-            let finer = match finer.results(system, state) {
+            let mut finer = match finer.results(system, state) {
                 Ok(Some(finer)) if finer.len() == results.len() => finer,
                 Ok(_) => return,
                 Err(_) => {
@@ -161,6 +161,7 @@ impl Simulation {
                 }
             };
             is_known = true;
+            self.columns.compare_turns(results, &mut finer);
             for (error, (finer, own)) in errors.iter_mut().zip(finer.iter().zip(results)) {
                 let difference = FINER * (finer - own).abs();
                 *error = if difference.is_nan() { f64::INFINITY } else { error.max(difference) };
