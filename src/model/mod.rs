@@ -16,7 +16,7 @@ pub mod verification;
 pub mod view;
 
 pub use file::{document, entries, quantity};
-pub use run::{effort, missed_damping, rows, simulation, step_length};
+pub use run::{derived, effort, missed_damping, rows, simulation, step_length};
 pub use text::names;
 pub use validate::notes;
 pub use view::{drawing, modes};

@@ -4,6 +4,7 @@ use super::picture::Target;
 use super::{Stop, complain, progress, say, start, voice};
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::{Causality, Variable};
+use ancf14::model::derived::{Derived, derived_numbers};
 use ancf14::model::drawing::Drawing;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::step_length;
@@ -28,6 +29,9 @@ pub fn check(mut simulation: Simulation, name: &str, picture: Option<Target<'_>>
         return Ok(());
     }
     say(&aligned(&rows(&simulation)))?;
+    for Derived { key, value, unit } in derived_numbers(&simulation) {
+        say(&format!("{key} = {} {unit}, which the file leaves to the program", shortest(value)))?;
+    }
     let count =
         |wanted: Causality| simulation.variables().iter().filter(|variable| variable.causality == wanted).count();
     say(&format!(
@@ -74,6 +78,10 @@ fn document(simulation: &Simulation) -> Value {
         "description": about.description,
         "stop": about.stop,
         "output_step": about.output_step,
+        "derived": derived_numbers(&simulation)
+            .into_iter()
+            .map(|Derived { key, value, unit }| json!({ "key": key, "value": value, "unit": unit }))
+            .collect::<Vec<_>>(),
         "variables": simulation.variables().iter().enumerate().map(variable).collect::<Vec<_>>(),
     })
 }

@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod correction;
+pub mod derived;
 pub mod effort;
 pub mod finer;
 pub mod levels;

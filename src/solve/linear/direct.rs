@@ -4,6 +4,7 @@
 use super::elimination_tree::Unknowns;
 use super::multifrontal::Multifrontal;
 use super::sparse_lu::SparseLu;
+use super::transposed::Room;
 use super::units::Units;
 use super::{Regularity, Singular};
 use crate::math::blocks::Blocks;
@@ -77,6 +78,24 @@ impl DirectSolver {
             }
             _ => self.solve(blocks, vector),
         }
+    }
+
+    /// As [`Self::solve`], with the transposed matrix.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    pub fn solve_transposed(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
+        let mut room = Room::default();
+        if !self.is_general {
+            if self.is_frontal
+                && let Some(fronts) = &mut self.fronts
+                && fronts.solve_transposed(blocks, vector, &mut room).is_ok()
+            {
+                return Ok(());
+            }
+            self.fall_back(blocks)?;
+        }
+        self.general.as_mut().ok_or(Singular)?.solve_transposed(blocks, vector, &mut room)
     }
 
     /// Factorizes with the general solver, as the other one did not do.

@@ -282,3 +282,31 @@ fn solve_upper_sized<const PIVOTS: usize>(shape: Shape, factors: &[f64], column:
         }
     }
 }
+
+/// Solves with the transpose of `U`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they leave on the border.
+pub fn solve_upper_transposed(shape: Shape, factors: &[f64], column: &mut [f64]) {
+    let (own, right) = factors.split_at(shape.own());
+    let (column, border) = column.split_at_mut(shape.pivots);
+    for number in 0..shape.pivots {
+        let upper = &own[number * shape.stride()..][..shape.pivots];
+        column[number] = (column[number] - dot(&column[..number], upper)) * upper[number];
+    }
+    for (value, upper) in border.iter_mut().zip(right.chunks_exact(shape.pivots)) {
+        *value = -dot(column, upper);
+    }
+}
+
+/// Solves with the transpose of `L`: `column` has the right sides of the pivots, then the solution on the border; afterwards the whole solution.
+pub fn solve_lower_transposed(shape: Shape, factors: &[f64], rows: &[u16], column: &mut [f64]) {
+    for number in (0..shape.pivots).rev() {
+        let lower = &factors[number * shape.stride()..][..column.len()];
+        column[number] -= dot(&column[number + 1..], &lower[number + 1..]);
+    }
+    for (number, row) in rows.iter().map(|row| usize::from(*row)).enumerate().rev() {
+        column.swap(number, row);
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

@@ -11,6 +11,7 @@ pub mod multifrontal;
 pub mod ordering;
 pub mod sparse_ldl;
 pub mod sparse_lu;
+mod transposed;
 pub mod units;
 
 /// Refinement steps at most; one restores the digits that stiff beams cost, the others are for near-singular systems.

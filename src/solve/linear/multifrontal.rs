@@ -6,7 +6,10 @@
 
 use super::elimination_tree::{Fronts, Unknowns};
 use super::front::{Front, Piece, Run};
-use super::frontal_matrix::{Shape, eliminate, solve_lower, solve_upper};
+use super::frontal_matrix::{
+    Shape, eliminate, solve_lower, solve_lower_transposed, solve_upper, solve_upper_transposed,
+};
+use super::transposed::{Room, solve_transposed};
 use super::units::Units;
 use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
 use crate::math::blocks::{Block, Blocks};
@@ -194,6 +197,30 @@ impl Multifrontal {
         vector.copy_from_slice(&self.remainder);
     }
 
+    /// Solves with the transposed matrix for the right side `vector`, in place, refined as [`Self::solve`] is; `room` is scratch memory.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    pub(super) fn solve_transposed(
+        &mut self,
+        blocks: &Blocks,
+        vector: &mut [f64],
+        room: &mut Room,
+    ) -> Result<(), Singular> {
+        let scale = std::mem::take(&mut self.scale);
+        let outcome = solve_transposed(
+            blocks,
+            vector,
+            |index| scale[index],
+            room,
+            |remainder| {
+                self.renumbered(remainder, Self::substitute_transposed);
+            },
+        );
+        self.scale = scale;
+        outcome
+    }
+
     /// Whether the factorized matrix, `blocks`, is beyond doubt regular to working precision.
     ///
     /// A null vector `l` of the transpose would leave `lᵀ(b − A x) = lᵀ b` whatever `x` is. So where `b` has no pattern, an accurate and moderate `x`
@@ -226,12 +253,44 @@ impl Multifrontal {
 
     /// `remainder = A⁻¹ remainder`.
     fn apply_inverse(&mut self) {
+        let mut remainder = std::mem::take(&mut self.remainder);
+        self.renumbered(&mut remainder, Self::substitute);
+        self.remainder = remainder;
+    }
+
+    /// Lets `substitute` solve for `vector`, in place.
+    fn renumbered(&mut self, vector: &mut [f64], substitute: impl Fn(&mut Self)) {
         for (unknown, value) in self.fronts.unknowns.iter().zip(&mut self.work) {
-            *value = self.remainder[*unknown as usize];
+            *value = vector[*unknown as usize];
         }
-        self.substitute();
+        substitute(self);
         for (unknown, value) in self.fronts.unknowns.iter().zip(&self.work) {
-            self.remainder[*unknown as usize] = *value;
+            vector[*unknown as usize] = *value;
+        }
+    }
+
+    /// Solves the renumbered, transposed system for `work`, in place.
+    fn substitute_transposed(&mut self) {
+        let Self { fronts, factors, rows, work, column, .. } = self;
+        for front in &fronts.fronts {
+            let (shape, own) = (front.shape(), front.pivots.range());
+            let column = &mut column[..shape.pivots + shape.border];
+            column[..shape.pivots].copy_from_slice(&work[own.clone()]);
+            solve_upper_transposed(shape, &factors[front.factors()], column);
+            work[own].copy_from_slice(&column[..shape.pivots]);
+            for run in &fronts.borders[front.border.range()] {
+                add(&mut work[run.to()], &column[run.from()]);
+            }
+        }
+        for front in fronts.fronts.iter().rev() {
+            let (shape, own) = (front.shape(), front.pivots.range());
+            let column = &mut column[..shape.pivots + shape.border];
+            column[..shape.pivots].copy_from_slice(&work[own.clone()]);
+            for run in &fronts.borders[front.border.range()] {
+                column[run.from()].copy_from_slice(&work[run.to()]);
+            }
+            solve_lower_transposed(shape, &factors[front.factors()], &rows[own.clone()], column);
+            work[own].copy_from_slice(&column[..shape.pivots]);
         }
     }
 

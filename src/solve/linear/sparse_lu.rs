@@ -1,6 +1,7 @@
 //! A general sparse LU with true partial pivoting: symbolic analysis reused, scaled and refined.
 
 use super::columns::Columns;
+use super::transposed::{Room, solve_transposed};
 use super::units::Units;
 use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Regularity, SMALLEST_SOLUTION, Singular, irregular};
 use crate::math::blocks::Blocks;
@@ -61,7 +62,8 @@ impl SparseLu {
         let symbolic = factorize_symbolic_lu(pattern, LuSymbolicParams::default()).map_err(|_| Singular)?;
         let needed = symbolic
             .factorize_numeric_lu_scratch::<f64>(Par::Seq, parameters())
-            .or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
+            .or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq))
+            .or(symbolic.solve_transpose_in_place_scratch::<f64>(1, Par::Seq));
         Ok(Self {
             size,
             values: vec![0.0; rows.len()],
@@ -144,6 +146,32 @@ impl SparseLu {
             }
         }
         Err(Singular)
+    }
+
+    /// Solves with the transposed matrix for the right side `vector`, in place, refined as [`Self::solve`] is. `blocks` are those that were factorized, `room` is scratch memory.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    pub(super) fn solve_transposed(
+        &mut self,
+        blocks: &Blocks,
+        vector: &mut [f64],
+        room: &mut Room,
+    ) -> Result<(), Singular> {
+        let Self { size, scale, symbolic, numeric, memory, .. } = self;
+        solve_transposed(
+            blocks,
+            vector,
+            |index| scale[index],
+            room,
+            |remainder| {
+                remainder.iter_mut().zip(&*scale).for_each(|(value, scale)| *value *= scale);
+                let right = MatMut::from_column_major_slice_mut(&mut *remainder, *size, 1);
+                let factors = LuRef::new_unchecked(symbolic, numeric);
+                factors.solve_transpose_in_place_with_conj(Conj::No, right, Par::Seq, MemStack::new(memory));
+                remainder.iter_mut().zip(&*scale).for_each(|(value, scale)| *value *= scale);
+            },
+        )
     }
 
     /// Scaling of unknown `index`: what it is measured in.

@@ -280,3 +280,48 @@ fn a_ring_of_blocks() {
     assert!(solver.factorize(&zero).is_err());
     assert!(solver.solve(&zero, &mut vector).is_err());
 }
+
+/// `A` as `blocks` with every block transposed in its place: the pattern is symmetric.
+fn transposed(blocks: &Blocks) -> Blocks {
+    let mut turned = Blocks::default();
+    for (number, block) in blocks.layout().iter().enumerate() {
+        let Block { row, column, rows, columns } = *block;
+        let own = turned.push(Block { row: column, column: row, rows: columns, columns: rows });
+        for i in 0..rows {
+            for j in 0..columns {
+                turned.block_mut(own)[i * columns + j] = blocks.block(number)[j * rows + i];
+            }
+        }
+    }
+    turned
+}
+
+/// Solutions with the transposed matrix, on every model: the product of `Aᵀ` with them is the right side, front by front as by the general solver. Follower loads, dampers and gears make
+/// the matrices unsymmetric, and where they are not, the multipliers' rows are still exchanged.
+#[test]
+fn transposed_matrices_are_solved_with() {
+    let mut random = Random(11);
+    for (name, Built { system, state }) in machines() {
+        let mut kkt = Kkt::for_steps(&system);
+        let mut moved = state.clone();
+        moved.q.iter_mut().for_each(|value| *value += 0.02 * system.size * random.signed());
+        let multipliers: Vec<f64> = (0..system.constraints()).map(|_| 10.0 * random.signed()).collect();
+        set_matrix(&mut kkt, &system, &moved, 1e-3, &multipliers);
+        // Unsymmetric, whatever the model has.
+        for number in 0..kkt.blocks.layout().len() {
+            kkt.blocks.block_mut(number).iter_mut().for_each(|value| *value *= 1.0 + 0.05 * random.signed());
+        }
+        let turned = transposed(&kkt.blocks);
+        let right: Vec<f64> = (0..system.coordinates() + system.constraints()).map(|_| random.signed()).collect();
+        let (mut own, mut expected) = (right.clone(), right);
+        let unknowns = kkt::unknowns(&system, true);
+        let mut solver = DirectSolver::new(unknowns, kkt::units(&system), &kkt.blocks);
+        assert!(solver.factorize(&kkt.blocks).is_ok(), "{name}");
+        assert!(solver.solve_transposed(&kkt.blocks, &mut own).is_ok() && solver.fallbacks() == 0, "{name}");
+        let mut general = SparseLu::new(&kkt::units(&system), &turned).unwrap();
+        assert!(general.factorize(&turned).and_then(|()| general.solve(&mut expected)).is_ok(), "{name}");
+        let worst = difference(&own, &expected, |index| general.scale(index));
+        // As above.
+        assert!(worst < 1e-8, "{name}: {worst:.1e}");
+    }
+}
