@@ -1,6 +1,8 @@
-//! Keys of sections: what they hold, and for numbers the meaning, the unit, the allowed range, and whether they may change while the model runs.
+//! Keys of sections: what they hold, and for numbers the meaning, the unit, the allowed range, and whether they may
+//! change while the model runs.
 //!
-//! Each section has the table of its keys in its own file; copies, overrides and the reference of docs/model-file.md follow from it.
+//! Each section has the table of its keys in its own file; copies, overrides and the reference of docs/model-file.md
+//! follow from it.
 
 use super::range::{Limit, Range};
 use crate::model::expression::Variable;
@@ -25,7 +27,7 @@ pub struct Rule {
 }
 
 impl Rule {
-    /// Of any finite number, fixed while the model runs.
+    /// A rule for any finite number, which is fixed while the model runs.
     pub(super) const fn new(key: &'static str, meaning: &'static str, unit: &'static str) -> Self {
         Self { key, meaning, unit, range: Range::ALL, integer: false, tunable: false, variable: Variable::None }
     }
@@ -96,7 +98,7 @@ impl Rule {
 pub struct Key {
     /// As written in the file.
     pub word: &'static str,
-    /// What it holds, which says how a copy changes it.
+    /// The role of its value, which says how a copy changes it.
     pub role: Role,
     /// How many numbers it holds, in words; empty: one.
     pub count: &'static str,
@@ -104,7 +106,7 @@ pub struct Key {
     pub rules: &'static [&'static Rule],
     /// The words that it takes.
     pub words: &'static [&'static str],
-    /// What it is, of a key that does not hold numbers.
+    /// The meaning of a key that does not hold numbers.
     pub meaning: &'static str,
 }
 

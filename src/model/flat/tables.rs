@@ -27,7 +27,7 @@ pub fn names_of<'b>(body: &'b [Entry], key: &str) -> impl Iterator<Item = &'b st
     table(body, key).unwrap_or_default().iter().map(|entry| entry.key.as_str())
 }
 
-/// What a key of a section holds: of a key that is not known, numbers.
+/// The role of a key of a section: of a key that is not known, numbers.
 pub fn role(section: &str, key: &str, is_list: bool) -> Role {
     match keys_of(section).iter().find(|own| own.word == key).map(|own| own.role) {
         Some(Role::Name(_) | Role::Part) if is_list => Role::Position,

@@ -1,4 +1,4 @@
-//! From the file to the shapes of its parts: the lines of beams, their sections, the places of their temperatures.
+//! Makes the shapes of parts from the file: the lines of beams, their sections, the places of their temperatures.
 
 pub mod heat;
 pub mod lines;

@@ -283,12 +283,13 @@ impl Artist<'_> {
 
     fn draw_outputs(&mut self) {
         let document = self.document;
+        let acting: Vec<_> = document.acting().collect();
         for output in &document.outputs {
             let at = match output.target {
                 output::Target::At(anchor) => self.point(anchor),
                 output::Target::Connection(Kind::Joint, number) => self.joint(number),
                 output::Target::Connection(kind, number) => {
-                    let found = document.acting().find(|own| (own.kind, own.index) == (kind, number));
+                    let found = acting.iter().find(|own| (own.kind, own.index) == (kind, number));
                     found.and_then(|own| match own.action {
                         Action::Joint { joint, .. } => self.joint(joint),
                         Action::Between { b, .. } => self.point(b),

@@ -1,5 +1,6 @@
-//! Does docs/model-file.md have every key that the program reads, with its words, ranges and units? The part between two marks is made of the tables of
-//! keys of the sections. `ANCF14_BLESS=1 cargo test reference_of_keys` writes it anew.
+//! Does docs/model-file.md have every key that the program reads, with its words, ranges and units? The part between
+//! two marks is made of the tables of keys of the sections. `ANCF14_BLESS=1 cargo test reference_of_keys` writes it
+//! anew.
 
 use ancf14::model::entries::SECTIONS;
 use ancf14::model::expression::Variable;
@@ -11,7 +12,7 @@ use std::path::Path;
 const BEGIN: &str = "<!-- keys: written by a test, see tests/suite/language/reference.rs -->\n";
 const END: &str = "<!-- end of keys -->\n";
 
-/// What all of several rules say, once each.
+/// All that several rules say, once each.
 fn all_of(rules: &[&Rule], of: impl Fn(&Rule) -> String) -> String {
     let mut list: Vec<String> = Vec::new();
     for text in rules.iter().map(|rule| of(rule)).filter(|text| !text.is_empty()) {
@@ -68,8 +69,8 @@ fn reference() -> String {
     let mut text = String::new();
     for (section, keys) in SECTIONS {
         let name = if ["model", "simulation"].contains(section) { "" } else { ".NAME" };
-        write!(text, "\n**`[{section}{name}]`**\n\n| key | value | unit | may depend on | tunable | meaning |\n|---|---|---|---|---|---|\n")
-            .unwrap();
+        let head = "| key | value | unit | may depend on | tunable | meaning |\n|---|---|---|---|---|---|";
+        writeln!(text, "\n**`[{section}{name}]`**\n\n{head}").unwrap();
         text.extend(keys.iter().map(row));
     }
     text

@@ -1,5 +1,5 @@
-//! Is a surface where the file draws it, does it move with its part, and does it leave the mechanism alone? A surface that stays behind its part, or that turns
-//! the other way, would be believed in every picture.
+//! Is a surface where the file draws it, does it move with its part, and does it leave the mechanism alone? A surface
+//! that stays behind its part, or that turns the other way, would be believed in every picture.
 
 use ancf14::fmi::Model;
 use ancf14::math::Vec3;
@@ -69,8 +69,8 @@ fn poses(recording: &Recording) -> Vec<(Vec3, Vec3)> {
     places.chunks(3).zip(turns.chunks(4)).map(|(place, turn)| (Vec3::from_column_slice(place), axis(turn))).collect()
 }
 
-/// As drawn the directions are those of the file. After half a second the table has turned by 1 rad and the ball has fallen by 1.25 m, `g t²/2`, which the midpoint
-/// rule hits exactly. Tolerance: round-off of 50 steps.
+/// As drawn the directions are those of the file. After half a second the table has turned by 1 rad and the ball has
+/// fallen by 1.25 m, `g t²/2`, which the midpoint rule hits exactly. Tolerance: round-off of 50 steps.
 #[test]
 fn surfaces_move_with_their_parts() {
     let mut simulation = loaded(&with_surfaces());
@@ -107,8 +107,9 @@ fn surfaces_change_no_result() {
     assert_eq!(end(MODEL), end(&with_surfaces()));
 }
 
-/// What polygons enclose, by the divergence theorem: negative if their corners run clockwise as seen from outside. A prism of 24 sides has `12 r² sin(2π/24)` of the
-/// area of its circle; the rings of the sphere leave out 2.6 % of it. A cylinder has no ends, whose share of `∮ x·n dA/3` is a third.
+/// The volume that polygons enclose, by the divergence theorem: negative if their corners run clockwise as seen from
+/// outside. A prism of 24 sides has `12 r² sin(2π/24)` of the area of its circle; the rings of the sphere leave out
+/// 2.6 % of it. A cylinder has no ends, whose share of `∮ x·n dA/3` is a third.
 #[test]
 fn meshes_enclose_their_volume() {
     let document = Document::parse("surfaces.toml", &with_surfaces(), &[]).unwrap();
@@ -133,7 +134,8 @@ fn meshes_enclose_their_volume() {
     assert_relative_eq!(corner.norm(), 0.2_f64.hypot(0.1), epsilon = 1e-12);
 }
 
-/// A copy that is turned by a right angle about z and moved has the offset and the normal of a plane on the ground turned, of which the offset moves along.
+/// A copy that is turned by a right angle about z and moved has the offset and the normal of a plane on the ground
+/// turned, of which the offset moves along.
 #[test]
 fn copies_turn_their_surfaces() {
     let text = format!(

@@ -1,4 +1,4 @@
-//! What acts on the coordinates of joints and on the distances between points.
+//! All that acts on the coordinates of joints and on the distances between points.
 
 use super::Parts;
 use super::actuator::Action;

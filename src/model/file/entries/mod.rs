@@ -1,4 +1,5 @@
-//! The sections of a file, one module each: the keys, the typed data, and how it is read. [`Parts`] is the list of those with names.
+//! The sections of a file, one module each: the keys, the typed data, and how it is read. [`Parts`] is the list of
+//! those with names.
 
 pub mod acting;
 pub mod actuator;
@@ -37,7 +38,8 @@ use crate::model::text::diagnostic::Place;
 use crate::model::text::names::Kind;
 use crate::model::text::tree::{Entry, Node};
 
-/// Makes [`Parts`] and [`SECTIONS`] of a row for each section of things with names: its list, its kind, its module, named by its word, and its type.
+/// Makes [`Parts`] and [`SECTIONS`] of a row for each section of things with names: its list, its kind, its module,
+/// named by its word, and its type.
 macro_rules! parts {
     ($($list:ident: $kind:ident, $module:ident::$spec:ident, $what:literal;)*) => {
         /// All things that have names and sections of their own.
@@ -47,7 +49,8 @@ macro_rules! parts {
         }
 
         impl Parts {
-            /// Reads the sections, of which `take` gives the things by the word of the section. Each may refer to what is above it.
+            /// Reads the sections, of which `take` gives the things by the word of the section. Each may refer to
+            /// what is above it.
             pub(super) fn read(context: &mut Context<'_>, mut take: impl FnMut(&str) -> Vec<Entry>) -> Self {
                 let mut parts = Self::default();
                 $(for Entry { key: name, key_place, item } in take(stringify!($module)) {
@@ -101,7 +104,7 @@ parts! {
 }
 
 impl Parts {
-    /// What no single number is wrong about: numbers that do not go together, each with the reason.
+    /// Numbers that do not go together though each is allowed, with the reason.
     pub(super) fn objections(&self, numbers: &Numbers) -> impl Iterator<Item = (Number, String)> {
         let sections = self.sections.iter().filter_map(|own| own.objection(|number| numbers.value(number)));
         sections.chain(self.surfaces.iter().filter_map(|own| own.objection(|number| numbers.value(number))))

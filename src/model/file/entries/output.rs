@@ -58,7 +58,7 @@ pub struct ObserverSpec {
 pub enum Target {
     /// A point of a beam, a body or a frame.
     At(Anchor),
-    /// What holds places together or acts on them: its kind, and its place among that kind.
+    /// A connection, which holds places together or acts on them: its kind, and its index among that kind.
     Connection(Kind, usize),
     /// A whole beam.
     On {
@@ -67,7 +67,7 @@ pub enum Target {
         /// Number of equally spaced points, both ends included.
         stations: usize,
     },
-    /// All of a beam or a body at once: its kind, and its place among that kind.
+    /// All of a beam or a body at once: its kind, and its index among that kind.
     Whole(Kind, usize),
 }
 
@@ -144,6 +144,9 @@ impl OutputSpec {
 
     /// Unit label of one of its quantities, by the `parts` of the file: an effort is a torque or a force.
     pub fn unit(&self, quantity: Quantity, parts: &Parts) -> &'static str {
+        if !matches!(quantity, Quantity::Effort | Quantity::Force) {
+            return quantity.row().unit;
+        }
         let mut acting = parts.acting();
         let found = match self.target {
             // The effort of a joint is that of its only drive or actuator.

@@ -299,7 +299,7 @@ fn errors(
     [verify, mesh_error, reader.boolean("correction", false)]
 }
 
-/// What the lengths of steps follow from: `step`, which some integrators need, or `accuracy`.
+/// The key that the lengths of steps follow from: `step`, which some integrators need, or `accuracy`.
 fn steps(reader: &mut Reader<'_, '_>, step: Option<Number>, must_be_given: bool) -> Steps {
     match step {
         Some(step) => {

@@ -98,7 +98,7 @@ impl Strength {
         Self { stiffness, damping, law: None, rest: None }
     }
 
-    /// By a law.
+    /// A force by a law.
     pub(super) fn by(law: Law) -> Self {
         Self { law: Some(law), ..Self::linear(0.0, 0.0) }
     }

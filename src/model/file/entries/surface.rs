@@ -1,4 +1,5 @@
-//! `[surface.NAME]`: a rigid surface that is fixed to the ground, a body or a frame. It is drawn; nothing touches it yet.
+//! `[surface.NAME]`: a rigid surface that is fixed to the ground, a body or a frame. It is drawn; nothing touches it
+//! yet.
 
 use super::Parts;
 use crate::math::rotation::triad_along;
@@ -42,7 +43,8 @@ pub struct SurfaceSpec {
     pub place: Place,
     /// The ground, a body or a frame.
     pub on: Spot,
-    /// A point of the plane, the middle of the cylinder, the center of the sphere: relative to `on`, in the axes of that, m.
+    /// A point of the plane, the middle of the cylinder, the center of the sphere: relative to `on`, in the axes of
+    /// that, m.
     pub offset: [Number; 3],
     /// The shape.
     pub shape: Shape,
@@ -75,7 +77,7 @@ enum Word {
 
 const SHAPES: [(&str, Word); 3] = [("plane", Word::Plane), ("cylinder", Word::Cylinder), ("sphere", Word::Sphere)];
 
-/// What a surface can be fixed to.
+/// Parts that a surface can be fixed to.
 const CARRIERS: Allowed = Allowed { kinds: &[Kind::Body, Kind::Frame], ground: true, forms: "ground, BODY or FRAME" };
 
 impl SurfaceSpec {
@@ -126,7 +128,8 @@ impl SurfaceSpec {
     }
 }
 
-/// A surface as flat polygons in its own axes, m: x is along its normal or its axis, and the corners of a face run anticlockwise as seen from outside.
+/// A surface as flat polygons in its own axes, m: x is along its normal or its axis, and the corners of a face run
+/// anticlockwise as seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Corners.

@@ -143,7 +143,7 @@ pub struct Reader<'c, 'a> {
     pub place: Place,
     prefix: String,
     entries: Vec<Entry>,
-    /// What it may have, to be sure that the reader asks for nothing else; empty: it has no table.
+    /// The keys that it may have: the reader must ask for no other one; empty: it has no table.
     keys: &'static [Key],
     known: Vec<&'static str>,
     missing: Vec<(String, String)>,
