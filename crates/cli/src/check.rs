@@ -78,7 +78,7 @@ fn document(simulation: &Simulation) -> Value {
         "description": about.description,
         "stop": about.stop,
         "output_step": about.output_step,
-        "derived": derived_numbers(&simulation)
+        "derived": derived_numbers(simulation)
             .into_iter()
             .map(|Derived { key, value, unit }| json!({ "key": key, "value": value, "unit": unit }))
             .collect::<Vec<_>>(),
