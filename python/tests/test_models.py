@@ -162,4 +162,4 @@ def test_mistakes_in_parameters_are_shown_as_parameters() -> None:
     # The underline stands below the wrong word.
     lines = message.splitlines()
     place = next(number for number, line in enumerate(lines) if "arm.elemnts=4" in line)
-    assert "in the parameters" in message and lines[place + 1].index("^") == lines[place].index("arm.elemnts")
+    assert "in the changes to the model file" in message and lines[place + 1].index("^") == lines[place].index("arm.elemnts")

@@ -38,7 +38,7 @@ struct Document {
 #[derive(Debug, Serialize)]
 pub struct Complaint {
     pub message: String,
-    /// The file with line and column, or that the mistake is on the command line; none: it is about no place.
+    /// The file with line and column, or that the mistake is in the changes to the file; none: it is about no place.
     pub location: Option<String>,
     pub line: Option<usize>,
     pub column: Option<usize>,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 import warnings
 from typing import Any, NoReturn
@@ -59,14 +58,10 @@ class SolverWarning(UserWarning):
 _KINDS: dict[str, type[Error]] = {"model": ModelError, "name": VariableError, "call": CallError, "run": RunError}
 
 
-_OVERRIDE = re.compile(r"--> on the command line\n(\s*\|)\n(\s*\| )--set (.*)\n(\s*\| ) {6}(.*)")
-"""How a message shows a mistake in an override, with the words of the program."""
-
-
 def error_of(refusal: BaseException) -> Error:
     """Return the public error for a refusal of the native module."""
     kind, message, line = refusal.args
-    return _KINDS[kind](_OVERRIDE.sub(r"--> in the parameters\n\1\n\2\3\n\4\5", message), line)
+    return _KINDS[kind](message, line)
 
 
 class raising:

@@ -2,7 +2,7 @@
 //! and reported as if it stood in the file, except that messages quote the override.
 
 use super::entries::keys_of;
-use crate::model::text::diagnostic::{OVERRIDE, Place, Report};
+use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::{SECTIONS, is_legal, suggestion};
 use crate::model::text::tree::{Entry, Item, Node, parse_override};
 
@@ -32,8 +32,7 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
             continue;
         }
         let source = k + 1;
-        let start = OVERRIDE.len();
-        let place = Place { source, start, end: start + key.len() };
+        let place = Place { source, start: 0, end: key.len() };
         let item = parse_override(value, source, place.end + 1, report);
         let (path, index) = match split_index(key) {
             Ok(split) => split,
@@ -66,7 +65,7 @@ pub fn apply_early(
 ) -> Vec<bool> {
     let mut applied = Vec::with_capacity(overrides.len());
     for (k, (key, value)) in overrides.iter().enumerate() {
-        let place = Place { source: k + 1, start: OVERRIDE.len(), end: OVERRIDE.len() + key.len() };
+        let place = Place { source: k + 1, start: 0, end: key.len() };
         let (name, last) = key.split_once('.').unwrap_or((key, ""));
         let (word, key_in) = match last {
             "" => ("parameters", name),

@@ -1,6 +1,6 @@
 //! What is wrong with a model file, and where: the offending text underlined in its line, what was expected, what to try.
 
-pub use super::source::{OVERRIDE, Place, Source};
+pub use super::source::{Place, Source};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -43,7 +43,7 @@ impl Diagnostic {
                 let column = line[..from].chars().count() + 1;
                 (Some(number), Some(column), format!("{file_name}:{number}:{column}"))
             }
-            None => (None, None, "on the command line".to_owned()),
+            None => (None, None, "in the changes to the model file".to_owned()),
         };
         let (origin, note) = (told.place, told.note.to_owned());
         let (line, underline) = excerpt(line, from, to);
@@ -63,7 +63,7 @@ impl Diagnostic {
         self.column
     }
 
-    /// The file with line and column, or that it is on the command line.
+    /// The file with line and column, or that it is in the changes to the file: an override of the command line, of a program or of a host.
     pub fn location(&self) -> &str {
         &self.location
     }

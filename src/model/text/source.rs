@@ -72,13 +72,10 @@ pub struct Told<'s> {
     pub note: &'s str,
 }
 
-/// How an override begins in a message.
-pub const OVERRIDE: &str = "--set ";
-
 impl Source {
     /// The file, and overrides as key and value.
     pub fn new(file_name: &str, text: &str, overrides: &[(String, String)]) -> Self {
-        let quoted = overrides.iter().map(|(key, value)| format!("{OVERRIDE}{key}={value}"));
+        let quoted = overrides.iter().map(|(key, value)| format!("{key}={value}"));
         let texts = std::iter::once(text.to_owned()).chain(quoted).collect();
         Self { file_name: file_name.to_owned(), texts, included: Vec::new(), remarks: Vec::new(), origin: None }
     }
@@ -180,7 +177,7 @@ impl Source {
         let told = self.told(place);
         match told.source.file_name(told.place.source) {
             Some(file_name) => format!("{file_name}, line {}", self.line(place)),
-            None => String::from("--set"),
+            None => told.source.text(told.place.source).to_owned(),
         }
     }
 

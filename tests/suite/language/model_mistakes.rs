@@ -68,7 +68,12 @@ fn overrides_are_named_in_their_messages() {
         let overrides = [(key.to_owned(), value.to_owned())];
         let message = Document::parse("m.toml", text, &overrides).expect_err(key).to_string();
         assert!(message.contains(expected), "{key}={value}: {message}");
-        assert!(message.contains(&format!("--set {key}={value}")), "{key}={value}: {message}");
+        // The words are right for every caller: the command line, a program, a host.
+        assert!(message.contains("--> in the changes to the model file"), "{key}={value}: {message}");
+        assert!(
+            message.contains(&format!("| {key}={value}")) && !message.contains("--set"),
+            "{key}={value}: {message}"
+        );
     }
 }
 

@@ -118,7 +118,7 @@ test("mistakes are told with their control, and with their line", async () => {
   await ready(page);
   await type(page, "steel.young", "-1");
   await run(page);
-  assert.match(await page.textContent(".error"), /`steel\.young` must be greater than 0[^]*--set steel\.young=-1/);
+  assert.match(await page.textContent(".error"), /`steel\.young` must be greater than 0[^]*in the changes to the model file[^]*steel\.young=-1/);
   assert.equal(await page.getAttribute('.control[data-name="steel.young"] input[type=text]', "aria-invalid"), "true");
   await page.click('.control[data-name="steel.young"] button');
   // The text of the model can be edited too.
