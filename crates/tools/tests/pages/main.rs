@@ -3,5 +3,6 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod campaign;
+mod how_do_i;
 mod model_file;
 mod validation;

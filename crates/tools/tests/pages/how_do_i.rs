@@ -1,0 +1,74 @@
+//! Who copies a model of docs/how-do-i.md gets one that runs to its end without a warning, mesh error included, and the
+//! figures that the page states.
+
+use ancf14::fmi::{About, Model};
+use ancf14::model::simulation::Simulation;
+use ancf14_testing::running::value;
+
+const PAGE: &str = include_str!("../../../../docs/how-do-i.md");
+
+/// The name, the result at the end, its value by a closed form, and the tolerance of the comparison.
+const STATED: [(&str, &str, f64, f64); 8] = [
+    // Winkler: F (k/(4 EI))^0.25/(2 k); the supports stand 0.25 m apart and the ends are free: 1 %.
+    ("RailOnBed", "settlement.displacement[3]", -1.187e-3, 1e-2),
+    // A catenary of 10 m over 9 m. The bending stiffness bends the rope less within sqrt(EI/T) = 0.045 m: 2e-3.
+    ("HangingCable", "middle.position[3]", -1.907, 2e-3),
+    // g (m1 - m2)/(m1 + m2 + J/r^2), rigid: the default accuracy of the steps.
+    ("Atwood", "motion.distance_acceleration", -9.81 / 5.5, 1e-3),
+    // -sqrt(m g/drag), reached to 2 exp(-2 g t/v) = 3.4e-6: the default accuracy of the steps.
+    ("FallingBall", "fall.distance_rate", -4.42945, 1e-3),
+    // (5 F L^3/(48 EI) - gap)/(L^3/(3 EI) + 1/stiffness) = (0.044643 - 0.01)/(4.7619e-4 + 1e-6) N, for small deflections;
+    // squares of slopes of 0.02 leave 1e-3.
+    ("TipOnPost", "at_post.force", -72.598, 1e-3),
+    // x'' = (6 t - 10)/2 from 5/3 s to 2 s; the 10 micrometers of sticking are 6e-4 of it, and the accuracy 1e-3.
+    ("BlockThatHolds", "block_motion.distance", 1.0 / 54.0, 3e-3),
+    // A strut of 2e4 N/m that is shortened from 0.45 m to 0.4 m: round-off.
+    ("SpringDamperUnit", "in_strut.force", -1000.0, 1e-12),
+    // The wanted angle, 0.4 s after its motion ends: 0.9 kg m2 with gains 400 and 30 decay as exp(-16 t), to 2e-3 of a lag
+    // of 0.1 rad.
+    ("LinkWithController", "motion.angle", 1.2, 1e-3),
+];
+
+/// The simulation of a model after its last row, and all that the run is told.
+fn ran(text: &str) -> (Simulation, Vec<String>) {
+    let mut simulation = Simulation::load("page.toml", text, &[]).unwrap();
+    simulation.ask_for_mesh_error(|companion| Box::new(companion));
+    let About { start, stop, output_step, .. } = *simulation.about();
+    simulation.initialize(start).unwrap();
+    for row in 1..=(stop / output_step).round() as u32 {
+        simulation.advance(f64::from(row) * output_step).unwrap();
+    }
+    simulation.conclude();
+    let warnings = simulation.take_warnings();
+    (simulation, warnings)
+}
+
+#[test]
+fn models_run_without_a_warning() {
+    let listings = PAGE.split("```toml\n").skip(1).map(|rest| rest.split_once("```\n").unwrap().0);
+    let mut compared = 0;
+    for text in listings.filter(|text| text.starts_with("format = 1")) {
+        let (simulation, warnings) = ran(text);
+        let name = simulation.about().name.clone();
+        assert!(warnings.is_empty(), "{name}: {warnings:#?}");
+        for (_, result, stated, tolerance) in STATED.iter().filter(|(own, ..)| *own == name) {
+            let found = value(&simulation, result);
+            assert!((found - stated).abs() <= tolerance * stated.abs(), "{name}: {result} is {found}, not {stated}");
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, STATED.len(), "a model of the list is not on the page");
+}
+
+/// Each entry of the table of contents leads to a heading, and each heading is in it.
+#[test]
+fn contents_are_those_of_the_page() {
+    let anchor = |heading: &str| heading.to_lowercase().replace(' ', "-");
+    let headings: Vec<_> = PAGE.lines().filter_map(|line| line.strip_prefix("## ")).map(anchor).collect();
+    let table = PAGE.lines().filter(|line| line.starts_with("| "));
+    let links: Vec<_> =
+        table.flat_map(|line| line.split("](#").skip(1)).filter_map(|rest| rest.split(')').next()).collect();
+    let mut sorted = [headings, links.iter().map(|&link| link.to_owned()).collect()];
+    sorted.iter_mut().for_each(|names| names.sort());
+    assert_eq!(sorted[0], sorted[1]);
+}
