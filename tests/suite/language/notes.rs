@@ -113,7 +113,7 @@ fn regression_materials_in_other_units_are_told() {
     }
     let set = [("steel.density".to_owned(), "7.85".to_owned())];
     let found = notes(&Document::parse("m.toml", &held, &set).unwrap());
-    assert!(found.len() == 1 && found[0].starts_with("--set: steel.density"), "{found:?}");
+    assert!(found.len() == 1 && found[0].starts_with("steel.density=7.85: steel.density"), "{found:?}");
     for sound in [
         held.clone(),
         held.replace("young = 2.1e11", "young = 1e7"),
