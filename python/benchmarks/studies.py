@@ -92,17 +92,17 @@ if __name__ == "__main__":
         return lambda count: model.sweep({"mass": masses(count)}, [LOWEST], executor=executor)
 
     def solve(count: int) -> None:
-        """The solver alone: one unit that is reset."""
-        unit = model.unit()
+        """The solver alone: one instance that is reset."""
+        instance = model.instance()
         for mass in masses(count):
-            unit.reset()
-            unit["mass"] = mass
-            unit.initialize()
+            instance.reset()
+            instance["mass"] = mass
+            instance.initialize()
             for k in range(10):
-                unit.advance(1e-2 * (k + 1))
+                instance.advance(1e-2 * (k + 1))
 
     print("| | runs | runs per second | time per run |\n|---|---|---|---|")
-    row("no study: one `unit`, reset for each run", 10_000, solve)
+    row("no study: one `instance`, reset for each run", 10_000, solve)
     row("`sweep`, 1 thread", 10_000, sweep(ThreadPoolExecutor(1)))
     row("`sweep`, 2 threads", 10_000, sweep(ThreadPoolExecutor(2)))
     with ProcessPoolExecutor(2, get_context("spawn")) as processes:

@@ -14,17 +14,17 @@ FILE = Path("crane.toml")
 def travel(damping: float) -> float:
     """The width of the swing of the load in the last two seconds, m, if a swing moves the trolley after it with the gain ``damping``."""
     text = FILE.read_text().replace('position = ["2*smoothstep(0, 3, t)", 0, 0]', "position = [0, 0, 0]\ninput = true")
-    unit = ancf14.Model.from_string(text).unit()
-    unit.initialize()
+    instance = ancf14.Model.from_string(text).instance()
+    instance.initialize()
     place, swings = 0.0, []
     for k in range(round(8 / STEP)):
         time = k * STEP
         wanted, speed = 2 * min(time / 3, 1), 2 / 3 if time < 3 else 0
-        ahead = unit["load_motion.position[1]"] - place
+        ahead = instance["load_motion.position[1]"] - place
         place += STEP * (speed + 0.3 * (wanted - place) + damping * ahead)
-        unit["trolley.position[1]"] = place
-        unit.step(STEP)
-        swings.append(unit["load_motion.position[1]"] - place)
+        instance["trolley.position[1]"] = place
+        instance.step(STEP)
+        swings.append(instance["load_motion.position[1]"] - place)
     return float(np.ptp(swings[-round(2 / STEP) :]))
 
 

@@ -21,16 +21,16 @@ STEP, STEPS, COUNT, NOISE = 0.02, 25, 60, 2e-3
 # %%
 if __name__ == "__main__":
     chance = np.random.default_rng(1)
-    unit = ancf14.Model.from_string(HOOK).unit()
-    unit.initialize()
-    start = unit.state
+    instance = ancf14.Model.from_string(HOOK).instance()
+    instance.initialize()
+    start = instance.state
 
     def ahead(state: ancf14.State, force: float) -> tuple[ancf14.State, float]:
         """The state a step later under a force, and the height of the tip there, m."""
-        unit.state = state
-        unit["hook.force[3]"] = -force
-        unit.step(STEP)
-        return unit.state, unit["tip.position[3]"]
+        instance.state = state
+        instance["hook.force[3]"] = -force
+        instance.step(STEP)
+        return instance.state, instance["tip.position[3]"]
 
     true, states, forces = start, [start] * COUNT, chance.uniform(5, 40, COUNT)
     for _ in range(STEPS):

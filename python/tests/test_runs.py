@@ -98,13 +98,13 @@ def test_inputs_are_constants_arrays_and_functions() -> None:
     constant = model.run(inputs={"push.force": (0, 0, 5)})
     assert constant["tip.displacement[3]"][-1] > function["tip.displacement[3]"][-1] > model.run()["tip.displacement[3]"][-1]
     # Step by step, the same input gives the same bits.
-    unit = model.unit()
-    unit["push.force[3]"] = 0
-    unit.initialize()
+    instance = model.instance()
+    instance["push.force[3]"] = 0
+    instance.initialize()
     for at in function.time[1:]:
-        unit.advance(at)
-        unit["push.force"] = (0, 0, 100 * at)
-    assert unit["tip.displacement"].tobytes() == function["tip.displacement"][-1].tobytes()
+        instance.advance(at)
+        instance["push.force"] = (0, 0, 100 * at)
+    assert instance["tip.displacement"].tobytes() == function["tip.displacement"][-1].tobytes()
     with pytest.raises(ancf14.CallError, match=r"\(21, 3\)"):
         model.run(inputs={"push.force": np.zeros((20, 3))})
     with pytest.raises(ancf14.VariableError, match=r"push\.force"):

@@ -16,5 +16,6 @@ mod motion;
 mod references;
 mod support;
 mod trust;
+mod words;
 
-use ancf14_testing::{curves, golden, paths, planar_rod, random, running};
+use ancf14_testing::{curves, golden, integrators, paths, planar_rod, random, running};

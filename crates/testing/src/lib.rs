@@ -6,6 +6,7 @@ pub mod blades;
 pub mod curves;
 pub mod golden;
 pub mod integrate;
+pub mod integrators;
 pub mod pages;
 pub mod paths;
 pub mod planar_rod;

@@ -8,15 +8,16 @@ All numbers are in SI units and radians.
 """
 
 from ._errors import CallError, Error, Interrupted, ModelError, RunError, SolverWarning, VariableError
+from ._instance import Instance, State
 from ._model import Model, Picture, Variable
 from ._modes import Modes
 from ._native import __version__
 from ._results import Page, Results
-from ._unit import State, Unit
 
 __all__ = [
     "CallError",
     "Error",
+    "Instance",
     "Interrupted",
     "Model",
     "ModelError",
@@ -27,7 +28,6 @@ __all__ = [
     "RunError",
     "SolverWarning",
     "State",
-    "Unit",
     "Variable",
     "VariableError",
     "__version__",

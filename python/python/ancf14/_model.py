@@ -24,7 +24,7 @@ from ._study import sweep
 from ._study.points import Space
 from ._study.reducers import Outputs
 from ._study.sweep import Progress
-from ._unit import Unit
+from ._instance import Instance
 
 Value: TypeAlias = "float | int | bool | str | np.number[Any] | Sequence[float | int | str]"
 """A number, a word or an expression of a model file, or a list of them."""
@@ -279,9 +279,9 @@ class Model:
             self, space, outputs, stop=stop, output_step=output_step, inputs=inputs, executor=executor, store=store, progress=progress
         )
 
-    def unit(self, parameters: Parameters | None = None) -> Unit:
+    def instance(self, parameters: Parameters | None = None) -> Instance:
         """Return a simulation to advance step by step, with the parameters changed."""
-        return Unit(self._source, list(dict([*self._overrides, *self._changes(parameters)]).items()))
+        return Instance(self._source, list(dict([*self._overrides, *self._changes(parameters)]).items()))
 
     def modes(self, count: int = 10, parameters: Parameters | None = None) -> Modes:
         """Find the ``count`` lowest natural modes about the initial state."""

@@ -1,4 +1,4 @@
-//! Dry friction that holds: an elastic sticking displacement, up to the limit at which it slides (MECHANICS 5.5).
+//! Dry friction that holds: an elastic sticking displacement, up to the limit at which it slides (MECHANICS 7.6).
 //!
 //! The displacement is what friction remembers. While both sides stick, it grows with their way against each other, and the force `stiffness · displacement` holds. At the
 //! limit they slide, and the displacement stays what it is. A step takes the force that it would have half a step behind its end, with the rate there:

@@ -89,7 +89,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     let (mut system, mut state) = builder.system.finish(vector(document, document.model.gravity));
     system.origin = origin;
     state.balance.account = document.simulation.totals.contains(&Total::Work).then(EnergyAccount::default);
-    // The size of the machine is known now.
+    // The size of the mechanism is known now.
     tune::set_springs(document, &mut system);
     set_mobilities(&mut system, &state, document.largest_step());
     Ok(Built { system, state })

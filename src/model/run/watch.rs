@@ -42,9 +42,7 @@ impl Watch {
     /// Of a run of `document`.
     pub fn new(document: &Document) -> Self {
         let damps = match document.simulation.integrator {
-            IntegratorSpec::Conserving { spectral_radius } => {
-                spectral_radius.is_some_and(|own| document.value(own) < 1.0)
-            }
+            IntegratorSpec::Conserving { spectral_radius } => document.value(spectral_radius) < 1.0,
             IntegratorSpec::GeneralizedAlpha { .. } => true,
         };
         let analysis = document.simulation.analysis;

@@ -1,6 +1,7 @@
 //! What a host moves, from one communication step to the next, has inertia: the forces that it needs are there.
 
 use crate::curves::load;
+use crate::integrators::setting;
 use crate::running::value;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
@@ -72,7 +73,7 @@ fn moved_to(
     inputs: &[&str],
     values: impl Fn(f64) -> Vec<f64>,
 ) -> Simulation {
-    let mut simulation = load(text, &[("simulation.integrator", integrator)]);
+    let mut simulation = load(text, &[setting(integrator)]);
     let variables = simulation.variables().iter();
     let names: Vec<&str> = variables.map(|variable| variable.name.as_str()).collect();
     let places: Vec<usize> = inputs.iter().map(|input| names.iter().position(|name| name == input).unwrap()).collect();
@@ -88,7 +89,7 @@ fn moved_to(
 /// A mass of 2 kg along `1.5 t²`: 3 m/s², 6 N; the same mass turned along `t²`: 2 rad/s², 2 N m for 1 kg m².
 #[test]
 fn frames_bear_the_inertia_of_what_they_move() {
-    for integrator in ["conserving", "variational"] {
+    for integrator in ["conserving", "undamped"] {
         let simulation = moved(FRAME, integrator, &["hand.position[1]"], |t| vec![1.5 * t * t]);
         // Round-off of places of 0.04 m, over two steps of 4 ms: 1e-12 m/s².
         for name in ["grasp.acceleration[1]", "center.acceleration[1]"] {
@@ -140,7 +141,7 @@ fn steps_of_no_length() {
 /// The same of a drive whose value a host gives.
 #[test]
 fn drives_bear_the_inertia_of_what_they_move() {
-    for integrator in ["conserving", "variational"] {
+    for integrator in ["conserving", "undamped"] {
         let simulation = moved(DRIVE, integrator, &["push.value"], |t| vec![1.5 * t * t]);
         let effort = value(&simulation, "motor.effort");
         assert!((effort - 6.0).abs() < 1e-9, "{integrator}: {effort}");
@@ -177,7 +178,7 @@ fn rod(damping: f64, grip: &str) -> String {
 fn stiff_rods_do_not_ring() {
     let watched = ["grasp.reaction_force[1]", "foot.section_force"];
     let mass = 7850.0 * std::f64::consts::PI * 4e-4 * 2.0;
-    for integrator in ["conserving", "variational", "generalized_alpha"] {
+    for integrator in ["conserving", "undamped", "generalized_alpha"] {
         for (damping, parts) in [(0.0, 1), (0.0, 2), (0.0, 3), (0.0, 4), (1e-4, 1), (1e-4, 2), (1e-4, 3), (1e-4, 4)] {
             let ends: Vec<f64> = (1..=120 / parts).map(|k| 5e-3 * f64::from(parts * k)).collect();
             let own = rod(damping, "position = [\"0.5*t^2\", 0, 0]");
@@ -205,8 +206,8 @@ fn stiff_rods_do_not_ring() {
 fn cranes_feel_no_communication_points() {
     let crane = include_str!("../../../models/crane.toml");
     let watched = ["drive_load.reaction_force[1]", "drive_load.reaction_force[3]", "boom_foot.stress"];
-    for integrator in ["conserving", "variational", "generalized_alpha"] {
-        let settings = [("simulation.integrator", integrator), ("foot.input", "false")];
+    for integrator in ["conserving", "undamped", "generalized_alpha"] {
+        let settings = [setting(integrator), ("foot.input", "false")];
         let path = [settings[0], settings[1], ("foot.position[1]", "0.5*(1 - cos(pi*min(t, 2)/2))")];
         for parts in [1, 2, 3, 4] {
             let (mut own, mut hosted) = (load(crane, &path), load(crane, &settings[..1]));

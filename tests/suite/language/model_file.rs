@@ -194,7 +194,7 @@ fn overrides_reach_every_key() {
             ("arm.torsion", "false"),
             ("weight.force[1]", "2*P*t"),
             ("P", "2"),
-            ("simulation.integrator", "variational"),
+            ("simulation.integrator", "generalized_alpha"),
         ],
     );
     let arm = &document.beams[0];

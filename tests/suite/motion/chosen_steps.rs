@@ -186,10 +186,8 @@ fn inexact_results_ask_for_another_accuracy() {
 /// Where the error of a step is not known a step must be given, and the message says so.
 #[test]
 fn steps_are_chosen_only_where_errors_are_known() {
-    for integrator in ["variational", "generalized_alpha"] {
-        let message = try_start(&oscillator(&format!("integrator = \"{integrator}\""))).unwrap_err();
-        assert!(message.contains("[simulation] needs the key `step`"), "{message}");
-    }
+    let message = try_start(&oscillator("integrator = \"generalized_alpha\"")).unwrap_err();
+    assert!(message.contains("[simulation] needs the key `step`"), "{message}");
     let message = try_start(&oscillator("spectral_radius = 1")).unwrap_err();
     assert!(message.contains("cannot choose the steps") && message.contains("give simulation.step"), "{message}");
     let message = try_start(&oscillator("accuracy = 1e-3\nstep = 1e-3")).unwrap_err();

@@ -125,7 +125,7 @@ fn open(text: &str, every: f64, stop: f64) -> (f64, [f64; 5]) {
 #[test]
 fn the_account_closes_with_everything_acting() {
     for (simulation, drift) in [
-        ("step = 1e-3\nintegrator = \"variational\"", 1e-6),
+        ("step = 1e-3\nspectral_radius = 1", 1e-6),
         ("step = 1e-3", 1e-5),
         ("step = 4e-3\nspectral_radius = 0.6", 1e-3),
         ("accuracy = 1e-3", 1e-4),

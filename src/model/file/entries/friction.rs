@@ -34,7 +34,7 @@ const FRICTION_TORSION: Rule =
 const FRICTION_STIFFNESS: Rule =
     Rule::new("friction_stiffness", "stiffness of dry friction while it holds", "N/m").above(0.0).tunable();
 
-/// The elastic way of dry friction before it slides where its stiffness is not given: an angle, rad, and a share of the size of the machine.
+/// The elastic way of dry friction before it slides where its stiffness is not given: an angle, rad, and a share of the size of the mechanism.
 const STICKING_ANGLE: f64 = 1e-4;
 const STICKING_SHARE: f64 = 1e-5;
 
@@ -58,14 +58,14 @@ pub struct FrictionSpec {
 /// How dry friction grows from rest.
 #[derive(Clone, Copy, Debug)]
 pub enum Growth {
-    /// With the elastic way of sides that stick: stiffness, N/m or N m/rad; none: as the size of the machine asks for.
+    /// With the elastic way of sides that stick: stiffness, N/m or N m/rad; none: as the size of the mechanism asks for.
     Sticking(Option<Number>),
     /// With the rate: that at which it has 71 % of `coulomb`, m/s or rad/s. It creeps instead of holding.
     Rate(Number),
 }
 
 impl FrictionSpec {
-    /// Its force in a machine of the size `size`, m.
+    /// Its force in a mechanism of the size `size`, m.
     pub(super) fn strength(&self, numbers: &Numbers, size: f64) -> Strength {
         let [limit, viscous] = [self.coulomb, self.viscous].map(|number| numbers.value(number));
         let dry = match self.growth {

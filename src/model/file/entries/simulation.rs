@@ -139,8 +139,8 @@ impl Steps {
 pub enum IntegratorSpec {
     /// Midpoint rule that keeps momenta, and the energy of all that the step resolves.
     Conserving {
-        /// Share of the fastest oscillations that a step keeps, 0.6 to 1; none: all of them.
-        spectral_radius: Option<Number>,
+        /// Share of the fastest oscillations that a step keeps, 0.6 to 1.
+        spectral_radius: Number,
     },
     /// Generalized-alpha, with numerical damping.
     GeneralizedAlpha {
@@ -160,11 +160,8 @@ pub enum Initial {
 
 const ANALYSES: [(&str, Analysis); 2] = [("dynamic", Analysis::Dynamic), ("static", Analysis::Static)];
 const FOLLOWS: [(&str, bool); 2] = [("time", false), ("arc_length", true)];
-const INTEGRATORS: [(&str, Word); 3] = [
-    ("conserving", Word::Conserving),
-    ("variational", Word::Variational),
-    ("generalized_alpha", Word::GeneralizedAlpha),
-];
+const INTEGRATORS: [(&str, Word); 2] =
+    [("conserving", Word::Conserving), ("generalized_alpha", Word::GeneralizedAlpha)];
 const TOTALS: [(&str, Total); 4] = [
     ("energy", Total::Energy),
     ("work", Total::Work),
@@ -175,11 +172,10 @@ const TOTALS: [(&str, Total); 4] = [
 const USUAL_TOTALS: [Total; 3] = [Total::Energy, Total::Momentum, Total::Statistics];
 const INITIALS: [(&str, Initial); 2] = [("as_drawn", Initial::AsDrawn), ("equilibrium", Initial::Equilibrium)];
 
-/// A word of `integrator`; `variational`, the paper's midpoint rule, is now `conserving` without numerical dissipation.
+/// A word of `integrator`.
 #[derive(Clone, Copy)]
 enum Word {
     Conserving,
-    Variational,
     GeneralizedAlpha,
 }
 
@@ -220,7 +216,7 @@ impl SimulationSpec {
         let output_step = reader.optional(&OUTPUT_STEP);
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&TOLERANCE, USUAL_TOLERANCE);
-        let is_estimated = matches!(integrator, IntegratorSpec::Conserving { spectral_radius: Some(_) });
+        let is_estimated = matches!(integrator, IntegratorSpec::Conserving { .. });
         let has_state = from_state.is_some();
         let [verify, mesh_error, correction] = errors(&mut reader, analysis, &follow, has_state, is_estimated);
         let totals = totals(&mut reader, analysis);
@@ -331,25 +327,16 @@ fn follow(reader: &mut Reader<'_, '_>, analysis: Analysis) -> Follow {
 
 fn integrator(reader: &mut Reader<'_, '_>) -> IntegratorSpec {
     let default = (!reader.has("integrator")).then_some(Word::Conserving);
-    let integrator = match reader.word("integrator", &INTEGRATORS, default) {
+    match reader.word("integrator", &INTEGRATORS, default) {
         Some(Word::Conserving) => {
-            let spectral_radius = Some(reader.number_or(&CONSERVED_RADIUS, CONSERVED));
-            return IntegratorSpec::Conserving { spectral_radius };
+            IntegratorSpec::Conserving { spectral_radius: reader.number_or(&CONSERVED_RADIUS, CONSERVED) }
         }
-        Some(Word::Variational) => IntegratorSpec::Conserving { spectral_radius: None },
         Some(Word::GeneralizedAlpha) => {
-            let spectral_radius = reader.number_or(&SPECTRAL_RADIUS, USUAL_RADIUS);
-            return IntegratorSpec::GeneralizedAlpha { spectral_radius };
+            IntegratorSpec::GeneralizedAlpha { spectral_radius: reader.number_or(&SPECTRAL_RADIUS, USUAL_RADIUS) }
         }
-        None => {
-            // Whether it belongs to the integrator that was meant is unknown.
-            reader.optional(&SPECTRAL_RADIUS);
-            return IntegratorSpec::Conserving { spectral_radius: None };
-        }
-    };
-    let message = "this integrator has no spectral_radius";
-    reader.refuse("spectral_radius", message, "take integrator = \"conserving\"");
-    integrator
+        // A mistake: whether the number belongs to the integrator that was meant is unknown.
+        None => IntegratorSpec::Conserving { spectral_radius: reader.number_or(&SPECTRAL_RADIUS, CONSERVED) },
+    }
 }
 
 /// The results of the whole mechanism.

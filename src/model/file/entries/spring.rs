@@ -105,7 +105,7 @@ impl Strength {
 }
 
 impl Parts {
-    /// The springs of the system that the file has, in the order in which they are built: springs, friction, stops. `size` is the size of the machine, m.
+    /// The springs of the system that the file has, in the order in which they are built: springs, friction, stops. `size` is the size of the mechanism, m.
     pub fn springs_in_system<'a>(
         &'a self,
         numbers: &'a Numbers,

@@ -36,7 +36,7 @@ impl Solver {
                 }))
             }
             (Analysis::Dynamic, IntegratorSpec::Conserving { spectral_radius }) => {
-                let spectral_radius = spectral_radius.map_or(1.0, |number| document.value(number));
+                let spectral_radius = document.value(spectral_radius);
                 let midpoint = Midpoint::new(system, spectral_radius, document.largest_step(), tolerance);
                 if simulation.correction && !midpoint.knows_error() {
                     return Err(Error::ErrorNotKnown);

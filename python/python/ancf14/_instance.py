@@ -16,14 +16,14 @@ from ._source import Source
 
 @dataclass(frozen=True)
 class State:
-    """A saved state of a Unit: parameters, inputs, time and motion. It can be pickled, and restored in another process."""
+    """A saved state of an Instance: parameters, inputs, time and motion. It can be pickled, and restored in another process."""
 
     _bytes: bytes
     _pace: tuple[float, float, int]
 
 
-class Unit:
-    """A simulation to advance step by step, made by Model.unit.
+class Instance:
+    """A simulation to advance step by step, made by Model.instance.
 
     ``u["payload"] = 800`` sets a parameter (before ``initialize``), a tunable parameter or an input; ``u["boom_tip.position"]``
     reads any variable, in its SI unit. A name without its index stands for all components: an array of shape ``(3,)``.
@@ -40,7 +40,7 @@ class Unit:
         """A time, a step and how many such steps followed: the time is not a running sum."""
 
     def __repr__(self) -> str:
-        return f"<ancf14.Unit {self._simulation.name()!r} at t = {self.time:g} s>"
+        return f"<ancf14.Instance {self._simulation.name()!r} at t = {self.time:g} s>"
 
     @property
     def time(self) -> float:
@@ -131,11 +131,11 @@ class Unit:
         return _restored, (*self._made_from, self.state)
 
 
-def _restored(source: Source, overrides: list[tuple[str, str]], state: State) -> Unit:
-    """Return a unit from a pickle."""
-    unit = Unit(source, overrides)
-    unit._simulation.take_warnings()
-    unit.state = state
-    return unit
+def _restored(source: Source, overrides: list[tuple[str, str]], state: State) -> Instance:
+    """Return an instance from a pickle."""
+    instance = Instance(source, overrides)
+    instance._simulation.take_warnings()
+    instance.state = state
+    return instance
 
 
